@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+namespace throng::anim {
+
+/// glTF 2.0, 3.11 "Animations" and appendix C.
+enum class Interpolation : unsigned char { step, linear, cubic_spline };
+
+/// Keys of one property of one bone as the file has them. Empty where the clip does not animate it.
+template <typename Value>
+struct Track {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times;   ///< seconds, strictly ascending, first >= 0, all finite
+  std::vector<Value> values;  ///< one a time; three with cubic_spline: in-tangent, value, out-tangent
+
+  bool empty() const { return times.empty(); }
+};
+
+struct BoneTracks {
+  int bone = 0;
+  Track<glm::vec3> translation;
+  Track<glm::quat> rotation;  ///< as stored; not necessarily unit (normalised integers)
+  Track<glm::vec3> scale;
+};
+
+/// One animation of the file, restricted to one skeleton. Runs from 0 to its last key; a bone without a track keeps its
+/// rest transform; before a track's first key and after its last, the nearest key holds.
+struct Clip {
+  std::string name;
+  int animation = -1;              ///< index in the file
+  double start = 0.0;              ///< seconds, the first key of all its channels
+  double duration = 0.0;           ///< seconds, the last key of all its channels, this skeleton's or not
+  std::vector<BoneTracks> tracks;  ///< ascending by bone, at most one a bone
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/anim/base/transform.h"
+
+namespace throng::anim {
+
+/// At most this many per-bone levels of detail (DESIGN "Level of detail"); level 0 has every bone.
+inline constexpr int max_bone_levels = 4;
+
+struct Bone {
+  std::string name;
+  int node = -1;                ///< index of the glTF node it came from
+  int parent = -1;              ///< index of its parent bone, always below its own; -1 for a root
+  Transform rest;               ///< local transform of the file; identity where `prefix` holds the node's matrix
+  glm::dmat4 prefix{1.0};       ///< what never moves and stands between parent and bone: static nodes that are no
+                                ///< bones, or a matrix that is not a plain TRS. local = prefix * T * R * S
+};
+
+/// Where a bone is in the bind pose, in model space, without scale: what an animation state is relative to.
+/// A state stores, for each bone b with parent p (p = identity for a root):
+///     rotation  q' = p.rotation * (prefix rotation * q) * inverse(b.rotation)
+///     position  d  = p.origin + p.rotation * (p.scale * (prefix * t)) - b.origin
+/// so that the bind pose is the identity, and interpolation, blending and additive layers commute with it.
+struct ReferenceFrame {
+  glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+  glm::dvec3 origin{0.0};
+  double scale = 1.0;  ///< constant uniform scale of the bone's global transform
+};
+
+/// One matrix that the kernels write for a bone: bone global * post.
+struct PaletteEntry {
+  int bone = 0;
+  glm::dmat4 post{1.0};  ///< inverse bind matrix
+};
+
+/// A hierarchy of bones and how to get from local transforms to a palette.
+///
+/// Bones are ordered level by level, parents before children, depth-first inside a level, so that every level of
+/// detail is a prefix of the transforms, of the sampled rows and of the palette.
+///
+/// rigid:  every bind and every animated local transform is rigid up to one uniform scale a bone. References are set,
+///         the palette has exactly one matrix a bone, in bone order: palette = model-space motion from the bind pose.
+///         (Vertices must be brought to that space by SkinnedMesh at import.)
+/// else:   references are the identity, states hold plain local rotation, translation and scale, and the palette has
+///         `palette` entries, sorted by bone, each bone global * post.
+struct Skeleton {
+  std::string name;
+  bool rigid = true;
+  std::vector<Bone> bones;                 ///< 1 to max_bones
+  std::vector<ReferenceFrame> references;  ///< one a bone
+  std::vector<PaletteEntry> palette;       ///< general path: any number, sorted by bone; rigid: one a bone, post unused
+  std::vector<int> level_bone_counts;      ///< 1 to max_bone_levels prefixes, descending; [0] == bones.size()
+
+  int bone_count() const { return static_cast<int>(bones.size()); }
+  int palette_count() const { return static_cast<int>(palette.size()); }
+  /// Floats that one bone takes in a state: rotation 4, position 3, and scale 3 on the general path.
+  int components() const { return rigid ? 7 : 10; }
+};
+
+inline constexpr int max_bones = 1024;
+
+/// Number of palette entries that a level needs: those whose bone is below `bone_count`.
+int palette_count_for_bones(const Skeleton& skeleton, int bone_count);
+
+/// The bone itself, or its nearest ancestor below `bone_count`: what a dropped bone follows.
+int nearest_kept_bone(const Skeleton& skeleton, int bone, int bone_count);
+
+/// Local transform -> what a state stores for `bone` (see ReferenceFrame), in double; and back.
+struct StateTransform {
+  glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+  glm::dvec3 position{0.0};
+  glm::dvec3 scale{1.0};
+};
+StateTransform to_state(const Skeleton& skeleton, int bone, const StateTransform& local);
+StateTransform to_local(const Skeleton& skeleton, int bone, const StateTransform& state);
+
+}  // namespace throng::anim

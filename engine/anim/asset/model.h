@@ -18,12 +18,12 @@ namespace throng::anim {
 struct Skin {
   int skin = -1;  ///< index in the file
   std::string name;
-  std::vector<int> bones;                ///< joint -> bone, in skin.joints order
-  std::vector<int> palette_entries;      ///< joint -> palette entry, in skin.joints order
-  std::vector<glm::dmat4> inverse_binds; ///< as in the file; identity where it has none
-  glm::dmat4 bind_to_model{1.0};         ///< rigid path: vertex space of the skin -> space of the palette.
-                                         ///< scene palette = palette entry * bind_to_model
-  std::vector<int> mesh_nodes;           ///< nodes that draw a mesh with this skin
+  std::vector<int> bones;                 ///< joint -> bone, in skin.joints order
+  std::vector<int> palette_entries;       ///< joint -> palette entry, in skin.joints order
+  std::vector<glm::dmat4> inverse_binds;  ///< as in the file; identity where it has none
+  glm::dmat4 bind_to_model{1.0};          ///< rigid path: vertex space of the skin -> space of the palette.
+                                          ///< scene palette = palette entry * bind_to_model
+  std::vector<int> mesh_nodes;            ///< nodes that draw a mesh with this skin
 };
 
 struct Image {
@@ -34,10 +34,10 @@ struct Image {
 
 struct Material {
   std::string name;
-  glm::vec4 base_color{1.0F};   ///< linear
-  int image = -1;               ///< base colour texture among Model::images, or -1
+  glm::vec4 base_color{1.0F};  ///< linear
+  int image = -1;              ///< base colour texture among Model::images, or -1
   bool double_sided = false;
-  float alpha_cutoff = 0.0F;    ///< 0: opaque
+  float alpha_cutoff = 0.0F;  ///< 0: opaque
 };
 
 /// One glTF primitive as triangles, skinned: brought into the space of the palette (see Skin::bind_to_model).
@@ -45,13 +45,13 @@ struct SkinnedMesh {
   std::string name;
   int material = 0;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;            ///< one a position; computed where the file has none
-  std::vector<glm::vec2> texture_coords;     ///< one a position, or empty
-  std::vector<glm::vec4> colors;             ///< linear RGBA, one a position, or empty
-  std::vector<std::uint8_t> regions;         ///< tint region of `_REGION` (0..4), one a position, or empty
-  std::vector<glm::u16vec4> palette_entries; ///< four influences a position, strongest first
-  std::vector<glm::vec4> weights;            ///< sum to 1; what the file has beyond four is dropped and reported
-  std::vector<std::uint32_t> indices;        ///< triangles, counter-clockwise front
+  std::vector<glm::vec3> normals;             ///< one a position; computed where the file has none
+  std::vector<glm::vec2> texture_coords;      ///< one a position, or empty
+  std::vector<glm::vec4> colors;              ///< linear RGBA, one a position, or empty
+  std::vector<std::uint8_t> regions;          ///< tint region of `_REGION` (0..4), one a position, or empty
+  std::vector<glm::u16vec4> palette_entries;  ///< four influences a position, strongest first
+  std::vector<glm::vec4> weights;             ///< sum to 1; what the file has beyond four is dropped and reported
+  std::vector<std::uint32_t> indices;         ///< triangles, counter-clockwise front
 };
 
 /// One skeleton of a file with all that hangs on it.
@@ -67,9 +67,9 @@ struct Model {
 /// What one .glb or .gltf holds. Models are sorted by number of vertices skinned to them, then joints; largest first.
 struct ImportedFile {
   std::string file;
-  std::vector<Model> models;             ///< at least one
-  std::vector<std::string> animations;   ///< name of every animation of the file, by index
-  std::vector<std::string> repairs;      ///< one sentence each: what was found odd and mended
+  std::vector<Model> models;            ///< at least one
+  std::vector<std::string> animations;  ///< name of every animation of the file, by index
+  std::vector<std::string> repairs;     ///< one sentence each: what was found odd and mended
 };
 
 }  // namespace throng::anim

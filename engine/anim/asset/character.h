@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "engine/anim/asset/keyframe_stream.h"
+#include "engine/anim/asset/model.h"
+#include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/base/result.h"
+#include "engine/anim/kernel/hierarchy.h"
+
+namespace throng::anim {
+
+enum class StreamKind : unsigned char { sampled, keyframe };
+
+/// 64-byte aligned bytes that own themselves.
+struct AlignedDelete {
+  void operator()(std::byte* bytes) const { ::operator delete[](bytes, std::align_val_t{64}); }
+};
+using AlignedBytes = std::unique_ptr<std::byte[], AlignedDelete>;
+AlignedBytes allocate_aligned(std::size_t size);
+
+/// One clip, ready to play: both streams, and what baking found.
+struct BakedClip {
+  std::string name;
+  Ticks duration = 0;
+  bool loops = false;                 ///< first and last pose agree (root motion aside)
+  glm::dvec3 loop_displacement{0.0};  ///< root motion taken out of the pose: metres a loop, model space
+  AlignedBytes keyframe_block;
+  AlignedBytes sampled_block;  ///< null: plays from its keyframe stream, `note` says why
+  double sampled_rate = 0.0;   ///< Hz
+  double sampled_error = 0.0;  ///< metres, the largest measured on the surface proxy
+  double error_bound = 0.0;    ///< metres
+  std::string note;
+
+  const KeyframeStream& keyframe() const { return *reinterpret_cast<const KeyframeStream*>(keyframe_block.get()); }
+  const SampledStream* sampled() const { return reinterpret_cast<const SampledStream*>(sampled_block.get()); }
+};
+
+struct BakeOptions {
+  bool take_root_motion = true;  ///< remove the ground-plane travel of the root from the pose (off for `pose`)
+};
+
+/// A skeleton with its clips, baked: read-only while agents play it.
+struct Character {
+  Skeleton skeleton;
+  HierarchyProgram hierarchy;
+  std::vector<BakedClip> clips;  ///< never empty: a model without clips gets one, "rest", of its rest pose
+  double height = 0.0;           ///< metres, of the rest pose's surface, or of its joints where there is no surface
+};
+
+/// Bakes every clip of `model`. Never fails on what import accepted.
+Character bake_character(const Model& model, const BakeOptions& options = {});
+
+/// A branching skeleton (a trunk with limbs and fingers) of `bones` bones and `clips` different looping clips, for
+/// benchmarks and tests; deterministic by `seed`.
+Model synthetic_model(int bones, int clips, unsigned seed = 1);
+
+}  // namespace throng::anim

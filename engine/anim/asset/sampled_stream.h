@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/anim/base/units.h"
+#include "engine/anim/kernel/pose.h"
+
+namespace throng::anim {
+
+/// Poses of a clip at a uniform rate, in state space, before they are quantised.
+struct SampledRows {
+  int bone_count = 0;
+  int components = rigid_components;
+  Ticks first_row = 0;      ///< time of row 0: the phase of the clip's key grid, at most 0 unless the clip starts late
+  Ticks row_step = 0;       ///< ticks between rows, > 0
+  int row_count = 0;        ///< at least 1; times outside the rows show the nearest
+  std::vector<float> rows;  ///< [row][packet][component][16]; quaternions of neighbouring rows on one hemisphere
+};
+
+/// The crowd's stream (DESIGN section 4): one relocatable read-only block (paper 1.3), loadable with one read.
+///
+///     SampledStream | SampledPacket x packets | row 0 | row 1 | ... | row 0 or last row again
+///
+/// A row holds, for each packet, the 16-bit lanes that move: rotation int16 [4][16], then position int16 [3][16], then
+/// scale int16 [3][16]; what is constant over the clip lies in the packet's header and takes no bytes in a row.
+/// Rotation is int16 / 32767 and not unit until normalised; position and scale are base + step * int16.
+struct SampledPacket {
+  std::int32_t rotation_offset;  ///< bytes into a row, or -1: the packet's 16 rotations are constant
+  std::int32_t position_offset;  ///< bytes into a row, or -1
+  std::int32_t scale_offset;     ///< bytes into a row, or -1
+  std::int32_t reserved[13];
+  float rotation[4][packet_bones];  ///< used where rotation_offset is -1; unit
+  float position_base[3][packet_bones];
+  float position_step[3][packet_bones];
+  float scale_base[3][packet_bones];  ///< 1 on rigid skeletons
+  float scale_step[3][packet_bones];
+};
+static_assert(sizeof(SampledPacket) == 64 + 16 * 64);
+
+struct alignas(64) SampledStream {
+  std::uint32_t total_size;      ///< bytes, this header included
+  std::uint32_t packets_offset;  ///< bytes from the start of the block
+  std::uint32_t rows_offset;     ///< bytes from the start of the block, 64-byte aligned
+  std::uint32_t row_stride;      ///< bytes, a multiple of 64
+  std::int32_t row_count;
+  std::int32_t bone_count;
+  std::int32_t packet_count;
+  std::int32_t components;
+  Ticks first_row;
+  Ticks row_step;
+  Ticks duration;
+
+  const SampledPacket* packets() const {
+    return reinterpret_cast<const SampledPacket*>(reinterpret_cast<const std::byte*>(this) + packets_offset);
+  }
+  const std::byte* row(int index) const {
+    return reinterpret_cast<const std::byte*>(this) + rows_offset + static_cast<std::size_t>(index) * row_stride;
+  }
+};
+static_assert(sizeof(SampledStream) == 64);
+
+/// The two rows around a time, and how far between them: 0 is `from`, sample_fraction_one is `to`.
+inline constexpr std::int32_t sample_fraction_one = 1 << 15;
+struct SamplePoint {
+  const std::byte* from = nullptr;
+  const std::byte* to = nullptr;
+  std::int32_t fraction = 0;
+};
+SamplePoint locate(const SampledStream& stream, Ticks time);
+
+/// Size of and the block itself for some rows; `block` must be 64-byte aligned and of sampled_stream_bytes(rows).
+std::size_t sampled_stream_bytes(const SampledRows& rows);
+void encode_sampled_stream(const SampledRows& rows, Ticks duration, std::span<std::byte> block);
+
+}  // namespace throng::anim

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/base/transform.h"
+#include "engine/anim/kernel/hierarchy.h"
+#include "engine/anim/kernel/pose.h"
+
+namespace throng::anim {
+
+/// Pure functions over shaped spans (DESIGN section 5): across bones up to the local pose, across characters from
+/// there. Inside: no allocation, no lock, no global. All pointers are 64-byte aligned unless said.
+
+/// Sample: 16 bones of one character at one time. Rotations come out unit.
+struct SampleJob {
+  const SampledStream* stream = nullptr;
+  SamplePoint point;
+  int packet = 0;         ///< 0 to stream->packet_count - 1
+  float* pose = nullptr;  ///< out, [components][16]
+};
+
+/// Blend: out = normalise(from * (1 - w) + (to on from's hemisphere) * w), w = fraction * bone weight; positions and
+/// scales linear. `out` may be `from` or `to`.
+struct BlendJob {
+  const float* from = nullptr;          ///< [components][16]
+  const float* to = nullptr;            ///< [components][16]
+  const float* bone_weights = nullptr;  ///< [16], 0 to 1, or null: all 1
+  float fraction = 0.0F;                ///< 0 to 1
+  int components = rigid_components;
+  float* out = nullptr;  ///< [components][16]
+};
+
+/// Model space and palette of one packet of `width` characters of one skeleton. Packets are done in order, 0 first;
+/// between them `carry` holds the last bone's transform.
+inline constexpr int widest_tile = 16;
+inline constexpr int branch_slot_floats = 16;  ///< a lane's floats in `carry` and in each branch slot
+struct ModelPaletteJob {
+  const HierarchyProgram* hierarchy = nullptr;
+  int packet = 0;
+  int bone_count = 0;             ///< of the level: bones at and above it are not touched
+  int width = widest_tile;        ///< 1, 2, 4, 8 or 16
+  int characters = widest_tile;   ///< 1 to width; further lanes are computed from garbage-free input, not written
+  const float* local = nullptr;   ///< [width][components][16]
+  float* carry = nullptr;         ///< in and out, [branch_slot_floats][width]
+  float* branch_slots = nullptr;  ///< in and out, [slot_count][branch_slot_floats][width]
+  PaletteMatrix* const* palettes = nullptr;  ///< [characters], 16-byte aligned; the kernel writes entries in ascending
+                                             ///< order, whole cache lines where it can, and never reads them
+  std::uint64_t* hashes = nullptr;  ///< [characters] or null: adds each written entry's hash, see palette_entry_hash
+};
+
+/// The hash of one palette entry: of its 12 float bit patterns under its joint index. A pose's hash is the sum over its
+/// entries, so it does not depend on the order in which they are written.
+std::uint64_t palette_entry_hash(std::uint32_t joint, const PaletteMatrix& matrix);
+
+/// One SIMD target's set.
+struct Kernels {
+  const char* target;  ///< as Highway names it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
+  bool fused_multiply_add;
+  void (*sample)(const SampleJob& job);
+  void (*blend)(const BlendJob& job);
+  void (*model_palette)(const ModelPaletteJob& job);
+};
+
+/// The best that this machine runs; all that it runs, best first; and the scalar target (same algorithm).
+const Kernels& best_kernels();
+std::span<const Kernels> runnable_kernels();
+const Kernels& scalar_kernels();
+
+}  // namespace throng::anim

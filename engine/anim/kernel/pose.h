@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+
+namespace throng::anim {
+
+/// Poses are kept in packets of 16 bones, structure of arrays, so that one packet fills the widest vector used:
+///
+///     pose   = [packet][component][bone 0..15]            float, 64-byte aligned
+///     packet = qx[16] qy[16] qz[16] qw[16]  px[16] py[16] pz[16]  ( sx[16] sy[16] sz[16] )
+///              '-- rotation, unit to 1e-6-' '--- position, m ---'  '- general path only -'
+///
+/// Values are relative to the bind pose on rigid skeletons (see ReferenceFrame): the bind pose is identity and zero.
+/// Lanes at and above the bone count hold the identity.
+inline constexpr int packet_bones = 16;
+
+inline constexpr int rigid_components = 7;     // 448 bytes a packet
+inline constexpr int general_components = 10;  // 640 bytes a packet
+
+constexpr int packets_for(int bone_count) { return (bone_count + packet_bones - 1) / packet_bones; }
+constexpr std::size_t packet_bytes(int components) {
+  return static_cast<std::size_t>(components) * packet_bones * sizeof(float);
+}
+constexpr std::size_t pose_bytes(int bone_count, int components) {
+  return static_cast<std::size_t>(packets_for(bone_count)) * packet_bytes(components);
+}
+
+static_assert(pose_bytes(62, rigid_components) == 1792, "DESIGN section 4: a held pose of 62 bones");
+
+}  // namespace throng::anim

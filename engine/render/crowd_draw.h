@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/render/instance_record.h"
+
+namespace throng::render {
+
+/// One run of instances that share mesh, palette page, mesh LOD and bone level: one instanced draw a material.
+struct CrowdBatch {
+  std::uint32_t page = 0;
+  std::uint8_t mesh_lod = 0;    ///< 0 is the full mesh
+  std::uint8_t bone_level = 0;  ///< which joints the vertices read
+  std::uint32_t first_instance = 0;
+  std::uint32_t instance_count = 0;
+};
+
+struct CameraView {
+  glm::vec3 position{0.0F};
+  glm::mat4 view{1.0F};
+  glm::mat4 projection{1.0F};
+};
+
+/// All that one picture needs: plain data, valid for the call.
+struct CrowdFrame {
+  CameraView camera;
+  std::span<const InstanceRecord> instances;
+  std::span<const CrowdBatch> batches;
+  std::uint32_t now = 0;  ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
+  bool bones_as_lines = false;
+};
+
+struct DrawCounts {
+  std::uint32_t draw_calls = 0;
+  std::uint64_t triangles = 0;
+};
+
+}  // namespace throng::render

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace throng::render {
+
+inline constexpr int tint_regions = 5;  ///< skin, hair, shirt, trousers, shoes
+
+/// What the vertex shader knows of one drawn agent (std430; `shaders/instance_record.glsl` is its twin).
+/// Written by app/ once a frame for every drawn agent.
+///
+///      0  position x y z          metres, world space, between the feet
+///     12  scale                   uniform
+///     16  heading cosine, sine    about +Y; 1, 0 faces +Z
+///     24  palette from, to        first entry of each slot in the page's buffer, in units of 48 bytes
+///     32  blend start, duration   microseconds, modulo 2^32; shown = mix(from, to, clamp((now - start) / duration)),
+///                                 duration 0 shows `to`
+///     40  agent                   its index, for read-back and picking
+///     44  debug color             RGBA8, alpha is how much of it shows (0: none)
+///     48  tint of each region     RGBA8, sRGB
+///     68  bone level              of the slots; both hold at least this level's entries
+///     72  reserved
+struct InstanceRecord {
+  float position[3];
+  float scale;
+  float heading_cosine;
+  float heading_sine;
+  std::uint32_t palette_from;
+  std::uint32_t palette_to;
+  std::uint32_t blend_start;
+  std::uint32_t blend_duration;
+  std::uint32_t agent;
+  std::uint32_t debug_color;
+  std::uint32_t tints[tint_regions];
+  std::uint32_t bone_level;
+  std::uint32_t reserved[2];
+};
+static_assert(sizeof(InstanceRecord) == 80);
+static_assert(offsetof(InstanceRecord, palette_from) == 24);
+static_assert(offsetof(InstanceRecord, blend_start) == 32);
+static_assert(offsetof(InstanceRecord, tints) == 48);
+static_assert(offsetof(InstanceRecord, bone_level) == 68);
+
+}  // namespace throng::render

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace throng::render {
+
+inline constexpr std::size_t palette_entry_bytes = 48;
+inline constexpr int palette_entries_per_line_group = 4;  ///< four entries are three whole cache lines
+
+/// A page of palette memory: persistently mapped GPU memory, or plain memory where there is no GL.
+struct PalettePage {
+  std::byte* memory = nullptr;  ///< 64-byte aligned; may be write-combined: write whole lines in order, never read
+  std::size_t size = 0;         ///< bytes
+};
+
+/// Where pages come from. Asked on the GL thread only, never while animation runs.
+class PalettePageSource {
+ public:
+  virtual ~PalettePageSource() = default;
+  /// A new page, or one with null memory when the device has no more.
+  virtual PalettePage add_page() = 0;
+};
+
+/// Plain memory, for runs without GL.
+class HeapPageSource final : public PalettePageSource {
+ public:
+  explicit HeapPageSource(std::size_t page_bytes);
+  ~HeapPageSource() override;
+  PalettePage add_page() override;
+
+ private:
+  struct Page;
+  std::size_t page_bytes_;
+  std::vector<std::unique_ptr<Page>> pages_;
+};
+
+/// A run of entries in a page that one pose of one agent is written to.
+struct PaletteSlot {
+  static constexpr std::uint32_t none = UINT32_MAX;
+  std::uint32_t page = none;
+  std::uint32_t first_entry = 0;  ///< in units of 48 bytes from the page's start; a multiple of 4
+  std::uint32_t entries = 0;      ///< capacity, a multiple of 4
+  bool valid() const { return page != none; }
+};
+
+/// The slot writer's half of the contract between animation and drawing (engine/render/README.md):
+///  - acquire() gives a slot that no frame in flight reads; the PU writes it once; draws read it until it is retired;
+///  - retire(slot, last_frame) says that frame `last_frame` was the last whose draws read it;
+///  - reclaim(completed) makes free every slot retired with a frame at or before `completed`, the newest whose fence
+///  has signalled.
+/// Both slots of an agent lie on one page, so that one draw can read both: pass the page of the first as `near`.
+/// Single-threaded (GL thread). No allocation once the pages are there and the free lists have grown.
+class PaletteSlots {
+ public:
+  /// `entries_by_level`: palette entries that each bone level needs, descending; [0] is the whole skeleton.
+  PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> entries_by_level);
+
+  /// An invalid slot means: no memory left; the agent is not drawn.
+  PaletteSlot acquire(int level, std::uint32_t near = PaletteSlot::none);
+  void retire(const PaletteSlot& slot, std::uint64_t last_frame);
+  void reclaim(std::uint64_t completed_frame);
+
+  /// Where the PU writes. Debug builds assert that the slot is acquired and not retired.
+  std::byte* memory(const PaletteSlot& slot) const;
+
+  std::size_t page_count() const { return pages_.size(); }
+  std::size_t slots_in_use() const { return in_use_; }
+  std::size_t bytes_in_use() const { return bytes_in_use_; }
+
+ private:
+  struct Page {
+    PalettePage memory;
+    std::uint32_t next_entry = 0;                           ///< never handed out beyond here
+    std::vector<std::vector<std::uint32_t>> free_by_level;  ///< first entries
+  };
+  struct Retired {
+    PaletteSlot slot;
+    std::uint64_t last_frame;
+  };
+
+  int level_of(std::uint32_t entries) const;
+  PaletteSlot take(std::uint32_t page, int level);
+
+  PalettePageSource* source_;
+  std::vector<std::uint32_t> entries_by_level_;
+  std::vector<Page> pages_;
+  std::vector<Retired> retired_;
+  std::size_t in_use_ = 0;
+  std::size_t bytes_in_use_ = 0;
+};
+
+}  // namespace throng::render

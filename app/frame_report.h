@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/settings.h"
+
+namespace throng::app {
+
+/// One span of work of one PU within the last frame, for the overlay's timeline.
+struct PuSpan {
+  enum class Kind : std::uint8_t { fetch, compute, write_back, wait };
+  Kind kind = Kind::compute;
+  float begin_ms = 0;  ///< from the start of the frame's update
+  float end_ms = 0;
+};
+
+/// What one PU did and moved in the last frame.
+struct PuReport {
+  std::uint32_t tiles = 0;
+  std::uint32_t agents = 0;
+  float busy_ms = 0;
+  float wait_ms = 0;
+  std::uint64_t dma_in_bytes = 0;
+  std::uint64_t dma_out_bytes = 0;
+  std::uint64_t dma_transfers = 0;
+  std::uint32_t local_store_peak_bytes = 0;
+  std::vector<PuSpan> spans;  ///< may be empty
+};
+
+struct BoneRow {
+  std::string name;
+  int depth = 0;  ///< in the hierarchy
+  int level = 0;  ///< the last level that still has it: 0 full only, 3 always
+};
+
+/// A const view of all that the overlay shows; filled by the demo once a frame.
+struct FrameReport {
+  std::string model;    ///< name shown: the file's, or "mannequin (built in)"
+  std::string context;  ///< "GLFW", "EGL", "OSMesa"
+  std::string gl_version, gl_renderer;
+  bool software_renderer = false;
+  std::string notice;  ///< one line worth showing, such as what a software renderer turns down; may be empty
+  int frame = 0;
+  float frame_ms = 0, update_ms = 0, draw_ms = 0;
+  std::vector<float> frame_ms_history, update_ms_history;  ///< oldest first, up to 240
+  // crowd
+  int agents = 0, visible = 0, drawn = 0;
+  int agents_updated = 0;
+  std::uint64_t bones_evaluated = 0;
+  std::uint64_t pose_hash = 0;
+  std::uint32_t draw_calls = 0;
+  std::uint64_t triangles = 0;
+  // LOD
+  std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
+  std::vector<int> agents_by_bone_level;  ///< up to 4
+  std::vector<int> level_bone_counts;     ///< up to 4
+  std::vector<BoneRow> bones;             ///< in level-of-detail order
+  // scheduling
+  int pus = 0, hardware_threads = 0;
+  int local_store_kib = 0;
+  int tile = 0;  ///< characters a tile, of the widest group
+  std::string simd_target;
+  std::uint32_t local_store_peak_bytes = 0;
+  std::uint64_t dma_in_bytes = 0, dma_out_bytes = 0, dma_transfers = 0, palette_bytes = 0;
+  std::vector<PuReport> pu;
+  CameraPlace camera;
+};
+
+/// What the person asked for in the overlay this frame, besides the tuning it edits.
+struct OverlayCommands {
+  bool step = false;         ///< advance one frame while paused
+  bool frame_crowd = false;  ///< as key F
+  bool copy_camera = false;  ///< as key C
+  bool screenshot = false;   ///< as key F12
+};
+
+}  // namespace throng::app

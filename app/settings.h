@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace throng::app {
+
+enum class Scene : std::uint8_t { plaza, grid };
+enum class Schedule : std::uint8_t { fused, levels };
+enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
+enum class Stream : std::uint8_t { sampled, keyframe };
+enum class LodRule : std::uint8_t { off, distance };
+enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
+enum class DrawWhich : std::uint8_t { last, all, none };
+enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod };
+
+/// Where the camera stands: x, y, z in metres; yaw, pitch, vertical field of view in degrees. Yaw 0 looks along -Z.
+struct CameraPlace {
+  float x = 0, y = 0, z = 0;
+  float yaw = 0, pitch = 0;
+  float field_of_view = 50;
+};
+
+/// Every value that can be tuned while the crowd runs: the overlay edits a copy, the demo applies it at a frame
+/// boundary.
+struct Tuning {
+  // Crowd
+  Scene scene = Scene::plaza;
+  int agents = 1000;  ///< 1 to 100,000
+  std::uint32_t seed = 1;
+  bool paused = false;
+  float time_scale = 1.0F;  ///< 0 to 4
+  // LOD skipping
+  LodRule lod = LodRule::distance;
+  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
+  float interval_growth = 12.0F;     ///< metres a further step of the interval
+  int largest_interval = 8;          ///< frames, 1 to 16
+  bool smooth = true;                ///< smooth skipping in the vertex shader
+  // Per-bone LOD
+  bool bone_lod = true;
+  float bone_level_distance[3] = {15.0F, 30.0F, 60.0F};  ///< metres from which level 1, 2, 3 is shown
+  int mesh_lod = -1;                                     ///< -1: by size on screen; 0..3: always that one
+  // Scheduling
+  int pus = 0;              ///< 0: all cores
+  int local_store_kib = 0;  ///< 0: auto
+  int tile = 0;             ///< characters a tile, 0: what fits; 1, 2, 4, 8, 16
+  Schedule schedule = Schedule::fused;
+  DoubleBuffer double_buffer = DoubleBuffer::interleaved;
+  Stream stream = Stream::sampled;
+  // What is shown
+  DebugView debug_view = DebugView::none;
+  bool bones_as_lines = false;
+};
+
+/// What the command line of the demo says (DESIGN section 9); Tuning are its starting values.
+struct DemoOptions {
+  std::string model;  ///< empty: the built-in character
+  Tuning tuning;
+  ContextKind context = ContextKind::window;
+  std::optional<DrawWhich> draw;  ///< unset: last with a screenshot, else none; a window draws all
+  int frames = 60;
+  bool frames_given = false;  ///< a window runs until closed unless given
+  std::optional<double> dt;   ///< seconds; unset: 1/60 headless, the clock in a window
+  int width = 1280;
+  int height = 720;
+  bool ui = false;        ///< overlay in a headless run
+  bool ui_fixed = false;  ///< with measured times from a committed report
+  bool hide_ui = false;
+  int msaa = -1;  ///< -1: what the device affords; 0 or 4
+  bool shadows = true;
+  std::optional<CameraPlace> camera;
+  std::string camera_name;  ///< named camera of the scene, empty: the scene's first
+  std::string screenshot, stats, trace, preset, ui_map, data;
+};
+
+}  // namespace throng::app

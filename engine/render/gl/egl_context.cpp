@@ -1,0 +1,149 @@
+#include <array>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <glad/gl.h>
+
+#include "engine/render/gl/context.h"
+#include "engine/render/gl/shared_library.h"
+
+namespace throng::render::gl {
+namespace {
+
+/// EGL's functions that are needed, found by name: a machine without EGL still opens windows and OSMesa.
+struct Egl {
+  SharedLibrary library;
+  PFNEGLGETPROCADDRESSPROC get_procedure = nullptr;
+  PFNEGLINITIALIZEPROC initialize = nullptr;
+  PFNEGLTERMINATEPROC terminate = nullptr;
+  PFNEGLBINDAPIPROC bind_api = nullptr;
+  PFNEGLCHOOSECONFIGPROC choose_config = nullptr;
+  PFNEGLCREATECONTEXTPROC create_context = nullptr;
+  PFNEGLDESTROYCONTEXTPROC destroy_context = nullptr;
+  PFNEGLMAKECURRENTPROC make_current = nullptr;
+  PFNEGLQUERYSTRINGPROC query_string = nullptr;
+  PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr;
+  PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;            // null where devices are not listed
+  PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;  // null where devices are not listed
+
+  bool find_functions() {
+    find(get_procedure, "eglGetProcAddress");
+    if (get_procedure == nullptr) return false;
+    find(initialize, "eglInitialize");
+    find(terminate, "eglTerminate");
+    find(bind_api, "eglBindAPI");
+    find(choose_config, "eglChooseConfig");
+    find(create_context, "eglCreateContext");
+    find(destroy_context, "eglDestroyContext");
+    find(make_current, "eglMakeCurrent");
+    find(query_string, "eglQueryString");
+    find_extension(get_platform_display, "eglGetPlatformDisplayEXT");
+    find_extension(query_devices, "eglQueryDevicesEXT");
+    find_extension(query_device_string, "eglQueryDeviceStringEXT");
+    return get_platform_display != nullptr;
+  }
+
+ private:
+  template <typename Pointer>
+  void find(Pointer& function, const char* name) const {
+    function = library.find<std::remove_pointer_t<Pointer>>(name);
+  }
+  template <typename Pointer>
+  void find_extension(Pointer& function, const char* name) const {
+    function = reinterpret_cast<Pointer>(get_procedure(name));
+  }
+};
+
+bool names(const char* list, std::string_view extension) {
+  return list != nullptr && std::string_view(list).find(extension) != std::string_view::npos;
+}
+
+class EglContext final : public Context {
+ public:
+  ~EglContext() override {
+    if (display_ == EGL_NO_DISPLAY) return;
+    egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) egl_.destroy_context(display_, context_);
+    egl_.terminate(display_);
+  }
+
+  Status open(const EglOptions& options) {
+    egl_.library = SharedLibrary("libEGL.so.1");
+    if (!egl_.library || !egl_.find_functions()) {
+      return Error{"libEGL.so.1 is not installed; use --headless=osmesa or install libegl1"};
+    }
+    for (const EGLDeviceEXT device : devices(options.force_software)) {
+      if (make_current_on(EGL_PLATFORM_DEVICE_EXT, device)) return load_functions(egl_.get_procedure);
+    }
+    // Read by Mesa when it loads a driver: the surfaceless platform has no other way to ask for the software one.
+    if (options.force_software) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    if (make_current_on(EGL_PLATFORM_SURFACELESS_MESA, nullptr)) return load_functions(egl_.get_procedure);
+    return Error{"EGL gives no OpenGL 4.5 core context without a window; use --headless=osmesa"};
+  }
+
+  const char* kind() const override { return "egl"; }
+
+ private:
+  /// Hardware first; only software ones when forced.
+  std::vector<EGLDeviceEXT> devices(bool force_software) const {
+    if (egl_.query_devices == nullptr || egl_.query_device_string == nullptr) return {};
+    std::array<EGLDeviceEXT, 16> listed{};
+    EGLint count = 0;
+    if (egl_.query_devices(static_cast<EGLint>(listed.size()), listed.data(), &count) == EGL_FALSE) return {};
+    std::vector<EGLDeviceEXT> hardware, software;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      const char* extensions = egl_.query_device_string(listed.at(i), EGL_EXTENSIONS);
+      (names(extensions, "EGL_MESA_device_software") ? software : hardware).push_back(listed.at(i));
+    }
+    if (force_software) return software;
+    hardware.insert(hardware.end(), software.begin(), software.end());
+    return hardware;
+  }
+
+  bool make_current_on(EGLenum platform, EGLDeviceEXT device) {
+    const EGLDisplay display = egl_.get_platform_display(platform, device, nullptr);
+    if (display == EGL_NO_DISPLAY || egl_.initialize(display, nullptr, nullptr) == EGL_FALSE) return false;
+    context_ = create_context(display);
+    if (context_ == EGL_NO_CONTEXT) {
+      egl_.terminate(display);
+      return false;
+    }
+    display_ = display;
+    return egl_.make_current(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+  }
+
+  EGLContext create_context(EGLDisplay display) const {
+    const char* extensions = egl_.query_string(display, EGL_EXTENSIONS);
+    if (!names(extensions, "EGL_KHR_surfaceless_context") || !names(extensions, "EGL_KHR_no_config_context") ||
+        egl_.bind_api(EGL_OPENGL_API) == EGL_FALSE) {
+      return EGL_NO_CONTEXT;
+    }
+    constexpr std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                                  4,
+                                                  EGL_CONTEXT_MINOR_VERSION,
+                                                  5,
+                                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                  EGL_CONTEXT_OPENGL_DEBUG,
+                                                  EGL_TRUE,
+                                                  EGL_NONE};
+    return egl_.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+  }
+
+  Egl egl_;
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Context>> make_egl_context(const EglOptions& options) {
+  auto context = std::make_unique<EglContext>();
+  if (const Status opened = context->open(options); !opened) return opened.error();
+  return std::unique_ptr<Context>(std::move(context));
+}
+
+}  // namespace throng::render::gl

@@ -1,0 +1,79 @@
+#include <array>
+
+#include <glad/gl.h>
+// OSMesa's header wants OpenGL's types, which glad has declared.
+#include <GL/osmesa.h>
+
+#include "engine/render/gl/context.h"
+#include "engine/render/gl/shared_library.h"
+
+namespace throng::render::gl {
+namespace {
+
+/// OSMesa's functions that are needed, found by name.
+struct OsMesa {
+  SharedLibrary library;
+  decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
+  decltype(&OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&OSMesaDestroyContext) destroy_context = nullptr;
+  decltype(&OSMesaGetProcAddress) get_procedure = nullptr;
+
+  bool find_functions() {
+    create_context = library.find<std::remove_pointer_t<decltype(create_context)>>("OSMesaCreateContextAttribs");
+    make_current = library.find<std::remove_pointer_t<decltype(make_current)>>("OSMesaMakeCurrent");
+    destroy_context = library.find<std::remove_pointer_t<decltype(destroy_context)>>("OSMesaDestroyContext");
+    get_procedure = library.find<std::remove_pointer_t<decltype(get_procedure)>>("OSMesaGetProcAddress");
+    return create_context != nullptr && make_current != nullptr && destroy_context != nullptr &&
+           get_procedure != nullptr;
+  }
+};
+
+class OsMesaContext final : public Context {
+ public:
+  ~OsMesaContext() override {
+    if (context_ != nullptr) functions_.destroy_context(context_);
+  }
+
+  Status open() {
+    functions_.library = SharedLibrary("libOSMesa.so.8");
+    if (!functions_.library || !functions_.find_functions()) {
+      return Error{"libOSMesa.so.8 is not installed; use --headless=egl or install libosmesa6"};
+    }
+    constexpr std::array<int, 11> attributes = {OSMESA_FORMAT,
+                                                OSMESA_RGBA,
+                                                OSMESA_PROFILE,
+                                                OSMESA_CORE_PROFILE,
+                                                OSMESA_CONTEXT_MAJOR_VERSION,
+                                                4,
+                                                OSMESA_CONTEXT_MINOR_VERSION,
+                                                5,
+                                                OSMESA_DEPTH_BITS,
+                                                0,
+                                                0};
+    context_ = functions_.create_context(attributes.data(), nullptr);
+    if (context_ == nullptr ||
+        functions_.make_current(context_, unseen_pixels_.data(), GL_UNSIGNED_BYTE, unseen_size, unseen_size) == 0) {
+      return Error{"OSMesa gives no OpenGL 4.5 core context; use --headless=egl"};
+    }
+    return load_functions(functions_.get_procedure);
+  }
+
+  const char* kind() const override { return "osmesa"; }
+
+ private:
+  // OSMesa wants pixels of ours to be current; everything is drawn into framebuffers of our own instead.
+  static constexpr int unseen_size = 16;
+  OsMesa functions_;
+  OSMesaContext context_ = nullptr;
+  std::array<std::uint8_t, 4UL * unseen_size * unseen_size> unseen_pixels_{};
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Context>> make_osmesa_context() {
+  auto context = std::make_unique<OsMesaContext>();
+  if (const Status opened = context->open(); !opened) return opened.error();
+  return std::unique_ptr<Context>(std::move(context));
+}
+
+}  // namespace throng::render::gl

@@ -1,0 +1,24 @@
+#include "engine/render/gl/shared_library.h"
+
+#include <dlfcn.h>
+
+#include <utility>
+
+namespace throng::render::gl {
+
+SharedLibrary::SharedLibrary(const char* name) : library_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {}
+
+SharedLibrary::SharedLibrary(SharedLibrary&& other) noexcept : library_(std::exchange(other.library_, nullptr)) {}
+
+SharedLibrary& SharedLibrary::operator=(SharedLibrary&& other) noexcept {
+  std::swap(library_, other.library_);
+  return *this;
+}
+
+SharedLibrary::~SharedLibrary() {
+  if (library_ != nullptr) dlclose(library_);
+}
+
+void* SharedLibrary::find_symbol(const char* name) const { return dlsym(library_, name); }
+
+}  // namespace throng::render::gl

@@ -1,0 +1,71 @@
+#include <glad/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "engine/render/gl/context.h"
+
+namespace throng::render::gl {
+namespace {
+
+std::string last_glfw_error() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description == nullptr ? "unknown reason" : description;
+}
+
+class WindowContext final : public Context {
+ public:
+  ~WindowContext() override {
+    if (window_ != nullptr) glfwDestroyWindow(window_);
+    glfwTerminate();
+  }
+
+  Status open(const WindowOptions& options) {
+    if (glfwInit() == GLFW_FALSE) {
+      return Error{"no display to open a window on (" + last_glfw_error() + "); use --headless to run without one"};
+    }
+    set_hints();
+    window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr) {
+      return Error{"no window with OpenGL 4.5 can be opened (" + last_glfw_error() +
+                   "); use --headless to run without one"};
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(options.vertical_sync ? 1 : 0);
+    return load_functions(glfwGetProcAddress);
+  }
+
+  const char* kind() const override { return "window"; }
+  GLFWwindow* window() const override { return window_; }
+  void swap_buffers() override { glfwSwapBuffers(window_); }
+
+  glm::ivec2 framebuffer_size() const override {
+    glm::ivec2 size{0, 0};
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+  }
+
+ private:
+  static void set_hints() {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+    // Depth and samples belong to our own framebuffer; the window only receives finished pixels.
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  }
+
+  GLFWwindow* window_ = nullptr;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Context>> make_window_context(const WindowOptions& options) {
+  auto context = std::make_unique<WindowContext>();
+  if (const Status opened = context->open(options); !opened) return opened.error();
+  return std::unique_ptr<Context>(std::move(context));
+}
+
+}  // namespace throng::render::gl

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "assets/mannequin/clip.h"
+#include "assets/mannequin/curve.h"
+
+namespace throng::mannequin {
+namespace {
+
+using glm::dvec3;
+
+/// A symmetric gait. Phases count from the left foot's strike; angles are degrees, lengths metres.
+struct Gait {
+  std::size_t frames;
+  double speed;
+  double stance;       ///< Share of the cycle that a foot is on the ground.
+  double foot_flat;    ///< Where the planted ankle lies ahead of the hips in the middle of the stance.
+  double foot_spread;  ///< Of the ankles from the centre line.
+  double toe_out;
+  std::array<CurveKey, 7> pitch;  ///< Of the foot, toes up; zero while it is flat.
+  double swing_height;            ///< Of the ankle above the straight way, early in the swing.
+  double crouch;                  ///< Of the hips below rest, mean.
+  double bounce, bounce_peak;     ///< Of the hips, twice per cycle.
+  double sway;                    ///< Of the hips towards the standing leg.
+  double pelvis_turn, pelvis_drop;
+  double chest_turn;  ///< Against the pelvis.
+  double lean;        ///< Of the trunk.
+  double arm_swing, arm_forward, arm_spread;
+  double elbow, elbow_swing;
+};
+
+constexpr dvec3 heel_from_ankle{0, -0.083, -0.052};
+dvec3 ball_from_ankle() {
+  const auto& joints = skeleton();
+  const dvec3 offset = joints[joint_index("toe.L")].position - joints[joint_index("foot.L")].position;
+  return {0, offset.y, offset.z};
+}
+
+struct FootPlace {
+  double z, y, pitch;
+};
+
+dvec3 pitched(dvec3 v, double pitch) { return glm::angleAxis(-pitch * degrees, dvec3(1, 0, 0)) * v; }
+
+/// The planted foot rolls over the heel's edge and then over the ball; the ground runs backwards below the body.
+FootPlace planted(const Gait& gait, double phase) {
+  const double pitch = periodic_curve(gait.pitch, phase);
+  const dvec3 pivot = pitch > 0 ? heel_from_ankle : ball_from_ankle();
+  const dvec3 rolled = pivot - pitched(pivot, pitch);
+  const double stride = gait.speed * static_cast<double>(gait.frames) / key_rate;
+  const double ahead = gait.foot_flat + stride * (0.5 * gait.stance - phase);
+  return {ahead + rolled.z, rolled.y, pitch};
+}
+
+/// From toe-off to strike, leaving and arriving with the planted foot's velocity.
+FootPlace swung(const Gait& gait, double phase) {
+  constexpr double h = 1e-5;
+  const double span = 1 - gait.stance;
+  const double t = (phase - gait.stance) / span;
+  const FootPlace off = planted(gait, gait.stance);
+  const FootPlace before = planted(gait, gait.stance - h);
+  const FootPlace on = planted(gait, 0);
+  const FootPlace after = planted(gait, h);
+  const double bump = 9.48 * gait.swing_height * t * (1 - t) * (1 - t) * (1 - t);
+  return {hermite(off.z, (off.z - before.z) / h * span, on.z, (after.z - on.z) / h * span, t),
+          hermite(off.y, (off.y - before.y) / h * span, on.y, (after.y - on.y) / h * span, t) + bump,
+          periodic_curve(gait.pitch, phase)};
+}
+
+void step(Pose& pose, const Gait& gait, Side side, double phase) {
+  const double own = phase - std::floor(phase);
+  const FootPlace place = own <= gait.stance ? planted(gait, own) : swung(gait, own);
+  const dvec3 rest = skeleton()[joint_index("foot.L")].position;
+  const double x = side == Side::left ? gait.foot_spread : -gait.foot_spread;
+  const double bend = own <= gait.stance ? std::clamp(-place.pitch, 0.0, 60.0)
+                                         : std::max(0.0, -place.pitch) * (1 - (own - gait.stance) / (1 - gait.stance));
+  place_leg(pose, side, {{x, rest.y + place.y, place.z}, place.pitch, gait.toe_out, bend});
+}
+
+void swing_arm(Pose& pose, const Gait& gait, Side side, double phase) {
+  // The arm answers the opposite leg, each joint a little later than the one above it.
+  const double upper = wave(phase, 0.53);
+  const double lower = wave(phase, 0.58);
+  const double hand = wave(phase, 0.63);
+  place_arm(pose, side,
+            {.flexion = gait.arm_forward + gait.arm_swing * upper,
+             .abduction = gait.arm_spread + 1.5 * wave(phase, 0.30, 2),
+             .inward_twist = 12 + 6 * lower,
+             .elbow = gait.elbow + gait.elbow_swing * lower,
+             .pronation = 22 + 5 * hand,
+             .wrist_flexion = 2 + 5 * hand,
+             .shrug = 1.2 * wave(phase, 0.35, 2),
+             .reach = 3.5 * upper});
+  curl_fingers(pose, side, 6 + 4 * hand);
+}
+
+Pose stride_pose(const Gait& gait, double phase) {
+  Pose pose;
+  pose.hips = {gait.sway * wave(phase, 0.30), -gait.crouch + gait.bounce * wave(phase, gait.bounce_peak, 2),
+               0.006 * wave(phase, 0.20, 2)};
+  const double turn = -gait.pelvis_turn * wave(phase, 0.02);
+  const double drop = gait.pelvis_drop * wave(phase, 0.17);
+  pose["hips"] = turned(0.35 * gait.lean + 0.8 * wave(phase, 0.05, 2), turn, drop);
+  const double counter = (gait.chest_turn + gait.pelvis_turn);
+  const double twist = counter * wave(phase, 0.05);
+  pose["spine"] = turned(0.25 * gait.lean, 0.25 * twist, -0.45 * drop);
+  pose["chest"] = turned(0.25 * gait.lean + 0.6 * wave(phase, 0.12, 2), 0.35 * twist, -0.45 * drop);
+  pose["upper_chest"] = turned(0.15 * gait.lean, 0.40 * twist, -0.35 * gait.pelvis_drop * wave(phase, 0.22));
+  steady_head(pose, turned(1.5 + 0.8 * wave(phase, 0.10, 2), 1.2 * wave(phase, 0.10), 0.6 * wave(phase, 0.25)));
+  swing_arm(pose, gait, Side::left, phase);
+  swing_arm(pose, gait, Side::right, phase + 0.5);
+  step(pose, gait, Side::left, phase);
+  step(pose, gait, Side::right, phase + 0.5);
+  return pose;
+}
+
+Clip make_gait(const char* name, const Gait& gait) {
+  return sample_loop(name, gait.frames, gait.speed, [&gait](double phase) { return stride_pose(gait, phase); });
+}
+
+}  // namespace
+
+Clip make_walk() {
+  constexpr Gait walk{.frames = 32,
+                      .speed = 1.35,
+                      .stance = 0.62,
+                      .foot_flat = 0.010,
+                      .foot_spread = 0.072,
+                      .toe_out = 6,
+                      .pitch = {{{0.0, 20}, {0.09, 0}, {0.34, 0}, {0.48, -12}, {0.62, -50}, {0.72, -42}, {0.90, 14}}},
+                      .swing_height = 0.060,
+                      .crouch = 0.020,
+                      .bounce = 0.018,
+                      .bounce_peak = 0.30,
+                      .sway = 0.018,
+                      .pelvis_turn = 5.5,
+                      .pelvis_drop = 3.5,
+                      .chest_turn = 5.5,
+                      .lean = 3,
+                      .arm_swing = 23,
+                      .arm_forward = 3,
+                      .arm_spread = 7,
+                      .elbow = 21,
+                      .elbow_swing = 12};
+  return make_gait("walk", walk);
+}
+
+}  // namespace throng::mannequin

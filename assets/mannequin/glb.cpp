@@ -1,0 +1,264 @@
+#include "assets/mannequin/glb.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+#include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
+
+namespace throng::mannequin {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "glTF buffers are little-endian");
+
+using Json = nlohmann::ordered_json;
+
+enum ComponentType { unsigned_byte = 5121, unsigned_short = 5123, float32 = 5126 };
+enum Target { none = 0, vertex_data = 34962, index_data = 34963 };
+
+/// Collects the buffer's bytes and the accessors that describe them.
+class BufferWriter {
+ public:
+  template <typename Element>
+  std::size_t add(std::span<const Element> elements, const char* type, ComponentType component, Target target,
+                  bool normalized = false) {
+    const std::size_t offset = bytes_.size();
+    const auto raw = std::as_bytes(elements);
+    bytes_.insert(bytes_.end(), raw.begin(), raw.end());
+    while (bytes_.size() % 4 != 0) bytes_.push_back(std::byte{0});
+    Json view{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", raw.size()}};
+    if (target != none) view["target"] = static_cast<int>(target);
+    views_.push_back(view);
+    Json accessor{{"bufferView", views_.size() - 1},
+                  {"componentType", static_cast<int>(component)},
+                  {"count", elements.size()},
+                  {"type", type}};
+    if (normalized) accessor["normalized"] = true;
+    accessors_.push_back(accessor);
+    return accessors_.size() - 1;
+  }
+
+  template <std::size_t N>
+  void set_bounds(std::size_t accessor, std::span<const std::array<float, N>> elements) {
+    std::array<float, N> low = elements[0];
+    std::array<float, N> high = elements[0];
+    for (const auto& element : elements) {
+      for (std::size_t i = 0; i < N; ++i) {
+        low[i] = std::min(low[i], element[i]);
+        high[i] = std::max(high[i], element[i]);
+      }
+    }
+    accessors_[accessor]["min"] = low;
+    accessors_[accessor]["max"] = high;
+  }
+
+  void finish(Json& document) {
+    document["accessors"] = accessors_;
+    document["bufferViews"] = views_;
+    document["buffers"] = Json::array({{{"byteLength", bytes_.size()}}});
+  }
+  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+  Json accessors_ = Json::array();
+  Json views_ = Json::array();
+};
+
+using Float3 = std::array<float, 3>;
+using Float4 = std::array<float, 4>;
+
+float rounded(double value, double step) { return static_cast<float>(std::round(value / step) * step + 0.0); }
+Float3 rounded(glm::dvec3 v, double step) { return {rounded(v.x, step), rounded(v.y, step), rounded(v.z, step)}; }
+
+template <typename Element, typename Member>
+std::vector<Element> column(const Mesh& mesh, Member member) {
+  std::vector<Element> values;
+  for (const MeshVertex& vertex : mesh.vertices) values.push_back(member(vertex));
+  return values;
+}
+
+Json add_mesh(BufferWriter& buffer, const Mesh& mesh) {
+  const auto positions = column<Float3>(mesh, [](const MeshVertex& v) {
+    return Float3{v.position.x, v.position.y, v.position.z};
+  });
+  const auto normals = column<Float3>(mesh, [](const MeshVertex& v) {
+    return Float3{v.normal.x, v.normal.y, v.normal.z};
+  });
+  using Byte4 = std::array<std::uint8_t, 4>;
+  const auto joints = column<Byte4>(mesh, [](const MeshVertex& v) { return v.joints; });
+  const auto weights = column<Float4>(mesh, [](const MeshVertex& v) { return v.weights; });
+  const auto colours = column<Byte4>(mesh, [](const MeshVertex& v) { return v.colour; });
+  const auto regions = column<float>(mesh, [](const MeshVertex& v) { return v.region; });
+
+  Json attributes;
+  attributes["POSITION"] = buffer.add<Float3>(positions, "VEC3", float32, vertex_data);
+  buffer.set_bounds<3>(attributes["POSITION"], positions);
+  attributes["NORMAL"] = buffer.add<Float3>(normals, "VEC3", float32, vertex_data);
+  attributes["JOINTS_0"] = buffer.add<Byte4>(joints, "VEC4", unsigned_byte, vertex_data);
+  attributes["WEIGHTS_0"] = buffer.add<Float4>(weights, "VEC4", float32, vertex_data);
+  attributes["COLOR_0"] = buffer.add<Byte4>(colours, "VEC4", unsigned_byte, vertex_data, true);
+  attributes["_REGION"] = buffer.add<float>(regions, "SCALAR", float32, vertex_data);
+
+  std::vector<std::uint16_t> indices;
+  for (const auto& triangle : mesh.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
+  const std::size_t index_accessor = buffer.add<std::uint16_t>(indices, "SCALAR", unsigned_short, index_data);
+  const Json primitive{{"attributes", attributes}, {"indices", index_accessor}, {"material", 0}};
+  return {{"name", "mannequin"}, {"primitives", Json::array({primitive})}};
+}
+
+Json joint_nodes() {
+  const auto& joints = skeleton();
+  Json nodes = Json::array();
+  for (std::size_t j = 0; j < joint_count; ++j) {
+    Json node{{"name", joints[j].name}};
+    if (j > 0) node["translation"] = rounded(joints[j].position - joints[joints[j].parent].position, offset_step);
+    Json children = Json::array();
+    for (std::size_t c = j + 1; c < joint_count; ++c) {
+      if (joints[c].parent == j) children.push_back(c);
+    }
+    if (!children.empty()) node["children"] = children;
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+/// Rigid: the joint's place at rest as the rounded node translations add up to it, taken away.
+std::vector<std::array<float, 16>> inverse_binds() {
+  const auto& joints = skeleton();
+  std::array<glm::dvec3, joint_count> places{};
+  std::vector<std::array<float, 16>> matrices;
+  for (std::size_t j = 0; j < joint_count; ++j) {
+    const Float3 step =
+        rounded(joints[j].position - (j > 0 ? joints[joints[j].parent].position : glm::dvec3(0)), offset_step);
+    places[j] = (j > 0 ? places[joints[j].parent] : glm::dvec3(0)) + glm::dvec3(step[0], step[1], step[2]);
+    const Float3 inverse = rounded(-places[j], offset_step);
+    matrices.push_back({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, inverse[0], inverse[1], inverse[2], 1});
+  }
+  return matrices;
+}
+
+/// A joint's rotations over a clip, neighbours in the same hemisphere.
+std::vector<Float4> rotation_keys(const Clip& clip, std::size_t joint) {
+  std::vector<Float4> keys;
+  glm::dquat last(1, 0, 0, 0);
+  for (const Pose& pose : clip.keys) {
+    glm::dquat q = glm::normalize(pose.rotations[joint]);
+    if (glm::dot(q, last) < 0) q = -q;
+    keys.push_back({rounded(q.x, rotation_step), rounded(q.y, rotation_step), rounded(q.z, rotation_step),
+                    rounded(q.w, rotation_step)});
+    last = q;
+  }
+  return keys;
+}
+
+/// Writes the tracks of one clip; a track that stays at rest is left out.
+class AnimationWriter {
+ public:
+  AnimationWriter(BufferWriter& buffer, const Clip& clip) : buffer_(buffer), clip_(clip) {
+    std::vector<std::array<float, 1>> times;
+    for (std::size_t key = 0; key < clip.keys.size(); ++key) {
+      times.push_back({static_cast<float>(static_cast<double>(key) / key_rate)});
+    }
+    times_ = buffer.add<std::array<float, 1>>(times, "SCALAR", float32, none);
+    buffer.set_bounds<1>(times_, times);
+  }
+
+  Json write() {
+    add_translations(0, [](const Pose& pose) { return pose.root; });
+    add_translations(1, [](const Pose& pose) { return skeleton()[1].position + pose.hips; });
+    for (std::size_t joint = 0; joint < joint_count; ++joint) {
+      const std::vector<Float4> keys = rotation_keys(clip_, joint);
+      add_track<4>(joint, "rotation", "VEC4", keys, {0, 0, 0, 1});
+    }
+    return {{"name", clip_.name}, {"channels", channels_}, {"samplers", samplers_}};
+  }
+
+ private:
+  template <typename Member>
+  void add_translations(std::size_t joint, Member member) {
+    std::vector<Float3> keys;
+    for (const Pose& pose : clip_.keys) keys.push_back(rounded(member(pose), offset_step));
+    add_track<3>(joint, "translation", "VEC3", keys, rounded(skeleton()[joint].position, offset_step));
+  }
+
+  template <std::size_t N>
+  void add_track(std::size_t joint, const char* path, const char* type, const std::vector<std::array<float, N>>& keys,
+                 const std::array<float, N>& rest) {
+    if (std::all_of(keys.begin(), keys.end(), [&](const auto& key) { return key == rest; })) return;
+    const std::size_t output = buffer_.add<std::array<float, N>>(keys, type, float32, none);
+    channels_.push_back({{"sampler", samplers_.size()}, {"target", {{"node", joint}, {"path", path}}}});
+    samplers_.push_back({{"input", times_}, {"interpolation", "LINEAR"}, {"output", output}});
+  }
+
+  BufferWriter& buffer_;
+  const Clip& clip_;
+  std::size_t times_ = 0;
+  Json channels_ = Json::array();
+  Json samplers_ = Json::array();
+};
+
+Json document_head() {
+  return {{"asset", {{"version", "2.0"}, {"generator", "throng_mannequin"}, {"copyright", "MIT licence"}}},
+          {"scene", 0},
+          {"scenes", Json::array({{{"name", "scene"}, {"nodes", {0, joint_count}}}})}};
+}
+
+Json document(BufferWriter& buffer, const Mesh& mesh, std::span<const Clip> clips) {
+  Json file = document_head();
+  file["nodes"] = joint_nodes();
+  file["nodes"].push_back({{"name", "mannequin"}, {"mesh", 0}, {"skin", 0}});
+  file["meshes"] = Json::array({add_mesh(buffer, mesh)});
+  file["materials"] =
+      Json::array({{{"name", "mannequin"},
+                    {"pbrMetallicRoughness",
+                     {{"baseColorFactor", {1, 1, 1, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 0.85}}}}});
+  const std::vector<std::array<float, 16>> binds = inverse_binds();
+  Json joints = Json::array();
+  for (std::size_t j = 0; j < joint_count; ++j) joints.push_back(j);
+  file["skins"] =
+      Json::array({{{"name", "mannequin"},
+                    {"inverseBindMatrices", buffer.add<std::array<float, 16>>(binds, "MAT4", float32, none)},
+                    {"skeleton", 0},
+                    {"joints", joints}}});
+  file["animations"] = Json::array();
+  for (const Clip& clip : clips) file["animations"].push_back(AnimationWriter(buffer, clip).write());
+  buffer.finish(file);
+  return file;
+}
+
+void append_word(std::vector<std::byte>& bytes, std::size_t value) {
+  const auto word = static_cast<std::uint32_t>(value);
+  const auto raw = std::as_bytes(std::span(&word, 1));
+  bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
+
+void append_chunk(std::vector<std::byte>& bytes, std::span<const std::byte> chunk, std::uint32_t type) {
+  append_word(bytes, chunk.size());
+  append_word(bytes, type);
+  bytes.insert(bytes.end(), chunk.begin(), chunk.end());
+}
+
+}  // namespace
+
+std::vector<std::byte> write_glb(const Mesh& mesh, std::span<const Clip> clips) {
+  constexpr std::uint32_t magic = 0x46546C67;  // "glTF"
+  constexpr std::uint32_t json_chunk = 0x4E4F534A;
+  constexpr std::uint32_t binary_chunk = 0x004E4942;
+  BufferWriter buffer;
+  std::string text = document(buffer, mesh, clips).dump();
+  while (text.size() % 4 != 0) text.push_back(' ');
+  std::vector<std::byte> file;
+  append_word(file, magic);
+  append_word(file, 2);
+  append_word(file, 12 + 8 + text.size() + 8 + buffer.bytes().size());
+  append_chunk(file, std::as_bytes(std::span(text)), json_chunk);
+  append_chunk(file, buffer.bytes(), binary_chunk);
+  return file;
+}
+
+}  // namespace throng::mannequin

@@ -22,10 +22,17 @@ struct SampledRows {
 
 /// The crowd's stream (DESIGN section 4): one relocatable read-only block (paper 1.3), loadable with one read.
 ///
-///     SampledStream | SampledPacket x packets | row 0 | row 1 | ... | row 0 or last row again
+///     SampledStream | SampledPacket x packets | row 0 | row 1 | ... | last row     (a loop's last row repeats its
+///     first)
 ///
-/// A row holds, for each packet, the 16-bit lanes that move: rotation int16 [4][16], then position int16 [3][16], then
-/// scale int16 [3][16]; what is constant over the clip lies in the packet's header and takes no bytes in a row.
+/// A row holds what moves, as int16: the rotations of every packet that has moving ones (128 bytes each), then their
+/// positions (96), then scales (96); what is constant over the clip lies in the packet's header and takes no bytes.
+/// Two components lie side by side by fours, so that interleaving two rows by 16-bit lanes inside 128-bit blocks gives
+/// the pairs of one component in bone order, whatever the width of the vector; a third component follows plainly:
+///
+///     qx 0-3  qy 0-3  qx 4-7  qy 4-7  ...  qx 12-15  qy 12-15 | qz 0-3  qw 0-3 ...
+///     px 0-3  py 0-3  ...                                      | pz 0-15
+///
 /// Rotation is int16 / 32767 and not unit until normalised; position and scale are base + step * int16.
 struct SampledPacket {
   std::int32_t rotation_offset;  ///< bytes into a row, or -1: the packet's 16 rotations are constant
@@ -61,6 +68,13 @@ struct alignas(64) SampledStream {
   }
 };
 static_assert(sizeof(SampledStream) == 64);
+
+/// Which int16 of a group of `components` (4 for rotation, else 3) holds this component of this bone of the packet.
+constexpr int sampled_lane(int component, int bone, int components) {
+  const int pair = component / 2 * 2;
+  if (pair + 1 == components) return pair * packet_bones + bone;
+  return pair * packet_bones + bone / 4 * 8 + component % 2 * 4 + bone % 4;
+}
 
 /// The two rows around a time, and how far between them: 0 is `from`, sample_fraction_one is `to`.
 inline constexpr std::int32_t sample_fraction_one = 1 << 15;

@@ -1,0 +1,252 @@
+#include "engine/anim/asset/sampled_stream.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+
+namespace throng::anim {
+namespace {
+
+constexpr float quantised_one = 32767.0F;
+constexpr std::size_t line_bytes = 64;
+constexpr int no_group = -1;
+
+/// The components that are stored, or left out, together.
+struct Group {
+  int first_component;
+  int count;
+  bool is_rotation() const { return first_component == 0; }
+  std::int32_t bytes() const { return count * packet_bones * static_cast<std::int32_t>(sizeof(std::int16_t)); }
+};
+constexpr Group rotation_group{0, 4};
+constexpr Group position_group{4, 3};
+constexpr Group scale_group{7, 3};
+
+struct Range {
+  float lowest;
+  float highest;
+  float middle() const { return 0.5F * lowest + 0.5F * highest; }
+  float width() const { return highest - lowest; }
+};
+
+std::size_t round_up_to_lines(std::size_t bytes) { return (bytes + line_bytes - 1) / line_bytes * line_bytes; }
+
+/// The rows of a clip as they will be stored: neighbouring quaternions on one hemisphere.
+class Source {
+ public:
+  explicit Source(const SampledRows& rows) : shape_(rows), values_(rows.rows), packets_(packets_for(rows.bone_count)) {
+    assert(values_.size() == index(rows.row_count, 0, 0, 0));
+    for (int row = 1; row < rows.row_count; ++row) {
+      for (int packet = 0; packet < packets_; ++packet) align_hemispheres(row, packet);
+    }
+  }
+
+  int packets() const { return packets_; }
+  float value(int row, int packet, int component, int lane) const {
+    return values_[index(row, packet, component, lane)];
+  }
+  Range range(int packet, int component, int lane) const {
+    Range range{value(0, packet, component, lane), value(0, packet, component, lane)};
+    for (int row = 1; row < shape_.row_count; ++row) {
+      range.lowest = std::min(range.lowest, value(row, packet, component, lane));
+      range.highest = std::max(range.highest, value(row, packet, component, lane));
+    }
+    return range;
+  }
+
+ private:
+  std::size_t index(int row, int packet, int component, int lane) const {
+    const int packets_before = row * packets_ + packet;
+    return (static_cast<std::size_t>(packets_before) * static_cast<std::size_t>(shape_.components) +
+            static_cast<std::size_t>(component)) *
+               packet_bones +
+           static_cast<std::size_t>(lane);
+  }
+  void align_hemispheres(int row, int packet) {
+    for (int lane = 0; lane < packet_bones; ++lane) {
+      float dot = 0.0F;
+      for (int axis = 0; axis < 4; ++axis) dot += value(row - 1, packet, axis, lane) * value(row, packet, axis, lane);
+      if (dot >= 0.0F) continue;
+      for (int axis = 0; axis < 4; ++axis) values_[index(row, packet, axis, lane)] *= -1.0F;
+    }
+  }
+
+  const SampledRows& shape_;
+  std::vector<float> values_;
+  int packets_;
+};
+
+/// Constant as far as the stored numbers can tell: storing the middle errs no more than quantising does.
+bool is_constant(const Group& group, const Range& range) {
+  if (group.is_rotation()) return range.width() <= 1.0F / quantised_one;
+  return range.width() <= 1e-7F + 1e-6F * std::max(std::abs(range.lowest), std::abs(range.highest));
+}
+
+bool moves(const Source& source, int packet, const Group& group) {
+  for (int component = group.first_component; component < group.first_component + group.count; ++component) {
+    for (int lane = 0; lane < packet_bones; ++lane) {
+      if (!is_constant(group, source.range(packet, component, lane))) return true;
+    }
+  }
+  return false;
+}
+
+/// Where each packet's moving groups lie in a row.
+struct RowLayout {
+  std::vector<std::int32_t> rotation, position, scale;
+  std::size_t stride = 0;
+};
+
+void place(const Source& source, const Group& group, std::vector<std::int32_t>& offsets, std::size_t& end) {
+  for (int packet = 0; packet < source.packets(); ++packet) {
+    const bool moving = moves(source, packet, group);
+    offsets.push_back(moving ? static_cast<std::int32_t>(end) : no_group);
+    if (moving) end += static_cast<std::size_t>(group.bytes());
+  }
+}
+
+RowLayout lay_out_row(const SampledRows& rows, const Source& source) {
+  RowLayout layout;
+  std::size_t end = 0;
+  place(source, rotation_group, layout.rotation, end);
+  place(source, position_group, layout.position, end);
+  if (rows.components == general_components) {
+    place(source, scale_group, layout.scale, end);
+  } else {
+    layout.scale.assign(static_cast<std::size_t>(source.packets()), no_group);
+  }
+  layout.stride = round_up_to_lines(end);
+  return layout;
+}
+
+std::size_t rows_offset(int packets) {
+  return sizeof(SampledStream) + static_cast<std::size_t>(packets) * sizeof(SampledPacket);
+}
+
+std::size_t block_bytes(const SampledRows& rows, const RowLayout& layout) {
+  return rows_offset(packets_for(rows.bone_count)) + static_cast<std::size_t>(rows.row_count) * layout.stride;
+}
+
+void write_constant_rotations(const Source& source, int packet, SampledPacket& out) {
+  for (int lane = 0; lane < packet_bones; ++lane) {
+    double middle[4];
+    double length = 0.0;
+    for (int axis = 0; axis < 4; ++axis) {
+      middle[axis] = static_cast<double>(source.range(packet, axis, lane).middle());
+      length += middle[axis] * middle[axis];
+    }
+    length = std::sqrt(length);
+    for (int axis = 0; axis < 4; ++axis) out.rotation[axis][lane] = static_cast<float>(middle[axis] / length);
+  }
+}
+
+void write_ranges(const Source& source, int packet, const Group& group, float (*base)[packet_bones],
+                  float (*step)[packet_bones]) {
+  for (int axis = 0; axis < group.count; ++axis) {
+    for (int lane = 0; lane < packet_bones; ++lane) {
+      const Range range = source.range(packet, group.first_component + axis, lane);
+      base[axis][lane] = range.middle();
+      step[axis][lane] = range.width() / (2.0F * quantised_one);
+    }
+  }
+}
+
+SampledPacket describe_packet(const SampledRows& rows, const Source& source, const RowLayout& layout, int packet) {
+  SampledPacket out{};
+  out.rotation_offset = layout.rotation[static_cast<std::size_t>(packet)];
+  out.position_offset = layout.position[static_cast<std::size_t>(packet)];
+  out.scale_offset = layout.scale[static_cast<std::size_t>(packet)];
+  write_constant_rotations(source, packet, out);
+  write_ranges(source, packet, position_group, out.position_base, out.position_step);
+  for (auto& axis : out.scale_base) std::fill(std::begin(axis), std::end(axis), 1.0F);
+  if (rows.components == general_components) {
+    write_ranges(source, packet, scale_group, out.scale_base, out.scale_step);
+  }
+  return out;
+}
+
+std::int16_t quantise(float value, float base, float step) {
+  if (step == 0.0F) return 0;
+  const float scaled = std::round((value - base) / step);
+  return static_cast<std::int16_t>(std::clamp(scaled, -quantised_one, quantised_one));
+}
+
+void write_group(const Source& source, int row, int packet, const Group& group, const float (*base)[packet_bones],
+                 const float (*step)[packet_bones], std::byte* out) {
+  std::int16_t lanes[4 * packet_bones];
+  for (int axis = 0; axis < group.count; ++axis) {
+    for (int lane = 0; lane < packet_bones; ++lane) {
+      const float value = source.value(row, packet, group.first_component + axis, lane);
+      lanes[sampled_lane(axis, lane, group.count)] = base == nullptr
+                                                         ? quantise(value, 0.0F, 1.0F / quantised_one)
+                                                         : quantise(value, base[axis][lane], step[axis][lane]);
+    }
+  }
+  std::memcpy(out, lanes, static_cast<std::size_t>(group.bytes()));
+}
+
+void write_row(const Source& source, int row, std::span<const SampledPacket> packets, std::byte* out) {
+  for (int packet = 0; packet < source.packets(); ++packet) {
+    const SampledPacket& header = packets[static_cast<std::size_t>(packet)];
+    if (header.rotation_offset >= 0) {
+      write_group(source, row, packet, rotation_group, nullptr, nullptr, out + header.rotation_offset);
+    }
+    if (header.position_offset >= 0) {
+      write_group(source, row, packet, position_group, header.position_base, header.position_step,
+                  out + header.position_offset);
+    }
+    if (header.scale_offset >= 0) {
+      write_group(source, row, packet, scale_group, header.scale_base, header.scale_step, out + header.scale_offset);
+    }
+  }
+}
+
+}  // namespace
+
+SamplePoint locate(const SampledStream& stream, Ticks time) {
+  const int last = stream.row_count - 1;
+  if (time <= stream.first_row) return {stream.row(0), stream.row(0), 0};
+  if (time >= stream.first_row + last * stream.row_step) return {stream.row(last), stream.row(last), 0};
+  const Ticks since = time - stream.first_row;
+  const Ticks index = since / stream.row_step;
+  const Ticks rest = since - index * stream.row_step;
+  const Ticks fraction = (rest * sample_fraction_one + stream.row_step / 2) / stream.row_step;
+  const int row = static_cast<int>(index);
+  return {stream.row(row), stream.row(row + 1), static_cast<std::int32_t>(fraction)};
+}
+
+std::size_t sampled_stream_bytes(const SampledRows& rows) { return block_bytes(rows, lay_out_row(rows, Source(rows))); }
+
+void encode_sampled_stream(const SampledRows& rows, Ticks duration, std::span<std::byte> block) {
+  const Source source(rows);
+  const RowLayout layout = lay_out_row(rows, source);
+  assert(block.size() == block_bytes(rows, layout));
+  assert(reinterpret_cast<std::uintptr_t>(block.data()) % line_bytes == 0);
+  std::memset(block.data(), 0, block.size());
+
+  SampledStream stream{};
+  stream.total_size = static_cast<std::uint32_t>(block.size());
+  stream.packets_offset = sizeof(SampledStream);
+  stream.rows_offset = static_cast<std::uint32_t>(rows_offset(source.packets()));
+  stream.row_stride = static_cast<std::uint32_t>(layout.stride);
+  stream.row_count = rows.row_count;
+  stream.bone_count = rows.bone_count;
+  stream.packet_count = source.packets();
+  stream.components = rows.components;
+  stream.first_row = rows.first_row;
+  stream.row_step = rows.row_step;
+  stream.duration = duration;
+  std::memcpy(block.data(), &stream, sizeof(stream));
+
+  std::vector<SampledPacket> packets;
+  for (int packet = 0; packet < source.packets(); ++packet) {
+    packets.push_back(describe_packet(rows, source, layout, packet));
+  }
+  std::memcpy(block.data() + stream.packets_offset, packets.data(), packets.size() * sizeof(SampledPacket));
+  for (int row = 0; row < rows.row_count; ++row) {
+    write_row(source, row, packets, block.data() + stream.rows_offset + static_cast<std::size_t>(row) * layout.stride);
+  }
+}
+
+}  // namespace throng::anim

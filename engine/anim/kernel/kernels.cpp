@@ -1,0 +1,89 @@
+#include "engine/anim/kernel/kernels.h"
+
+#include <cassert>
+#include <vector>
+
+// Every target that this compiler can write, the one-lane SCALAR target among them, which the others are measured
+// against: Highway would replace it by emulated 128-bit vectors on newer compilers. The kernels keep vectors in
+// structures, which targets without a compile-time width do not allow.
+#define HWY_COMPILE_ALL_ATTAINABLE
+#define HWY_BROKEN_EMU128 1
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/anim/kernel/kernels.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target, which chooses the target that these are compiled for.
+#include <hwy/highway.h>
+
+#include "engine/anim/kernel/blend-inl.h"
+#include "engine/anim/kernel/general_palette-inl.h"
+#include "engine/anim/kernel/rigid_palette-inl.h"
+#include "engine/anim/kernel/sample-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::anim::HWY_NAMESPACE {
+
+template <int width>
+void model_palette_tile(const ModelPaletteJob& job) {
+  using D = LanesUpTo<width>;
+  const int begin = job.packet * packet_bones;
+  const int end = HWY_MIN(begin + packet_bones, job.bone_count);
+  if (begin >= end) return;
+  for (int lane = 0; lane < job.characters; lane += lane_count<D>) {
+    if (job.hierarchy->rigid) {
+      rigid_palette_lanes<width>(D(), job, lane, begin, end);
+    } else {
+      general_palette_lanes<width>(D(), job, lane, begin, end);
+    }
+  }
+}
+
+void model_palette(const ModelPaletteJob& job) {
+  switch (job.width) {
+    case 1:
+      return model_palette_tile<1>(job);
+    case 2:
+      return model_palette_tile<2>(job);
+    case 4:
+      return model_palette_tile<4>(job);
+    case 8:
+      return model_palette_tile<8>(job);
+    default:
+      return model_palette_tile<widest_tile>(job);
+  }
+}
+
+Kernels kernel_set() { return {hwy::TargetName(HWY_TARGET), HWY_NATIVE_FMA != 0, &sample, &blend, &model_palette}; }
+
+}  // namespace throng::anim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace throng::anim {
+namespace {
+
+HWY_EXPORT(kernel_set);
+
+std::vector<Kernels> find_runnable_kernels() {
+  std::vector<Kernels> sets;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::ChosenTarget chosen;
+    chosen.Update(target);
+    sets.push_back(HWY_DISPATCH_TABLE(kernel_set)[chosen.GetIndex()]());
+  }
+  return sets;
+}
+
+}  // namespace
+
+std::span<const Kernels> runnable_kernels() {
+  static const std::vector<Kernels> sets = find_runnable_kernels();
+  return sets;
+}
+
+const Kernels& best_kernels() { return runnable_kernels().front(); }
+
+const Kernels& scalar_kernels() { return runnable_kernels().back(); }
+
+}  // namespace throng::anim
+#endif  // HWY_ONCE

@@ -1,0 +1,170 @@
+// The small vocabulary that the kernels are written in, once for every SIMD target (Highway's foreach_target includes
+// this file again and again, hence the toggled guard).
+#if defined(THRONG_KERNEL_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef THRONG_KERNEL_LANES_INL_H
+#undef THRONG_KERNEL_LANES_INL_H
+#else
+#define THRONG_KERNEL_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "engine/anim/kernel/pose.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::anim::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// As many float lanes as the target has, at most `most`.
+template <int most>
+using LanesUpTo = hn::CappedTag<float, static_cast<std::size_t>(most)>;
+using BoneLanes = LanesUpTo<packet_bones>;
+
+template <class D>
+inline constexpr int lane_count = static_cast<int>(hn::MaxLanes(D()));
+
+template <int count>
+using FloatArray = float[static_cast<std::size_t>(count)];
+
+/// 1 / sqrt(x) to 4e-7 for x in any octave: Kadlec's seed and first step, then a Newton step whose factor splits the
+/// error that is left evenly around zero. Highway's own approximation differs between targets; this does not.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V inverse_square_root(D d, V x) {
+  const hn::RebindToSigned<D> bits;
+  V y = hn::BitCast(d, hn::Sub(hn::Set(bits, 0x5F1FFFF9), hn::ShiftRight<1>(hn::BitCast(bits, x))));
+  y = hn::Mul(hn::Mul(y, hn::Set(d, 0.703952253F)), hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 2.38924456F)));
+  return hn::Mul(hn::Mul(y, hn::Set(d, 0.50000018F)), hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 3.0F)));
+}
+
+template <class V>
+struct Quaternions {
+  V x, y, z, w;
+};
+
+template <class V>
+HWY_INLINE V dot(const Quaternions<V>& a, const Quaternions<V>& b) {
+  return hn::MulAdd(a.w, b.w, hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))));
+}
+
+template <class V>
+HWY_INLINE Quaternions<V> scaled(const Quaternions<V>& q, V factor) {
+  return {hn::Mul(q.x, factor), hn::Mul(q.y, factor), hn::Mul(q.z, factor), hn::Mul(q.w, factor)};
+}
+
+/// Rotation by b, then by a (Hamilton product a * b).
+template <class V>
+HWY_INLINE Quaternions<V> product(const Quaternions<V>& a, const Quaternions<V>& b) {
+  return {
+      hn::NegMulAdd(a.z, b.y, hn::MulAdd(a.y, b.z, hn::MulAdd(a.x, b.w, hn::Mul(a.w, b.x)))),
+      hn::MulAdd(a.z, b.x, hn::MulAdd(a.y, b.w, hn::NegMulAdd(a.x, b.z, hn::Mul(a.w, b.y)))),
+      hn::MulAdd(a.z, b.w, hn::NegMulAdd(a.y, b.x, hn::MulAdd(a.x, b.y, hn::Mul(a.w, b.z)))),
+      hn::NegMulAdd(a.z, b.z, hn::NegMulAdd(a.y, b.y, hn::NegMulAdd(a.x, b.x, hn::Mul(a.w, b.w)))),
+  };
+}
+
+template <class V>
+struct Vectors {
+  V x, y, z;
+};
+
+/// Three rows of three.
+template <class V>
+struct Matrices {
+  Vectors<V> x, y, z;
+};
+
+template <class V>
+HWY_INLINE Vectors<V> sum(const Vectors<V>& a, const Vectors<V>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+/// row * v + start
+template <class V>
+HWY_INLINE V dot_add(const Vectors<V>& row, const Vectors<V>& v, V start) {
+  return hn::MulAdd(row.z, v.z, hn::MulAdd(row.y, v.y, hn::MulAdd(row.x, v.x, start)));
+}
+
+/// start - row * v
+template <class V>
+HWY_INLINE V dot_subtract(const Vectors<V>& row, const Vectors<V>& v, V start) {
+  return hn::NegMulAdd(row.z, v.z, hn::NegMulAdd(row.y, v.y, hn::NegMulAdd(row.x, v.x, start)));
+}
+
+/// m * v + start
+template <class V>
+HWY_INLINE Vectors<V> transform_add(const Matrices<V>& m, const Vectors<V>& v, const Vectors<V>& start) {
+  return {dot_add(m.x, v, start.x), dot_add(m.y, v, start.y), dot_add(m.z, v, start.z)};
+}
+
+/// start - m * v
+template <class V>
+HWY_INLINE Vectors<V> transform_subtract(const Matrices<V>& m, const Vectors<V>& v, const Vectors<V>& start) {
+  return {dot_subtract(m.x, v, start.x), dot_subtract(m.y, v, start.y), dot_subtract(m.z, v, start.z)};
+}
+
+template <class D, class V>
+HWY_INLINE Matrices<V> rotation_matrices(D d, const Quaternions<V>& q) {
+  const V x2 = hn::Add(q.x, q.x);
+  const V y2 = hn::Add(q.y, q.y);
+  const V z2 = hn::Add(q.z, q.z);
+  const V one = hn::Set(d, 1.0F);
+  const V without_x = hn::NegMulAdd(q.x, x2, one);
+  const V without_y = hn::NegMulAdd(q.y, y2, one);
+  const V xy = hn::Mul(q.x, y2);
+  const V xz = hn::Mul(q.x, z2);
+  const V yz = hn::Mul(q.y, z2);
+  return {{hn::NegMulAdd(q.z, z2, without_y), hn::NegMulAdd(q.w, z2, xy), hn::MulAdd(q.w, y2, xz)},
+          {hn::MulAdd(q.w, z2, xy), hn::NegMulAdd(q.z, z2, without_x), hn::NegMulAdd(q.w, x2, yz)},
+          {hn::NegMulAdd(q.w, y2, xz), hn::MulAdd(q.w, x2, yz), hn::NegMulAdd(q.y, y2, without_x)}};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vectors<V> broadcast_vector(D d, const float* xyz) {
+  return {hn::Set(d, xyz[0]), hn::Set(d, xyz[1]), hn::Set(d, xyz[2])};
+}
+
+/// Components of one thing lie `stride` floats apart.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Quaternions<V> load_quaternions(D d, const float* from, int stride) {
+  return {hn::Load(d, from), hn::Load(d, from + stride), hn::Load(d, from + 2 * stride),
+          hn::Load(d, from + 3 * stride)};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vectors<V> load_vectors(D d, const float* from, int stride) {
+  return {hn::Load(d, from), hn::Load(d, from + stride), hn::Load(d, from + 2 * stride)};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Matrices<V> load_matrices(D d, const float* from, int stride) {
+  return {load_vectors(d, from, stride), load_vectors(d, from + 3 * stride, stride),
+          load_vectors(d, from + 6 * stride, stride)};
+}
+
+template <class D, class V>
+HWY_INLINE void store(D d, const Quaternions<V>& q, float* to, int stride) {
+  hn::Store(q.x, d, to);
+  hn::Store(q.y, d, to + stride);
+  hn::Store(q.z, d, to + 2 * stride);
+  hn::Store(q.w, d, to + 3 * stride);
+}
+
+template <class D, class V>
+HWY_INLINE void store(D d, const Vectors<V>& v, float* to, int stride) {
+  hn::Store(v.x, d, to);
+  hn::Store(v.y, d, to + stride);
+  hn::Store(v.z, d, to + 2 * stride);
+}
+
+template <class D, class V>
+HWY_INLINE void store(D d, const Matrices<V>& m, float* to, int stride) {
+  store(d, m.x, to, stride);
+  store(d, m.y, to + 3 * stride, stride);
+  store(d, m.z, to + 6 * stride, stride);
+}
+
+}  // namespace throng::anim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled guard

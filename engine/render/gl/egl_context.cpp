@@ -26,7 +26,7 @@ struct Egl {
   PFNEGLMAKECURRENTPROC make_current = nullptr;
   PFNEGLQUERYSTRINGPROC query_string = nullptr;
   PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr;
-  PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;            // null where devices are not listed
+  PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;             // null where devices are not listed
   PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;  // null where devices are not listed
 
   bool find_functions() {

@@ -1,8 +1,8 @@
 #include "engine/render/gl/shared_library.h"
 
-#include <dlfcn.h>
-
 #include <utility>
+
+#include <dlfcn.h>
 
 namespace throng::render::gl {
 

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "engine/render/result.h"
+
+namespace throng::render {
+
+/// A picture of 8-bit sRGB red, green, blue and straight alpha, top row first.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;  ///< width * height * 4
+
+  static Image blank(int width, int height);
+  std::uint8_t* pixel(int x, int y) { return rgba.data() + offset(x, y); }
+  const std::uint8_t* pixel(int x, int y) const { return rgba.data() + offset(x, y); }
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4;
+  }
+};
+
+Result<Image> read_png(const std::filesystem::path& file);
+
+/// Written beside under a temporary name, then renamed: `file` is whole or as it was.
+Status write_png(const Image& image, const std::filesystem::path& file);
+
+/// How far two pictures of one size are apart, in 0..255 steps a channel, alpha left out.
+struct ImageDifference {
+  double mean = 0.0;         ///< over all pixels
+  double worst_block = 0.0;  ///< mean of the 16x16 block where it is largest: one missing hand shows here
+  int worst_block_x = 0;     ///< pixels, the block's corner
+  int worst_block_y = 0;
+  Image picture;  ///< the absolute difference, eight times as bright
+};
+
+/// Fails when the sizes differ.
+Result<ImageDifference> compare(const Image& expected, const Image& actual);
+
+}  // namespace throng::render

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+namespace throng::app {
+
+/// A direction on the ground: the character's forward is (sine, cosine) in x, z; cosine 1 faces +Z.
+struct Heading {
+  float cosine = 1.0F;
+  float sine = 0.0F;
+};
+
+struct LanePlace {
+  glm::dvec2 position{0.0};  ///< x, z in metres
+  Heading heading;
+};
+
+/// A closed lane: a rectangle with round corners, walked at one speed by everyone on it so that nobody catches up.
+/// Lanes of equal core whose corner radii differ by d run d apart all the way round.
+struct Lane {
+  glm::dvec2 centre{0.0};      ///< x, z in metres
+  glm::dvec2 core{0.0};        ///< half extents of the rectangle of corner centres, metres; both 0 is a circle
+  double corner_radius = 1.0;  ///< metres, above 0
+  double direction = 1.0;      ///< 1 or -1
+  double speed = 0.0;          ///< metres a second
+
+  double length() const;
+  /// `distance` in metres from the lane's start in the direction of walking; any value, wraps.
+  LanePlace at(double distance) const;
+  /// Metres from `point` (x, z) to the lane: negative inside the loop, positive outside.
+  double signed_distance(glm::dvec2 point) const;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "app/settings.h"
+
+namespace throng::app {
+
+struct NamedCamera {
+  std::string_view name;
+  CameraPlace place;
+};
+
+/// The cameras of a scene, the default ("front") first: front, above, close, far. They follow the size of the crowd and
+/// the character's height (metres).
+std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, float character_height);
+
+/// The camera called `name`, null where the scene has none; an empty name is the first.
+const NamedCamera* find_camera(std::span<const NamedCamera> cameras, std::string_view name);
+
+}  // namespace throng::app

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+/// Who is updated this frame, how far ahead, and with how many bones: the paper's LOD by skipping updates and by
+/// dropping bones. Decided from bounds and camera numbers before any animation; depends on nothing but its inputs.
+namespace throng::anim {
+
+enum class LodRule : std::uint8_t {
+  off,       ///< every agent, seen or not, is posed every frame with all its bones
+  distance,  ///< the farther from the camera, the longer the interval between updates
+};
+
+inline constexpr int most_bone_levels = 4;
+inline constexpr int longest_interval = 16;  ///< frames
+
+/// The knobs of the rule; a change takes effect for each agent at its next update.
+struct LodRules {
+  LodRule rule = LodRule::distance;
+  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
+  float interval_growth = 12.0F;     ///< metres for each further frame of the interval; above 0
+  int largest_interval = 8;          ///< frames, 1 to longest_interval
+  bool bone_lod = true;
+  std::array<float, most_bone_levels - 1> level_distances{15.0F, 30.0F, 60.0F};  ///< metres, ascending
+  int level_count = most_bone_levels;  ///< levels that the character has, 1 to most_bone_levels
+};
+
+/// What the rule needs to know of the camera.
+struct LodCamera {
+  glm::vec3 position{0.0F};            ///< metres, world space
+  std::array<glm::vec4, 6> frustum{};  ///< unit normal, offset: inside where dot(normal, point) + offset >= 0
+  float pixels_per_unit = 1.0F;        ///< pixels that one metre covers at a distance of one metre
+};
+
+/// A sphere about the vertical axis of an agent that holds every pose; all scaled with the agent.
+struct LodBounds {
+  float centre_height = 0.9F;  ///< metres above the feet
+  float radius = 1.2F;         ///< metres
+  float height = 1.8F;         ///< metres, of the standing character
+};
+
+/// An agent in view, in ascending order of `agent`.
+struct VisibleAgent {
+  std::uint32_t agent;
+  float pixels_tall;
+  std::uint8_t interval;    ///< frames from one update to the next
+  std::uint8_t bone_level;  ///< 0: all bones
+};
+
+/// An agent to be posed this frame, in ascending order of `agent`.
+struct DueAgent {
+  std::uint32_t agent;
+  std::uint8_t look_ahead;  ///< frames until its next update, 1 to longest_interval
+  std::uint8_t bone_level;
+};
+
+/// What was decided for one frame; memory for every agent is set aside by `LodState::resize`.
+struct LodSelection {
+  std::vector<VisibleAgent> visible;
+  std::vector<DueAgent> due;
+};
+
+/// What the rule remembers of each agent between frames.
+struct LodState {
+  std::vector<std::uint64_t> next_update;  ///< frame number
+  std::vector<std::uint8_t> interval;      ///< frames
+  std::vector<std::uint8_t> bone_level;
+  std::vector<std::uint8_t> was_visible;
+
+  /// Sizes state and `selection` for `agents` and forgets everything: whoever is visible next is due at once.
+  void resize(std::size_t agents, LodSelection& selection);
+};
+
+/// Everything about one frame of a crowd; spans are parallel, one element an agent.
+struct LodFrame {
+  std::span<const glm::vec3> positions;  ///< metres, world space, between the feet
+  std::span<const float> scales;
+  LodBounds bounds;
+  LodCamera camera;
+  LodRules rules;
+  std::uint64_t number = 0;  ///< grows by one a frame
+};
+
+/// Decides for every agent. An agent that comes into view is due at once; interval and bone level change only at an
+/// update, and the first update after a change is moved forward to a frame where `number % interval` equals
+/// `agent % interval`, so that the work of each frame is even. Allocates nothing, and each agent is decided alone.
+void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection);
+
+}  // namespace throng::anim

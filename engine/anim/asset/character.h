@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -11,19 +8,13 @@
 #include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/asset/sampled_stream.h"
-#include "engine/anim/base/result.h"
+#include "engine/anim/base/aligned_bytes.h"
+#include "engine/anim/base/units.h"
 #include "engine/anim/kernel/hierarchy.h"
 
 namespace throng::anim {
 
 enum class StreamKind : unsigned char { sampled, keyframe };
-
-/// 64-byte aligned bytes that own themselves.
-struct AlignedDelete {
-  void operator()(std::byte* bytes) const { ::operator delete[](bytes, std::align_val_t{64}); }
-};
-using AlignedBytes = std::unique_ptr<std::byte[], AlignedDelete>;
-AlignedBytes allocate_aligned(std::size_t size);
 
 /// One clip, ready to play: both streams, and what baking found.
 struct BakedClip {
@@ -57,8 +48,9 @@ struct Character {
 /// Bakes every clip of `model`. Never fails on what import accepted.
 Character bake_character(const Model& model, const BakeOptions& options = {});
 
-/// A branching skeleton (a trunk with limbs and fingers) of `bones` bones and `clips` different looping clips, for
-/// benchmarks and tests; deterministic by `seed`.
-Model synthetic_model(int bones, int clips, unsigned seed = 1);
+/// Metres a second at which the ground must pass under a character that plays `clip`, so that its feet do not slide:
+/// the speed of its root motion; without any, the speed at which the standing foot of a looping clip moves backward. 0
+/// for clips that stay where they are.
+double ground_speed(const Character& character, int clip);
 
 }  // namespace throng::anim

@@ -1,0 +1,186 @@
+#include "engine/anim/asset/keyframe_stream_clip.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace throng::anim {
+
+namespace {
+
+/// Differences below this are rounding of a 32-bit file, relative to the largest component or a centimetre.
+constexpr double still = 1e-7;
+constexpr double least_magnitude = 0.01;
+
+/// linear * value + constant: what to_state does to one property of one bone.
+struct StateMap {
+  std::array<glm::dvec4, 4> columns{};
+  glm::dvec4 constant{0.0};
+
+  glm::dvec4 direction(const glm::dvec4& value) const {
+    return columns[0] * value.x + columns[1] * value.y + columns[2] * value.z + columns[3] * value.w;
+  }
+  glm::dvec4 point(const glm::dvec4& value) const { return direction(value) + constant; }
+};
+
+glm::dvec4 components_of(const glm::dquat& q) { return {q.x, q.y, q.z, q.w}; }
+glm::dquat quaternion_of(const glm::dvec4& v) { return {v.w, v.x, v.y, v.z}; }
+glm::dvec4 unit_axis(int axis) {
+  glm::dvec4 unit(0.0);
+  unit[axis] = 1.0;
+  return unit;
+}
+
+StateMap rotation_map(const Skeleton& skeleton, int bone) {
+  StateMap map;
+  for (int axis = 0; axis < 4; ++axis) {
+    const StateTransform local{.rotation = quaternion_of(unit_axis(axis))};
+    map.columns[static_cast<std::size_t>(axis)] = components_of(to_state(skeleton, bone, local).rotation);
+  }
+  return map;
+}
+
+StateMap position_map(const Skeleton& skeleton, int bone) {
+  const auto position_at = [&](const glm::dvec4& translation) {
+    return glm::dvec4(to_state(skeleton, bone, {.position = glm::dvec3(translation)}).position, 0.0);
+  };
+  StateMap map{.constant = position_at(glm::dvec4(0.0))};
+  for (int axis = 0; axis < 3; ++axis) {
+    map.columns[static_cast<std::size_t>(axis)] = position_at(unit_axis(axis)) - map.constant;
+  }
+  return map;
+}
+
+StateMap scale_map() { return {.columns = {unit_axis(0), unit_axis(1), unit_axis(2), glm::dvec4(0.0)}}; }
+
+glm::dvec4 widen(const glm::vec3& v) { return {v, 0.0}; }
+glm::dvec4 widen(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
+
+/// The file's keys in double, with tangents where the track has them.
+template <typename Value>
+std::vector<StateKey> read_keys(const Track<Value>& track) {
+  const bool cubic = track.interpolation == Interpolation::cubic_spline;
+  std::vector<StateKey> keys(track.times.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    keys[k].time = key_ticks(static_cast<double>(track.times[k]));
+    keys[k].value = widen(track.values[cubic ? 3 * k + 1 : k]);
+    if (!cubic) continue;
+    keys[k].in_tangent = widen(track.values[3 * k]);
+    keys[k].out_tangent = widen(track.values[3 * k + 2]);
+  }
+  return keys;
+}
+
+/// Turns keys to the shorter arc from each to the next; a zero dot product counts as positive (glTF 2.0, C.4). The
+/// signs are taken from the file's own values, which conversion would round.
+void choose_hemispheres(std::vector<StateKey>& keys) {
+  bool flipped = false;
+  glm::dvec4 previous = keys.front().value;
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    const glm::dvec4 own = keys[k].value;
+    if (glm::dot(previous, own) < 0.0) flipped = !flipped;
+    if (flipped) keys[k].value = -own;
+    previous = own;
+  }
+}
+
+glm::dvec4 normalised(const glm::dvec4& q) {
+  const double length = glm::length(q);
+  return length > 0.0 ? q / length : unit_axis(3);
+}
+
+std::vector<StateKey> read_rotation_keys(const Track<glm::quat>& track) {
+  std::vector<StateKey> keys = read_keys(track);
+  if (track.interpolation == Interpolation::cubic_spline) return keys;
+  choose_hemispheres(keys);
+  for (StateKey& key : keys) key.value = normalised(key.value);
+  return keys;
+}
+
+double largest_component(const glm::dvec4& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)});
+}
+
+bool moves(const std::vector<StateKey>& keys, double duration_seconds) {
+  if (keys.size() < 2) return false;
+  double magnitude = least_magnitude;
+  for (const StateKey& key : keys) magnitude = std::max(magnitude, largest_component(key.value));
+  return std::ranges::any_of(keys, [&](const StateKey& key) {
+    const double tangent = std::max(largest_component(key.in_tangent), largest_component(key.out_tangent));
+    const double step = largest_component(key.value - keys.front().value);
+    return std::max(step, tangent * duration_seconds) > still * magnitude;
+  });
+}
+
+void convert(std::vector<StateKey>& keys, const StateMap& map) {
+  for (StateKey& key : keys) {
+    key.value = map.point(key.value);
+    key.in_tangent = map.direction(key.in_tangent);
+    key.out_tangent = map.direction(key.out_tangent);
+  }
+}
+
+/// Either a moving track of the clip, or the value at which the property stays.
+void add_track(StateClip& clip, StateTrack track, const StateMap& map) {
+  const bool moving = moves(track.keys, to_seconds(clip.duration));
+  convert(track.keys, map);
+  StateTransform& constant = clip.constants[static_cast<std::size_t>(track.bone)];
+  const glm::dvec4 first = track.keys.front().value;
+  switch (track.channel) {
+    case KeyChannel::rotation:
+      constant.rotation = quaternion_of(normalised(first));
+      break;
+    case KeyChannel::position:
+      constant.position = glm::dvec3(first);
+      break;
+    case KeyChannel::scale:
+      constant.scale = glm::dvec3(first);
+      break;
+  }
+  if (!moving) return;
+  clip.tracks.push_back(std::move(track));
+}
+
+void add_bone_tracks(StateClip& clip, const Skeleton& skeleton, const BoneTracks& tracks) {
+  const int bone = tracks.bone;
+  if (!tracks.rotation.empty()) {
+    add_track(clip, {bone, KeyChannel::rotation, tracks.rotation.interpolation, read_rotation_keys(tracks.rotation)},
+              rotation_map(skeleton, bone));
+  }
+  if (!tracks.translation.empty()) {
+    add_track(clip, {bone, KeyChannel::position, tracks.translation.interpolation, read_keys(tracks.translation)},
+              position_map(skeleton, bone));
+  }
+  if (!tracks.scale.empty() && !skeleton.rigid) {
+    add_track(clip, {bone, KeyChannel::scale, tracks.scale.interpolation, read_keys(tracks.scale)}, scale_map());
+  }
+}
+
+/// What a bone shows that no track moves.
+StateTransform rest_state(const Skeleton& skeleton, int bone) {
+  const Transform& rest = skeleton.bones[static_cast<std::size_t>(bone)].rest;
+  const glm::dquat rotation = quaternion_of(normalised(widen(rest.rotation)));
+  return to_state(skeleton, bone, {rotation, glm::dvec3(rest.translation), glm::dvec3(rest.scale)});
+}
+
+}  // namespace
+
+Ticks key_ticks(double seconds) { return to_ticks(std::min(seconds, longest_clip)); }
+
+StateClip to_state_space(const Skeleton& skeleton, const Clip& clip) {
+  StateClip state{
+      .duration = key_ticks(clip.duration), .components = skeleton.components(), .constants = {}, .tracks = {}};
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) state.constants.push_back(rest_state(skeleton, bone));
+  for (const BoneTracks& tracks : clip.tracks) add_bone_tracks(state, skeleton, tracks);
+  return state;
+}
+
+const StateTrack* find_track(const StateClip& clip, int bone, KeyChannel channel) {
+  const auto found = std::ranges::find_if(
+      clip.tracks, [&](const StateTrack& track) { return track.bone == bone && track.channel == channel; });
+  return found == clip.tracks.end() ? nullptr : &*found;
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/anim/base/pool.h"
+#include "engine/anim/entity/animation_state.h"
+#include "engine/anim/kernel/kernels.h"
+
+namespace throng::anim {
+
+/// Paper 2.2.4. Eases from one animation state to another; the sources may be players, other blenders, anything.
+///
+///     [header 96 | blender 32 | transforms if resident]
+struct alignas(64) EaseBlender {
+  static constexpr std::uint16_t held = 1;     ///< the fraction stays as it was set; time does not move it
+  static constexpr std::int16_t no_mask = -1;  ///< every bone takes the whole fraction
+
+  AnimationStateHeader state;  //   0
+  Handle from;                 //  96  the paper's "source animation state pointers"
+  Handle to;                   // 100
+  Ticks elapsed;               // 104
+  Ticks total;                 // 112
+  std::int16_t mask;           // 120  index of an array of bone weights (2.2.4, footnote 6), or no_mask
+  std::uint16_t flags;         // 122
+  float fraction;              // 124  of `to`, 0 to 1, of the last update
+};
+static_assert(sizeof(EaseBlender) == entity_header_bytes);
+static_assert(offsetof(EaseBlender, from) == 96 && offsetof(EaseBlender, elapsed) == 104);
+static_assert(offsetof(EaseBlender, mask) == 120 && offsetof(EaseBlender, fraction) == 124);
+
+/// A blender's priority: the lowest of its sources' minus one (2.2.5), so that both are updated before it.
+constexpr std::int16_t blender_priority(std::int16_t from, std::int16_t to) {
+  return static_cast<std::int16_t>((from < to ? from : to) - 1);
+}
+
+/// Eases in and out: 0 at 0, 1 at 1, level at both ends.
+constexpr float ease(float x) { return x * x * (3.0F - 2.0F * x); }
+
+/// Update step: uses up `state.delta_time` and moves the fraction.
+void advance_blender(EaseBlender& blender);
+
+/// One packet of 16 bones. `weights` are the mask's [packet][16] floats, or null. `out` may be `from` or `to`.
+void blend_packet(const EaseBlender& blender, const float* weights, const Kernels& kernels, int packet,
+                  const float* from, const float* to, float* out);
+
+}  // namespace throng::anim

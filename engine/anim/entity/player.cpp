@@ -1,0 +1,62 @@
+#include "engine/anim/entity/player.h"
+
+namespace throng::anim {
+namespace {
+
+// Floor division, so that a player that moves backwards wraps as one that moves forwards does.
+FineTicks whole_loops(FineTicks position, FineTicks duration) {
+  const FineTicks quotient = position / duration;
+  return position % duration < 0 ? quotient - 1 : quotient;
+}
+
+void wrap(Player& player, FineTicks duration) {
+  const FineTicks loops = whole_loops(player.position, duration);
+  if (loops == 0) return;
+  player.position -= loops * duration;
+  player.loop_count += static_cast<std::int32_t>(loops);
+  player.flags |= Player::reached_end;
+}
+
+void hold_at_end(Player& player, FineTicks duration) {
+  if (player.position >= 0 && player.position < duration) return;
+  player.position = player.position < 0 ? 0 : duration;
+  player.flags |= Player::reached_end;
+}
+
+}  // namespace
+
+void advance_player(Player& player, const ClipStreams& clip) {
+  const FineTicks duration = clip.duration * fine_ticks_per_tick;
+  player.position += player.state.delta_time * player.speed;
+  player.state.delta_time = 0;
+  player.flags &= ~Player::reached_end;
+  if ((player.flags & Player::looping) != 0 && duration > 0) {
+    wrap(player, duration);
+  } else {
+    hold_at_end(player, duration);
+  }
+  const float speed = static_cast<float>(player.speed) / 65536.0F;
+  for (int axis = 0; axis < 3; ++axis) player.state.linear_velocity[axis] = clip.linear_velocity[axis] * speed;
+}
+
+PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations) {
+  PlayerPose pose{.clip = &clip, .time = player.position / fine_ticks_per_tick, .point = {}, .interpolations = {}};
+  if (player.state.type == EntityType::keyframe_player) {
+    advance_keyframes(*clip.keyframe, pose.time, player.cursor, interpolations);
+    pose.interpolations = interpolations;
+  } else {
+    pose.point = locate(*clip.sampled, pose.time);
+  }
+  return pose;
+}
+
+void pose_packet(const PlayerPose& pose, const Kernels& kernels, int components, int packet, float* out) {
+  if (!pose.interpolations.empty()) {
+    const auto floats = packet_bytes(components) / sizeof(float);
+    evaluate_keyframes(*pose.clip->keyframe, pose.time, pose.interpolations, packet, {out, floats});
+  } else {
+    kernels.sample({.stream = pose.clip->sampled, .point = pose.point, .packet = packet, .pose = out});
+  }
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "engine/anim/run/local_store.h"
+
+namespace throng::anim {
+
+/// Paper footnote 7: "while the CPU processes one animation player the DMA controller moves the next/previous one
+/// in/out".
+///   off          one fetch buffer: fetch, compute, write back
+///   inline_copy  two: the previous task goes out and the next comes in before this one is computed
+///   interleaved  two: the same bytes, moved in slices from inside the kernels' loop over packets of bones
+enum class DoubleBuffering : std::uint8_t { off, inline_copy, interleaved };
+
+/// What a kind of task must offer to be run through the local store.
+///   next()                          the next task of this PU, if any
+///   fetch(task, buffer, engine)     queues what it reads
+///   copy_points(task)               how often compute() calls engine.advance()
+///   compute(task, buffer, engine)
+///   write_back(task, buffer, engine) queues what it changed
+template <typename Tasks>
+void run_single_buffered(Tasks& tasks, CopyEngine& engine) {
+  while (auto task = tasks.next()) {
+    tasks.fetch(*task, 0, engine);
+    engine.finish();
+    tasks.compute(*task, 0, engine);
+    tasks.write_back(*task, 0, engine);
+    engine.finish();
+  }
+}
+
+template <typename Tasks>
+void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode) {
+  auto current = tasks.next();
+  if (!current) return;
+  int buffer = 0;
+  tasks.fetch(*current, buffer, engine);
+  engine.finish();
+  decltype(current) previous;
+  while (current) {
+    auto next = tasks.next();
+    if (previous) tasks.write_back(*previous, 1 - buffer, engine);
+    if (next) tasks.fetch(*next, 1 - buffer, engine);
+    if (mode == DoubleBuffering::inline_copy) engine.finish();
+    engine.spread_over(tasks.copy_points(*current));
+    tasks.compute(*current, buffer, engine);
+    engine.finish();
+    previous = current;
+    current = next;
+    buffer = 1 - buffer;
+  }
+  tasks.write_back(*previous, 1 - buffer, engine);
+  engine.finish();
+}
+
+template <typename Tasks>
+void run_tasks(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode) {
+  if (mode == DoubleBuffering::off) {
+    run_single_buffered(tasks, engine);
+  } else {
+    run_double_buffered(tasks, engine, mode);
+  }
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace throng::anim {
+
+/// A job and what it works on, without owning or allocating anything.
+struct Job {
+  void (*run)(void* context, int index);
+  void* context;
+};
+
+/// Runs jobs 0 to count - 1, each once, at the same time where it can, and returns when all are done and their stores
+/// are visible to the caller. Our own PU threads by default; a host's job system fits behind the same call.
+class Executor {
+ public:
+  virtual ~Executor() = default;
+  virtual void run(int count, Job job) = 0;
+};
+
+}  // namespace throng::anim

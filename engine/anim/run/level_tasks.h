@@ -1,0 +1,93 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/anim/run/agent_work.h"
+#include "engine/anim/run/fused_tasks.h"
+#include "engine/anim/run/local_store.h"
+#include "engine/anim/run/tile_scratch.h"
+
+namespace throng::anim {
+
+/// One entity to be updated in the `levels` schedule.
+struct EntityUpdate {
+  Handle entity;
+  Handle from;  ///< sources of a blender; invalid for a player
+  Handle to;
+  Ticks delta = 0;
+  std::uint8_t level = 0;
+};
+
+/// The paper's schedule, one priority of it (2.2.3, 2.2.5): entities in any order, each copied in whole, updated,
+/// copied back whole. A blender's sources come along, header and transforms, and are not written back.
+class EntityTasks {
+ public:
+  EntityTasks(const UpdateContext& context, std::span<const EntityUpdate> updates, TaskQueue& queue,
+              const LocalStore& store)
+      : context_(&context), updates_(updates), queue_(&queue), store_(&store) {}
+
+  static std::size_t fetch_bytes(const UpdateContext& context, std::uint32_t largest_player,
+                                 std::uint32_t largest_source);
+
+  std::optional<int> next() { return queue_->take(); }
+  void fetch(int task, int buffer, CopyEngine& engine) const;
+  int copy_points(int task) const { return context_->packets(update(task).level); }
+  void compute(int task, int buffer, CopyEngine& engine);
+  void write_back(int task, int buffer, CopyEngine& engine) const;
+
+  std::uint32_t entities_done() const { return entities_done_; }
+
+ private:
+  const EntityUpdate& update(int task) const { return updates_[static_cast<std::size_t>(task)]; }
+  void compute_player(const EntityUpdate& update, std::byte* block, CopyEngine& engine) const;
+  void compute_blender(const EntityUpdate& update, std::byte* block, CopyEngine& engine) const;
+
+  const UpdateContext* context_;
+  std::span<const EntityUpdate> updates_;
+  TaskQueue* queue_;
+  const LocalStore* store_;
+  std::uint32_t entities_done_ = 0;
+};
+
+/// The last level: model space and palettes of finished states. Runs across characters, so it streams one packet of
+/// each character of a tile at a time through the fetch buffers.
+class PaletteTasks {
+ public:
+  struct Task {
+    int tile;
+    int packet;
+  };
+
+  PaletteTasks(const UpdateContext& context, std::span<const AgentWork> work, std::span<const Tile> tiles,
+               TaskQueue& queue, const LocalStore& store, int width, PaletteMatrix* unseen);
+
+  static std::size_t fetch_bytes(const UpdateContext& context, int width);
+  static std::size_t scratch_bytes(const UpdateContext& context, int width);
+
+  std::optional<Task> next();
+  void fetch(const Task& task, int buffer, CopyEngine& engine) const;
+  static int copy_points(const Task&) { return 1; }
+  void compute(const Task& task, int buffer, CopyEngine& engine);
+  void write_back(const Task&, int, CopyEngine&) const {}
+
+  std::uint32_t tiles_done() const { return tiles_done_; }
+  std::uint32_t agents_done() const { return agents_done_; }
+
+ private:
+  std::span<const AgentWork> agents(const Task& task) const;
+
+  const UpdateContext* context_;
+  std::span<const AgentWork> work_;
+  std::span<const Tile> tiles_;
+  TaskQueue* queue_;
+  const LocalStore* store_;
+  int width_;
+  PaletteMatrix* unseen_;
+  ModelScratch scratch_;
+  std::optional<Task> last_;
+  std::uint32_t tiles_done_ = 0;
+  std::uint32_t agents_done_ = 0;
+};
+
+}  // namespace throng::anim

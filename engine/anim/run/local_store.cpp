@@ -1,0 +1,96 @@
+#include "engine/anim/run/local_store.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "engine/anim/base/guard.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr std::size_t line = 64;
+
+// Its own loop, never memcpy: the address sanitizer intercepts that, and this must reach guarded pools.
+THRONG_COPIES_GUARDED_MEMORY void copy_lines(const std::byte* from, std::byte* to, std::size_t size) {
+  using Line [[gnu::vector_size(line), gnu::may_alias]] = long long;
+  for (std::size_t offset = 0; offset < size; offset += line) {
+    *reinterpret_cast<Line*>(to + offset) = *reinterpret_cast<const Line*>(from + offset);
+    asm volatile("" ::: "memory");  // or the compiler would turn the loop back into memcpy
+  }
+}
+
+}  // namespace
+
+LocalStore::LocalStore(std::size_t size) : size_(size), memory_(allocate_aligned(size)) {}
+
+void LocalStore::divide(std::size_t fetch_bytes, int fetch_buffers, std::size_t scratch_bytes) {
+  release_guard(memory_.get(), size_);
+  fetch_bytes_ = fetch_bytes;
+  fetch_buffers_ = fetch_buffers;
+  scratch_bytes_ = scratch_bytes;
+  assert(bytes_used() <= size_);
+}
+
+std::span<std::byte> LocalStore::fetch_buffer(int index) const {
+  assert(index < fetch_buffers_);
+  return {memory_.get() + static_cast<std::size_t>(index) * fetch_bytes_, fetch_bytes_};
+}
+
+std::span<std::byte> LocalStore::scratch() const {
+  return {memory_.get() + static_cast<std::size_t>(fetch_buffers_) * fetch_bytes_, scratch_bytes_};
+}
+
+void CopyEngine::fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
+  assert(size % line == 0);
+  guard(local, size);
+  queue_.push_back({main_memory, local, size, true});
+  queued_bytes_ += size;
+  counts_.bytes_in += size;
+  ++counts_.transfers;
+}
+
+void CopyEngine::write_back(const std::byte* local, std::byte* main_memory, std::size_t size) {
+  assert(size % line == 0);
+  queue_.push_back({local, main_memory, size, false});
+  queued_bytes_ += size;
+  counts_.bytes_out += size;
+  ++counts_.transfers;
+}
+
+void CopyEngine::spread_over(int slices) {
+  const std::size_t lines = queued_bytes_ / line;
+  const auto parts = static_cast<std::size_t>(std::max(slices, 1));
+  slice_bytes_ = (lines + parts - 1) / parts * line;
+}
+
+void CopyEngine::advance() { move(slice_bytes_); }
+
+void CopyEngine::finish() {
+  move(queued_bytes_);
+  queue_.clear();
+  next_ = 0;
+}
+
+void CopyEngine::move(std::size_t bytes) {
+  while (bytes > 0 && next_ < queue_.size()) {
+    const Transfer& transfer = queue_[next_];
+    const std::size_t size = std::min(bytes, transfer.size - moved_);
+    if (transfer.inward) release_guard(transfer.to + moved_, size);
+    copy_lines(transfer.from + moved_, transfer.to + moved_, size);
+    moved_ += size;
+    bytes -= size;
+    queued_bytes_ -= size;
+    if (moved_ == transfer.size) {
+      ++next_;
+      moved_ = 0;
+    }
+  }
+}
+
+CopyCounts CopyEngine::take_counts() {
+  const CopyCounts counts = counts_;
+  counts_ = {};
+  return counts;
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/anim/base/aligned_bytes.h"
+
+namespace throng::anim {
+
+/// A PU's own memory of fixed size (paper 1.1, 3; DESIGN section 4):
+///
+///     0                 fetch bytes         2 x fetch bytes               size
+///     +-----------------+-------------------+------------------------------+
+///     | fetch buffer 0  | fetch buffer 1    | scratch                      |
+///     +-----------------+-------------------+------------------------------+
+///
+/// Blocks are copied to a fetch buffer, updated there and copied back; kernels touch nothing but this and read-only
+/// assets. Without double buffering the second fetch buffer has no bytes.
+class LocalStore {
+ public:
+  explicit LocalStore(std::size_t size);
+
+  /// Splits the store anew; the sizes are multiples of 64 and fit.
+  void divide(std::size_t fetch_bytes, int fetch_buffers, std::size_t scratch_bytes);
+
+  std::span<std::byte> fetch_buffer(int index) const;
+  std::span<std::byte> scratch() const;
+  std::size_t size() const { return size_; }
+  std::size_t bytes_used() const { return fetch_bytes_ * static_cast<std::size_t>(fetch_buffers_) + scratch_bytes_; }
+
+ private:
+  std::size_t size_;
+  AlignedBytes memory_;
+  std::size_t fetch_bytes_ = 0;
+  int fetch_buffers_ = 2;
+  std::size_t scratch_bytes_ = 0;
+};
+
+/// What the copy engine moved since it was last asked.
+struct CopyCounts {
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+  std::uint64_t transfers = 0;
+};
+
+/// The DMA controller's part (paper footnote 7), played by the PU's own thread: a list of transfers between main memory
+/// and the local store, moved whole by finish() or in slices by advance(), which kernels call between packets of bones.
+/// The only code that touches guarded pool memory (see base/guard.h).
+class CopyEngine {
+ public:
+  /// Room for `transfers` queued at once, so that queueing never allocates in the frame.
+  void reserve(std::size_t transfers) { queue_.reserve(transfers); }
+
+  /// Queue. Addresses and sizes are multiples of 64 bytes. A fetch closes its destination until its bytes have arrived.
+  void fetch(const std::byte* main_memory, std::byte* local, std::size_t size);
+  void write_back(const std::byte* local, std::byte* main_memory, std::size_t size);
+
+  /// Cuts what is queued into `slices` equal parts, one for each advance().
+  void spread_over(int slices);
+  void advance();
+  void finish();
+
+  CopyCounts take_counts();
+
+ private:
+  struct Transfer {
+    const std::byte* from;
+    std::byte* to;
+    std::size_t size;
+    bool inward;
+  };
+  void move(std::size_t bytes);
+
+  std::vector<Transfer> queue_;
+  std::size_t next_ = 0;   // transfer that is under way
+  std::size_t moved_ = 0;  // bytes of it that are done
+  std::size_t queued_bytes_ = 0;
+  std::size_t slice_bytes_ = 0;
+  CopyCounts counts_;
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "engine/anim/run/double_buffer.h"
+#include "engine/anim/run/local_store.h"
+#include "engine/anim/run/local_store_plan.h"
+
+namespace throng::anim {
+
+/// What one PU did in one update.
+struct PuActivity {
+  std::uint32_t tasks = 0;
+  std::uint32_t agents = 0;
+  double busy_ms = 0;
+  CopyCounts copies;
+};
+
+/// A worker with a local memory of its own: runs tasks of any kind through it.
+class ProcessingUnit {
+ public:
+  /// `palette_entries`: of the skeleton, for palettes that nobody sees.
+  ProcessingUnit(std::size_t local_store_bytes, std::size_t palette_entries)
+      : store_(local_store_bytes), unseen_(allocate_aligned((palette_entries + 3) / 4 * 4 * sizeof(PaletteMatrix))) {
+    engine_.reserve(most_transfers);
+  }
+
+  LocalStore& store() { return store_; }
+  const LocalStore& store() const { return store_; }
+  PaletteMatrix* unseen() const { return reinterpret_cast<PaletteMatrix*>(unseen_.get()); }
+
+  template <typename Tasks>
+  void run(Tasks& tasks, DoubleBuffering mode) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    run_tasks(tasks, engine_, mode);
+    activity_.busy_ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const CopyCounts copies = engine_.take_counts();
+    activity_.copies.bytes_in += copies.bytes_in;
+    activity_.copies.bytes_out += copies.bytes_out;
+    activity_.copies.transfers += copies.transfers;
+  }
+
+  PuActivity& activity() { return activity_; }
+  const PuActivity& activity() const { return activity_; }
+
+ private:
+  // A tile of 16 full trees goes out while the next one comes in.
+  static constexpr std::size_t most_transfers = std::size_t{2} * widest_tile * BlendTree::max_entities;
+
+  LocalStore store_;
+  AlignedBytes unseen_;
+  CopyEngine engine_;
+  PuActivity activity_;
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+#include "engine/anim/run/executor.h"
+
+namespace throng::anim {
+
+/// One thread a PU; the calling thread is PU 0, the others are parked between jobs. No thread is created per frame.
+class PuThreads final : public Executor {
+ public:
+  explicit PuThreads(int pus);
+  ~PuThreads() override;
+  PuThreads(const PuThreads&) = delete;
+  PuThreads& operator=(const PuThreads&) = delete;
+
+  /// `count` is at most the number of PUs; job i runs on PU i.
+  void run(int count, Job job) override;
+
+ private:
+  void work(int pu);
+
+  std::vector<std::thread> threads_;
+  Job job_{};
+  int count_ = 0;
+  std::atomic<std::uint32_t> round_{0};  // a new value wakes the threads
+  std::atomic<int> running_{0};
+  std::atomic<bool> stopping_{false};
+};
+
+}  // namespace throng::anim

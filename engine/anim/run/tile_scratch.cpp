@@ -1,0 +1,44 @@
+#include "engine/anim/run/tile_scratch.h"
+
+namespace throng::anim {
+
+ModelScratch ModelScratch::carve(ScratchCarver& carver, int width, int components, int slots, bool with_local) {
+  const auto lanes = static_cast<std::size_t>(width);
+  const std::size_t slot_floats = static_cast<std::size_t>(branch_slot_floats) * lanes;
+  ModelScratch scratch;
+  if (with_local) scratch.local = carver.carve<float>(lanes * packet_bytes(components) / sizeof(float));
+  scratch.carry = carver.carve<float>(slot_floats);
+  scratch.branches = carver.carve<float>(slot_floats * static_cast<std::size_t>(slots));
+  scratch.palettes = carver.carve<PaletteMatrix*>(lanes);
+  scratch.hashes = carver.carve<std::uint64_t>(lanes);
+  return scratch;
+}
+
+void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, PaletteMatrix* unseen) {
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    scratch.palettes[i] = tile[i].palette == nullptr ? unseen : tile[i].palette;
+    scratch.hashes[i] = 0;
+  }
+}
+
+void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, const float* local,
+                          std::span<const AgentWork> tile, int width, int packet) {
+  context.kernels->model_palette({.hierarchy = context.hierarchy,
+                                  .packet = packet,
+                                  .bone_count = context.level_bone_counts[tile.front().level],
+                                  .width = width,
+                                  .characters = static_cast<int>(tile.size()),
+                                  .local = local,
+                                  .carry = scratch.carry.data(),
+                                  .branch_slots = scratch.branches.data(),
+                                  .palettes = scratch.palettes.data(),
+                                  .hashes = tile.front().hash == nullptr ? nullptr : scratch.hashes.data()});
+}
+
+void store_hashes(const ModelScratch& scratch, std::span<const AgentWork> tile) {
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    if (tile[i].hash != nullptr) *tile[i].hash = scratch.hashes[i];
+  }
+}
+
+}  // namespace throng::anim

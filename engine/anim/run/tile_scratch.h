@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "engine/anim/run/agent_work.h"
+
+namespace throng::anim {
+
+/// Carves typed spans out of a part of the local store, front to back, each on its own cache line.
+class ScratchCarver {
+ public:
+  explicit ScratchCarver(std::span<std::byte> memory) : memory_(memory) {}
+
+  template <typename T>
+  std::span<T> carve(std::size_t count) {
+    const std::size_t bytes = (count * sizeof(T) + 63) / 64 * 64;
+    T* const first = memory_.empty() ? nullptr : reinterpret_cast<T*>(memory_.subspan(used_, bytes).data());
+    used_ += bytes;
+    return {first, first == nullptr ? 0 : count};
+  }
+  std::size_t used() const { return used_; }
+
+ private:
+  std::span<std::byte> memory_;
+  std::size_t used_ = 0;
+};
+
+/// Scratch of the model-palette step of a tile of `width` characters; hierarchy and palette run across them.
+///
+///     local     float [width][components][16]    one packet of each character's local pose
+///     carry     float [16][width]                the last bone's transform
+///     branches  float [slots][16][width]         transforms of branch points
+///     palettes, hashes                           where each character's go
+struct ModelScratch {
+  std::span<float> local;
+  std::span<float> carry;
+  std::span<float> branches;
+  std::span<PaletteMatrix*> palettes;
+  std::span<std::uint64_t> hashes;
+
+  /// `with_local`: false where the local poses lie in a fetch buffer.
+  static ModelScratch carve(ScratchCarver& carver, int width, int components, int slots, bool with_local);
+};
+
+/// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0.
+void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, PaletteMatrix* unseen);
+
+/// Model space and palette of one packet. `local` is [width][components][16].
+void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, const float* local,
+                          std::span<const AgentWork> tile, int width, int packet);
+
+/// Hands the hashes to the agents that asked for them.
+void store_hashes(const ModelScratch& scratch, std::span<const AgentWork> tile);
+
+}  // namespace throng::anim

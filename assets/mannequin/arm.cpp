@@ -16,6 +16,7 @@ struct Section {
   Weights weights;
   Region region;  ///< Of the faces between this section and the one before it.
   glm::dvec3 paint = paint::plain;
+  bool straight = false;  ///< Of the same faces.
 };
 
 LimbRing add_section(Cage& cage, const Section& section) {
@@ -39,11 +40,11 @@ std::array<Section, 8> sections() {
   const Weights wrist = bind({{"forearm_twist.L", 0.5}, {"hand.L", 0.5}});
   return {{{0.070, 0.060, 0.058, 0.0, -0.006, 0.0, deltoid, Region::shirt},
            {0.172, 0.054, 0.054, 0.0, 0.0, 0.1, sleeve, Region::shirt},
-           {0.164, 0.043, 0.043, 0.002, 0.0, 0.1, sleeve, Region::shirt, paint::fold},
+           {0.164, 0.043, 0.043, 0.002, 0.0, 0.1, sleeve, Region::shirt, paint::fold, true},
            {0.262, 0.040, 0.039, 0.0, 0.002, 0.2, above_elbow, Region::skin},
            {0.308, 0.041, 0.039, 0.0, 0.002, 0.25, below_elbow, Region::skin},
            {0.372, 0.042, 0.038, 0.002, 0.0, 0.35, forearm, Region::skin},
-           {0.470, 0.031, 0.027, 0.001, 0.0, 0.45, lower_forearm, Region::skin},
+           {0.470, 0.031, 0.027, 0.001, 0.0, 0.45, lower_forearm, Region::skin, paint::plain, true},
            {0.538, 0.0275, 0.0205, 0.0, 0.0, 0.5, wrist, Region::skin}}};
 }
 
@@ -53,7 +54,7 @@ LimbRing add_arm(Cage& cage, const LimbRing& armhole) {
   LimbRing previous = armhole;
   for (const Section& section : sections()) {
     const LimbRing ring = add_section(cage, section);
-    cage.bridge(previous, ring, true, section.region, section.paint);
+    cage.bridge(previous, ring, true, section.region, section.paint, section.straight);
     previous = ring;
   }
   return previous;

@@ -78,21 +78,24 @@ std::size_t Cage::add_face(std::vector<std::size_t> corners, Region region, dvec
 }
 
 void Cage::bridge(std::span<const std::size_t> lower, std::span<const std::size_t> upper, bool closed, Region region,
-                  dvec3 paint) {
+                  dvec3 paint, bool straight) {
   assert(lower.size() == upper.size());
   const std::size_t count = closed ? lower.size() : lower.size() - 1;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = (i + 1) % lower.size();
-    add_face({lower[i], lower[next], upper[next], upper[i]}, region, paint);
+    const std::size_t face = add_face({lower[i], lower[next], upper[next], upper[i]}, region, paint);
+    faces[face].straight = straight;
   }
 }
 
-std::size_t Cage::inset(std::size_t face, std::span<const std::size_t> inner) {
+std::size_t Cage::inset(std::size_t face, std::span<const std::size_t> inner, bool straight) {
   const CageFace outer = faces[face];
   assert(inner.size() == outer.corners.size());
   for (std::size_t c = 0; c < inner.size(); ++c) {
     const std::size_t next = (c + 1) % inner.size();
-    add_face({outer.corners[c], outer.corners[next], inner[next], inner[c]}, outer.region, outer.paint[c]);
+    const std::size_t side =
+        add_face({outer.corners[c], outer.corners[next], inner[next], inner[c]}, outer.region, outer.paint[c]);
+    faces[side].straight = straight;
   }
   faces[face].corners.assign(inner.begin(), inner.end());
   return face;
@@ -121,7 +124,7 @@ void Cage::lift(Region region, const std::function<dvec3(dvec3, dvec3)>& displac
       if (const auto copy = lifted.find(corner); copy != lifted.end()) corner = copy->second;
     }
   }
-  for (const auto& [a, b] : border) add_face({a, b, lifted[b], lifted[a]}, region);
+  for (const auto& [a, b] : border) faces[add_face({a, b, lifted[b], lifted[a]}, region)].straight = true;
 }
 
 Cage mirrored(const Cage& half) {

@@ -33,6 +33,9 @@ struct CageFace {
   std::vector<std::size_t> corners;  ///< Counter-clockwise seen from outside.
   Region region;
   std::vector<glm::dvec3> paint;  ///< Per corner, the albedo factor of the quarter at that corner.
+  /// A quad that is only halved, across the edges from corner 0 to 1 and from 2 to 3; so must be the quads beyond the
+  /// other two edges. For the straight stretches of a limb and for hems.
+  bool straight = false;
 };
 
 /// The coarse control mesh of the left half of the body (x >= 0), open along the plane x = 0.
@@ -45,9 +48,9 @@ struct Cage {
   std::size_t add_face(std::vector<std::size_t> corners, Region region, glm::dvec3 paint = glm::dvec3(1));
   /// Quads between two rows of equal length, `upper` lying to the left of `lower` when walking along them outside.
   void bridge(std::span<const std::size_t> lower, std::span<const std::size_t> upper, bool closed, Region region,
-              glm::dvec3 paint = glm::dvec3(1));
+              glm::dvec3 paint = glm::dvec3(1), bool straight = false);
   /// Replaces a face by a ring of quads and a new inner face with the given corners; returns the inner face.
-  std::size_t inset(std::size_t face, std::span<const std::size_t> inner);
+  std::size_t inset(std::size_t face, std::span<const std::size_t> inner, bool straight = false);
   /// Lifts the faces of a region off the surface and walls its border, but not along the plane x = 0.
   void lift(Region region, const std::function<glm::dvec3(glm::dvec3 position, glm::dvec3 normal)>& displacement);
 };

@@ -10,7 +10,7 @@ namespace {
 
 using glm::dvec3;
 using FingerRing = std::array<std::size_t, 4>;
-constexpr dvec3 knuckle_paint{0.94, 0.88, 0.87};
+constexpr dvec3 knuckle_paint{0.97, 0.93, 0.92};
 
 std::string bone_name(const Finger& finger, int bone) {
   return std::string(finger.name) + "." + std::to_string(bone) + ".L";
@@ -88,7 +88,7 @@ void add_finger(Cage& cage, const Finger& finger, FingerRing base, dvec3 hint,
       const double half = 0.74 * finger.radius * taper[b];
       ring[c] = cage.add(centre + (frame.across * corners[c][0] + frame.up * corners[c][1]) * half, weights);
     }
-    cage.bridge(base, ring, true, Region::skin, b == 2 ? knuckle_paint : paint::plain);
+    cage.bridge(base, ring, true, Region::skin, b == 2 ? knuckle_paint : paint::plain, b == 1);
     base = ring;
   }
   cage.add_face({base.begin(), base.end()}, Region::skin, knuckle_paint);

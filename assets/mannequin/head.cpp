@@ -3,12 +3,14 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "assets/mannequin/body_parts.h"
 
 namespace throng::mannequin {
 namespace {
 
+using glm::dvec2;
 using glm::dvec3;
 
 /// The face is denser than the back of the head: rows at its front and side columns, some of which go around.
@@ -36,29 +38,29 @@ struct FaceRow {
 };
 
 constexpr std::array<FaceRow, row_count> rows{{
-    {{{{0, 1.543, 0.040}, {0.030, 1.546, 0.032}, {0.049, 1.556, 0.008}, {0.056, 1.568, -0.024}}},
+    {{{{0, 1.541, 0.036}, {0.030, 1.544, 0.029}, {0.048, 1.555, 0.006}, {0.054, 1.568, -0.026}}},
      true,
-     {{{0.053, 1.575, -0.056}, {0.032, 1.578, -0.082}, {0, 1.578, -0.090}}}},
-    {{{{0, 1.561, 0.078}, {0.021, 1.563, 0.069}, {0.046, 1.579, 0.036}, {0.062, 1.600, -0.012}}},
+     {{{0.051, 1.575, -0.056}, {0.031, 1.578, -0.082}, {0, 1.578, -0.090}}}},
+    {{{{0, 1.561, 0.080}, {0.020, 1.563, 0.072}, {0.047, 1.578, 0.041}, {0.063, 1.602, -0.010}}},
      true,
-     {{{0.061, 1.610, -0.054}, {0.040, 1.614, -0.090}, {0, 1.614, -0.101}}}},
-    {{{{0, 1.578, 0.0895}, {0.021, 1.580, 0.080}, {0.050, 1.597, 0.045}, {0.0665, 1.622, -0.006}}}, false, {}},
-    {{{{0, 1.596, 0.0875}, {0.023, 1.598, 0.079}, {0.054, 1.613, 0.048}, {0.069, 1.637, -0.003}}}, false, {}},
-    {{{{0, 1.617, 0.0935}, {0.025, 1.612, 0.082}, {0.057, 1.630, 0.051}, {0.071, 1.651, 0.000}}},
+     {{{0.060, 1.606, -0.054}, {0.039, 1.606, -0.090}, {0, 1.606, -0.100}}}},
+    {{{{0, 1.577, 0.0915}, {0.020, 1.579, 0.083}, {0.052, 1.597, 0.049}, {0.0675, 1.622, -0.006}}}, false, {}},
+    {{{{0, 1.598, 0.0905}, {0.0215, 1.6005, 0.082}, {0.056, 1.613, 0.053}, {0.070, 1.637, -0.003}}}, false, {}},
+    {{{{0, 1.6155, 0.0955}, {0.0240, 1.6115, 0.084}, {0.0595, 1.630, 0.057}, {0.0715, 1.650, 0.000}}},
      true,
-     {{{0.071, 1.655, -0.050}, {0.050, 1.655, -0.098}, {0, 1.655, -0.112}}}},
-    {{{{0, 1.630, 0.095}, {0.017, 1.630, 0.088}, {0.059, 1.645, 0.054}, {0.072, 1.663, 0.002}}}, false, {}},
-    {{{{0, 1.641, 0.117}, {0.0165, 1.640, 0.094}, {0.060, 1.655, 0.058}, {0.073, 1.672, 0.004}}}, false, {}},
-    {{{{0, 1.667, 0.1035}, {0.0150, 1.664, 0.085}, {0.053, 1.664, 0.067}, {0.074, 1.685, 0.007}}}, false, {}},
-    {{{{0, 1.704, 0.0965}, {0.0155, 1.704, 0.095}, {0.053, 1.702, 0.076}, {0.0755, 1.705, 0.012}}},
+     {{{0.071, 1.652, -0.048}, {0.050, 1.652, -0.098}, {0, 1.652, -0.112}}}},
+    {{{{0, 1.630, 0.097}, {0.017, 1.630, 0.090}, {0.0605, 1.645, 0.0605}, {0.0725, 1.663, 0.003}}}, false, {}},
+    {{{{0, 1.641, 0.117}, {0.0160, 1.640, 0.095}, {0.0610, 1.656, 0.0635}, {0.0735, 1.674, 0.005}}}, false, {}},
+    {{{{0, 1.668, 0.1040}, {0.0130, 1.663, 0.089}, {0.0595, 1.668, 0.0665}, {0.0745, 1.687, 0.008}}}, false, {}},
+    {{{{0, 1.704, 0.0975}, {0.0140, 1.705, 0.096}, {0.0565, 1.703, 0.0760}, {0.0755, 1.703, 0.022}}},
      true,
-     {{{0.077, 1.705, -0.046}, {0.055, 1.705, -0.100}, {0, 1.705, -0.117}}}},
-    {{{{0, 1.752, 0.084}, {0.022, 1.751, 0.082}, {0.053, 1.746, 0.062}, {0.071, 1.742, 0.014}}},
+     {{{0.077, 1.704, -0.046}, {0.055, 1.704, -0.100}, {0, 1.704, -0.117}}}},
+    {{{{0, 1.749, 0.086}, {0.022, 1.750, 0.084}, {0.049, 1.749, 0.067}, {0.0695, 1.740, 0.030}}},
      true,
-     {{{0.073, 1.742, -0.042}, {0.050, 1.742, -0.092}, {0, 1.742, -0.108}}}},
-    {{{{0, 1.780, 0.052}, {0.019, 1.779, 0.051}, {0.041, 1.773, 0.036}, {0.052, 1.770, 0.002}}},
+     {{{0.0735, 1.742, -0.042}, {0.052, 1.742, -0.092}, {0, 1.742, -0.108}}}},
+    {{{{0, 1.776, 0.055}, {0.019, 1.776, 0.053}, {0.042, 1.772, 0.040}, {0.054, 1.770, 0.004}}},
      true,
-     {{{0.052, 1.770, -0.040}, {0.036, 1.768, -0.072}, {0, 1.768, -0.084}}}},
+     {{{0.054, 1.770, -0.040}, {0.037, 1.768, -0.074}, {0, 1.768, -0.086}}}},
 }};
 
 using Grid = std::array<std::vector<std::size_t>, row_count>;
@@ -85,7 +87,7 @@ Grid add_grid(Cage& cage) {
 
 bool has_hair(std::size_t row_below, std::size_t column) {
   if (column <= 1) return row_below >= hairline;
-  if (column == 2) return row_below >= brow;
+  if (column == 2) return row_below >= hairline;
   if (column == 3) return row_below >= brow;
   return row_below >= jaw;
 }
@@ -130,7 +132,7 @@ FacePatches bridge_grid(Cage& cage, const Grid& grid) {
 /// The crown between the two halves of the top row.
 void add_crown(Cage& cage, const Grid& grid) {
   constexpr std::array<dvec3, 5> parting{
-      {{0, 1.787, 0.040}, {0, 1.793, 0.020}, {0, 1.795, -0.012}, {0, 1.791, -0.042}, {0, 1.783, -0.066}}};
+      {{0, 1.781, 0.042}, {0, 1.785, 0.020}, {0, 1.786, -0.012}, {0, 1.784, -0.044}, {0, 1.777, -0.068}}};
   std::array<std::size_t, 7> centre{};
   centre.front() = grid[top].front();
   centre.back() = grid[top].back();
@@ -149,50 +151,67 @@ std::array<std::size_t, 4> add_quad(Cage& cage, const std::array<dvec3, 4>& corn
   return quad;
 }
 
+/// An almond with a dark iris in it, and the eyebrow above.
 void sculpt_eye(Cage& cage, std::size_t socket) {
-  constexpr dvec3 eye_paint{0.10, 0.08, 0.08};
-  constexpr dvec3 socket_paint{0.90, 0.86, 0.86};
+  constexpr dvec3 socket_paint{0.93, 0.88, 0.88};
+  constexpr dvec3 lash_paint{0.22, 0.17, 0.17};
+  constexpr dvec3 iris_paint{0.08, 0.06, 0.06};
   const Weights head = bind({{"head", 1}});
-  const auto eye = add_quad(
-      cage, {{{0.0200, 1.6705, 0.0790}, {0.0450, 1.6705, 0.0705}, {0.0450, 1.6840, 0.0725}, {0.0200, 1.6835, 0.0810}}},
+  const auto almond = add_quad(
+      cage, {{{0.0215, 1.6690, 0.0825}, {0.0425, 1.6690, 0.0765}, {0.0440, 1.6820, 0.0778}, {0.0205, 1.6812, 0.0842}}},
+      head);
+  const auto iris = add_quad(
+      cage, {{{0.0270, 1.6695, 0.0830}, {0.0375, 1.6695, 0.0802}, {0.0375, 1.6798, 0.0808}, {0.0270, 1.6796, 0.0836}}},
       head);
   cage.faces[socket].paint.assign(4, socket_paint);
-  const std::size_t inner = cage.inset(socket, eye);
-  cage.faces[inner].paint.assign(4, eye_paint);
+  cage.inset(socket, almond);
   const std::size_t lid = cage.faces.size() - 2;  // the third of the four sides: above the eye
+  cage.faces[socket].paint.assign(4, paint::plain);
+  cage.inset(socket, iris, true);
+  cage.faces[cage.faces.size() - 2].paint.assign(4, lash_paint);
+  cage.faces[socket].paint.assign(4, iris_paint);
   const auto eyebrow = add_quad(
-      cage, {{{0.0505, 1.6980, 0.0775}, {0.0170, 1.6985, 0.0935}, {0.0165, 1.6925, 0.0885}, {0.0500, 1.6925, 0.0755}}},
+      cage, {{{0.0500, 1.6975, 0.0800}, {0.0180, 1.6985, 0.0950}, {0.0185, 1.6925, 0.0915}, {0.0480, 1.6930, 0.0790}}},
       head);
   const std::size_t hair = cage.inset(lid, eyebrow);
   cage.faces[hair].region = Region::hair;
 }
 
+/// A flat ring that keeps the cheek out of it, then a rim that stands off towards the back.
 void sculpt_ear(Cage& cage, std::size_t patch) {
+  constexpr dvec3 hollow_paint{0.80, 0.66, 0.64};
   const std::vector<std::size_t> corners = cage.faces[patch].corners;
   dvec3 centre(0);
   for (const std::size_t corner : corners) centre += cage.vertices[corner].position;
   centre /= static_cast<double>(corners.size());
+  centre.z -= 0.006;
+  const Weights head = bind({{"head", 1}});
+  std::vector<std::size_t> root;
   std::vector<std::size_t> rim;
   for (const std::size_t corner : corners) {
     const dvec3 out = cage.vertices[corner].position - centre;
-    const dvec3 at(centre.x + 0.019 + 0.05 * out.y, centre.y + out.y * 0.62, centre.z - 0.004 + out.z * 0.50);
-    rim.push_back(cage.add(at, bind({{"head", 1}})));
+    const dvec2 around = glm::normalize(dvec2(out.z, out.y));
+    root.push_back(cage.add({centre.x, centre.y + 0.018 * around.y, centre.z + 0.009 * around.x}, head));
+    rim.push_back(cage.add({centre.x + 0.014 - 0.005 * around.x + 0.003 * around.y, centre.y + 0.004 + 0.029 * around.y,
+                            centre.z - 0.006 + 0.0165 * around.x},
+                           head));
   }
-  const std::size_t ear = cage.inset(patch, rim);
-  cage.faces[ear].paint.assign(rim.size(), dvec3(0.86, 0.74, 0.72));
+  cage.inset(patch, root, true);
+  cage.inset(patch, rim, true);
+  cage.faces[patch].paint.assign(rim.size(), hollow_paint);
 }
 
 void paint_lips(Cage& cage, std::size_t lips) {
-  constexpr dvec3 lower(0.90, 0.62, 0.60);
-  constexpr dvec3 upper(0.74, 0.46, 0.45);
+  constexpr dvec3 lower(0.92, 0.70, 0.68);
+  constexpr dvec3 upper(0.78, 0.55, 0.53);
   cage.faces[lips].paint = {lower, lower, upper, upper};
 }
 
 /// Short hair, fuller at the crown and the brow than in the nape.
 dvec3 comb(dvec3 position, dvec3 normal) {
   const double height = glm::clamp((position.y - 1.62) / 0.16, 0.0, 1.0);
-  const double front = glm::clamp((position.z - 0.02) / 0.06, 0.0, 1.0) * height;
-  return normal * (0.004 + 0.010 * height) + dvec3(0, 0.008, 0.006) * front;
+  const double front = glm::clamp((position.z - 0.02) / 0.05, 0.0, 1.0) * height;
+  return normal * (0.003 + 0.011 * height) * (1 - 0.5 * front) + dvec3(0, 0.005, 0) * front;
 }
 
 }  // namespace

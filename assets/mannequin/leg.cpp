@@ -12,6 +12,7 @@ struct Section {
   double height, x, z, half_width, half_depth;
   Weights weights;
   glm::dvec3 paint = paint::plain;  ///< Of the faces between this section and the one above it.
+  bool straight = false;            ///< Of the same faces.
 };
 
 LimbRing add_section(Cage& cage, const Section& section) {
@@ -25,20 +26,18 @@ LimbRing add_section(Cage& cage, const Section& section) {
   return ring;
 }
 
-std::array<Section, 7> sections() {
+std::array<Section, 6> sections() {
   const Weights thigh = bind({{"thigh_twist.L", 0.85}, {"hips", 0.15}});
-  const Weights mid_thigh = bind({{"thigh_twist.L", 0.4}, {"thigh.L", 0.6}});
   const Weights above_knee = bind({{"thigh.L", 0.8}, {"shin.L", 0.2}});
   const Weights below_knee = bind({{"thigh.L", 0.2}, {"shin.L", 0.8}});
   const Weights shin = bind({{"shin.L", 1}});
   const Weights ankle = bind({{"shin.L", 0.5}, {"foot.L", 0.5}});
   return {{{0.790, 0.094, -0.006, 0.087, 0.094, thigh},
-           {0.655, 0.096, -0.002, 0.074, 0.082, mid_thigh},
            {0.525, 0.098, 0.004, 0.063, 0.068, above_knee},
            {0.462, 0.098, 0.002, 0.060, 0.064, below_knee},
            {0.335, 0.100, -0.014, 0.060, 0.067, shin},
-           {0.078, 0.102, -0.018, 0.051, 0.060, shin},
-           {0.092, 0.102, -0.018, 0.038, 0.046, ankle, paint::fold}}};
+           {0.078, 0.102, -0.018, 0.051, 0.060, shin, paint::plain, true},
+           {0.092, 0.102, -0.018, 0.038, 0.046, ankle, paint::fold, true}}};
 }
 
 }  // namespace
@@ -47,7 +46,7 @@ LimbRing add_leg(Cage& cage, const LimbRing& leg) {
   LimbRing upper = leg;
   for (const Section& section : sections()) {
     const LimbRing ring = add_section(cage, section);
-    cage.bridge(ring, upper, true, Region::trousers, section.paint);
+    cage.bridge(ring, upper, true, Region::trousers, section.paint, section.straight);
     upper = ring;
   }
   return upper;

@@ -4,7 +4,7 @@
 namespace throng::mannequin {
 
 Mesh make_body() {
-  constexpr int fitting_rounds = 5;
+  constexpr int fitting_rounds = 4;
   return make_mesh(subdivide(fit(mirrored(build_half_body()), fitting_rounds)));
 }
 

@@ -21,10 +21,10 @@ Weights foot_weights(double z) {
 /// Outline at one height: toe cap from the inner to the outer side, back along the outer side, the heel, the inner
 /// side.
 Outline add_outline(Cage& cage, double height, double grow, double toe_spring) {
-  constexpr std::array<std::array<double, 2>, 12> plan{{{0.082, 0.158},
-                                                        {0.108, 0.178},
-                                                        {0.136, 0.152},
-                                                        {0.152, 0.092},
+  constexpr std::array<std::array<double, 2>, 12> plan{{{0.078, 0.160},
+                                                        {0.109, 0.184},
+                                                        {0.141, 0.150},
+                                                        {0.155, 0.090},
                                                         {0.143, 0.030},
                                                         {0.137, -0.022},
                                                         {0.130, -0.066},
@@ -32,7 +32,7 @@ Outline add_outline(Cage& cage, double height, double grow, double toe_spring) {
                                                         {0.076, -0.066},
                                                         {0.070, -0.022},
                                                         {0.070, 0.030},
-                                                        {0.066, 0.092}}};
+                                                        {0.064, 0.092}}};
   constexpr double centre_x = 0.105;
   constexpr double centre_z = 0.045;
   Outline outline{};
@@ -80,8 +80,8 @@ void bridge_sole(Cage& cage, const Outline& o) {
 
 void add_shoe(Cage& cage, const LimbRing& cuff) {
   const Row ankle{cuff[0], cuff[1], cuff[2]};
-  const Row ball = add_top_row(cage, 0.092, 0.109, 0.030, 0.058, 0.006);
-  const Row toe = add_top_row(cage, 0.142, 0.109, 0.022, 0.046, 0.004);
+  const Row ball = add_top_row(cage, 0.090, 0.109, 0.033, 0.063, 0.006);
+  const Row toe = add_top_row(cage, 0.140, 0.109, 0.028, 0.050, 0.004);
   bridge_rows(cage, ankle, ball, false);
   bridge_rows(cage, ball, toe, false);
 
@@ -92,8 +92,8 @@ void add_shoe(Cage& cage, const LimbRing& cuff) {
   for (std::size_t i = 0; i < top.size(); ++i) {
     const std::size_t next = (i + 1) % top.size();
     cage.add_face({welt[i], welt[next], top[next], top[i]}, Region::shoes);
-    cage.add_face({ground[i], ground[next], welt[next], welt[i]}, Region::shoes, sole_paint);
   }
+  cage.bridge(ground, welt, true, Region::shoes, sole_paint, true);
   bridge_sole(cage, ground);
 }
 

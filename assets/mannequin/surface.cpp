@@ -42,20 +42,34 @@ class Subdivision {
   Surface take() {
     Surface surface{std::move(vertices_), {}};
     for (std::size_t f = 0; f < cage_.faces.size(); ++f) {
-      const CageFace& face = cage_.faces[f];
-      const std::size_t n = face.corners.size();
-      for (std::size_t c = 0; c < n; ++c) {
-        const std::size_t corner = face.corners[c];
-        const std::size_t next = edges_.at(edge_key(corner, face.corners[(c + 1) % n]));
-        const std::size_t last = edges_.at(edge_key(corner, face.corners[(c + n - 1) % n]));
-        surface.quads.push_back({{corner, next, face_point(f), last}, face.region, face.paint[c]});
-      }
+      cage_.faces[f].straight ? halve(cage_.faces[f], surface) : quarter(f, surface);
     }
     return surface;
   }
 
  private:
   [[nodiscard]] std::size_t face_point(std::size_t face) const { return cage_.vertices.size() + face; }
+
+  [[nodiscard]] std::size_t edge_point(std::size_t a, std::size_t b) const { return edges_.at(edge_key(a, b)); }
+
+  void quarter(std::size_t f, Surface& surface) const {
+    const CageFace& face = cage_.faces[f];
+    const std::size_t n = face.corners.size();
+    for (std::size_t c = 0; c < n; ++c) {
+      const std::size_t corner = face.corners[c];
+      const std::size_t next = edge_point(corner, face.corners[(c + 1) % n]);
+      const std::size_t last = edge_point(corner, face.corners[(c + n - 1) % n]);
+      surface.quads.push_back({{corner, next, face_point(f), last}, face.region, face.paint[c]});
+    }
+  }
+
+  void halve(const CageFace& face, Surface& surface) const {
+    const auto& c = face.corners;
+    const std::size_t near = edge_point(c[0], c[1]);
+    const std::size_t far = edge_point(c[2], c[3]);
+    surface.quads.push_back({{c[0], near, far, c[3]}, face.region, face.paint[0]});
+    surface.quads.push_back({{near, c[1], c[2], far}, face.region, face.paint[1]});
+  }
 
   void add_face_points() {
     for (const CageFace& face : cage_.faces) {

@@ -59,8 +59,8 @@ Trunk add_trunk(Cage& cage) {
   Trunk trunk{};
   trunk.crease = add_section(cage, {0.905, 0.170, 0.104, -0.128, 0.040, 0.055, 0.9},
                              {hips, crease, crease, crease, crease, crease, hips});
-  trunk.waistband = add_section(cage, {0.972, 0.163, 0.098, -0.120, 0.006, 0.0, 0.88}, everywhere(hips));
-  trunk.hem = add_section(cage, {0.958, 0.176, 0.110, -0.130, 0.008, 0.0, 0.88}, everywhere(hips));
+  trunk.waistband = add_section(cage, {0.972, 0.161, 0.098, -0.118, 0.006, 0.0, 0.88}, everywhere(hips));
+  trunk.hem = add_section(cage, {0.956, 0.174, 0.111, -0.141, 0.008, 0.0, 0.90}, everywhere(hips));
   trunk.waist = add_section(cage, {1.065, 0.150, 0.103, -0.102, 0.0, 0.0, 0.9},
                             everywhere(bind({{"hips", 0.45}, {"spine", 0.55}})));
   trunk.ribs = add_section(cage, {1.170, 0.153, 0.108, -0.108, 0.0, 0.0, 0.88},
@@ -82,8 +82,8 @@ void sculpt(Cage& cage, const Trunk& trunk) {
   nudge(cage, trunk.armpit[6], {0, 0, 0.012});
   nudge(cage, trunk.shoulder_blade[6], {0, 0, 0.012});
   nudge(cage, trunk.waist[6], {0, 0, 0.008});
-  nudge(cage, trunk.crease[5], {0.006, 0, -0.008});
-  nudge(cage, trunk.crease[6], {0, 0, 0.014});
+  nudge(cage, trunk.crease[5], {0.006, -0.006, -0.004});
+  nudge(cage, trunk.crease[6], {0, 0, 0.018});
   nudge(cage, trunk.armpit[3], {-0.004, 0.004, 0});
   nudge(cage, trunk.shoulder_blade[2], {-0.004, 0, 0});
   nudge(cage, trunk.shoulder[2], {-0.004, -0.008, 0});
@@ -108,7 +108,7 @@ TorsoBorders add_torso(Cage& cage) {
   const HalfRing collar = add_section(cage, {1.514, 0.071, 0.046, -0.083, 0.030, 0.0, 1.0}, everywhere(throat));
   const HalfRing skin = add_section(cage, {1.510, 0.063, 0.038, -0.076, 0.030, 0.0, 1.0}, everywhere(throat));
   cage.bridge(trunk.crease, trunk.waistband, false, Region::trousers);
-  cage.bridge(trunk.waistband, trunk.hem, false, Region::shirt, paint::fold);
+  cage.bridge(trunk.waistband, trunk.hem, false, Region::shirt, paint::fold, true);
   cage.bridge(trunk.hem, trunk.waist, false, Region::shirt);
   cage.bridge(trunk.waist, trunk.ribs, false, Region::shirt);
   cage.bridge(trunk.ribs, trunk.breast, false, Region::shirt);
@@ -117,7 +117,7 @@ TorsoBorders add_torso(Cage& cage) {
   bridge_around_armhole(cage, trunk.shoulder_blade, trunk.shoulder);
   cage.bridge(trunk.shoulder, slope, false, Region::shirt);
   cage.bridge(slope, collar, false, Region::shirt);
-  cage.bridge(collar, skin, false, Region::shirt, paint::fold);
+  cage.bridge(collar, skin, false, Region::shirt, paint::fold, true);
 
   const HalfRing& low = trunk.armpit;
   const HalfRing& mid = trunk.shoulder_blade;

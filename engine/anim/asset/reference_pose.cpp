@@ -1,0 +1,154 @@
+#include "engine/anim/asset/reference_pose.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace throng::anim {
+
+namespace {
+
+/// The keys around a time: `from` holds if `to` is the same, else `fraction` of the way to `to`.
+struct Span {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  double fraction = 0.0;
+  double seconds = 0.0;
+};
+
+Span find_span(const std::vector<float>& times, double seconds) {
+  const auto after = std::ranges::upper_bound(times, seconds, {}, [](float time) { return static_cast<double>(time); });
+  if (after == times.begin()) return {};
+  const auto from = static_cast<std::size_t>(after - times.begin()) - 1;
+  if (after == times.end()) return {.from = from, .to = from};
+  const double start = static_cast<double>(times[from]);
+  const double length = static_cast<double>(*after) - start;
+  return {.from = from, .to = from + 1, .fraction = (seconds - start) / length, .seconds = length};
+}
+
+glm::dvec4 wide(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
+glm::dvec3 wide(const glm::vec3& v) { return {v}; }
+
+glm::dquat unit(const glm::dvec4& q) {
+  const double length = glm::length(q);
+  return length > 0.0 ? glm::dquat(q.w / length, q.x / length, q.y / length, q.z / length)
+                      : glm::dquat(1.0, 0.0, 0.0, 0.0);
+}
+
+template <typename Value>
+auto key(const Track<Value>& track, std::size_t index) {
+  return wide(track.values[track.interpolation == Interpolation::cubic_spline ? index * 3 + 1 : index]);
+}
+
+/// Appendix C.5: tangents are scaled by the length of the span.
+template <typename Value>
+auto hermite(const Track<Value>& track, const Span& span) {
+  const double u = span.fraction;
+  const double u2 = u * u;
+  const double u3 = u2 * u;
+  const auto out_tangent = wide(track.values[span.from * 3 + 2]);
+  const auto in_tangent = wide(track.values[span.to * 3]);
+  return (2.0 * u3 - 3.0 * u2 + 1.0) * key(track, span.from) + span.seconds * (u3 - 2.0 * u2 + u) * out_tangent +
+         (-2.0 * u3 + 3.0 * u2) * key(track, span.to) + span.seconds * (u3 - u2) * in_tangent;
+}
+
+/// Appendix C.4, with a zero dot product counted as positive.
+glm::dquat shorter_slerp(const glm::dquat& from, glm::dquat to, double u) {
+  double cosine = glm::dot(from, to);
+  if (cosine < 0.0) {
+    to = -to;
+    cosine = -cosine;
+  }
+  const double angle = std::acos(std::min(1.0, cosine));
+  if (angle < 1e-9) return glm::normalize(from * (1.0 - u) + to * u);
+  return glm::normalize((from * std::sin((1.0 - u) * angle) + to * std::sin(u * angle)) / std::sin(angle));
+}
+
+template <typename Value>
+bool holds(const Track<Value>& track, const Span& span) {
+  return span.from == span.to || track.interpolation == Interpolation::step;
+}
+
+}  // namespace
+
+glm::dvec3 sample_track(const Track<glm::vec3>& track, double seconds) {
+  assert(!track.empty());
+  const Span span = find_span(track.times, seconds);
+  if (holds(track, span)) return key(track, span.from);
+  if (track.interpolation == Interpolation::cubic_spline) return hermite(track, span);
+  return glm::mix(key(track, span.from), key(track, span.to), span.fraction);
+}
+
+glm::dquat sample_track(const Track<glm::quat>& track, double seconds) {
+  assert(!track.empty());
+  const Span span = find_span(track.times, seconds);
+  if (holds(track, span)) return unit(key(track, span.from));
+  if (track.interpolation == Interpolation::cubic_spline) return unit(hermite(track, span));
+  return shorter_slerp(unit(key(track, span.from)), unit(key(track, span.to)), span.fraction);
+}
+
+StateTransform rest_transform(const Bone& bone) {
+  return {.rotation = glm::normalize(glm::dquat(bone.rest.rotation)),
+          .position = bone.rest.translation,
+          .scale = bone.rest.scale};
+}
+
+StateTransform sample_bone(const Bone& bone, const BoneTracks* tracks, double seconds) {
+  StateTransform local = rest_transform(bone);
+  if (tracks == nullptr) return local;
+  if (!tracks->translation.empty()) local.position = sample_track(tracks->translation, seconds);
+  if (!tracks->rotation.empty()) local.rotation = sample_track(tracks->rotation, seconds);
+  if (!tracks->scale.empty()) local.scale = sample_track(tracks->scale, seconds);
+  return local;
+}
+
+glm::dmat4 compose(const StateTransform& local) {
+  glm::dmat4 matrix = glm::mat4_cast(local.rotation);
+  for (int axis = 0; axis < 3; ++axis) matrix[axis] *= local.scale[axis];
+  matrix[3] = glm::dvec4(local.position, 1.0);
+  return matrix;
+}
+
+ReferencePose pose_from_locals(const Skeleton& skeleton, std::vector<StateTransform> locals) {
+  assert(locals.size() == skeleton.bones.size());
+  ReferencePose pose{.locals = std::move(locals), .globals = {}, .palette = {}};
+  pose.globals.reserve(pose.locals.size());
+  for (std::size_t b = 0; b < pose.locals.size(); ++b) {
+    const Bone& bone = skeleton.bones[b];
+    const glm::dmat4 in_parent = bone.prefix * compose(pose.locals[b]);
+    pose.globals.push_back(bone.parent < 0 ? in_parent
+                                           : pose.globals[static_cast<std::size_t>(bone.parent)] * in_parent);
+  }
+  pose.palette.reserve(skeleton.palette.size());
+  for (const PaletteEntry& entry : skeleton.palette) {
+    const auto bone = static_cast<std::size_t>(entry.bone);
+    if (!skeleton.rigid) {
+      pose.palette.push_back(pose.globals[bone] * entry.post);
+      continue;
+    }
+    const ReferenceFrame& frame = skeleton.references[bone];
+    const glm::dmat4 from_bind =
+        glm::mat4_cast(glm::conjugate(frame.rotation)) * glm::translate(glm::dmat4(1.0), -frame.origin);
+    pose.palette.push_back(glm::scale(pose.globals[bone], glm::dvec3(1.0 / frame.scale)) * from_bind);
+  }
+  return pose;
+}
+
+ReferencePose reference_pose(const Skeleton& skeleton, const Clip* clip, double seconds) {
+  std::vector<StateTransform> locals;
+  locals.reserve(skeleton.bones.size());
+  for (const Bone& bone : skeleton.bones) locals.push_back(rest_transform(bone));
+  if (clip != nullptr) {
+    for (const BoneTracks& tracks : clip->tracks) {
+      const auto bone = static_cast<std::size_t>(tracks.bone);
+      locals[bone] = sample_bone(skeleton.bones[bone], &tracks, seconds);
+    }
+  }
+  return pose_from_locals(skeleton, std::move(locals));
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,59 @@
+#include "engine/anim/asset/skeleton.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace throng::anim {
+
+namespace {
+
+const ReferenceFrame& parent_frame(const Skeleton& skeleton, int bone) {
+  static const ReferenceFrame model;
+  const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+  return parent < 0 ? model : skeleton.references[static_cast<std::size_t>(parent)];
+}
+
+/// Rotation of a matrix that is a rotation times a uniform scale.
+glm::dquat rotation_of(const glm::dmat4& similarity) {
+  const glm::dmat3 linear(similarity);
+  return glm::normalize(glm::quat_cast(linear / glm::length(linear[0])));
+}
+
+}  // namespace
+
+int palette_count_for_bones(const Skeleton& skeleton, int bone_count) {
+  const auto end = std::ranges::lower_bound(skeleton.palette, bone_count, {}, &PaletteEntry::bone);
+  return static_cast<int>(end - skeleton.palette.begin());
+}
+
+int nearest_kept_bone(const Skeleton& skeleton, int bone, int bone_count) {
+  assert(bone_count > 0);
+  while (bone >= bone_count) bone = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+  return bone;
+}
+
+StateTransform to_state(const Skeleton& skeleton, int bone, const StateTransform& local) {
+  if (!skeleton.rigid) return local;
+  const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];
+  const ReferenceFrame& frame = skeleton.references[static_cast<std::size_t>(bone)];
+  const ReferenceFrame& parent = parent_frame(skeleton, bone);
+  const glm::dvec3 in_parent(own.prefix * glm::dvec4(local.position, 1.0));
+  return {.rotation = parent.rotation * rotation_of(own.prefix) * local.rotation * glm::conjugate(frame.rotation),
+          .position = parent.origin + parent.rotation * (parent.scale * in_parent) - frame.origin,
+          .scale = glm::dvec3(1.0)};
+}
+
+StateTransform to_local(const Skeleton& skeleton, int bone, const StateTransform& state) {
+  if (!skeleton.rigid) return state;
+  const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];
+  const ReferenceFrame& frame = skeleton.references[static_cast<std::size_t>(bone)];
+  const ReferenceFrame& parent = parent_frame(skeleton, bone);
+  const glm::dvec3 in_model = state.position + frame.origin - parent.origin;
+  const glm::dvec3 in_parent = glm::conjugate(parent.rotation) * in_model / parent.scale;
+  const glm::dquat to_parent = glm::conjugate(parent.rotation * rotation_of(own.prefix));
+  return {.rotation = to_parent * state.rotation * frame.rotation,
+          .position = glm::dvec3(glm::inverse(own.prefix) * glm::dvec4(in_parent, 1.0)),
+          .scale = glm::dvec3(own.rest.scale)};
+}
+
+}  // namespace throng::anim

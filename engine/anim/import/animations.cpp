@@ -1,0 +1,197 @@
+#include "engine/anim/import/animations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "engine/anim/import/accessor_reader.h"
+#include "engine/anim/import/refusal.h"
+
+namespace throng::import {
+
+namespace {
+
+using anim::Interpolation;
+using anim::Track;
+
+/// Keys of a sampler, before it is known what they mean.
+struct Keys {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times;
+};
+
+class AnimationReader {
+ public:
+  AnimationReader(Document& document, const NodeTree& tree, std::size_t index)
+      : document_(document),
+        tree_(tree),
+        source_(document.gltf.animations[index]),
+        name_(label("animation", index, source_.name)) {}
+
+  Animation read() {
+    animation_.name = source_.name;
+    animation_.start = std::numeric_limits<double>::infinity();
+    for (std::size_t channel = 0; channel < source_.channels.size(); ++channel) {
+      channel_name_ = name_ + ", channel " + std::to_string(channel);
+      read_channel(source_.channels[channel]);
+    }
+    if (!(animation_.start < std::numeric_limits<double>::infinity())) animation_.start = 0.0;
+    return std::move(animation_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Refusal(channel_name_ + ": " + what + "; export the file again");
+  }
+
+  void read_channel(const tinygltf::AnimationChannel& channel) {
+    if (channel.sampler < 0 || static_cast<std::size_t>(channel.sampler) >= source_.samplers.size()) {
+      refuse("there is no sampler " + std::to_string(channel.sampler));
+    }
+    if (channel.target_node < 0) return;  // glTF 2.0, 3.11: ignored
+    if (!targets_.emplace(channel.target_node, channel.target_path).second) {
+      refuse("a second channel for the " + channel.target_path + " of node " + std::to_string(channel.target_node));
+    }
+    const auto& sampler = source_.samplers[static_cast<std::size_t>(channel.sampler)];
+    const Keys keys = read_keys(sampler);
+    animation_.start = std::min(animation_.start, static_cast<double>(keys.times.front()));
+    animation_.duration = std::max(animation_.duration, static_cast<double>(keys.times.back()));
+    if (tree_.transforms[static_cast<std::size_t>(channel.target_node)].has_matrix) {
+      document_.repairs.push_back(channel_name_ + ": ignored, because its node has a matrix");
+      return;
+    }
+    read_values(channel, sampler.output, keys);
+  }
+
+  void read_values(const tinygltf::AnimationChannel& channel, int output, const Keys& keys) {
+    NodeTracks& tracks = animation_.nodes[channel.target_node];
+    if (channel.target_path == "translation") {
+      tracks.translation = read_vectors(output, keys);
+    } else if (channel.target_path == "scale") {
+      tracks.scale = read_vectors(output, keys);
+    } else if (channel.target_path == "rotation") {
+      tracks.rotation = read_rotations(output, keys);
+    } else if (channel.target_path != "weights") {
+      refuse("its path is \"" + channel.target_path + "\"");
+    }
+  }
+
+  Keys read_keys(const tinygltf::AnimationSampler& sampler) const {
+    const std::string& mode = sampler.interpolation;
+    Keys keys;
+    if (mode == "STEP") {
+      keys.interpolation = Interpolation::step;
+    } else if (mode == "CUBICSPLINE") {
+      keys.interpolation = Interpolation::cubic_spline;
+    } else if (!mode.empty() && mode != "LINEAR") {
+      refuse("its interpolation is \"" + mode + "\"");
+    }
+    keys.times = read_channel_floats(
+        sampler.input,
+        {.what = "key times", .types = {TINYGLTF_TYPE_SCALAR}, .components = {TINYGLTF_COMPONENT_TYPE_FLOAT}});
+    check_times(keys.times, accessor_at(document_, sampler.input));
+    return keys;
+  }
+
+  std::vector<float> read_channel_floats(int accessor, const AccessorRule& rule) const {
+    try {
+      return read_floats(document_, accessor, rule);
+    } catch (const Refusal& refusal) {
+      throw Refusal(channel_name_ + ": " + refusal.what());
+    }
+  }
+
+  void check_times(const std::vector<float>& times, const tinygltf::Accessor& accessor) const {
+    for (std::size_t key = 0; key < times.size(); ++key) {
+      const bool later = key == 0 ? times[key] >= 0.0F : times[key] > times[key - 1];
+      if (!std::isfinite(times[key]) || !later) {
+        refuse("key " + std::to_string(key) + " is at " + std::to_string(times[key]) + " s, not after the one before");
+      }
+    }
+    const auto lies = [](const std::vector<double>& bound, float actual) {
+      const auto value = static_cast<double>(actual);
+      return !bound.empty() && std::abs(bound.front() - value) > 1e-3 * std::max(1.0, std::abs(value));
+    };
+    if (lies(accessor.maxValues, times.back()) || lies(accessor.minValues, times.front())) {
+      refuse("its key times do not lie between the min and max that their accessor says");
+    }
+  }
+
+  /// Flat values, `width` a key (three times that with tangents).
+  std::vector<float> read_key_values(int output, const Keys& keys, int type, std::size_t width) const {
+    auto values = read_channel_floats(
+        output, {.what = "key values",
+                 .types = {type},
+                 .components = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_BYTE,
+                                TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_SHORT,
+                                TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT}});
+    const std::size_t a_key = keys.interpolation == Interpolation::cubic_spline ? 3 * width : width;
+    if (values.size() != keys.times.size() * a_key) {
+      refuse("has " + std::to_string(values.size() / width) + " values for " + std::to_string(keys.times.size()) +
+             " key times");
+    }
+    if (!std::ranges::all_of(values, [](float value) { return std::isfinite(value); })) {
+      refuse("a key value is not finite");
+    }
+    return values;
+  }
+
+  Track<glm::vec3> read_vectors(int output, const Keys& keys) const {
+    const auto values = read_key_values(output, keys, TINYGLTF_TYPE_VEC3, 3);
+    Track<glm::vec3> track{.interpolation = keys.interpolation, .times = keys.times, .values = {}};
+    track.values.reserve(values.size() / 3);
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      track.values.emplace_back(values[i], values[i + 1], values[i + 2]);
+    }
+    return track;
+  }
+
+  Track<glm::quat> read_rotations(int output, const Keys& keys) {
+    const auto values = read_key_values(output, keys, TINYGLTF_TYPE_VEC4, 4);
+    Track<glm::quat> track{.interpolation = keys.interpolation, .times = keys.times, .values = {}};
+    track.values.reserve(values.size() / 4);
+    for (std::size_t i = 0; i < values.size(); i += 4) {
+      track.values.emplace_back(values[i + 3], values[i], values[i + 1], values[i + 2]);
+    }
+    mend_rotations(track);
+    return track;
+  }
+
+  void mend_rotations(Track<glm::quat>& track) {
+    const bool cubic = track.interpolation == Interpolation::cubic_spline;
+    bool zero = false;
+    bool long_keys = false;
+    for (std::size_t i = cubic ? 1 : 0; i < track.values.size(); i += cubic ? 3 : 1) {
+      const float length = glm::length(track.values[i]);
+      long_keys = long_keys || std::abs(length - 1.0F) > 0.02F;  // what 8-bit keys cannot be blamed for
+      if (length > 0.0F) continue;
+      zero = true;
+      track.values[i] = glm::quat(1.0F, 0.0F, 0.0F, 0.0F);
+    }
+    if (zero) document_.repairs.push_back(channel_name_ + ": zero rotation keys became the identity");
+    if (long_keys) document_.repairs.push_back(channel_name_ + ": rotation keys of other than unit length, normalised");
+  }
+
+  Document& document_;
+  const NodeTree& tree_;
+  const tinygltf::Animation& source_;
+  std::string name_;
+  std::string channel_name_;
+  std::set<std::pair<int, std::string>> targets_;
+  Animation animation_;
+};
+
+}  // namespace
+
+std::vector<Animation> read_animations(Document& document, const NodeTree& tree) {
+  std::vector<Animation> animations;
+  for (std::size_t index = 0; index < document.gltf.animations.size(); ++index) {
+    animations.push_back(AnimationReader(document, tree, index).read());
+  }
+  return animations;
+}
+
+}  // namespace throng::import

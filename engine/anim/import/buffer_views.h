@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace throng::import {
+
+/// Most bytes that the compressed views of a file may decode to, all together.
+inline constexpr std::size_t max_decompressed_size = std::size_t{1} << 29U;
+
+/// The bytes of every buffer view, and what keeps those alive that are not part of the file itself.
+struct BufferViews {
+  std::vector<std::vector<std::byte>> storage;
+  std::vector<std::span<const std::byte>> views;
+};
+
+/// Finds the buffer views of a document that passed check_json: in the BIN chunk, data URIs and files below `folder`,
+/// decompressed where EXT_meshopt_compression says so. Throws Refusal.
+BufferViews load_buffer_views(const nlohmann::json& document, std::optional<std::span<const std::byte>> binary_chunk,
+                              const std::filesystem::path& folder);
+
+}  // namespace throng::import

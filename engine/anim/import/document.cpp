@@ -1,0 +1,77 @@
+#include "engine/anim/import/document.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/anim/import/accessor_checks.h"
+#include "engine/anim/import/glb_container.h"
+#include "engine/anim/import/json_checks.h"
+#include "engine/anim/import/json_document.h"
+#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/source_file.h"
+
+namespace throng::import {
+
+namespace {
+
+using nlohmann::json;
+
+std::vector<ImageSource> take_images(json& document) {
+  std::vector<ImageSource> images;
+  for (const json& image : document.value("images", json::array())) {
+    images.push_back({.buffer_view = image.value("bufferView", -1), .uri = image.value("uri", std::string())});
+  }
+  document.erase("images");
+  return images;
+}
+
+bool refuse_to_load(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return false;
+}
+
+/// tinygltf maps JSON to structs and nothing else: there is no buffer or image left in `document` for it to open.
+tinygltf::Model map_document(const json& document) {
+  const std::string text = document.dump();
+  tinygltf::TinyGLTF mapper;
+  mapper.SetImageLoader(&refuse_to_load, nullptr);
+  mapper.SetFsCallbacks({});
+  tinygltf::Model model;
+  std::string error;
+  std::string warning;
+  const auto length = static_cast<unsigned int>(text.size());
+  if (!mapper.LoadASCIIFromString(&model, &error, &warning, text.data(), length, "")) {
+    std::ranges::replace(error, '\n', ' ');
+    throw Refusal("tinygltf finds: " + error + "; export the file again");
+  }
+  return model;
+}
+
+}  // namespace
+
+Document load_document(const std::filesystem::path& path) {
+  Document document;
+  document.file = read_file(path);
+  const FileParts parts = split_file(document.file);
+  json json_document = parse_json(parts.json);
+  check_json(json_document);
+
+  document.folder = path.parent_path();
+  document.images = take_images(json_document);
+  document.buffer_views = load_buffer_views(json_document, parts.binary, document.folder);
+  for (const char* key : {"buffers", "cameras", "samplers", "extensions", "extensionsUsed", "extensionsRequired"}) {
+    json_document.erase(key);
+  }
+  document.gltf = map_document(json_document);
+  check_accessors(document);
+  return document;
+}
+
+std::string label(const std::string& type, std::size_t index, const std::string& name) {
+  const std::string text = type + " " + std::to_string(index);
+  return name.empty() ? text : text + " \"" + name + "\"";
+}
+
+}  // namespace throng::import

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <tiny_gltf.h>
+
+#include "engine/anim/import/buffer_views.h"
+
+namespace throng::import {
+
+/// Where an image's encoded bytes are: a view, or a uri.
+struct ImageSource {
+  int buffer_view = -1;
+  std::string uri;
+};
+
+/// A checked glTF document. `gltf` holds what tinygltf made of the JSON; buffers and images are ours, because tinygltf
+/// would open any path. Indices between objects are in range, buffer views lie inside their buffers, accessors inside
+/// their views.
+struct Document {
+  std::filesystem::path folder;  ///< of the model; files are only opened below it
+  tinygltf::Model gltf;
+  std::vector<std::byte> file;  ///< what `views` show, unless it is in their storage
+  BufferViews buffer_views;
+  std::vector<ImageSource> images;
+  std::vector<std::string> repairs;
+  mutable std::size_t decoded_values = 0;  ///< of all accessors read so far; bounded by the accessor reader
+};
+
+/// Reads and checks the file. Throws Refusal.
+Document load_document(const std::filesystem::path& path);
+
+/// `node 3 "Hips"`, for messages.
+std::string label(const std::string& type, std::size_t index, const std::string& name);
+
+}  // namespace throng::import

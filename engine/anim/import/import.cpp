@@ -1,0 +1,81 @@
+#include "engine/anim/import/import.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <tuple>
+#include <utility>
+
+#include "engine/anim/import/animations.h"
+#include "engine/anim/import/document.h"
+#include "engine/anim/import/materials.h"
+#include "engine/anim/import/meshes.h"
+#include "engine/anim/import/node_tree.h"
+#include "engine/anim/import/refusal.h"
+#include "engine/anim/import/skeleton_builder.h"
+#include "engine/anim/import/skins.h"
+
+namespace throng::import {
+
+namespace {
+
+anim::Model build_model(Document& document, const NodeTree& tree, BuiltSkeleton built) {
+  MaterialCollector materials(document);
+  anim::Model model;
+  model.meshes = read_meshes(document, tree, built, materials);
+  model.skeleton = std::move(built.skeleton);
+  model.skins = std::move(built.skins);
+  model.clips = std::move(built.clips);
+  model.materials = materials.take_materials();
+  model.images = materials.take_images();
+  return model;
+}
+
+std::size_t vertex_count(const anim::Model& model) {
+  std::size_t count = 0;
+  for (const anim::SkinnedMesh& mesh : model.meshes) count += mesh.positions.size();
+  return count;
+}
+
+anim::ImportedFile import_checked(const std::string& path) {
+  Document document = load_document(path);
+  const NodeTree tree = build_node_tree(document);
+  const std::vector<Animation> animations = read_animations(document, tree);
+  const std::vector<FileSkin> skins = read_skins(document, tree);
+  if (skins.empty()) throw Refusal("it holds no skin, so there is no skeleton to pose; export a rigged character");
+
+  anim::ImportedFile file{.file = path, .models = {}, .animations = {}, .repairs = {}};
+  for (const Animation& animation : animations) file.animations.push_back(animation.name);
+  for (const std::vector<int>& group : group_skins(skins, tree)) {
+    file.models.push_back(build_model(document, tree, build_skeleton(document, tree, animations, skins, group)));
+  }
+  std::ranges::stable_sort(file.models, std::ranges::greater{}, [](const anim::Model& model) {
+    return std::tuple(vertex_count(model), model.skeleton.bones.size());
+  });
+  file.repairs = std::move(document.repairs);
+  return file;
+}
+
+/// One line, whatever names the file holds.
+anim::Error error_of(const std::string& path, const std::string& reason) {
+  std::string message = path + ": " + reason;
+  std::ranges::replace_if(
+      message, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+  return {message};
+}
+
+}  // namespace
+
+anim::Result<anim::ImportedFile> import_file(const std::string& path) {
+  try {
+    return import_checked(path);
+  } catch (const Refusal& refusal) {
+    return error_of(path, refusal.what());
+  } catch (const std::bad_alloc&) {
+    return error_of(path, "there is not enough memory to import it; close other programs or split the model");
+  } catch (const std::exception& exception) {
+    return error_of(path, std::string("it cannot be imported: ") + exception.what() + "; export the file again");
+  }
+}
+
+}  // namespace throng::import

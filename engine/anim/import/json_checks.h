@@ -1,0 +1,11 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace throng::import {
+
+/// Checks that everything import reads has the type, the length and, for an index, the range that glTF demands, and
+/// that every required extension is one of ours. Throws Refusal, naming the object.
+void check_json(const nlohmann::json& document);
+
+}  // namespace throng::import

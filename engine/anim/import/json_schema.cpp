@@ -1,0 +1,122 @@
+#include "engine/anim/import/json_schema.h"
+
+#include <array>
+
+namespace throng::import {
+
+namespace {
+
+constexpr bool required = true;
+
+constexpr auto properties = std::to_array<Property>({
+    {"document", "asset", Kind::object, "asset", 0, required},
+    {"document", "scene", Kind::index, "scenes"},
+    {"document", "scenes", Kind::objects, "scene"},
+    {"document", "nodes", Kind::objects, "node"},
+    {"document", "meshes", Kind::objects, "mesh"},
+    {"document", "accessors", Kind::objects, "accessor"},
+    {"document", "bufferViews", Kind::objects, "buffer view"},
+    {"document", "buffers", Kind::objects, "buffer"},
+    {"document", "skins", Kind::objects, "skin"},
+    {"document", "animations", Kind::objects, "animation"},
+    {"document", "materials", Kind::objects, "material"},
+    {"document", "textures", Kind::objects, "texture"},
+    {"document", "images", Kind::objects, "image"},
+    {"document", "extensionsRequired", Kind::texts},
+
+    {"asset", "version", Kind::text, {}, 0, required},
+
+    {"scene", "nodes", Kind::indices, "nodes"},
+
+    {"node", "name", Kind::text},
+    {"node", "mesh", Kind::index, "meshes"},
+    {"node", "skin", Kind::index, "skins"},
+    {"node", "children", Kind::indices, "nodes"},
+    {"node", "matrix", Kind::numbers, {}, 16},
+    {"node", "translation", Kind::numbers, {}, 3},
+    {"node", "rotation", Kind::numbers, {}, 4},
+    {"node", "scale", Kind::numbers, {}, 3},
+
+    {"mesh", "name", Kind::text},
+    {"mesh", "primitives", Kind::objects, "primitive", 1, required},
+
+    {"primitive", "attributes", Kind::object, "attributes", 0, required},
+    {"primitive", "indices", Kind::index, "accessors"},
+    {"primitive", "material", Kind::index, "materials"},
+    {"primitive", "mode", Kind::integer},
+    {"primitive", "targets", Kind::objects, "attributes"},
+
+    {"attributes", "*", Kind::index, "accessors"},
+
+    {"accessor", "bufferView", Kind::index, "bufferViews"},
+    {"accessor", "byteOffset", Kind::integer},
+    {"accessor", "componentType", Kind::integer, {}, 0, required},
+    {"accessor", "normalized", Kind::flag},
+    {"accessor", "count", Kind::integer, {}, 0, required},
+    {"accessor", "type", Kind::text, {}, 0, required},
+    {"accessor", "min", Kind::numbers},
+    {"accessor", "max", Kind::numbers},
+    {"accessor", "sparse", Kind::object, "sparse"},
+
+    {"sparse", "count", Kind::integer, {}, 0, required},
+    {"sparse", "indices", Kind::object, "sparse indices", 0, required},
+    {"sparse", "values", Kind::object, "sparse values", 0, required},
+    {"sparse indices", "bufferView", Kind::index, "bufferViews", 0, required},
+    {"sparse indices", "byteOffset", Kind::integer},
+    {"sparse indices", "componentType", Kind::integer, {}, 0, required},
+    {"sparse values", "bufferView", Kind::index, "bufferViews", 0, required},
+    {"sparse values", "byteOffset", Kind::integer},
+
+    {"buffer view", "buffer", Kind::index, "buffers", 0, required},
+    {"buffer view", "byteOffset", Kind::integer},
+    {"buffer view", "byteLength", Kind::integer, {}, 0, required},
+    {"buffer view", "byteStride", Kind::integer},
+    {"buffer view", "extensions", Kind::object, "buffer view extensions"},
+
+    {"buffer view extensions", "EXT_meshopt_compression", Kind::object, "meshopt compression"},
+    {"meshopt compression", "buffer", Kind::index, "buffers", 0, required},
+    {"meshopt compression", "byteOffset", Kind::integer},
+    {"meshopt compression", "byteLength", Kind::integer, {}, 0, required},
+    {"meshopt compression", "byteStride", Kind::integer, {}, 0, required},
+    {"meshopt compression", "count", Kind::integer, {}, 0, required},
+    {"meshopt compression", "mode", Kind::text, {}, 0, required},
+    {"meshopt compression", "filter", Kind::text},
+
+    {"buffer", "byteLength", Kind::integer, {}, 0, required},
+    {"buffer", "uri", Kind::text},
+
+    {"skin", "name", Kind::text},
+    {"skin", "joints", Kind::indices, "nodes", 1, required},
+    {"skin", "inverseBindMatrices", Kind::index, "accessors"},
+    {"skin", "skeleton", Kind::index, "nodes"},
+
+    {"animation", "name", Kind::text},
+    {"animation", "channels", Kind::objects, "channel", 1, required},
+    {"animation", "samplers", Kind::objects, "sampler", 1, required},
+    {"channel", "sampler", Kind::integer, {}, 0, required},
+    {"channel", "target", Kind::object, "target", 0, required},
+    {"target", "node", Kind::index, "nodes"},
+    {"target", "path", Kind::text, {}, 0, required},
+    {"sampler", "input", Kind::index, "accessors", 0, required},
+    {"sampler", "output", Kind::index, "accessors", 0, required},
+    {"sampler", "interpolation", Kind::text},
+
+    {"material", "name", Kind::text},
+    {"material", "pbrMetallicRoughness", Kind::object, "metallic roughness"},
+    {"material", "doubleSided", Kind::flag},
+    {"material", "alphaMode", Kind::text},
+    {"material", "alphaCutoff", Kind::number},
+    {"metallic roughness", "baseColorFactor", Kind::numbers, {}, 4},
+    {"metallic roughness", "baseColorTexture", Kind::object, "texture reference"},
+    {"texture reference", "index", Kind::index, "textures", 0, required},
+    {"texture", "source", Kind::index, "images"},
+
+    {"image", "uri", Kind::text},
+    {"image", "bufferView", Kind::index, "bufferViews"},
+});
+
+}  // namespace
+
+std::span<const Property> gltf_schema() { return properties; }
+
+}  // namespace throng::import

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/anim/asset/model.h"
+#include "engine/anim/import/document.h"
+#include "engine/anim/import/materials.h"
+#include "engine/anim/import/node_tree.h"
+#include "engine/anim/import/skeleton_builder.h"
+
+namespace throng::import {
+
+/// Every primitive of the scene that is skinned to, or hangs below, a skeleton, in the space of its palette. Throws
+/// Refusal.
+std::vector<anim::SkinnedMesh> read_meshes(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton,
+                                           MaterialCollector& materials);
+
+}  // namespace throng::import

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "engine/anim/base/transform.h"
+#include "engine/anim/import/document.h"
+
+namespace throng::import {
+
+/// The rest transform of a node. What is a plain TRS, written as matrix or not, is one here.
+struct NodeTransform {
+  anim::Transform trs;
+  glm::dmat4 matrix{1.0};   ///< in double: of the TRS as the file writes it, or of the node's matrix
+  bool has_matrix = false;  ///< the node may not be animated
+  bool is_trs = true;       ///< false for a matrix with shear: `trs` is the identity then
+};
+
+/// The nodes of a document as a forest. Arrays have one element a node.
+struct NodeTree {
+  std::vector<int> parents;        ///< -1 for a root
+  std::vector<int> parents_first;  ///< every node, after its parent
+  std::vector<bool> in_scene;      ///< reached by the default scene, or by the first where none is said
+  std::vector<NodeTransform> transforms;
+  std::vector<glm::dmat4> globals;  ///< rest pose, scene space
+
+  int size() const { return static_cast<int>(parents.size()); }
+};
+
+/// Refuses two parents, cycles, matrix beside TRS, zero rotations.
+NodeTree build_node_tree(const Document& document);
+
+}  // namespace throng::import

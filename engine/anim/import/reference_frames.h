@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/anim/asset/model.h"
+
+namespace throng::import {
+
+/// Decides between the rigid and the general path and sets references, palette, Skin::palette_entries and
+/// Skin::bind_to_model (see anim::Skeleton and DESIGN section 5 "Reference frames").
+///
+/// Rigid: no clip changes a scale, every static scale is uniform and positive, and every inverse bind is a rotation, a
+/// translation and one uniform scale a skin, so that all skins agree on one frame a joint. The model space of the
+/// palette is the scene's, with the first skin's root joint where the rest pose has it.
+/// `attached_bones`: meshes hang below these; the general palette gets an entry without inverse bind for each.
+void set_reference_frames(anim::Skeleton& skeleton, std::vector<anim::Skin>& skins,
+                          const std::vector<anim::Clip>& clips, const std::vector<int>& attached_bones);
+
+/// The general palette entry of `bone` without inverse bind.
+int plain_palette_entry(const anim::Skeleton& skeleton, int bone);
+
+}  // namespace throng::import

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include <glm/mat4x4.hpp>
+
+#include "engine/anim/asset/model.h"
+#include "engine/anim/import/document.h"
+#include "engine/anim/import/materials.h"
+
+namespace throng::import {
+
+/// Positions, normals, colours, texture coordinates, tint regions, triangles and material of a primitive, moved by
+/// `placement`. Bindings stay empty. NaN positions are mended and reported, infinite ones refused. Throws Refusal.
+anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive, const glm::dmat4& placement,
+                               MaterialCollector& materials, const std::string& name);
+
+}  // namespace throng::import

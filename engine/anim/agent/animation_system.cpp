@@ -1,0 +1,161 @@
+#include "engine/anim/agent/animation_system.h"
+
+#include <algorithm>
+
+#include "engine/anim/base/hash.h"
+
+namespace throng::anim {
+namespace {
+
+ClipStreams streams_of(const BakedClip& clip) {
+  ClipStreams streams{.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration};
+  const double seconds = to_seconds(clip.duration);
+  for (int axis = 0; axis < 3 && seconds > 0; ++axis) {
+    streams.linear_velocity[axis] = static_cast<float>(clip.loop_displacement[axis] / seconds);
+  }
+  return streams;
+}
+
+Residency residency_for(Schedule schedule) {
+  return schedule == Schedule::fused ? Residency::transient : Residency::resident;
+}
+
+}  // namespace
+
+AnimationSystem::AnimationSystem(std::shared_ptr<const Character> character)
+    : character_(std::move(character)),
+      pools_(character_->skeleton.bone_count(), character_->skeleton.components(), Residency::transient),
+      trees_(pools_, {}) {
+  for (const BakedClip& clip : character_->clips) clips_.push_back(streams_of(clip));
+  trees_ = BlendTrees(pools_, clips_);
+  context_ = {.hierarchy = &character_->hierarchy,
+              .clips = clips_,
+              .masks = {},
+              .level_bone_counts = character_->skeleton.level_bone_counts,
+              .kernels = &best_kernels(),
+              .pools = &pools_,
+              .bone_count = character_->skeleton.bone_count(),
+              .components = character_->skeleton.components()};
+}
+
+AnimationSystem::~AnimationSystem() = default;
+
+Result<std::unique_ptr<AnimationSystem>> AnimationSystem::create(std::shared_ptr<const Character> character,
+                                                                 const SystemOptions& options) {
+  std::unique_ptr<AnimationSystem> system(new AnimationSystem(std::move(character)));
+  const Status configured = system->configure(options);
+  if (!configured) return configured.error();
+  return system;
+}
+
+LocalStoreDemand AnimationSystem::demand(const SystemOptions& options) const {
+  const bool sampled = options.stream == StreamKind::sampled;
+  const auto has_sampled = [](const ClipStreams& clip) { return clip.sampled != nullptr; };
+  return {.skeleton = character_->skeleton.name,
+          .schedule = options.schedule,
+          .double_buffering = options.double_buffering,
+          .any_sampled = sampled && std::ranges::any_of(clips_, has_sampled),
+          .any_keyframe = !sampled || !std::ranges::all_of(clips_, has_sampled)};
+}
+
+Status AnimationSystem::configure(const SystemOptions& options) {
+  const Residency before = pools_.residency();
+  pools_.set_residency(residency_for(options.schedule));
+  const LocalStoreDemand needs = demand(options);
+  const std::size_t store_bytes =
+      options.local_store_bytes == 0 ? automatic_local_store(context_, needs) : options.local_store_bytes;
+  const Result<LocalStorePlan> plan = plan_local_store(context_, needs, store_bytes, options.tile);
+  if (!plan) {
+    pools_.set_residency(before);
+    return plan.error();
+  }
+  trees_.set_stream(options.stream);
+  context_.kernels = options.kernels == nullptr ? &best_kernels() : options.kernels;
+  scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options.schedule,
+                                                           .double_buffering = options.double_buffering,
+                                                           .plan = *plan,
+                                                           .local_store_bytes = store_bytes,
+                                                           .pus = options.pus},
+                                           static_cast<std::size_t>(character_->skeleton.palette_count()));
+  scheduler_->reserve(agent_count());
+  if (threads_ == nullptr || options.pus != options_.pus) threads_ = std::make_unique<PuThreads>(options.pus);
+  options_ = options;
+  return Done{};
+}
+
+void AnimationSystem::set_agent_count(std::uint32_t agents) {
+  const auto kind =
+      options_.stream == StreamKind::sampled ? EntityPools::sampled_players : EntityPools::keyframe_players;
+  pools_.pool(kind).reserve(agents);
+  trees_.resize(agents);
+  posed_at_.resize(agents, clock_);
+  agent_hashes_.resize(agents, 0);
+  work_.reserve(agents);
+  scheduler_->reserve(agents);
+}
+
+bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
+  trees_.end_fades(agent, clock_);
+  return trees_.play(agent, request, options_.stream, clock_, posed_at_[agent]);
+}
+
+void AnimationSystem::update(std::span<const AgentUpdate> agents) {
+  ++frame_;
+  report_ = {};
+  begin_work(agents);
+  scheduler_->update(context_, work_, *threads_);
+  end_work();
+}
+
+void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
+  work_.clear();
+  for (const AgentUpdate& update : agents) {
+    const Ticks time = std::max(clock_ + update.look_ahead, posed_at_[update.agent]);
+    trees_.end_fades(update.agent, clock_);
+    work_.push_back({.tree = trees_.tree(update.agent),
+                     .level = update.level,
+                     .agent = update.agent,
+                     .delta = time - posed_at_[update.agent],
+                     .palette = update.palette,
+                     .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr});
+    posed_at_[update.agent] = time;
+    const int bones = context_.level_bone_counts[update.level];
+    report_.bones_evaluated += static_cast<std::uint64_t>(bones);
+    report_.palette_bytes +=
+        static_cast<std::uint64_t>(palette_count_for_bones(character_->skeleton, bones)) * sizeof(PaletteMatrix);
+  }
+  report_.agents_updated = static_cast<std::uint32_t>(agents.size());
+}
+
+void AnimationSystem::end_work() {
+  for (const ProcessingUnit& unit : scheduler_->units()) {
+    report_.copies.bytes_in += unit.activity().copies.bytes_in;
+    report_.copies.bytes_out += unit.activity().copies.bytes_out;
+    report_.copies.transfers += unit.activity().copies.transfers;
+  }
+  if (!options_.hash) return;
+  for (const AgentWork& work : work_) {
+    agent_hashes_[work.agent] = chain_hash(chain_hash(work.agent, frame_), agent_hashes_[work.agent]);
+  }
+  std::uint64_t sum = 0;
+  for (const std::uint64_t hash : agent_hashes_) sum += hash;
+  pose_hash_ = chain_hash(pose_hash_, sum);
+}
+
+double AnimationSystem::bytes_per_agent() const {
+  std::size_t bytes = 0;
+  for (std::uint32_t kind = 0; kind < EntityPools::kind_count; ++kind) {
+    const Pool& pool = pools_.pool(static_cast<EntityPools::Kind>(kind));
+    bytes += pool.alive_count() * pool.block_size();
+  }
+  const std::size_t bookkeeping = BlendTrees::bytes_per_agent() + sizeof(Ticks) + sizeof(std::uint64_t);
+  return static_cast<double>(bytes) / std::max<double>(agent_count(), 1.0) + static_cast<double>(bookkeeping);
+}
+
+std::span<const float> AnimationSystem::pose(std::uint32_t agent) const {
+  const Handle root = trees_.tree(agent).root();
+  const std::size_t floats = pose_bytes(context_.bone_count, context_.components) / sizeof(float);
+  return {transforms_of(pools_.as<AnimationStateHeader>(root)), floats};
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,102 @@
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/base/guard.h"
+#include "engine/anim/run/local_store.h"
+
+namespace throng::anim {
+namespace {
+
+struct Memory {
+  explicit Memory(std::size_t size) : bytes(allocate_aligned(size)) {
+    for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<std::byte>(i * 7);
+  }
+  AlignedBytes bytes;
+};
+
+TEST(CopyEngine, MovesWholeTransfersOnFinish) {
+  const Memory main_memory(512);
+  LocalStore store(1024);
+  store.divide(512, 1, 0);
+  CopyEngine engine;
+  engine.fetch(main_memory.bytes.get(), store.fetch_buffer(0).data(), 512);
+  engine.finish();
+  EXPECT_EQ(std::memcmp(store.fetch_buffer(0).data(), main_memory.bytes.get(), 512), 0);
+}
+
+TEST(CopyEngine, SlicesMoveTheSameBytesInTheSameOrder) {
+  const Memory first(192);
+  const Memory second(320);
+  LocalStore store(512);
+  store.divide(512, 1, 0);
+  CopyEngine engine;
+  engine.fetch(first.bytes.get(), store.fetch_buffer(0).data(), 192);
+  engine.fetch(second.bytes.get(), store.fetch_buffer(0).data() + 192, 320);
+  engine.spread_over(3);
+  for (int slice = 0; slice < 3; ++slice) engine.advance();
+  EXPECT_EQ(std::memcmp(store.fetch_buffer(0).data(), first.bytes.get(), 192), 0);
+  EXPECT_EQ(std::memcmp(store.fetch_buffer(0).data() + 192, second.bytes.get(), 320), 0);
+}
+
+TEST(CopyEngine, CountsBytesAndTransfersOnceAndAlikeInAnyMode) {
+  const Memory main_memory(256);
+  Memory target(256);
+  LocalStore store(256);
+  store.divide(256, 1, 0);
+  for (const int slices : {0, 1, 3}) {
+    CopyEngine engine;
+    engine.fetch(main_memory.bytes.get(), store.fetch_buffer(0).data(), 256);
+    engine.finish();
+    engine.write_back(store.fetch_buffer(0).data() + 64, target.bytes.get() + 64, 64);
+    engine.spread_over(slices);
+    for (int i = 0; i < slices; ++i) engine.advance();
+    engine.finish();
+    const CopyCounts counts = engine.take_counts();
+    EXPECT_EQ(counts.bytes_in, 256U);
+    EXPECT_EQ(counts.bytes_out, 64U);
+    EXPECT_EQ(counts.transfers, 2U);
+    EXPECT_EQ(engine.take_counts().bytes_in, 0U);
+  }
+}
+
+TEST(CopyEngine, ReachesGuardedMemory) {
+  const Memory main_memory(128);
+  LocalStore store(128);
+  store.divide(128, 1, 0);
+  guard(main_memory.bytes.get(), 128);
+  CopyEngine engine;
+  engine.fetch(main_memory.bytes.get(), store.fetch_buffer(0).data(), 128);
+  engine.finish();
+  release_guard(main_memory.bytes.get(), 128);
+  EXPECT_EQ(std::memcmp(store.fetch_buffer(0).data(), main_memory.bytes.get(), 128), 0);
+}
+
+#if defined(__SANITIZE_ADDRESS__)
+TEST(CopyEngineDeathTest, NobodyElseReachesGuardedMemory) {
+  const Memory main_memory(128);
+  guard(main_memory.bytes.get(), 128);
+  const volatile std::byte* kernel_that_skips_the_local_store = main_memory.bytes.get();
+  EXPECT_DEATH({ [[maybe_unused]] const std::byte read = *kernel_that_skips_the_local_store; }, "use-after-poison");
+  release_guard(main_memory.bytes.get(), 128);
+}
+
+TEST(CopyEngineDeathTest, ABlockThatHasNotArrivedCannotBeRead) {
+  const Memory main_memory(256);
+  LocalStore store(256);
+  store.divide(256, 1, 0);
+  CopyEngine engine;
+  engine.fetch(main_memory.bytes.get(), store.fetch_buffer(0).data(), 256);
+  engine.spread_over(2);
+  engine.advance();
+  const volatile std::byte* local = store.fetch_buffer(0).data();
+  EXPECT_EQ(local[127], main_memory.bytes[127]);
+  EXPECT_DEATH({ [[maybe_unused]] const std::byte read = local[128]; }, "use-after-poison");
+  engine.finish();
+}
+#endif
+
+}  // namespace
+}  // namespace throng::anim

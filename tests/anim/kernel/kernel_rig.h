@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "engine/anim/asset/skeleton.h"
+#include "engine/anim/base/transform.h"
+#include "engine/anim/kernel/hierarchy.h"
+#include "engine/anim/kernel/kernels.h"
+
+/// Small hand-made skeletons, poses of them, and the palettes that plain double-precision matrices give.
+namespace throng::anim::kernel_rig {
+
+/// A trunk of which limbs branch off, and digits off the limbs: chains, branches and returns to far ancestors.
+std::vector<int> branching_parents(int bones);
+std::vector<int> chain_parents(int bones);
+
+/// Rest transforms with random rotations, 10 to 30 cm long and a uniform scale here and there; some have a rigid
+/// prefix. References are those of the rest pose.
+Skeleton rigid_skeleton(const std::vector<int>& parents, unsigned seed = 1);
+
+/// The same with sheared and unevenly scaled prefixes, and 0 to 3 palette entries a bone with sheared posts.
+Skeleton general_skeleton(const std::vector<int>& parents, unsigned seed = 1);
+
+/// One local transform a bone; general skeletons get animated scales, some of them negative.
+using LocalPose = std::vector<StateTransform>;
+LocalPose rest_pose(const Skeleton& skeleton);
+LocalPose random_pose(const Skeleton& skeleton, unsigned seed);
+
+/// What a state stores for a pose, by the formulas of skeleton.h in double: float [packet][component][16], aligned.
+struct alignas(64) PosePacket {
+  float lanes[general_components * packet_bones];
+};
+class StatePose {
+ public:
+  StatePose(const Skeleton& skeleton, const LocalPose& pose);
+  int components() const { return components_; }
+  const float* packet(int index) const { return packets_[static_cast<std::size_t>(index)].lanes; }
+
+ private:
+  int components_;
+  std::vector<PosePacket> packets_;
+};
+
+/// The palette by 4x4 matrices in double, from the skeleton and its local transforms alone.
+std::vector<glm::dmat4> reference_palette(const Skeleton& skeleton, const LocalPose& pose);
+
+/// Largest distance between what an entry and its reference make of points up to a metre from the bone's origin.
+double largest_error(const Skeleton& skeleton, const std::vector<glm::dmat4>& reference,
+                     const std::vector<PaletteMatrix>& palette);
+
+/// Palettes and hashes of characters, computed in tiles of `width`; a last tile may be partly filled. Every palette
+/// lies between guard bytes, and so do entries of bones above `bone_count`.
+struct CrowdResult {
+  std::vector<std::vector<PaletteMatrix>> palettes;  ///< [character][entry below the bone count]
+  std::vector<std::uint64_t> hashes;
+  bool guards_intact = true;
+};
+CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& program,
+                             const std::vector<StatePose>& characters, int width, int bone_count);
+
+bool same_bits(const std::vector<PaletteMatrix>& a, const std::vector<PaletteMatrix>& b);
+
+}  // namespace throng::anim::kernel_rig

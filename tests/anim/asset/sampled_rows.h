@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/anim/asset/sampled_stream.h"
+
+/// Rows to encode, and streams of them.
+namespace throng::anim::sampled_rows {
+
+/// Every bone turns and every third one moves (and scales) smoothly, at its own pace; some quaternions jump to the
+/// other hemisphere in between. The rows begin half a step before time 0.
+SampledRows wavy_rows(int bones, int components, int row_count);
+
+/// The same pose in every row.
+SampledRows still_rows(int bones, int components, int row_count);
+
+float& row_value(SampledRows& rows, int row, int packet, int component, int lane);
+float row_value(const SampledRows& rows, int row, int packet, int component, int lane);
+
+/// An encoded stream in aligned memory, with guard bytes behind it.
+class StreamBlock {
+ public:
+  explicit StreamBlock(const SampledRows& rows);
+  const SampledStream& stream() const;
+  bool guard_intact() const;
+
+ private:
+  struct alignas(64) Line {
+    std::byte bytes[64];
+  };
+  std::size_t size_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace throng::anim::sampled_rows

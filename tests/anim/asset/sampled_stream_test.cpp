@@ -1,0 +1,179 @@
+#include "engine/anim/asset/sampled_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/anim/asset/sampled_rows.h"
+
+namespace throng::anim {
+namespace {
+
+using namespace sampled_rows;
+
+std::int16_t stored(const std::byte* row, std::int32_t offset, int component, int bone, int components) {
+  std::int16_t value = 0;
+  std::memcpy(&value, row + offset + sampled_lane(component, bone, components) * 2, sizeof(value));
+  return value;
+}
+
+TEST(SampledLane, GivesEveryBoneAndComponentAPlaceOfItsOwn) {
+  for (const int components : {3, 4}) {
+    std::set<int> places;
+    for (int component = 0; component < components; ++component) {
+      for (int bone = 0; bone < packet_bones; ++bone) places.insert(sampled_lane(component, bone, components));
+    }
+    EXPECT_EQ(static_cast<int>(places.size()), components * packet_bones);
+    EXPECT_EQ(*places.rbegin(), components * packet_bones - 1);
+  }
+}
+
+TEST(SampledStream, IsOneBlockOfTheSizeThatWasAnnounced) {
+  for (const int bones : {1, 16, 17, 62}) {
+    const StreamBlock block(wavy_rows(bones, general_components, 5));
+    EXPECT_EQ(block.stream().total_size, block.stream().rows_offset + 5 * block.stream().row_stride);
+    EXPECT_EQ(block.stream().rows_offset % 64, 0U);
+    EXPECT_EQ(block.stream().row_stride % 64, 0U);
+    EXPECT_TRUE(block.guard_intact());
+  }
+}
+
+TEST(SampledStream, KeepsPositionsAndScalesToASixtyFiveThousandthOfTheirRange) {
+  const SampledRows rows = wavy_rows(37, general_components, 40);
+  const StreamBlock block(rows);
+  const SampledStream& stream = block.stream();
+  for (int packet = 0; packet < stream.packet_count; ++packet) {
+    const SampledPacket& header = stream.packets()[packet];
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      for (int component = 4; component < general_components; ++component) {
+        const int axis = (component - 4) % 3;
+        const bool position = component < 7;
+        const float base = position ? header.position_base[axis][bone] : header.scale_base[axis][bone];
+        const float step = position ? header.position_step[axis][bone] : header.scale_step[axis][bone];
+        const float range = step * 65534.0F;
+        for (int row = 0; row < rows.row_count; ++row) {
+          const std::int16_t lane =
+              stored(stream.row(row), position ? header.position_offset : header.scale_offset, axis, bone, 3);
+          EXPECT_NEAR(base + step * static_cast<float>(lane), row_value(rows, row, packet, component, bone),
+                      range / 65534.0F + 1e-7F);
+        }
+      }
+    }
+  }
+}
+
+TEST(SampledStream, PutsNeighbouringRotationsOnOneHemisphere) {
+  const StreamBlock block(wavy_rows(37, rigid_components, 40));
+  const SampledStream& stream = block.stream();
+  for (int packet = 0; packet < stream.packet_count; ++packet) {
+    const std::int32_t offset = stream.packets()[packet].rotation_offset;
+    ASSERT_GE(offset, 0);
+    for (int row = 1; row < stream.row_count; ++row) {
+      for (int bone = 0; bone < packet_bones; ++bone) {
+        int dot = 0;
+        for (int axis = 0; axis < 4; ++axis) {
+          dot += stored(stream.row(row - 1), offset, axis, bone, 4) / 2 *
+                 stored(stream.row(row), offset, axis, bone, 4) / 2;
+        }
+        EXPECT_GE(dot, 0) << row << " " << bone;
+      }
+    }
+  }
+}
+
+TEST(SampledStream, StoresNothingInTheRowsForWhatDoesNotMove) {
+  const StreamBlock block(still_rows(40, general_components, 30));
+  EXPECT_EQ(block.stream().row_stride, 0U);
+  for (int packet = 0; packet < 3; ++packet) {
+    EXPECT_EQ(block.stream().packets()[packet].rotation_offset, -1);
+    EXPECT_EQ(block.stream().packets()[packet].position_offset, -1);
+    EXPECT_EQ(block.stream().packets()[packet].scale_offset, -1);
+  }
+}
+
+TEST(SampledStream, StoresWhatMovesByGroupsOfAPacket) {
+  SampledRows rows = still_rows(40, rigid_components, 30);
+  row_value(rows, 11, 1, 5, 3) += 0.01F;  // one position of the second packet
+  const StreamBlock block(rows);
+  const SampledPacket* packets = block.stream().packets();
+  EXPECT_EQ(packets[0].position_offset, -1);
+  EXPECT_GE(packets[1].position_offset, 0);
+  EXPECT_EQ(packets[1].rotation_offset, -1);
+  EXPECT_EQ(packets[2].position_offset, -1);
+  EXPECT_EQ(block.stream().row_stride, 128U);
+}
+
+TEST(SampledStream, TakesNoiseBelowTheQuantisationForConstant) {
+  SampledRows rows = still_rows(16, rigid_components, 30);
+  for (int row = 0; row < 30; row += 2) row_value(rows, row, 0, 0, 5) += 0.9F / 32767.0F;
+  EXPECT_EQ(StreamBlock(rows).stream().packets()[0].rotation_offset, -1);
+  row_value(rows, 7, 0, 0, 5) += 2.0F / 32767.0F;
+  EXPECT_GE(StreamBlock(rows).stream().packets()[0].rotation_offset, 0);
+}
+
+TEST(SampledStream, ClampsInsteadOfWrapping) {
+  SampledRows rows = still_rows(16, rigid_components, 2);
+  row_value(rows, 0, 0, 3, 0) = 1.00002F;  // a sloppy unit quaternion
+  row_value(rows, 1, 0, 3, 0) = 0.9F;
+  const StreamBlock block(rows);
+  EXPECT_EQ(stored(block.stream().row(0), block.stream().packets()[0].rotation_offset, 3, 0, 4), 32767);
+}
+
+class Locate : public ::testing::Test {
+ protected:
+  const SampledRows rows_ = wavy_rows(16, rigid_components, 4);  // rows at -1/2, 1/2, 3/2, 5/2 steps
+  const StreamBlock block_ = StreamBlock(rows_);
+  const SampledStream& stream_ = block_.stream();
+  const Ticks step_ = rows_.row_step;
+
+  void expect(Ticks time, int from, int to, std::int32_t fraction) const {
+    const SamplePoint point = locate(stream_, time);
+    EXPECT_EQ(point.from, stream_.row(from)) << time;
+    EXPECT_EQ(point.to, stream_.row(to)) << time;
+    EXPECT_EQ(point.fraction, fraction) << time;
+  }
+};
+
+TEST_F(Locate, FindsTheTwoRowsAroundATime) {
+  expect(0, 0, 1, sample_fraction_one / 2);
+  expect(step_ / 2, 1, 2, 0);
+  expect(step_, 1, 2, sample_fraction_one / 2);
+  expect(step_ + step_ / 4, 1, 2, sample_fraction_one * 3 / 4);
+}
+
+TEST_F(Locate, ShowsTheNearestRowOutsideTheRows) {
+  expect(-step_ / 2, 0, 0, 0);
+  expect(-10 * step_, 0, 0, 0);
+  expect(std::numeric_limits<Ticks>::min(), 0, 0, 0);
+  expect(5 * step_ / 2, 3, 3, 0);
+  expect(100 * step_, 3, 3, 0);
+  expect(std::numeric_limits<Ticks>::max(), 3, 3, 0);
+}
+
+TEST_F(Locate, ReachesTheNextRowInTheLastTick) {
+  expect(step_ / 2 - 1, 0, 1, sample_fraction_one);
+  expect(5 * step_ / 2 - 1, 2, 3, sample_fraction_one);
+}
+
+TEST(LocateInALateClip, HoldsTheFirstRowUntilItsTime) {
+  SampledRows rows = wavy_rows(16, rigid_components, 2);
+  rows.first_row = 3 * rows.row_step;
+  const StreamBlock block(rows);
+  EXPECT_EQ(locate(block.stream(), 0).to, block.stream().row(0));
+  EXPECT_EQ(locate(block.stream(), 3 * rows.row_step + rows.row_step / 4).fraction, sample_fraction_one / 4);
+}
+
+TEST(LocateInAClipOfOneRow, AlwaysShowsIt) {
+  const StreamBlock block(wavy_rows(16, rigid_components, 1));
+  for (const Ticks time : {Ticks{-1}, Ticks{0}, ticks_per_second}) {
+    EXPECT_EQ(locate(block.stream(), time).from, block.stream().row(0));
+    EXPECT_EQ(locate(block.stream(), time).to, block.stream().row(0));
+  }
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace throng::render {
@@ -34,6 +33,12 @@ struct ImageData {
   std::span<const std::uint8_t> rgba;  ///< sRGB, top row first
 };
 
+/// One end of a bone's line: where the joint is at rest, in the space of the palette, and the entry that moves it.
+struct BoneEndData {
+  float position[3] = {0, 0, 0};
+  std::uint16_t palette_entry = 0;
+};
+
 struct CrowdMeshData {
   std::vector<MeshPartData> parts;
   std::vector<MaterialData> materials;
@@ -41,6 +46,7 @@ struct CrowdMeshData {
   /// For each bone level, entry -> entry that a vertex reads at that level (itself where kept, else the one of the
   /// nearest kept ancestor); [0] is the identity. 1 to 4 levels.
   std::vector<std::vector<std::uint16_t>> entry_at_level;
+  std::vector<BoneEndData> bone_ends;  ///< two a bone, joint and parent, for CrowdFrame::bones_as_lines; or empty
 };
 
 }  // namespace throng::render

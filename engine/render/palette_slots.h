@@ -51,20 +51,27 @@ struct PaletteSlot {
 ///  - retire(slot, last_frame) says that frame `last_frame` was the last whose draws read it;
 ///  - reclaim(completed) makes free every slot retired with a frame at or before `completed`, the newest whose fence
 ///  has signalled.
-/// Both slots of an agent lie on one page, so that one draw can read both: pass the page of the first as `near`.
-/// Single-threaded (GL thread). No allocation once the pages are there and the free lists have grown.
+/// Both slots of an agent lie on one page, so that one draw can read both: pass the page of the first as `near`. An
+/// agent's first slot (no `near`) is taken only from a page less than a third full, because the agent will need a
+/// second slot there, and one more while a retired one waits for its frame. Where `near` is full all the same, the
+/// agent moves: acquire without `near` and show the new slot alone. Single-threaded (GL thread). No allocation once the
+/// pages are there and the free lists have grown.
 class PaletteSlots {
  public:
   /// `entries_by_level`: palette entries that each bone level needs, descending; [0] is the whole skeleton.
   PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> entries_by_level);
 
-  /// An invalid slot means: no memory left; the agent is not drawn.
+  /// An invalid slot means: no memory left (on `near`, where given); the agent is not drawn. A slot may be larger than
+  /// its level needs.
   PaletteSlot acquire(int level, std::uint32_t near = PaletteSlot::none);
   void retire(const PaletteSlot& slot, std::uint64_t last_frame);
   void reclaim(std::uint64_t completed_frame);
 
   /// Where the PU writes. Debug builds assert that the slot is acquired and not retired.
   std::byte* memory(const PaletteSlot& slot) const;
+
+  /// Whether this very slot is acquired and not retired, so that nobody else writes or frees it.
+  bool is_acquired(const PaletteSlot& slot) const;
 
   std::size_t page_count() const { return pages_.size(); }
   std::size_t slots_in_use() const { return in_use_; }
@@ -73,19 +80,24 @@ class PaletteSlots {
  private:
   struct Page {
     PalettePage memory;
-    std::uint32_t next_entry = 0;                           ///< never handed out beyond here
-    std::vector<std::vector<std::uint32_t>> free_by_level;  ///< first entries
+    std::uint32_t next_entry = 0;                          ///< never handed out beyond here
+    std::uint32_t entries_in_use = 0;                      ///< retired ones included
+    std::vector<std::vector<std::uint32_t>> free_by_size;  ///< first entries, a list a size
+    std::vector<std::uint32_t> acquired;                   ///< by first entry / 4: entries of the slot there, or 0
   };
   struct Retired {
     PaletteSlot slot;
     std::uint64_t last_frame;
   };
 
-  int level_of(std::uint32_t entries) const;
-  PaletteSlot take(std::uint32_t page, int level);
+  std::size_t size_index(std::uint32_t entries) const;
+  bool has_room_for_newcomer(const Page& page) const;
+  bool add_page();
+  PaletteSlot take(std::uint32_t page, std::uint32_t entries);
 
   PalettePageSource* source_;
   std::vector<std::uint32_t> entries_by_level_;
+  std::vector<std::uint32_t> sizes_;  ///< the different ones among them, descending
   std::vector<Page> pages_;
   std::vector<Retired> retired_;
   std::size_t in_use_ = 0;

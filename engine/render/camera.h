@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "engine/render/crowd_draw.h"
+
+namespace throng::render {
+
+/// Where the picture is taken from. Looks along -Z at yaw and pitch 0; yaw turns left (about +Y), pitch up.
+struct Camera {
+  glm::vec3 position{0.0F, 1.7F, 5.0F};
+  float yaw = 0.0F;                      ///< radians, wraps
+  float pitch = 0.0F;                    ///< radians, within +-pitch_limit
+  float vertical_view = 0.87266462599F;  ///< radians, 50 degrees
+
+  static constexpr float near_distance = 0.05F;  ///< metres
+  static constexpr float far_distance = 4000.0F;
+  static constexpr float pitch_limit = 1.55F;
+};
+
+glm::vec3 forward(const Camera& camera);
+glm::vec3 right(const Camera& camera);
+
+/// Matrices for CrowdFrame. `aspect` is width / height. Depth is reversed: 1 at the near plane, 0 at the far one.
+CameraView view_of(const Camera& camera, float aspect);
+
+/// Planes of what is seen, pointing inwards, unit normals: left, right, bottom, top, near, far. A sphere is outside
+/// when dot(plane.xyz, centre) + plane.w < -radius for any of them.
+std::array<glm::vec4, 6> frustum_planes(const CameraView& view);
+
+/// How many pixels tall something of `height` metres is at `distance` metres, in a picture `image_height` pixels high.
+float pixels_tall(const Camera& camera, float image_height, float height, float distance);
+
+/// What the fly camera is told in one frame.
+struct FlyInput {
+  glm::vec3 move{0.0F};    ///< right, up, forward; each -1..1
+  float turn_left = 0.0F;  ///< radians
+  float turn_up = 0.0F;    ///< radians
+  float speed = 6.0F;      ///< metres a second
+};
+
+/// The camera `seconds` later. Up is the world's, so that level flight stays level.
+Camera fly(const Camera& camera, const FlyInput& input, float seconds);
+
+/// The camera drawn back along its own direction, or come closer, until the sphere just fits.
+Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect);
+
+}  // namespace throng::render

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/render/crowd_mesh_data.h"
+#include "engine/render/gl/handles.h"
+#include "engine/render/result.h"
+#include "engine/render/surface.h"
+
+namespace throng::render {
+
+/// One material on the device.
+struct CrowdMaterial {
+  float base_color[4];  ///< linear
+  GLuint texture;       ///< sRGB; plain white where the character brings none
+  bool double_sided;
+  float alpha_cutoff;  ///< 0: opaque
+};
+
+/// Vertex attributes as `shaders/crowd_vertex.glsl` reads them.
+enum class SurfaceAttribute : GLuint { position, normal, texture_coord, color, weights, region, palette_entries };
+
+/// A character's surface on the device: vertices, a stream of palette entries a bone level, mesh LODs, materials.
+class CrowdMesh {
+ public:
+  /// Fails where an image is larger than the device takes.
+  static Result<CrowdMesh> create(const CrowdMeshData& data);
+
+  std::size_t lod_count() const { return runs_by_lod_.size(); }
+  std::size_t level_count() const { return by_level_.size(); }
+  std::span<const std::uint32_t> triangles_by_lod() const { return triangles_by_lod_; }
+  std::span<const float> error_by_lod() const { return error_by_lod_; }  ///< metres
+
+  /// What draws mesh LOD `lod`: one run a material.
+  std::span<const MaterialRun> runs(std::size_t lod) const { return runs_by_lod_[lod]; }
+  const CrowdMaterial& material(int index) const { return materials_[static_cast<std::size_t>(index)]; }
+
+  /// Vertices reading the entries of that bone level; indices are 32 bits wide.
+  GLuint vertex_array(std::size_t level) const { return by_level_[level].array.id(); }
+
+  /// Ends of bone lines among the vertices, two a bone.
+  std::uint32_t first_bone_end() const { return first_bone_end_; }
+  std::uint32_t bone_end_count() const { return bone_end_count_; }
+
+ private:
+  struct Level {
+    gl::Buffer palette_entries;
+    gl::VertexArray array;
+  };
+
+  CrowdMesh() = default;
+  Level create_level(std::span<const PaletteEntries> entries) const;
+
+  gl::Buffer vertices_;
+  gl::Buffer indices_;
+  std::vector<Level> by_level_;
+  std::vector<std::vector<MaterialRun>> runs_by_lod_;
+  std::vector<std::uint32_t> triangles_by_lod_;
+  std::vector<float> error_by_lod_;
+  std::vector<gl::Texture> textures_;
+  std::vector<CrowdMaterial> materials_;
+  std::uint32_t first_bone_end_ = 0;
+  std::uint32_t bone_end_count_ = 0;
+};
+
+/// See pick_mesh_lod in mesh_lod.h.
+int pick_mesh_lod(const CrowdMesh& mesh, float pixels_tall, int at_least, float detail);
+
+}  // namespace throng::render

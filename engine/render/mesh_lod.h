@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace throng::render {
+
+/// At most this many mesh LODs, at about 100%, 30%, 10% and 3% of the triangles.
+inline constexpr std::size_t largest_mesh_lod_count = 4;
+
+/// One mesh LOD: triangles of the original vertices, so that weights stay valid.
+struct MeshLod {
+  std::vector<std::uint32_t> indices;
+  float error = 0.0F;  ///< metres (the unit of the positions), the largest distance moved
+};
+
+/// Simplifies a surface of x y z `positions` step by step (meshoptimizer: edge collapses that keep the topology; where
+/// they do not reach the step, clustering). [0] is the surface itself; each further LOD has clearly fewer triangles
+/// than the one before, so a small mesh has fewer LODs. Never empty.
+std::vector<MeshLod> build_mesh_lods(std::span<const float> positions, std::span<const std::uint32_t> indices);
+
+/// The coarsest mesh LOD, not finer than `at_least`, whose triangles are still in proportion to the pixels that they
+/// cover. `triangles_by_lod` descends. `detail` scales the number wanted: 1 gives a triangle to about every 12 pixels
+/// covered.
+int pick_mesh_lod(std::span<const std::uint32_t> triangles_by_lod, float pixels_tall, int at_least, float detail);
+
+}  // namespace throng::render

@@ -1,0 +1,138 @@
+#include "engine/render/palette_slots.h"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <iterator>
+#include <new>
+#include <utility>
+
+namespace throng::render {
+namespace {
+
+constexpr std::align_val_t line{64};
+
+std::uint32_t whole_line_groups(std::uint32_t entries) {
+  constexpr auto group = static_cast<std::uint32_t>(palette_entries_per_line_group);
+  return (entries + group - 1) / group * group;
+}
+
+}  // namespace
+
+struct HeapPageSource::Page {
+  explicit Page(std::size_t size) : memory(static_cast<std::byte*>(::operator new[](size, line))) {}
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+  ~Page() { ::operator delete[](memory, line); }
+  std::byte* memory;
+};
+
+HeapPageSource::HeapPageSource(std::size_t page_bytes) : page_bytes_(page_bytes) {}
+
+HeapPageSource::~HeapPageSource() = default;
+
+PalettePage HeapPageSource::add_page() {
+  pages_.push_back(std::make_unique<Page>(page_bytes_));
+  return {pages_.back()->memory, page_bytes_};
+}
+
+PaletteSlots::PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> entries_by_level)
+    : source_(&source), entries_by_level_(std::move(entries_by_level)) {
+  assert(!entries_by_level_.empty());
+  for (std::uint32_t& entries : entries_by_level_) entries = whole_line_groups(entries);
+  assert(std::ranges::is_sorted(entries_by_level_, std::greater<>()));
+  std::ranges::unique_copy(entries_by_level_, std::back_inserter(sizes_));
+}
+
+PaletteSlot PaletteSlots::acquire(int level, std::uint32_t near) {
+  assert(level >= 0 && static_cast<std::size_t>(level) < entries_by_level_.size());
+  const std::uint32_t entries = entries_by_level_[static_cast<std::size_t>(level)];
+  if (near != PaletteSlot::none) return take(near, entries);
+  for (std::uint32_t page = 0; page < pages_.size(); ++page) {
+    if (!has_room_for_newcomer(pages_[page])) continue;
+    if (const PaletteSlot slot = take(page, entries); slot.valid()) return slot;
+  }
+  if (add_page()) return take(static_cast<std::uint32_t>(pages_.size() - 1), entries);
+  for (std::uint32_t page = 0; page < pages_.size(); ++page) {
+    if (const PaletteSlot slot = take(page, entries); slot.valid()) return slot;
+  }
+  return {};
+}
+
+bool PaletteSlots::has_room_for_newcomer(const Page& page) const {
+  return page.entries_in_use * palette_entry_bytes < page.memory.size / 3;
+}
+
+bool PaletteSlots::add_page() {
+  const PalettePage memory = source_->add_page();
+  if (memory.memory == nullptr) return false;
+  Page page;
+  page.memory = memory;
+  page.free_by_size.resize(sizes_.size());
+  page.acquired.resize(memory.size / (palette_entry_bytes * palette_entries_per_line_group));
+  pages_.push_back(std::move(page));
+  return true;
+}
+
+PaletteSlot PaletteSlots::take(std::uint32_t page, std::uint32_t entries) {
+  Page& from = pages_[page];
+  PaletteSlot slot{page, 0, entries};
+  if ((from.next_entry + entries) * palette_entry_bytes <= from.memory.size &&
+      from.free_by_size[size_index(entries)].empty()) {
+    slot.first_entry = from.next_entry;
+    from.next_entry += entries;
+  } else {
+    // The smallest free one that is large enough; sizes descend.
+    std::size_t size = size_index(entries);
+    while (from.free_by_size[size].empty()) {
+      if (size == 0) return {};
+      --size;
+    }
+    slot.entries = sizes_[size];
+    slot.first_entry = from.free_by_size[size].back();
+    from.free_by_size[size].pop_back();
+  }
+  from.acquired[slot.first_entry / palette_entries_per_line_group] = slot.entries;
+  from.entries_in_use += slot.entries;
+  ++in_use_;
+  bytes_in_use_ += slot.entries * palette_entry_bytes;
+  return slot;
+}
+
+void PaletteSlots::retire(const PaletteSlot& slot, std::uint64_t last_frame) {
+  assert(is_acquired(slot));
+  pages_[slot.page].acquired[slot.first_entry / palette_entries_per_line_group] = 0;
+  retired_.push_back({slot, last_frame});
+}
+
+void PaletteSlots::reclaim(std::uint64_t completed_frame) {
+  const auto is_free = [&](const Retired& retired) { return retired.last_frame <= completed_frame; };
+  for (const Retired& retired : retired_) {
+    if (!is_free(retired)) continue;
+    const PaletteSlot& slot = retired.slot;
+    Page& page = pages_[slot.page];
+    page.free_by_size[size_index(slot.entries)].push_back(slot.first_entry);
+    page.entries_in_use -= slot.entries;
+    --in_use_;
+    bytes_in_use_ -= slot.entries * palette_entry_bytes;
+  }
+  std::erase_if(retired_, is_free);
+}
+
+std::size_t PaletteSlots::size_index(std::uint32_t entries) const {
+  const auto found = std::ranges::find(sizes_, entries);
+  assert(found != sizes_.end());
+  return static_cast<std::size_t>(found - sizes_.begin());
+}
+
+bool PaletteSlots::is_acquired(const PaletteSlot& slot) const {
+  return slot.valid() && slot.page < pages_.size() &&
+         pages_[slot.page].acquired[slot.first_entry / palette_entries_per_line_group] == slot.entries;
+}
+
+std::byte* PaletteSlots::memory(const PaletteSlot& slot) const {
+  assert(is_acquired(slot));
+  return pages_[slot.page].memory.memory + slot.first_entry * palette_entry_bytes;
+}
+
+}  // namespace throng::render

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/crowd_mesh_data.h"
+
+namespace throng::render {
+
+inline constexpr std::uint8_t untinted_region = 255;
+
+/// What the vertex shader knows of a vertex, but for the palette entries that it reads.
+///
+///      0  position x y z    space of the palette
+///     12  normal x y z
+///     24  texture coordinates u v
+///     32  color r g b a     linear, 1 is 65535
+///     40  weights           four, sum 65535
+///     48  tint region       0..4, or 255: untinted
+struct SurfaceVertex {
+  float position[3];
+  float normal[3];
+  float texture_coord[2];
+  std::uint16_t color[4];
+  std::uint16_t weights[4];
+  std::uint8_t region;
+  std::uint8_t unused[3];
+};
+static_assert(sizeof(SurfaceVertex) == 52);
+static_assert(offsetof(SurfaceVertex, region) == 48);
+
+using PaletteEntries = std::array<std::uint16_t, 4>;
+
+/// Consecutive indices that are drawn with one material.
+struct MaterialRun {
+  int material = 0;
+  std::uint32_t first_index = 0;
+  std::uint32_t index_count = 0;
+};
+
+/// All parts of a character in one set of vertices, ready to be copied to the device. The ends of bone lines are
+/// vertices too, behind those of the surface.
+struct Surface {
+  std::vector<SurfaceVertex> vertices;
+  std::vector<std::vector<PaletteEntries>> entries_by_level;  ///< one element a vertex
+  std::vector<std::uint32_t> indices;                         ///< of all mesh LODs
+  std::vector<std::vector<MaterialRun>> runs_by_lod;          ///< at most one run a material
+  std::vector<std::uint32_t> triangles_by_lod;
+  std::vector<float> error_by_lod;  ///< metres
+  std::uint32_t first_bone_end = 0;
+  std::uint32_t bone_end_count = 0;
+};
+
+/// Merges, simplifies and sorts. `data` must be consistent: spans of a part of equal length, indices and entries in
+/// range (asserted).
+Surface build_surface(const CrowdMeshData& data);
+
+}  // namespace throng::render

@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/asset/skeleton.h"
+#include "engine/anim/kernel/hierarchy.h"
+#include "engine/anim/kernel/kernels.h"
+
+/// The fused pipeline of one PU without anything around it: two samples, one blend, model space and palette, 62 bones,
+/// tiles of 16 characters, every character at times and a weight of its own. Read ns_per_bone; compare only within one
+/// run.
+namespace throng::anim {
+namespace {
+
+constexpr int bones = 62;
+constexpr int packets = packets_for(bones);
+constexpr int packet_floats = rigid_components * packet_bones;
+
+struct alignas(64) Line {
+  float floats[16];
+};
+using Lines = std::vector<Line>;
+
+Lines floats(int count) { return Lines(static_cast<std::size_t>((count + 15) / 16)); }
+
+/// A trunk of 12 bones, four limbs of 5 and digits of 3 on them.
+std::vector<int> parents() {
+  std::vector<int> parents;
+  for (int bone = 0; bone < 12; ++bone) parents.push_back(bone - 1);
+  for (int limb = 0; limb < 4; ++limb) {
+    const int shoulder = static_cast<int>(parents.size());
+    for (int bone = 0; bone < 5; ++bone) parents.push_back(bone == 0 ? 3 + 2 * limb : shoulder + bone - 1);
+    const int wrist = static_cast<int>(parents.size()) - 1;
+    for (int digit = 0; digit < 3 && static_cast<int>(parents.size()) + 3 <= bones; ++digit) {
+      for (int bone = 0; bone < 3; ++bone) {
+        parents.push_back(bone == 0 ? wrist : static_cast<int>(parents.size()) - 1);
+      }
+    }
+  }
+  while (static_cast<int>(parents.size()) < bones) parents.push_back(11);
+  return parents;
+}
+
+Skeleton branching_skeleton() {
+  Skeleton skeleton;
+  for (const int parent : parents()) {
+    const auto bone = static_cast<double>(skeleton.bones.size());
+    skeleton.bones.push_back({.name = {}, .node = -1, .parent = parent, .rest = {}});
+    skeleton.references.push_back({.origin = glm::dvec3(std::sin(bone), bone * 0.02, std::cos(bone))});
+    skeleton.palette.push_back({static_cast<int>(bone), glm::dmat4(1.0)});
+  }
+  skeleton.level_bone_counts = {bones};
+  return skeleton;
+}
+
+/// A second of a 30 Hz clip in which every bone turns and the root moves.
+SampledRows turning_rows(double pace) {
+  SampledRows rows;
+  rows.bone_count = bones;
+  rows.row_step = ticks_per_second / 30;
+  rows.row_count = 31;
+  rows.rows.assign(static_cast<std::size_t>(rows.row_count * packets * packet_floats), 0.0F);
+  for (int row = 0; row < rows.row_count; ++row) {
+    for (int bone = 0; bone < packets * packet_bones; ++bone) {
+      float* lanes = rows.rows.data() + (row * packets + bone / packet_bones) * packet_floats + bone % packet_bones;
+      const double half = bone < bones ? 0.4 * std::sin(pace * row * 0.2 + bone) : 0.0;
+      lanes[static_cast<std::ptrdiff_t>(bone % 3) * packet_bones] = static_cast<float>(std::sin(half));
+      lanes[static_cast<std::ptrdiff_t>(3) * packet_bones] = static_cast<float>(std::cos(half));
+      if (bone == 0) lanes[static_cast<std::ptrdiff_t>(5) * packet_bones] = static_cast<float>(0.1 * half);
+    }
+  }
+  return rows;
+}
+
+Lines stream_of(const SampledRows& rows) {
+  const std::size_t size = sampled_stream_bytes(rows);
+  Lines lines((size + sizeof(Line) - 1) / sizeof(Line));
+  encode_sampled_stream(rows, ticks_per_second, {reinterpret_cast<std::byte*>(lines.data()), size});
+  return lines;
+}
+
+const SampledStream& as_stream(const Lines& lines) { return *reinterpret_cast<const SampledStream*>(lines.data()); }
+
+struct Character {
+  Ticks first_time;
+  Ticks second_time;
+  float fraction;
+};
+
+/// Everything that the loop reads and writes, made before it.
+class Crowd {
+ public:
+  explicit Crowd(int characters)
+      : program_(compile_hierarchy(branching_skeleton())),
+        first_(stream_of(turning_rows(1.0))),
+        second_(stream_of(turning_rows(1.7))),
+        palettes_(static_cast<std::size_t>(characters) * palette_lines) {
+    std::mt19937 random(1);
+    for (int i = 0; i < characters; ++i) {
+      const auto time = [&] { return static_cast<Ticks>(random()) % ticks_per_second; };
+      characters_.push_back({time(), time(), static_cast<float>(random() % 1000U) * 1e-3F});
+    }
+  }
+
+  void animate(const Kernels& kernels) {
+    for (std::size_t first = 0; first < characters_.size(); first += widest_tile) animate_tile(kernels, first);
+  }
+  std::size_t size() const { return characters_.size(); }
+
+ private:
+  static constexpr std::size_t palette_lines = bones * sizeof(PaletteMatrix) / sizeof(Line) + 1;
+
+  void animate_tile(const Kernels& kernels, std::size_t first) {
+    PaletteMatrix* palettes[widest_tile];
+    SamplePoint points[2][widest_tile];
+    const int count = static_cast<int>(std::min(characters_.size() - first, std::size_t{widest_tile}));
+    for (int lane = 0; lane < count; ++lane) {
+      const std::size_t character = first + static_cast<std::size_t>(lane);
+      palettes[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + character * palette_lines);
+      points[0][lane] = locate(as_stream(first_), characters_[character].first_time);
+      points[1][lane] = locate(as_stream(second_), characters_[character].second_time);
+    }
+    ModelPaletteJob job;
+    job.hierarchy = &program_;
+    job.bone_count = bones;
+    job.characters = count;
+    job.local = local_.front().floats;
+    job.carry = carry_.front().floats;
+    job.branch_slots = slots_.front().floats;
+    job.palettes = palettes;
+    for (job.packet = 0; job.packet < packets; ++job.packet) {
+      for (int lane = 0; lane < count; ++lane) {
+        float* pose = local_.front().floats + lane * packet_floats;
+        kernels.sample({&as_stream(first_), points[0][lane], job.packet, pose});
+        kernels.sample({&as_stream(second_), points[1][lane], job.packet, other_.front().floats});
+        const float fraction = characters_[first + static_cast<std::size_t>(lane)].fraction;
+        kernels.blend({pose, other_.front().floats, nullptr, fraction, rigid_components, pose});
+      }
+      kernels.model_palette(job);
+    }
+  }
+
+  HierarchyProgram program_;
+  Lines first_, second_;
+  std::vector<Character> characters_;
+  Lines local_ = floats(widest_tile * packet_floats);
+  Lines other_ = floats(packet_floats);
+  Lines carry_ = floats(branch_slot_floats * widest_tile);
+  Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
+  Lines palettes_;
+};
+
+void report(benchmark::State& state, std::size_t bones_an_iteration) {
+  state.counters["ns_per_bone"] =
+      benchmark::Counter(static_cast<double>(bones_an_iteration) * 1e-9,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void pipeline(benchmark::State& state, const Kernels& kernels) {
+  Crowd crowd(static_cast<int>(state.range(0)));
+  for ([[maybe_unused]] const auto& round : state) crowd.animate(kernels);
+  report(state, crowd.size() * bones);
+}
+
+/// One kernel alone over a tile of 16 characters whose data stays in the first cache.
+class Workbench {
+ public:
+  SampleJob sample() {
+    return {&as_stream(stream_), locate(as_stream(stream_), ticks_per_second / 7), 1, from_.front().floats};
+  }
+  BlendJob blend() {
+    return {from_.front().floats, to_.front().floats, nullptr, 0.3F, rigid_components, out_.front().floats};
+  }
+  ModelPaletteJob model_palette() {
+    for (int lane = 0; lane < widest_tile; ++lane) {
+      destinations_[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + lane * 64);
+    }
+    ModelPaletteJob job;
+    job.hierarchy = &program_;
+    job.bone_count = bones;
+    job.local = local_.front().floats;
+    job.carry = carry_.front().floats;
+    job.branch_slots = slots_.front().floats;
+    job.palettes = destinations_;
+    return job;
+  }
+
+ private:
+  HierarchyProgram program_ = compile_hierarchy(branching_skeleton());
+  Lines stream_ = stream_of(turning_rows(1.0));
+  Lines from_ = floats(packet_floats), to_ = floats(packet_floats), out_ = floats(packet_floats);
+  Lines local_ = floats(widest_tile * packet_floats);
+  Lines carry_ = floats(branch_slot_floats * widest_tile);
+  Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
+  Lines palettes_ = floats(widest_tile * 64 * 16);
+  PaletteMatrix* destinations_[widest_tile];
+};
+
+void sample_alone(benchmark::State& state, const Kernels& kernels) {
+  Workbench bench;
+  for ([[maybe_unused]] const auto& round : state) kernels.sample(bench.sample());
+  report(state, packet_bones);
+}
+
+void blend_alone(benchmark::State& state, const Kernels& kernels) {
+  Workbench bench;
+  for ([[maybe_unused]] const auto& round : state) kernels.blend(bench.blend());
+  report(state, packet_bones);
+}
+
+void model_palette_alone(benchmark::State& state, const Kernels& kernels) {
+  Workbench bench;
+  ModelPaletteJob job = bench.model_palette();
+  for ([[maybe_unused]] const auto& round : state) {
+    for (job.packet = 0; job.packet < packets; ++job.packet) kernels.model_palette(job);
+  }
+  report(state, widest_tile * bones);
+}
+
+/// Writing as many bytes and nothing else: what no kernel can beat.
+void write_floor(benchmark::State& state) {
+  const auto characters = static_cast<std::size_t>(state.range(0));
+  std::vector<PaletteMatrix> palettes(characters * bones);
+  int value = 0;
+  for ([[maybe_unused]] const auto& round : state) {
+    std::memset(palettes.data(), ++value, palettes.size() * sizeof(PaletteMatrix));
+    benchmark::ClobberMemory();
+  }
+  report(state, characters * bones);
+}
+
+void register_all() {
+  const auto sizes = [](benchmark::internal::Benchmark* bench) { bench->Arg(16)->Arg(1000)->Arg(10000); };
+  for (const Kernels& kernels : runnable_kernels()) {
+    const std::string target = kernels.target;
+    benchmark::RegisterBenchmark(("sample/" + target).c_str(), sample_alone, kernels);
+    benchmark::RegisterBenchmark(("blend/" + target).c_str(), blend_alone, kernels);
+    benchmark::RegisterBenchmark(("model_palette/" + target).c_str(), model_palette_alone, kernels);
+    sizes(benchmark::RegisterBenchmark(("pipeline/" + target).c_str(), pipeline, kernels));
+  }
+  sizes(benchmark::RegisterBenchmark("write_floor", write_floor));
+}
+
+}  // namespace
+}  // namespace throng::anim
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  throng::anim::register_all();
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -16,7 +16,8 @@ constexpr GLuint entries_binding = 1;
 gl::Texture create_texture(const ImageData& image) {
   gl::Texture texture = gl::create_texture(GL_TEXTURE_2D);
   const GLuint id = texture.id();
-  const auto mip_levels = static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(image.width, image.height))));
+  const auto mip_levels =
+      static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(image.width, image.height))));
   glTextureStorage2D(id, mip_levels, GL_SRGB8_ALPHA8, image.width, image.height);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());

@@ -1,0 +1,9 @@
+#version 450 core
+
+#include "frame_uniforms.glsl"
+#include "lighting.glsl"
+#include "crowd_shading.glsl"
+
+out vec4 color;
+
+void main() { color = vec4(shaded(surface_color().rgb), 1.0); }

@@ -1,0 +1,15 @@
+#version 450 core
+
+#include "frame_uniforms.glsl"
+#include "lighting.glsl"
+#include "crowd_shading.glsl"
+
+layout(location = 2) uniform float alpha_cutoff;
+
+out vec4 color;
+
+void main() {
+  vec4 surface = surface_color();
+  if (surface.a < alpha_cutoff) discard;
+  color = vec4(shaded(surface.rgb), 1.0);
+}

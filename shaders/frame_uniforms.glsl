@@ -1,0 +1,9 @@
+// Twin of engine/render/frame_uniforms.h.
+layout(std140, binding = 0) uniform FrameUniforms {
+  mat4 view_projection;
+  vec4 camera_position;
+  vec4 ray_right;
+  vec4 ray_up;
+  vec4 ray_forward;
+  uint now;  // microseconds, modulo 2^32
+};

@@ -1,0 +1,24 @@
+#version 450 core
+
+#include "frame_uniforms.glsl"
+#include "lighting.glsl"
+#include "paving.glsl"
+
+in vec3 ray;
+
+out vec4 color;
+
+void main() {
+  vec3 direction = normalize(ray);
+  // Held just below the horizon for all pixels, so that neighbours' differences mean something on both sides of it.
+  float drop = max(-direction.y, 1e-4);
+  float metres = max(camera_position.y, 0.01) / drop;
+  vec2 ground = camera_position.xz + direction.xz * metres;
+  vec2 footprint = abs(dFdx(ground)) + abs(dFdy(ground));
+  if (direction.y >= 0.0) {
+    color = vec4(exposed(sky_color(direction)), 1.0);
+    return;
+  }
+  vec3 light = sun_light * to_sun.y + ambient_light(vec3(0.0, 1.0, 0.0));
+  color = vec4(exposed(through_haze(paving(ground, footprint) * light, direction, metres)), 1.0);
+}

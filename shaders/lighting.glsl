@@ -1,0 +1,31 @@
+// Light of the whole scene, linear: a warm sun, the sky above, light thrown back by the ground, and haze.
+const vec3 to_sun = vec3(0.5152, 0.7303, 0.4486);
+const vec3 sun_light = vec3(2.05, 1.80, 1.46);
+const vec3 sky_light = vec3(0.52, 0.64, 0.86);
+const vec3 ground_light = vec3(0.34, 0.29, 0.24);
+
+const vec3 haze_color = vec3(0.74, 0.79, 0.85);
+const vec3 zenith_color = vec3(0.14, 0.31, 0.62);
+const vec3 sun_haze = vec3(0.42, 0.26, 0.10);
+
+vec3 sky_color(vec3 direction) {
+  float height = max(direction.y, 0.0);
+  vec3 sky = mix(haze_color, zenith_color, 1.0 - exp2(-height * 4.5));
+  float towards_sun = max(dot(direction, to_sun), 0.0);
+  float glow = towards_sun * towards_sun;
+  return sky + sun_haze * glow * glow;
+}
+
+vec3 through_haze(vec3 color, vec3 direction, float metres) {
+  float clear = exp2(-metres * metres * 4.0e-5 / (1.0 + metres * 0.007));
+  return mix(sky_color(vec3(direction.x, 0.0, direction.z)), color, clear);
+}
+
+// What the sky and the ground throw onto a surface.
+vec3 ambient_light(vec3 normal) { return mix(ground_light, sky_light, normal.y * 0.5 + 0.5); }
+
+// The highlights' shoulder: bright colours bend towards white instead of being cut off.
+vec3 exposed(vec3 light) {
+  vec3 c = light * 0.92;
+  return c * (1.0 + c * 0.11) / (1.0 + c * 0.55);
+}

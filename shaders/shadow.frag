@@ -1,0 +1,16 @@
+#version 450 core
+
+#include "frame_uniforms.glsl"
+#include "lighting.glsl"
+
+in vec3 ground_position;
+
+out vec4 darkening;
+
+void main() {
+  vec3 from_eye = ground_position - camera_position.xyz;
+  float metres = length(from_eye);
+  // Fades as the ground does, so that a shadow is never darker than the haze before it.
+  float clear = exp2(-metres * 0.02);
+  darkening = vec4(mix(vec3(1.0), vec3(0.40, 0.46, 0.58), clear), 1.0);
+}

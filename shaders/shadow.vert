@@ -1,0 +1,17 @@
+#version 450 core
+
+#include "frame_uniforms.glsl"
+#include "instance_record.glsl"
+#include "skinning.glsl"
+#include "crowd_vertex.glsl"
+#include "lighting.glsl"
+
+out vec3 ground_position;
+
+void main() {
+  InstanceRecord instance = instances[first_instance + uint(gl_InstanceID)];
+  vec3 point = to_world(instance, skinned(instance).position);
+  // Along the sun's rays onto y = 0.
+  ground_position = vec3(point.xz - to_sun.xz * (max(point.y, 0.0) / to_sun.y), 0.0).xzy;
+  gl_Position = view_projection * vec4(ground_position, 1.0);
+}

@@ -33,15 +33,17 @@ struct Gait {
   double elbow, elbow_swing;
 };
 
-constexpr dvec3 heel_from_ankle{0, -0.083, -0.052};
+constexpr dvec3 heel_from_ankle{0, -0.085, -0.058};
 dvec3 ball_from_ankle() {
   const auto& joints = skeleton();
   const dvec3 offset = joints[joint_index("toe.L")].position - joints[joint_index("foot.L")].position;
   return {0, offset.y, offset.z};
 }
 
+/// The ankle against the hips' ground point: outwards, up from rest, ahead.
 struct FootPlace {
-  double z, y, pitch;
+  dvec3 offset;
+  double pitch;
 };
 
 dvec3 pitched(dvec3 v, double pitch) { return glm::angleAxis(-pitch * degrees, dvec3(1, 0, 0)) * v; }
@@ -53,32 +55,36 @@ FootPlace planted(const Gait& gait, double phase) {
   const dvec3 rolled = pivot - pitched(pivot, pitch);
   const double stride = gait.speed * static_cast<double>(gait.frames) / key_rate;
   const double ahead = gait.foot_flat + stride * (0.5 * gait.stance - phase);
-  return {ahead + rolled.z, rolled.y, pitch};
+  const double turn = gait.toe_out * degrees;
+  return {{gait.foot_spread + std::sin(turn) * rolled.z, rolled.y, ahead + std::cos(turn) * rolled.z}, pitch};
 }
 
-/// From toe-off to strike, leaving and arriving with the planted foot's velocity.
+/// From toe-off to strike, leaving and arriving nearly with the planted foot's velocity, but clear of the ground.
 FootPlace swung(const Gait& gait, double phase) {
   constexpr double h = 1e-5;
+  constexpr dvec3 peel{0, 0.10, 0};
+  constexpr dvec3 drop{0, -0.16, 0};
   const double span = 1 - gait.stance;
   const double t = (phase - gait.stance) / span;
-  const FootPlace off = planted(gait, gait.stance);
-  const FootPlace before = planted(gait, gait.stance - h);
-  const FootPlace on = planted(gait, 0);
-  const FootPlace after = planted(gait, h);
-  const double bump = 9.48 * gait.swing_height * t * (1 - t) * (1 - t) * (1 - t);
-  return {hermite(off.z, (off.z - before.z) / h * span, on.z, (after.z - on.z) / h * span, t),
-          hermite(off.y, (off.y - before.y) / h * span, on.y, (after.y - on.y) / h * span, t) + bump,
-          periodic_curve(gait.pitch, phase)};
+  const dvec3 off = planted(gait, gait.stance).offset;
+  const dvec3 on = planted(gait, 0).offset;
+  const dvec3 leaving = (off - planted(gait, gait.stance - h).offset) / h * span + peel;
+  const dvec3 arriving = (planted(gait, h).offset - on) / h * span * dvec3(1, 1, 0.92) + drop;
+  dvec3 offset(0, 6.75 * gait.swing_height * t * (1 - t) * (1 - t), 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    offset[axis] += hermite(off[axis], leaving[axis], on[axis], arriving[axis], t);
+  }
+  return {offset, periodic_curve(gait.pitch, phase)};
 }
 
 void step(Pose& pose, const Gait& gait, Side side, double phase) {
   const double own = phase - std::floor(phase);
   const FootPlace place = own <= gait.stance ? planted(gait, own) : swung(gait, own);
   const dvec3 rest = skeleton()[joint_index("foot.L")].position;
-  const double x = side == Side::left ? gait.foot_spread : -gait.foot_spread;
-  const double bend = own <= gait.stance ? std::clamp(-place.pitch, 0.0, 60.0)
-                                         : std::max(0.0, -place.pitch) * (1 - (own - gait.stance) / (1 - gait.stance));
-  place_leg(pose, side, {{x, rest.y + place.y, place.z}, place.pitch, gait.toe_out, bend});
+  const double outward = side == Side::left ? place.offset.x : -place.offset.x;
+  const double airborne = std::max(0.0, (own - gait.stance) / (1 - gait.stance));
+  const double bend = std::max(0.0, -place.pitch) * (1 - airborne * airborne);
+  place_leg(pose, side, {{outward, rest.y + place.offset.y, place.offset.z}, place.pitch, gait.toe_out, bend});
 }
 
 void swing_arm(Pose& pose, const Gait& gait, Side side, double phase) {
@@ -125,19 +131,19 @@ Clip make_gait(const char* name, const Gait& gait) {
 }  // namespace
 
 Clip make_walk() {
-  constexpr Gait walk{.frames = 32,
+  constexpr Gait walk{.frames = 30,
                       .speed = 1.35,
-                      .stance = 0.62,
-                      .foot_flat = 0.010,
+                      .stance = 0.61,
+                      .foot_flat = -0.066,
                       .foot_spread = 0.072,
                       .toe_out = 6,
-                      .pitch = {{{0.0, 20}, {0.09, 0}, {0.34, 0}, {0.48, -12}, {0.62, -50}, {0.72, -42}, {0.90, 14}}},
+                      .pitch = {{{0.0, 20}, {0.09, 0}, {0.34, 0}, {0.48, -12}, {0.61, -48}, {0.72, -42}, {0.90, 14}}},
                       .swing_height = 0.060,
-                      .crouch = 0.020,
-                      .bounce = 0.018,
+                      .crouch = 0.036,
+                      .bounce = 0.020,
                       .bounce_peak = 0.30,
                       .sway = 0.018,
-                      .pelvis_turn = 5.5,
+                      .pelvis_turn = 6.5,
                       .pelvis_drop = 3.5,
                       .chest_turn = 5.5,
                       .lean = 3,

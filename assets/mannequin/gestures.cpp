@@ -41,7 +41,7 @@ Pose stand_at_ease(double phase) {
   Pose pose;
   const double shift = wave(phase, 0.25);
   const double breath = wave(phase, 0.20, 2);
-  pose.hips = {0.020 * shift, -0.012 - 0.003 * wave(phase, 0.25, 2), 0.004 * wave(phase, 0.10)};
+  pose.hips = {0.020 * shift, -0.006 - 0.002 * wave(phase, 0.25, 2), 0.004 * wave(phase, 0.10)};
   pose["hips"] = turned(-1.0 + 0.4 * wave(phase, 0.60), 1.6 * wave(phase, 0.30), 1.8 * shift);
   pose["spine"] = turned(0.6 - 0.3 * breath, -0.8 * wave(phase, 0.33), -1.1 * wave(phase, 0.27));
   pose["chest"] = turned(1.0 - 0.9 * breath, -0.6 * wave(phase, 0.36), -0.9 * wave(phase, 0.29));

@@ -13,8 +13,9 @@ using Row = std::array<std::size_t, 3>;
 using Outline = std::array<std::size_t, 12>;
 constexpr dvec3 sole_paint{0.55, 0.55, 0.55};
 
-Weights foot_weights(double z) {
-  const double toe = z < 0.085 ? 0.0 : (z < 0.125 ? 0.5 : 1.0);
+/// The sole below the ball goes with the toes, so that it stays on the ground while the foot rolls off.
+Weights foot_weights(double z, double share_at_ball) {
+  const double toe = z < 0.085 ? 0.0 : (z < 0.125 ? share_at_ball : 1.0);
   return bind({{"foot.L", 1 - toe}, {"toe.L", toe}});
 }
 
@@ -39,14 +40,14 @@ Outline add_outline(Cage& cage, double height, double grow, double toe_spring) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const auto [x, z] = plan[i];
     const double lift = z > 0.14 ? toe_spring : 0.0;
-    outline[i] =
-        cage.add({centre_x + (x - centre_x) * grow, height + lift, centre_z + (z - centre_z) * grow}, foot_weights(z));
+    outline[i] = cage.add({centre_x + (x - centre_x) * grow, height + lift, centre_z + (z - centre_z) * grow},
+                          foot_weights(z, 0.8));
   }
   return outline;
 }
 
 Row add_top_row(Cage& cage, double z, double x, double half_width, double height, double ridge) {
-  const Weights weights = foot_weights(z);
+  const Weights weights = foot_weights(z, 0.5);
   return {cage.add({x - half_width, height, z}, weights), cage.add({x, height + ridge, z}, weights),
           cage.add({x + half_width, height, z}, weights)};
 }
@@ -66,7 +67,7 @@ void bridge_sole(Cage& cage, const Outline& o) {
   constexpr std::array<double, 3> along{-0.022, 0.030, 0.092};
   for (std::size_t i = 0; i < 3; ++i) {
     const double x = 0.5 * (cage.vertices[o[9 + i]].position.x + cage.vertices[o[5 - i]].position.x);
-    middle[i] = cage.add({x, 0.0, along[i]}, foot_weights(along[i]));
+    middle[i] = cage.add({x, 0.0, along[i]}, foot_weights(along[i], 0.8));
   }
   const std::array<Row, 5> rows{{{o[8], o[7], o[6]},
                                  {o[9], middle[0], o[5]},

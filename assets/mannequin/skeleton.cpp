@@ -82,7 +82,7 @@ class SkeletonBuilder {
     add("thigh_twist" + suffix, thigh, {0.094 * side, 0.80, 0.0});
     const auto shin = add("shin" + suffix, thigh, {0.098 * side, 0.495, 0.004});
     const auto foot = add("foot" + suffix, shin, {0.102 * side, 0.085, -0.022});
-    add("toe" + suffix, foot, {0.106 * side, 0.022, 0.112});
+    add("toe" + suffix, foot, {0.106 * side, 0.016, 0.106});
   }
 
   std::array<Joint, joint_count> finish() {

@@ -9,6 +9,7 @@
 
 #include "app/character_look.h"
 #include "app/crowd_lanes.h"
+#include "app/crowd_layout.h"
 #include "app/crowd_roles.h"
 #include "app/settings.h"
 #include "engine/anim/base/units.h"
@@ -21,6 +22,11 @@ struct ClipRequest {
   Role role;
   int clip;            ///< index among the character's clips
   float fade_seconds;  ///< of the crowd's clock
+};
+
+struct StandingClip {
+  Role role;
+  int clip;
 };
 
 /// Who stands or walks where. All of it follows from scene, agents, seed and the character's roles; no pose is read.
@@ -43,22 +49,22 @@ class Crowd {
   std::span<const int> clips() const { return clips_; }  ///< index, or no_clip for a character that has none
 
   std::span<const Lane> lanes() const { return lanes_; }
-  std::size_t walkers() const { return walker_lanes_.size(); }  ///< the first agents; all others stand
+  std::size_t walkers() const { return walkers_.size(); }  ///< the first agents; all others stand
 
  private:
-  void place(Scene scene, std::size_t agents, std::uint32_t seed);
-  void dress(std::uint32_t seed);
-  void give_first_clips();
+  void give_looks(std::uint32_t seed);
+  void give_first_clips(std::uint32_t seed);
+  StandingClip first_standing_clip(std::size_t agent);
+  StandingClip next_standing_clip(std::size_t agent);
+  void change_clip(std::size_t agent);
   void move_walkers();
-  void change_clip(std::uint32_t agent);
 
   CharacterRoles character_;
-  std::vector<int> repertoire_;  ///< clips that standing agents take turns in; the first is where they come back to
+  std::vector<StandingClip> standing_clips_;  // what standing agents take turns in; idle, if there, is the first
   anim::Ticks now_ = 0;
 
   std::vector<Lane> lanes_;
-  std::vector<std::uint32_t> walker_lanes_;
-  std::vector<double> walker_starts_;  ///< metres along the lane at time 0
+  std::vector<WalkerStart> walkers_;
 
   std::vector<glm::vec3> positions_;
   std::vector<Heading> headings_;
@@ -67,7 +73,7 @@ class Crowd {
   std::vector<Role> roles_;
   std::vector<int> clips_;
   std::vector<anim::Ticks> next_changes_;
-  std::vector<Random> whims_;  ///< each agent's own chance
+  std::vector<Random> whims_;  // each agent's own chance
   std::vector<ClipRequest> requests_;
 };
 

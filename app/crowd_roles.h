@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,10 +21,12 @@ struct CharacterRoles {
   std::array<int, role_count> clips{no_clip, no_clip, no_clip, no_clip, no_clip};  ///< index or no_clip, by Role
   std::vector<int> others;  ///< what agents play in place, in turns, where there is no idle clip
   double walk_speed = 0.0;  ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
-  float height = 1.8F;      ///< metres
-  float radius = 0.3F;      ///< metres, of the body seen from above
+  double height = 1.8;      ///< metres
+  double radius = 0.3;      ///< metres, of the body seen from above, arms down
 
   int clip(Role role) const { return clips[static_cast<std::size_t>(role)]; }
+  /// How much more room it needs than a person 1.8 metres tall; every distance of a scene is multiplied by it.
+  double spacing() const { return std::max(height / 1.8, radius / 0.5); }
   bool can_walk() const { return clip(Role::walk) != no_clip && walk_speed > 0.0; }
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/crowd_roles.h"
 #include "app/settings.h"
 
 namespace throng::app {
@@ -15,8 +16,8 @@ struct NamedCamera {
 };
 
 /// The cameras of a scene, the default ("front") first: front, above, close, far. They follow the size of the crowd and
-/// the character's height (metres).
-std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, float character_height);
+/// of the character.
+std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles);
 
 /// The camera called `name`, null where the scene has none; an empty name is the first.
 const NamedCamera* find_camera(std::span<const NamedCamera> cameras, std::string_view name);

@@ -21,7 +21,8 @@ enum class LodRule : std::uint8_t {
 inline constexpr int most_bone_levels = 4;
 inline constexpr int longest_interval = 16;  ///< frames
 
-/// The knobs of the rule; a change takes effect for each agent at its next update.
+/// The knobs of the rule; a change takes effect for each agent at its next update. Distances are from the camera to the
+/// centre of the agent's bounds; one that is exactly at a distance is beyond it.
 struct LodRules {
   LodRule rule = LodRule::distance;
   float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame

@@ -1,0 +1,144 @@
+#include "engine/anim/run/lod.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace throng::anim {
+namespace {
+
+constexpr float near_enough_to_divide = 1e-3F;  // metres
+constexpr float return_margin = 0.9F;           // of a level's distance: nearer than this the level below comes back
+
+float dot(const glm::vec3& a, const glm::vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// Distances squared, so that no square root stands between a knob and its effect.
+struct Thresholds {
+  std::array<float, longest_interval> longer_interval;  // [i]: from here on interval i + 2
+  std::array<float, most_bone_levels - 1> next_level;
+  std::array<float, most_bone_levels - 1> level_back;
+};
+
+Thresholds square_thresholds(const LodRules& rules) {
+  Thresholds squares{};
+  for (std::size_t step = 0; step < squares.longer_interval.size(); ++step) {
+    const float from = rules.full_rate_distance + rules.interval_growth * static_cast<float>(step);
+    squares.longer_interval[step] = from * from;
+  }
+  for (std::size_t level = 0; level < squares.next_level.size(); ++level) {
+    const float from = rules.level_distances[level];
+    squares.next_level[level] = from * from;
+    squares.level_back[level] = (from * return_margin) * (from * return_margin);
+  }
+  return squares;
+}
+
+int interval_at(float squared_distance, const LodRules& rules, const Thresholds& squares) {
+  int interval = 1;
+  while (interval < rules.largest_interval &&
+         squared_distance >= squares.longer_interval[static_cast<std::size_t>(interval - 1)]) {
+    ++interval;
+  }
+  return interval;
+}
+
+// `current` is the level shown now; pass 0 and `fresh` for an agent that was out of view.
+int bone_level_at(float squared_distance, int current, bool fresh, const LodRules& rules, const Thresholds& squares) {
+  if (!rules.bone_lod) return 0;
+  int level = std::min(current, rules.level_count - 1);
+  while (level + 1 < rules.level_count && squared_distance >= squares.next_level[static_cast<std::size_t>(level)])
+    ++level;
+  while (!fresh && level > 0 && squared_distance < squares.level_back[static_cast<std::size_t>(level - 1)]) --level;
+  return level;
+}
+
+// Frames until the next frame that is the agent's own: 1 to interval.
+int frames_to_own_turn(std::uint64_t agent, std::uint64_t frame, std::uint64_t interval) {
+  const std::uint64_t own = agent % interval;
+  const std::uint64_t now = frame % interval;
+  return static_cast<int>(own > now ? own - now : own + interval - now);
+}
+
+bool in_view(const glm::vec3& centre, float radius, const LodCamera& camera) {
+  return std::all_of(camera.frustum.begin(), camera.frustum.end(),
+                     [&](const glm::vec4& plane) { return dot(glm::vec3(plane), centre) + plane.w >= -radius; });
+}
+
+float squared(const glm::vec3& from_camera) { return dot(from_camera, from_camera); }
+
+struct Decision {
+  int interval;
+  int look_ahead;
+  int bone_level;
+};
+
+Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState& state, std::size_t agent,
+                float squared_distance) {
+  if (frame.rules.rule == LodRule::off) return {1, 1, 0};
+  const bool fresh = state.was_visible[agent] == 0;
+  const int shown = fresh ? 0 : state.bone_level[agent];
+  const int interval = interval_at(squared_distance, frame.rules, squares);
+  return {interval, frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval)),
+          bone_level_at(squared_distance, shown, fresh, frame.rules, squares)};
+}
+
+void update(LodState& state, std::size_t agent, std::uint64_t frame, const Decision& decision) {
+  state.interval[agent] = static_cast<std::uint8_t>(decision.interval);
+  state.bone_level[agent] = static_cast<std::uint8_t>(decision.bone_level);
+  state.next_update[agent] = frame + static_cast<std::uint64_t>(decision.look_ahead);
+}
+
+void check(const LodFrame& frame, const LodState& state) {
+  assert(frame.positions.size() == frame.scales.size());
+  assert(frame.positions.size() == state.next_update.size());
+  assert(frame.rules.largest_interval >= 1 && frame.rules.largest_interval <= longest_interval);
+  assert(frame.rules.level_count >= 1 && frame.rules.level_count <= most_bone_levels);
+  assert(frame.rules.interval_growth > 0.0F);
+  static_cast<void>(frame);
+  static_cast<void>(state);
+}
+
+}  // namespace
+
+void LodState::resize(std::size_t agents, LodSelection& selection) {
+  next_update.assign(agents, 0);
+  interval.assign(agents, 1);
+  bone_level.assign(agents, 0);
+  was_visible.assign(agents, 0);
+  selection.visible.clear();
+  selection.due.clear();
+  selection.visible.reserve(agents);
+  selection.due.reserve(agents);
+}
+
+void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection) {
+  check(frame, state);
+  const Thresholds squares = square_thresholds(frame.rules);
+  const bool pose_everyone = frame.rules.rule == LodRule::off;
+  selection.visible.clear();
+  selection.due.clear();
+  for (std::size_t agent = 0; agent < frame.positions.size(); ++agent) {
+    const float scale = frame.scales[agent];
+    const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, frame.bounds.centre_height * scale, 0.0F);
+    const bool visible = in_view(centre, frame.bounds.radius * scale, frame.camera);
+    const float squared_distance = squared(centre - frame.camera.position);
+    const bool due =
+        pose_everyone || (visible && (state.was_visible[agent] == 0 || frame.number >= state.next_update[agent]));
+    if (due) {
+      const Decision decision = decide(frame, squares, state, agent, squared_distance);
+      update(state, agent, frame.number, decision);
+      selection.due.push_back(
+          {static_cast<std::uint32_t>(agent), static_cast<std::uint8_t>(decision.look_ahead), state.bone_level[agent]});
+    }
+    if (visible) {
+      const float distance = std::max(std::sqrt(squared_distance), near_enough_to_divide);
+      const float pixels_tall = frame.bounds.height * scale * frame.camera.pixels_per_unit / distance;
+      selection.visible.push_back(
+          {static_cast<std::uint32_t>(agent), pixels_tall, state.interval[agent], state.bone_level[agent]});
+    }
+    state.was_visible[agent] = visible ? 1 : 0;
+  }
+}
+
+}  // namespace throng::anim

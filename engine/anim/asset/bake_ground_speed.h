@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/anim/asset/keyframe_stream.h"
+#include "engine/anim/asset/skeleton.h"
+
+namespace throng::anim {
+
+/// Metres a second at which the lowest moving joint, which bears the weight, moves over the ground in a looping clip
+/// that stays in place: the median over the clip, or 0 if it is small or if the joints do not agree on one (idle,
+/// gestures).
+double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, double height);
+
+}  // namespace throng::anim

@@ -75,6 +75,7 @@ struct OverlayCommands {
   bool frame_crowd = false;  ///< as key F
   bool copy_camera = false;  ///< as key C
   bool screenshot = false;   ///< as key F12
+  bool quit = false;         ///< key Esc
 };
 
 }  // namespace throng::app

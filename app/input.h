@@ -1,0 +1,107 @@
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace throng::app {
+
+enum class MouseButton : std::uint8_t { left, right, middle, count };
+
+/// The keys that the demo and text editing know; all others reach the overlay as characters only.
+enum class Key : std::uint8_t {
+  tab,
+  left,
+  right,
+  up,
+  down,
+  page_up,
+  page_down,
+  home,
+  end,
+  insert,
+  del,
+  backspace,
+  space,
+  enter,
+  escape,
+  keypad_enter,
+  a,
+  c,
+  d,
+  e,
+  f,
+  q,
+  s,
+  v,
+  w,
+  x,
+  y,
+  z,
+  f1,
+  f12,
+  shift,
+  control,
+  alt,
+  super,
+  count
+};
+
+/// One thing that happened at the window, in the order in which it happened.
+struct InputEvent {
+  enum class Kind : std::uint8_t { pointer, button, wheel, key, character, focus_lost };
+  Kind kind = Kind::pointer;
+  float x = 0, y = 0;                      ///< pointer: pixels from the top left
+  MouseButton button = MouseButton::left;  ///< button
+  Key key = Key::space;                    ///< key
+  bool down = false;                       ///< button, key
+  float wheel = 0;                         ///< wheel: steps, up is positive
+  char32_t character = 0;                  ///< character: Unicode code point
+};
+
+/// What a frame knows of mouse and keyboard.
+struct InputFrame {
+  float pointer_x = -1, pointer_y = -1;  ///< pixels from the top left; negative: not over the window
+  float moved_x = 0, moved_y = 0;        ///< pixels since the frame before
+  float wheel = 0;                       ///< steps since the frame before
+  std::bitset<static_cast<std::size_t>(MouseButton::count)> buttons_down;
+  std::bitset<static_cast<std::size_t>(Key::count)> keys_down;
+  std::vector<Key> pressed;   ///< keys that went down in this frame, in order
+  std::u32string characters;  ///< text typed in this frame
+
+  [[nodiscard]] bool down(Key key) const { return keys_down[static_cast<std::size_t>(key)]; }
+  [[nodiscard]] bool down(MouseButton button) const { return buttons_down[static_cast<std::size_t>(button)]; }
+};
+
+/// The text clipboard of the window system; both functions may be empty.
+struct Clipboard {
+  std::function<std::string()> get;
+  std::function<void(const std::string&)> set;
+};
+
+/// Turns events into frames so that nothing shorter than a frame is lost: a key or button changes at most once in a
+/// frame, and what happened after a second change waits for the next one.
+class InputQueue {
+ public:
+  void push(const InputEvent& event) { events_.push_back(event); }
+
+  /// The state after the events of this frame; reading it starts the next frame.
+  const InputFrame& next_frame();
+
+ private:
+  bool must_wait(const InputEvent& event) const;
+  void apply(const InputEvent& event);
+  void move_pointer(float x, float y);
+  void change_key(Key key, bool down);
+
+  std::deque<InputEvent> events_;
+  InputFrame frame_;
+  std::bitset<static_cast<std::size_t>(Key::count)> changed_keys_;
+  std::bitset<static_cast<std::size_t>(MouseButton::count)> changed_buttons_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <array>
+
+namespace throng::app {
+
+// The words for each enumeration of settings.h, in its order; those of the command line where it has them.
+inline constexpr std::array<const char*, 2> scene_words = {"plaza", "grid"};
+inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
+inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
+inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe"};
+inline constexpr std::array<const char*, 2> lod_rule_words = {"off", "distance"};
+inline constexpr std::array<const char*, 4> debug_view_words = {"none", "interval", "bones", "mesh"};
+
+}  // namespace throng::app

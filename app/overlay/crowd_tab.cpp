@@ -1,0 +1,95 @@
+#include <limits>
+
+#include "app/overlay/choices.h"
+#include "app/overlay/numbers.h"
+#include "app/overlay/tabs.h"
+
+namespace throng::app {
+namespace {
+
+void show_who(const TabContext& context) {
+  auto& [widgets, report, tuning, standard, commands] = context;
+  widgets.section("Who");
+  widgets.fact("Model", report.model, {.what = "The character of every agent. Give another file on the command line."});
+  widgets.choice("Scene", tuning.scene, standard.scene, scene_words,
+                 {.what = "plaza: walkers on closed lanes, others stand and cheer. grid: everyone stands in rows.",
+                  .cost = "Changing it places all agents anew."});
+  widgets.number("Agents", tuning.agents, standard.agents, {.lowest = 1, .highest = 100000, .logarithmic = true},
+                 {.what = "Characters in the crowd, each in a pose of its own.",
+                  .unit = "1 to 100,000",
+                  .cost = "Animation grows with agents in view, memory with all of them."});
+  auto seed = static_cast<int>(tuning.seed);
+  widgets.number("Seed", seed, static_cast<int>(standard.seed), {.lowest = 0, .highest = 9999},
+                 {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
+                  .unit = "0 to 9,999",
+                  .cost = "Changing it places all agents anew."});
+  tuning.seed = static_cast<std::uint32_t>(seed);
+}
+
+void show_time(const TabContext& context) {
+  auto& [widgets, report, tuning, standard, commands] = context;
+  widgets.section("Time");
+  widgets.toggle("Pause", tuning.paused, standard.paused,
+                 {.what = "Holds the crowd; the camera still flies. Space does the same."});
+  widgets.number("Speed", tuning.time_scale, standard.time_scale,
+                 {.lowest = 0, .highest = 4, .decimals = 2, .suffix = " x"},
+                 {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
+  const float width = widgets.theme().px(108);
+  ImGui::BeginDisabled(!tuning.paused);
+  commands.step = widgets.button("Step", {.what = "One frame onwards, while paused."}, width) || commands.step;
+  ImGui::EndDisabled();
+}
+
+void show_picture(const TabContext& context) {
+  auto& [widgets, report, tuning, standard, commands] = context;
+  widgets.section("Picture");
+  widgets.choice("Colours", tuning.debug_view, standard.debug_view, debug_view_words,
+                 {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
+                          "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest."});
+  widgets.toggle("Bones as lines", tuning.bones_as_lines, standard.bones_as_lines,
+                 {.what = "Draws the skeletons over the characters.", .cost = "One line a bone and agent in view."});
+  const Theme& theme = widgets.theme();
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  commands.frame_crowd |=
+      widgets.button("Frame crowd", {.what = "Moves the camera until all are in view. Key F."}, width);
+  ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
+  commands.copy_camera |=
+      widgets.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."}, width);
+  ImGui::SetCursorScreenPos({at.x + 2 * (width + gap), at.y});
+  commands.screenshot |= widgets.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."}, width);
+  ImGui::Dummy({0, theme.px(2)});
+  const CameraPlace& camera = report.camera;
+  const auto number = [](float value) { return fixed(static_cast<double>(value), 1); };
+  widgets.fact("Camera at", number(camera.x) + ", " + number(camera.y) + ", " + number(camera.z),
+               {.what = "Where the camera stands.", .unit = "metres"});
+  widgets.fact("Looks", number(camera.yaw) + "\xC2\xB0 yaw, " + number(camera.pitch) + "\xC2\xB0 pitch",
+               {.what = "Yaw 0 looks along -Z; a positive pitch looks up.", .unit = "degrees"});
+}
+
+void show_in_view(const TabContext& context) {
+  const FrameReport& report = context.report;
+  Widgets& widgets = context.widgets;
+  const auto count = [](auto value) { return with_thousands(static_cast<std::uint64_t>(value)); };
+  widgets.section("In this frame");
+  widgets.fact("In view", count(report.visible) + " of " + count(report.agents),
+               {.what = "Agents inside the camera's frustum."});
+  widgets.fact("Poses computed", count(report.agents_updated),
+               {.what = "Agents updated in this frame; the others blend towards the pose they were given earlier."});
+  widgets.fact("Bones evaluated", count(report.bones_evaluated), {.what = "Over all agents updated in this frame."});
+  widgets.fact("Draw calls", count(report.draw_calls),
+               {.what = "They do not grow with the crowd: mesh LODs times materials times palette pages at most."});
+  widgets.fact("Triangles", count(report.triangles), {.what = "Of the crowd, after culling and mesh LOD."});
+}
+
+}  // namespace
+
+void show_crowd_tab(const TabContext& context) {
+  show_who(context);
+  show_time(context);
+  show_picture(context);
+  show_in_view(context);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/overlay/cards.h"
+#include "app/overlay/numbers.h"
+#include "app/overlay/plots.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float display_interval_ms = 16.7F;
+constexpr float numbers_width = 232;
+
+std::string milliseconds(float value) { return fixed(static_cast<double>(value), value < 9.995F ? 2 : 1); }
+
+void draw_figure(const Theme& theme, ImVec2 at, const char* name, ImU32 ink, float now, float middle) {
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + theme.px(3)}, {at.x + theme.px(3), at.y + theme.px(39)}, ink,
+                                            theme.px(1));
+  draw_text(theme.small, {at.x + theme.px(11), at.y}, colour::dim, name);
+  draw_text(theme.large, {at.x + theme.px(11), at.y + theme.px(15)}, colour::text, milliseconds(now));
+  const float width = theme.large->CalcTextSizeA(theme.large->FontSize, FLT_MAX, 0, milliseconds(now).c_str()).x;
+  draw_text(theme.small, {at.x + width + theme.px(15), at.y + theme.px(22)}, colour::dim, "ms");
+  draw_text(theme.small, {at.x + theme.px(11), at.y + theme.px(39)}, colour::faint, "median " + milliseconds(middle));
+}
+
+/// The version up to its first blank, the renderer up to its details.
+std::string drawn_by(const FrameReport& report) {
+  const std::string device = report.gl_renderer.substr(0, report.gl_renderer.find_first_of("(,/"));
+  return report.context + ", GL " + report.gl_version.substr(0, report.gl_version.find(' ')) + ", " +
+         device.substr(0, 18);
+}
+
+void draw_numbers(const Theme& theme, ImVec2 at, const FrameReport& report) {
+  draw_figure(theme, at, "Frame", colour::level[1], report.frame_ms, median(report.frame_ms_history));
+  draw_figure(theme, {at.x + theme.px(108), at.y}, "Animation", colour::accent, report.update_ms,
+              median(report.update_ms_history));
+  const float rate = report.frame_ms > 0 ? 1000 / report.frame_ms : 0;
+  draw_text(theme.small, {at.x, at.y + theme.px(66)}, colour::dim,
+            fixed(static_cast<double>(rate), rate < 10 ? 1 : 0) + " frames/s,  drawing " +
+                milliseconds(report.draw_ms) + " ms");
+  draw_text(theme.small, {at.x, at.y + theme.px(84)}, colour::faint, drawn_by(report));
+}
+
+/// The top of the graph: room for nearly all frames, so that one slow frame does not flatten the rest.
+float graph_top(const FrameReport& report) {
+  std::vector<float> frames = report.frame_ms_history;
+  std::ranges::sort(frames);
+  const float usual = frames.empty() ? 0 : frames[(frames.size() - 1) * 95 / 100];
+  return round_up(std::max(20.0F, 1.15F * usual));
+}
+
+void draw_scale(const Theme& theme, const Area& graph, float top) {
+  for (const float share : {0.25F, 0.5F, 0.75F}) {
+    const float y = std::floor(graph.to.y - share * graph.height()) + 0.5F;
+    ImGui::GetWindowDrawList()->AddLine({graph.from.x, y}, {graph.to.x, y}, colour::grid);
+  }
+  draw_text(theme.small, {graph.to.x + theme.px(6), graph.from.y - theme.px(8)}, colour::faint,
+            fixed(static_cast<double>(top), 0) + " ms");
+  draw_text(theme.small, {graph.to.x + theme.px(6), graph.to.y - theme.px(12)}, colour::faint, "0");
+}
+
+void show_frame_under_pointer(const Area& graph, const FrameReport& report) {
+  const std::size_t count = std::min(report.frame_ms_history.size(), report.update_ms_history.size());
+  if (!graph.hovered || count < 2) return;
+  const float share = std::clamp((ImGui::GetIO().MousePos.x - graph.from.x) / graph.width(), 0.0F, 1.0F);
+  const auto index = static_cast<std::size_t>(std::lround(share * static_cast<float>(count - 1)));
+  const float x = graph.from.x + graph.width() * static_cast<float>(index) / static_cast<float>(count - 1);
+  ImGui::GetWindowDrawList()->AddLine({x, graph.from.y}, {x, graph.to.y}, colour::faint);
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(("frame " + milliseconds(report.frame_ms_history[index]) + " ms, animation " +
+                          milliseconds(report.update_ms_history[index]) + " ms")
+                             .c_str());
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report) {
+  const Theme& theme = widgets.theme();
+  begin_fixed_window("Frame strip", place);
+  draw_numbers(theme, {place.from.x + theme.px(16), place.from.y + theme.px(14)}, report);
+  Area graph{.from = {place.from.x + theme.px(16 + numbers_width), place.from.y + theme.px(16)},
+             .to = {place.to.x - theme.px(58), place.to.y - theme.px(16)}};
+  widgets.clickable("Frame graph", graph);
+  graph.hovered = ImGui::IsItemHovered();
+  draw_well(theme, graph);
+  const float top = graph_top(report);
+  draw_scale(theme, graph, top);
+  draw_line(graph, report.frame_ms_history, top, colour::level[1], theme.px(1.5F));
+  draw_line(graph, report.update_ms_history, top, colour::accent, theme.px(1.5F));
+  draw_limit(theme, graph, display_interval_ms, top, "16.7 ms");
+  show_frame_under_pointer(graph, report);
+  ImGui::End();
+}
+
+}  // namespace throng::app

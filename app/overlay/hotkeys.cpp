@@ -1,0 +1,35 @@
+#include "app/overlay/hotkeys.h"
+
+namespace throng::app {
+
+void apply_hotkeys(const InputFrame& input, OverlaySwitches& switches, Tuning& tuning, OverlayCommands& commands) {
+  for (const Key key : input.pressed) {
+    switch (key) {
+      case Key::space:
+        tuning.paused = !tuning.paused;
+        break;
+      case Key::tab:
+        switches.hidden = !switches.hidden;
+        break;
+      case Key::f1:
+        switches.help = !switches.help;
+        break;
+      case Key::f:
+        commands.frame_crowd = true;
+        break;
+      case Key::c:
+        commands.copy_camera = true;
+        break;
+      case Key::f12:
+        commands.screenshot = true;
+        break;
+      case Key::escape:
+        commands.quit = true;
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+}  // namespace throng::app

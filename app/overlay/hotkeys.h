@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/frame_report.h"
+#include "app/input.h"
+#include "app/settings.h"
+
+namespace throng::app {
+
+/// What the keys open and close in the overlay.
+struct OverlaySwitches {
+  bool hidden = false;
+  bool help = false;
+};
+
+/// Does what the keys pressed in this frame ask for: Space pause, Tab hide, F1 help, F frame crowd, C copy camera,
+/// F12 screenshot, Esc quit. Not to be called while a text field has the keys.
+void apply_hotkeys(const InputFrame& input, OverlaySwitches& switches, Tuning& tuning, OverlayCommands& commands);
+
+}  // namespace throng::app

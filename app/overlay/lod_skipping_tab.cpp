@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/overlay/choices.h"
+#include "app/overlay/numbers.h"
+#include "app/overlay/plots.h"
+#include "app/overlay/tabs.h"
+
+namespace throng::app {
+namespace {
+
+void show_rule(const TabContext& context) {
+  auto& [widgets, report, tuning, standard, commands] = context;
+  widgets.section("Rule");
+  widgets.choice("Rule", tuning.lod, standard.lod, lod_rule_words,
+                 {.what = "off: every agent is updated in every frame, seen or not. distance: the farther, the rarer.",
+                  .cost = "off is the full price of the crowd."});
+  ImGui::BeginDisabled(tuning.lod == LodRule::off);
+  widgets.number("Full rate until", tuning.full_rate_distance, standard.full_rate_distance,
+                 {.lowest = 0, .highest = 100, .decimals = 1, .suffix = " m"},
+                 {.what = "Nearer agents are updated in every frame.",
+                  .unit = "metres from the camera",
+                  .cost = "Agents within it cost their full price."});
+  widgets.number("One more each", tuning.interval_growth, standard.interval_growth,
+                 {.lowest = 1, .highest = 60, .decimals = 1, .suffix = " m"},
+                 {.what = "Beyond that, the interval grows by one frame with each such distance.", .unit = "metres"});
+  widgets.number("Largest interval", tuning.largest_interval, standard.largest_interval, {.lowest = 1, .highest = 16},
+                 {.what = "No agent waits longer for its next pose.",
+                  .unit = "frames, 1 to 16",
+                  .cost = "Cost falls with it, until steps begin to show."});
+  widgets.toggle(
+      "Smooth", tuning.smooth, standard.smooth,
+      {.what = "The vertex shader blends from the pose shown now to one computed ahead, so that skipping does "
+               "not stutter.",
+       .cost = "A second palette slot for each skipped agent."});
+  ImGui::EndDisabled();
+}
+
+void show_intervals_over_distance(const TabContext& context) {
+  const Tuning& tuning = context.tuning;
+  const float reach = tuning.full_rate_distance + tuning.interval_growth * static_cast<float>(tuning.largest_interval);
+  const int largest = tuning.largest_interval;
+  context.widgets.section("Interval over distance");
+  const Area plot = context.widgets.area("Interval over distance", 116);
+  draw_steps(context.widgets.theme(), plot,
+             {.longest = std::max(20.0F, reach),
+              .largest = tuning.lod == LodRule::off ? 1 : largest,
+              .value_at = [&tuning](float metres) { return interval_at(tuning, metres); },
+              .colour_of = [largest](int interval) { return colour::interval(interval, largest); }});
+}
+
+void show_agents_by_interval(const TabContext& context) {
+  std::vector<int> counts = context.report.agents_by_interval;
+  const int largest = std::max(context.tuning.largest_interval, static_cast<int>(counts.size()));
+  counts.resize(static_cast<std::size_t>(largest), 0);
+  context.widgets.section("Agents in view by interval");
+  const Area plot = context.widgets.area("Agents by interval", 112);
+  draw_bars(context.widgets.theme(), plot,
+            {.counts = counts,
+             .colour_of = [largest](int i) { return colour::interval(i + 1, largest); },
+             .name_of = [](int i) { return std::to_string(i + 1); }});
+  double work = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) work += counts[i] / static_cast<double>(i + 1);
+  const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
+  if (all == 0) return;
+  context.widgets.caption("On average " + fixed(work, 0) + " poses a frame for " + fixed(all, 0) +
+                          " agents in view: " + fixed(100 * work / all, 0) + "% of the work without skipping.");
+}
+
+}  // namespace
+
+int interval_at(const Tuning& tuning, float metres) {
+  if (tuning.lod == LodRule::off || metres < tuning.full_rate_distance) return 1;
+  const float beyond = std::floor((metres - tuning.full_rate_distance) / tuning.interval_growth);
+  return std::clamp(2 + static_cast<int>(beyond), 1, tuning.largest_interval);
+}
+
+void show_lod_skipping_tab(const TabContext& context) {
+  show_rule(context);
+  show_intervals_over_distance(context);
+  show_agents_by_interval(context);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,240 @@
+#include "app/overlay/overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <imgui.h>
+
+#include "app/overlay/cards.h"
+#include "app/overlay/hotkeys.h"
+#include "app/overlay/tabs.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float column_width = 380, strip_height = 132, header_height = 38, tab_height = 34;
+
+struct Tab {
+  const char* name;
+  void (*show)(const TabContext&);
+};
+
+constexpr std::array<Tab, 4> tabs = {{{"Crowd", show_crowd_tab},
+                                      {"LOD skipping", show_lod_skipping_tab},
+                                      {"Per-bone LOD", show_bone_lod_tab},
+                                      {"Scheduling", show_scheduling_tab}}};
+
+/// The keys that text editing knows, in our words.
+constexpr std::array<std::pair<int, Key>, 21> edit_keys = {{
+    {ImGuiKey_LeftArrow, Key::left},
+    {ImGuiKey_RightArrow, Key::right},
+    {ImGuiKey_UpArrow, Key::up},
+    {ImGuiKey_DownArrow, Key::down},
+    {ImGuiKey_PageUp, Key::page_up},
+    {ImGuiKey_PageDown, Key::page_down},
+    {ImGuiKey_Home, Key::home},
+    {ImGuiKey_End, Key::end},
+    {ImGuiKey_Insert, Key::insert},
+    {ImGuiKey_Delete, Key::del},
+    {ImGuiKey_Backspace, Key::backspace},
+    {ImGuiKey_Space, Key::space},
+    {ImGuiKey_Enter, Key::enter},
+    {ImGuiKey_Escape, Key::escape},
+    {ImGuiKey_KeyPadEnter, Key::keypad_enter},
+    {ImGuiKey_A, Key::a},
+    {ImGuiKey_C, Key::c},
+    {ImGuiKey_V, Key::v},
+    {ImGuiKey_X, Key::x},
+    {ImGuiKey_Y, Key::y},
+    {ImGuiKey_Z, Key::z},
+}};
+
+struct ClipboardText {
+  Clipboard clipboard;
+  std::string last;  ///< ImGui reads it after the function has returned
+};
+
+const char* read_clipboard(void* user) {
+  auto& text = *static_cast<ClipboardText*>(user);
+  if (text.clipboard.get) text.last = text.clipboard.get();
+  return text.last.c_str();
+}
+
+void write_clipboard(void* user, const char* words) {
+  auto& text = *static_cast<ClipboardText*>(user);
+  text.last = words;
+  if (text.clipboard.set) text.clipboard.set(text.last);
+}
+
+void feed(ImGuiIO& io, const InputFrame& input) {
+  io.MousePos = input.pointer_x < 0 ? ImVec2(-FLT_MAX, -FLT_MAX) : ImVec2(input.pointer_x, input.pointer_y);
+  for (std::size_t i = 0; i < input.buttons_down.size(); ++i) io.MouseDown[i] = input.buttons_down[i];
+  io.MouseWheel = input.wheel;
+  for (std::size_t i = 0; i < input.keys_down.size(); ++i) io.KeysDown[i] = input.keys_down[i];
+  io.KeyCtrl = input.down(Key::control);
+  io.KeyShift = input.down(Key::shift);
+  io.KeyAlt = input.down(Key::alt);
+  io.KeySuper = input.down(Key::super);
+  for (const char32_t character : input.characters) io.AddInputCharacter(character);
+}
+
+struct Layout {
+  Area crowd, strip, column;
+};
+
+Layout lay_out(const Theme& theme, ImVec2 size) {
+  const float column_x = size.x - std::min(theme.px(column_width), std::floor(size.x * 0.6F));
+  const float strip_y = size.y - std::min(theme.px(strip_height), std::floor(size.y * 0.4F));
+  return {.crowd = {.from = {0, 0}, .to = {column_x, strip_y}},
+          .strip = {.from = {0, strip_y}, .to = {column_x, size.y}},
+          .column = {.from = {column_x, 0}, .to = size}};
+}
+
+std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, const Theme& theme) {
+  std::vector<Notice> notices;
+  if (!report.notice.empty()) notices.push_back({colour::changed, report.notice});
+  if (theme.fonts_missing)
+    notices.push_back({colour::changed, "The overlay's fonts were not found in the data folder."});
+  if (tuning.paused) notices.push_back({colour::level[1], "Paused. Space goes on."});
+  return notices;
+}
+
+}  // namespace
+
+struct Overlay::State {
+  explicit State(ImGuiContext* made) : context(made) {}
+
+  ImGuiContext* context;
+  Theme theme;
+  UiMap map;
+  Widgets widgets{theme, map};
+  Tuning standard;
+  ClipboardText clipboard;
+  InputFrame input;
+  OverlaySwitches switches;
+  std::size_t tab = 0;
+
+  void show_header(const Area& column) const;
+  void show_tab_bar(const Area& column);
+  void show_column(const Area& column, const TabContext& context_of_tab);
+};
+
+Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& standard, const Clipboard& clipboard)
+    : state_(std::make_unique<State>(ImGui::CreateContext())) {
+  ImGui::SetCurrentContext(state_->context);
+  state_->theme = apply_theme(fonts, scale);
+  state_->standard = standard;
+  state_->clipboard.clipboard = clipboard;
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ClipboardUserData = &state_->clipboard;
+  io.GetClipboardTextFn = read_clipboard;
+  io.SetClipboardTextFn = write_clipboard;
+  for (const auto& [theirs, ours] : edit_keys) io.KeyMap[theirs] = static_cast<int>(ours);
+  io.Fonts->Build();
+}
+
+Overlay::~Overlay() { ImGui::DestroyContext(state_->context); }
+
+void Overlay::begin_frame(int width, int height, double seconds, const InputFrame& input) {
+  state_->input = input;
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
+  feed(io, input);
+  ImGui::NewFrame();
+}
+
+OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
+  State& state = *state_;
+  OverlayCommands commands;
+  state.map.widgets.clear();
+  if (!ImGui::GetIO().WantTextInput) apply_hotkeys(state.input, state.switches, tuning, commands);
+  const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
+  if (!state.switches.hidden) {
+    show_notices(state.widgets, layout.crowd, notices_of(report, tuning, state.theme));
+    show_frame_strip(state.widgets, layout.strip, report);
+    state.show_column(layout.column, {state.widgets, report, tuning, state.standard, commands});
+    if (state.switches.help) show_help_card(state.widgets, layout.crowd);
+  }
+  ImGui::Render();
+  state.map.tab = tabs.at(state.tab).name;
+  state.map.hidden = state.switches.hidden;
+  state.map.help = state.switches.help;
+  state.map.typing = ImGui::GetIO().WantTextInput;
+  return commands;
+}
+
+void Overlay::State::show_header(const Area& column) const {
+  const float y = column.from.y + theme.px(11);
+  draw_text(theme.strong, {column.from.x + theme.px(16), y}, colour::text, "Throng");
+  draw_text(theme.small, {column.to.x - theme.px(16), y + theme.px(1)}, colour::faint, "F1 help   Tab hide", 1);
+}
+
+void Overlay::State::show_tab_bar(const Area& column) {
+  const float top = column.from.y + theme.px(header_height), bottom = top + theme.px(tab_height);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddLine({column.from.x, bottom}, {column.to.x, bottom}, colour::grid);
+  float x = column.from.x + theme.px(8);
+  for (std::size_t i = 0; i < tabs.size(); ++i) {
+    const std::string name = tabs.at(i).name;
+    const float width = theme.regular->CalcTextSizeA(theme.regular->FontSize, FLT_MAX, 0, name.c_str()).x;
+    const Area place{.from = {x, top}, .to = {x + width + theme.px(17), bottom}};
+    if (widgets.clickable("tab:" + name, place)) tab = i;
+    const bool shown = i == tab, hovered = ImGui::IsItemHovered();
+    draw_text(theme.regular, {x + theme.px(8.5F), top + theme.px(8)}, shown || hovered ? colour::text : colour::dim,
+              name);
+    if (shown) {
+      draw.AddRectFilled({x + theme.px(8), bottom - theme.px(2)}, {place.to.x - theme.px(8), bottom}, colour::accent);
+    }
+    x = place.to.x;
+  }
+}
+
+void Overlay::State::show_column(const Area& column, const TabContext& context_of_tab) {
+  begin_fixed_window("Column", column);
+  ImGui::GetWindowDrawList()->AddLine(column.from, {column.from.x, column.to.y}, colour::panel_edge);
+  show_header(column);
+  show_tab_bar(column);
+  const float top = theme.px(header_height + tab_height) + 1;
+  ImGui::SetCursorScreenPos({column.from.x, column.from.y + top});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(16), theme.px(8)});
+  // One child a tab: each keeps where it was scrolled to.
+  ImGui::BeginChild(tabs.at(tab).name, {column.width(), column.height() - top}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  tabs.at(tab).show(context_of_tab);
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::End();
+}
+
+ImDrawData* Overlay::draw_data() const { return ImGui::GetDrawData(); }
+
+const UiMap& Overlay::ui_map() const { return state_->map; }
+
+UiRectangle Overlay::crowd_area() const {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  if (state_->switches.hidden) return {.width = size.x, .height = size.y};
+  const Area crowd = lay_out(state_->theme, size).crowd;
+  return {.width = crowd.width(), .height = crowd.height()};
+}
+
+bool Overlay::uses_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
+
+bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
+
+void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
+
+void Overlay::show_tab(const std::string& name) {
+  const auto* const found = std::ranges::find(tabs, std::string_view(name), &Tab::name);
+  if (found != tabs.end()) state_->tab = static_cast<std::size_t>(found - tabs.begin());
+}
+
+bool Overlay::fonts_missing() const { return state_->theme.fonts_missing; }
+
+}  // namespace throng::app

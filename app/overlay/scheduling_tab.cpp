@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/overlay/choices.h"
+#include "app/overlay/numbers.h"
+#include "app/overlay/plots.h"
+#include "app/overlay/tabs.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::array<int, 8> local_store_stops = {0, 16, 32, 64, 128, 256, 512, 1024};
+constexpr std::array<int, 6> tile_stops = {0, 1, 2, 4, 8, 16};
+
+void show_machine(const TabContext& context) {
+  auto& [widgets, report, tuning, standard, commands] = context;
+  widgets.section("Processing units");
+  widgets.number(
+      "PUs", tuning.pus, standard.pus,
+      {.lowest = 0, .highest = std::max(16.0, static_cast<double>(report.hardware_threads)), .zero_word = "all"},
+      {.what = "Worker threads, each with a local store of its own. The poses are the same for any number.",
+       .unit = "threads; all: as many as the machine has",
+       .cost = "More than the machine has only take turns."});
+  widgets.number(
+      "Local store", tuning.local_store_kib, standard.local_store_kib,
+      {.highest = 1024, .zero_word = "auto", .suffix = " KiB", .stops = local_store_stops},
+      {.what = "A PU's own memory: entities are copied in, updated there and copied out. Its size decides how "
+               "many characters fit into a tile. Too small for this skeleton is refused, with a line that says "
+               "what is needed.",
+       .unit = "KiB; auto: 64, or what one character needs",
+       .cost = "Small: narrow tiles. Large: out of the processor's own cache."});
+  widgets.number("Tile", tuning.tile, standard.tile, {.highest = 16, .zero_word = "auto", .stops = tile_stops},
+                 {.what = "Characters that are handed to a PU at a time.",
+                  .unit = "characters; auto: as many as fit",
+                  .cost = "Narrow tiles leave vector lanes idle."});
+  widgets.choice(
+      "Schedule", tuning.schedule, standard.schedule, schedule_words,
+      {.what = "levels: all players, then blenders by priority, a barrier in between; states go back to main "
+               "memory after each. fused: a character from clips to palette in one go.",
+       .cost = "levels moves more bytes and waits at barriers."});
+  widgets.choice(
+      "Double buffer", tuning.double_buffer, standard.double_buffer, double_buffer_words,
+      {.what = "off: fetch, compute, write back. inline: the next tile is fetched before this one is computed. "
+               "interleaved: in slices, while it is computed.",
+       .cost = "A second fetch buffer in the local store."});
+  widgets.choice("Stream", tuning.stream, standard.stream, stream_words,
+                 {.what = "sampled: even rows of quantised rotations, made for crowds. keyframe: the clip's own keys, "
+                          "exact, with the paper's interpolation structures.",
+                  .cost = "keyframe moves about 7 KB a player and needs a larger local store."});
+}
+
+using Cells = std::array<std::string, 8>;
+/// Right edges of the columns, in shares of the width.
+constexpr std::array<float, 8> column_ends = {0.05F, 0.15F, 0.27F, 0.45F, 0.58F, 0.72F, 0.87F, 1.0F};
+
+std::string as_kib(std::uint64_t bytes) {
+  const double kib = static_cast<double>(bytes) / 1024;
+  return fixed(kib, kib < 100 ? 1 : 0);
+}
+
+void draw_cells(const Theme& theme, const Area& row, ImU32 ink, const Cells& cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    draw_text(theme.small, {row.from.x + column_ends.at(i) * row.width(), row.from.y}, ink, cells[i], 1);
+  }
+}
+
+void draw_busy_bar(const Theme& theme, const Area& row, float busy_share) {
+  const float from = row.from.x + (column_ends[2] + 0.02F) * row.width(),
+              to = row.from.x + column_ends[3] * row.width();
+  const float y = row.to.y - theme.px(3), half = theme.px(1);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled({from, y - half}, {to, y + half}, colour::well_hovered);
+  draw.AddRectFilled({from, y - half}, {from + (to - from) * std::clamp(busy_share, 0.0F, 1.0F), y + half},
+                     colour::accent);
+}
+
+void show_pu_table(const TabContext& context) {
+  const FrameReport& report = context.report;
+  const Theme& theme = context.widgets.theme();
+  context.widgets.section("What each PU did and moved, KiB");
+  const float pitch = report.pu.size() > 8 ? 17 : 20, height = pitch * (static_cast<float>(report.pu.size()) + 1);
+  const Area table = context.widgets.area("PU table", height);
+  const auto row_at = [&](std::size_t i) {
+    const float y = table.from.y + theme.px(pitch) * static_cast<float>(i);
+    return Area{.from = {table.from.x, y}, .to = {table.to.x, y + theme.px(pitch)}};
+  };
+  draw_cells(theme, row_at(0), colour::faint,
+             Cells{"PU", "tiles", "agents", "busy ms", "in", "out", "transfers", "store"});
+  for (std::size_t i = 0; i < report.pu.size(); ++i) {
+    const PuReport& pu = report.pu[i];
+    draw_busy_bar(theme, row_at(i + 1), pu.busy_ms / std::max(report.update_ms, 1e-3F));
+    draw_cells(theme, row_at(i + 1), colour::text,
+               Cells{std::to_string(i), with_thousands(pu.tiles), with_thousands(pu.agents),
+                     fixed(static_cast<double>(pu.busy_ms), 2), as_kib(pu.dma_in_bytes), as_kib(pu.dma_out_bytes),
+                     with_thousands(pu.dma_transfers), as_kib(pu.local_store_peak_bytes)});
+  }
+}
+
+void show_legend(const Theme& theme) {
+  struct Entry {
+    const char* word;
+    ImU32 colour;
+  };
+  constexpr std::array<Entry, 4> entries = {{{"fetch", colour::fetch},
+                                             {"compute", colour::compute},
+                                             {"write back", colour::write_back},
+                                             {"wait", colour::wait}}};
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  for (const Entry& entry : entries) {
+    const float y = at.y + theme.px(4), size = theme.px(8);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + size, y + size}, entry.colour, theme.px(2));
+    at.x += size + theme.px(5);
+    draw_text(theme.small, at, colour::dim, entry.word);
+    at.x += theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, 0, entry.word).x + theme.px(14);
+  }
+  ImGui::Dummy({0, theme.small->FontSize});
+}
+
+void show_timeline(const TabContext& context) {
+  const FrameReport& report = context.report;
+  float end = 0;
+  for (const PuReport& pu : report.pu) {
+    for (const PuSpan& span : pu.spans) end = std::max(end, span.end_ms);
+  }
+  if (end <= 0) return;
+  context.widgets.section("Last update, PU by PU");
+  const float lanes = std::clamp(20.0F * static_cast<float>(report.pu.size()), 60.0F, 150.0F);
+  draw_timeline(context.widgets.theme(), context.widgets.area("Timeline", lanes + 16), report.pu, end);
+  show_legend(context.widgets.theme());
+}
+
+void show_totals(const TabContext& context) {
+  const FrameReport& report = context.report;
+  Widgets& widgets = context.widgets;
+  widgets.section("In all");
+  widgets.fact("Local store used",
+               as_bytes(report.local_store_peak_bytes) + " of " + std::to_string(report.local_store_kib) + " KiB",
+               {.what = "The most that any PU had in its local store at once."});
+  widgets.fact("Tile width", std::to_string(report.tile) + (report.tile == 1 ? " character" : " characters"),
+               {.what = "What the local store has room for, or what was asked for."});
+  widgets.fact("Copied in, out", as_bytes(report.dma_in_bytes) + ", " + as_bytes(report.dma_out_bytes),
+               {.what = "Entity blocks, in this frame, over all PUs.", .unit = "bytes"});
+  widgets.fact("Palettes written", as_bytes(report.palette_bytes),
+               {.what = "Straight into memory that the renderer reads, once.", .unit = "bytes in this frame"});
+  widgets.fact("SIMD target", report.simd_target, {.what = "The vector instructions chosen for this processor."});
+  widgets.fact(
+      "Pose hash", as_hex(report.pose_hash),
+      {.what = "Over every bit of every palette so far. PUs, schedule, local store, tile and double buffer do not "
+               "change it."});
+}
+
+}  // namespace
+
+void show_scheduling_tab(const TabContext& context) {
+  show_machine(context);
+  show_pu_table(context);
+  show_timeline(context);
+  show_totals(context);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,110 @@
+#include "app/overlay/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+namespace throng::app {
+namespace {
+
+constexpr float body_size = 15, small_size = 13, large_size = 22;
+
+/// Latin with its accents, Greek and Cyrillic: bones of real models are named in all of them.
+constexpr ImWchar letters[] = {0x20, 0x24F, 0x370, 0x4FF, 0x2013, 0x2026, 0};
+
+ImFont* load(const std::filesystem::path& file, float pixels) {
+  ImFontConfig config;
+  config.OversampleH = 3;
+  config.OversampleV = 2;
+  return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, letters);
+}
+
+ImFont* built_in(float scale) {
+  ImFontConfig config;
+  config.SizePixels = std::floor(13 * scale);
+  return ImGui::GetIO().Fonts->AddFontDefault(&config);
+}
+
+void load_fonts(const std::filesystem::path& folder, Theme& theme) {
+  const std::filesystem::path regular = folder / "Roboto-Regular.ttf", strong = folder / "Roboto-Medium.ttf";
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(regular, ignored) && std::filesystem::is_regular_file(strong, ignored)) {
+    theme.regular = load(regular, theme.px(body_size));
+    theme.strong = load(strong, theme.px(body_size));
+    theme.small = load(regular, theme.px(small_size));
+    theme.large = load(strong, theme.px(large_size));
+    return;
+  }
+  theme.fonts_missing = true;
+  theme.regular = theme.strong = theme.small = theme.large = built_in(theme.scale);
+}
+
+void set(ImGuiStyle& style, ImGuiCol which, ImU32 packed) {
+  style.Colors[which] = ImGui::ColorConvertU32ToFloat4(packed);
+}
+
+void set_colours(ImGuiStyle& style) {
+  set(style, ImGuiCol_Text, colour::text);
+  set(style, ImGuiCol_TextDisabled, colour::faint);
+  set(style, ImGuiCol_WindowBg, colour::panel);
+  set(style, ImGuiCol_ChildBg, 0);
+  set(style, ImGuiCol_PopupBg, IM_COL32(26, 30, 37, 248));
+  set(style, ImGuiCol_Border, colour::panel_edge);
+  set(style, ImGuiCol_FrameBg, colour::well);
+  set(style, ImGuiCol_FrameBgHovered, colour::well_hovered);
+  set(style, ImGuiCol_FrameBgActive, colour::well_hovered);
+  set(style, ImGuiCol_ScrollbarBg, 0);
+  set(style, ImGuiCol_ScrollbarGrab, IM_COL32(255, 255, 255, 30));
+  set(style, ImGuiCol_ScrollbarGrabHovered, IM_COL32(255, 255, 255, 60));
+  set(style, ImGuiCol_ScrollbarGrabActive, IM_COL32(255, 255, 255, 90));
+  set(style, ImGuiCol_Separator, colour::grid);
+  set(style, ImGuiCol_TextSelectedBg, colour::accent_soft);
+}
+
+void set_shapes(ImGuiStyle& style, float scale) {
+  style.WindowPadding = ImVec2(14, 10);
+  style.FramePadding = ImVec2(6, 3);
+  style.ItemSpacing = ImVec2(8, 6);
+  style.WindowRounding = 6;
+  style.ChildRounding = 4;
+  style.FrameRounding = 4;
+  style.PopupRounding = 6;
+  style.WindowBorderSize = 0;
+  style.PopupBorderSize = 1;
+  style.ScrollbarSize = 9;
+  style.ScrollbarRounding = 5;
+  style.ScaleAllSizes(scale);
+}
+
+}  // namespace
+
+ImU32 colour::mix(ImU32 from, ImU32 to, float share) {
+  const ImVec4 a = ImGui::ColorConvertU32ToFloat4(from), b = ImGui::ColorConvertU32ToFloat4(to);
+  return ImGui::ColorConvertFloat4ToU32(
+      {std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share), std::lerp(a.z, b.z, share), std::lerp(a.w, b.w, share)});
+}
+
+ImU32 colour::with_alpha(ImU32 colour, float alpha) {
+  const auto scaled = static_cast<ImU32>(alpha * static_cast<float>(colour >> IM_COL32_A_SHIFT));
+  return (colour & ~IM_COL32_A_MASK) | (scaled << IM_COL32_A_SHIFT);
+}
+
+ImU32 colour::interval(int frames, int largest) {
+  if (largest <= 1) return level[0];
+  const float place = 3.0F * static_cast<float>(frames - 1) / static_cast<float>(largest - 1);
+  const int below = std::clamp(static_cast<int>(place), 0, 2);
+  return mix(level[below], level[below + 1], std::clamp(place - static_cast<float>(below), 0.0F, 1.0F));
+}
+
+Theme apply_theme(const std::filesystem::path& fonts, float scale) {
+  Theme theme;
+  theme.scale = scale;
+  load_fonts(fonts, theme);
+  ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();
+  set_colours(style);
+  set_shapes(style, scale);
+  return theme;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include <imgui.h>
+
+namespace throng::app {
+
+/// Colours of the overlay, packed as Dear ImGui wants them. Few of them: the crowd is what should be looked at.
+namespace colour {
+inline constexpr ImU32 panel = IM_COL32(16, 19, 24, 232);
+inline constexpr ImU32 panel_edge = IM_COL32(255, 255, 255, 18);
+inline constexpr ImU32 well = IM_COL32(255, 255, 255, 13);
+inline constexpr ImU32 well_hovered = IM_COL32(255, 255, 255, 28);
+inline constexpr ImU32 text = IM_COL32(229, 233, 238, 255);
+inline constexpr ImU32 dim = IM_COL32(146, 156, 169, 255);
+inline constexpr ImU32 faint = IM_COL32(96, 105, 117, 255);
+inline constexpr ImU32 grid = IM_COL32(255, 255, 255, 16);
+inline constexpr ImU32 accent = IM_COL32(72, 191, 174, 255);
+inline constexpr ImU32 accent_soft = IM_COL32(72, 191, 174, 64);
+inline constexpr ImU32 on_accent = IM_COL32(9, 26, 24, 255);
+inline constexpr ImU32 changed = IM_COL32(240, 178, 84, 255);
+inline constexpr ImU32 fetch = IM_COL32(88, 140, 236, 255);
+inline constexpr ImU32 compute = IM_COL32(72, 191, 174, 255);
+inline constexpr ImU32 write_back = IM_COL32(182, 122, 232, 255);
+inline constexpr ImU32 wait = IM_COL32(72, 79, 90, 255);
+/// From every frame and every bone (cool) to the coarsest (warm); four of them, by level.
+inline constexpr ImU32 level[4] = {IM_COL32(72, 191, 174, 255), IM_COL32(122, 178, 232, 255),
+                                   IM_COL32(226, 196, 96, 255), IM_COL32(232, 130, 92, 255)};
+
+ImU32 mix(ImU32 from, ImU32 to, float share);
+ImU32 with_alpha(ImU32 colour, float alpha);
+/// By update interval, 1 to `largest`: along the colours of the levels.
+ImU32 interval(int frames, int largest);
+}  // namespace colour
+
+/// Fonts and measures; a length written in pixels of a plain screen is multiplied by the scale of the overlay.
+struct Theme {
+  float scale = 1;
+  ImFont* regular = nullptr;  ///< 15 pixels
+  ImFont* strong = nullptr;   ///< 15 pixels, headings
+  ImFont* small = nullptr;    ///< 13 pixels, captions and tables
+  ImFont* large = nullptr;    ///< 22 pixels, the numbers that matter most
+  bool fonts_missing = false;
+
+  [[nodiscard]] float px(float pixels) const { return pixels * scale; }
+};
+
+/// Loads Roboto from `fonts` into the current ImGui context (its own bitmap font where the files are missing) and sets
+/// colours, rounding and spacing there.
+Theme apply_theme(const std::filesystem::path& fonts, float scale);
+
+}  // namespace throng::app

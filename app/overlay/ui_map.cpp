@@ -1,0 +1,84 @@
+#include "app/overlay/ui_map.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <nlohmann/json.hpp>
+
+#include "app/overlay/choices.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <std::size_t Count, class Choice>
+const char* word(const std::array<const char*, Count>& words, Choice choice) {
+  return words.at(static_cast<std::size_t>(choice));
+}
+
+Json tuning_json(const Tuning& tuning) {
+  return {{"scene", word(scene_words, tuning.scene)},
+          {"agents", tuning.agents},
+          {"seed", tuning.seed},
+          {"paused", tuning.paused},
+          {"time_scale", tuning.time_scale},
+          {"lod", word(lod_rule_words, tuning.lod)},
+          {"full_rate_distance", tuning.full_rate_distance},
+          {"interval_growth", tuning.interval_growth},
+          {"largest_interval", tuning.largest_interval},
+          {"smooth", tuning.smooth},
+          {"bone_lod", tuning.bone_lod},
+          {"bone_level_distance", tuning.bone_level_distance},
+          {"mesh_lod", tuning.mesh_lod},
+          {"pus", tuning.pus},
+          {"local_store_kib", tuning.local_store_kib},
+          {"tile", tuning.tile},
+          {"schedule", word(schedule_words, tuning.schedule)},
+          {"double_buffer", word(double_buffer_words, tuning.double_buffer)},
+          {"stream", word(stream_words, tuning.stream)},
+          {"debug_view", word(debug_view_words, tuning.debug_view)},
+          {"bones_as_lines", tuning.bones_as_lines}};
+}
+
+Json report_json(const FrameReport& report) {
+  return {{"agents", report.agents},
+          {"drawn", report.drawn},
+          {"agents_updated", report.agents_updated},
+          {"pus", report.pus},
+          {"local_store_kib", report.local_store_kib},
+          {"tile", report.tile},
+          {"notice", report.notice}};
+}
+
+Json camera_json(const CameraPlace& camera) {
+  return {{"x", camera.x},     {"y", camera.y},         {"z", camera.z},
+          {"yaw", camera.yaw}, {"pitch", camera.pitch}, {"field_of_view", camera.field_of_view}};
+}
+
+}  // namespace
+
+const UiRectangle* UiMap::find(const std::string& name) const {
+  const auto found = std::ranges::find(widgets, name, &std::pair<std::string, UiRectangle>::first);
+  return found == widgets.end() ? nullptr : &found->second;
+}
+
+std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report) {
+  Json widgets = Json::object();
+  for (const auto& [name, place] : map.widgets) {
+    widgets[name] = {{"x", place.x}, {"y", place.y}, {"w", place.width}, {"h", place.height}};
+  }
+  const Json document = {{"frame", report.frame},
+                         {"tab", map.tab},
+                         {"hidden", map.hidden},
+                         {"help", map.help},
+                         {"typing", map.typing},
+                         {"tuning", tuning_json(tuning)},
+                         {"report", report_json(report)},
+                         {"camera", camera_json(report.camera)},
+                         {"widgets", widgets}};
+  // A model's name may hold bytes that are not UTF-8.
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace throng::app

@@ -1,0 +1,212 @@
+#include "app/overlay/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui_internal.h>
+
+namespace throng::app {
+namespace {
+
+constexpr float row_height = 25, label_width = 122, reset_width = 20, tooltip_width = 290;
+constexpr float seconds_until_help = 0.5F;
+
+bool resting_on(const Area& place) {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return place.hovered && ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+         context.ActiveId == 0 && context.HoveredIdTimer > seconds_until_help;
+}
+
+Area rectangle(ImVec2 from, ImVec2 to) {
+  return {.from = from, .to = to, .hovered = ImGui::IsMouseHoveringRect(from, to)};
+}
+
+}  // namespace
+
+void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align) {
+  const float width = align == 0 ? 0 : font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  const ImVec2 place(std::floor(at.x - align * width), std::floor(at.y));
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, place, ImGui::GetColorU32(colour), text.c_str());
+}
+
+void Widgets::record(const std::string& name, const Area& place) {
+  const ImRect clip = ImGui::GetCurrentWindow()->ClipRect;
+  ImRect seen(place.from, place.to);
+  seen.ClipWith(clip);
+  if (seen.GetWidth() <= 0 || seen.GetHeight() <= 0) return;
+  map_.widgets.emplace_back(name, UiRectangle{seen.Min.x, seen.Min.y, seen.GetWidth(), seen.GetHeight()});
+}
+
+bool Widgets::clickable(const std::string& name, const Area& place) {
+  ImGui::SetCursorScreenPos(place.from);
+  const bool clicked = ImGui::InvisibleButton(name.c_str(), {place.width(), place.height()});
+  record(name, place);
+  return clicked;
+}
+
+Area Widgets::area(const char* name, float height) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, theme_.px(height));
+  ImGui::InvisibleButton(name, size);
+  const Area place{.from = from, .to = {from.x + size.x, from.y + size.y}, .hovered = ImGui::IsItemHovered()};
+  record(name, place);
+  return place;
+}
+
+void Widgets::section(const char* title) {
+  ImGui::Dummy({0, theme_.px(4)});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text(theme_.strong, at, colour::text, title);
+  const float width = theme_.strong->CalcTextSizeA(theme_.strong->FontSize, FLT_MAX, 0, title).x;
+  const float y = std::floor(at.y + theme_.strong->FontSize * 0.55F);
+  ImGui::GetWindowDrawList()->AddLine({at.x + width + theme_.px(10), y}, {at.x + ImGui::GetContentRegionAvail().x, y},
+                                      colour::grid);
+  ImGui::Dummy({0, theme_.strong->FontSize + theme_.px(1)});
+}
+
+void Widgets::caption(const std::string& text) {
+  ImGui::PushFont(theme_.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::dim);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+void Widgets::tooltip(const char* title, const Help& help, const std::string& standard) const {
+  // Beside the column, so that the value it explains stays in sight; its own edge follows the pointer down the screen.
+  const float x = ImGui::GetWindowPos().x - theme_.px(10), y = ImGui::GetMousePos().y;
+  ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {1, y / ImGui::GetIO().DisplaySize.y});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(theme_.px(tooltip_width));
+  ImGui::PushFont(theme_.strong);
+  ImGui::TextUnformatted(title);
+  ImGui::PopFont();
+  ImGui::TextUnformatted(help.what);
+  std::string measure = help.unit;
+  if (!standard.empty()) measure += (measure.empty() ? "default " : ", default ") + standard;
+  ImGui::PushFont(theme_.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::dim);
+  if (!measure.empty()) ImGui::TextUnformatted(measure.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
+  if (*help.cost != '\0') ImGui::TextUnformatted(help.cost);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& help, const std::string& standard) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float right = from.x + ImGui::GetContentRegionAvail().x, bottom = from.y + theme_.px(row_height);
+  Row row;
+  row.all = rectangle(from, {right, bottom});
+  row.label = rectangle(from, {from.x + theme_.px(label_width), bottom});
+  row.control = rectangle({row.label.to.x, from.y}, {right - theme_.px(reset_width), bottom});
+  ImGui::PushID(label);
+  clickable(std::string(label) + ".label", row.label);
+  row.reset = changed && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  if (ImGui::IsItemHovered() && resting_on(row.label)) tooltip(label, help, standard);
+  if (changed) {
+    const float x = from.x - theme_.px(8);
+    ImGui::GetWindowDrawList()->AddRectFilled({x, from.y + theme_.px(5)}, {x + theme_.px(3), bottom - theme_.px(5)},
+                                              colour::changed, theme_.px(1));
+    row.reset = reset_arrow(label, row.all) || row.reset;
+  }
+  const ImU32 ink = row.label.hovered || changed ? colour::text : colour::dim;
+  draw_text(theme_.regular, {from.x, from.y + theme_.px(4)}, ink, label);
+  return row;
+}
+
+void Widgets::end_row(const Row& row, const char* label, const Help& help, const std::string& standard) const {
+  if (resting_on(row.control) && typed_.empty()) tooltip(label, help, standard);
+  ImGui::PopID();
+  ImGui::SetCursorScreenPos(row.all.from);
+  ImGui::Dummy({row.all.width(), row.all.height()});
+}
+
+bool Widgets::reset_arrow(const char* label, const Area& row) {
+  const Area place = rectangle({row.to.x - theme_.px(reset_width), row.from.y}, row.to);
+  const bool clicked = clickable(std::string(label) + ".reset", place);
+  const ImVec2 middle((place.from.x + place.to.x) / 2 + theme_.px(2), (place.from.y + place.to.y) / 2);
+  const float radius = theme_.px(4.5F);
+  const ImU32 ink = ImGui::IsItemHovered() ? colour::changed : colour::dim;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PathArcTo(middle, radius, -2.4F, 2.6F, 16);
+  draw.PathStroke(ink, ImDrawFlags_None, theme_.px(1.5F));
+  const ImVec2 tip(middle.x + radius * std::cos(-2.4F), middle.y + radius * std::sin(-2.4F));
+  draw.AddTriangleFilled({tip.x - theme_.px(2.5F), tip.y - theme_.px(3)}, {tip.x + theme_.px(3.5F), tip.y},
+                         {tip.x - theme_.px(2), tip.y + theme_.px(3)}, ink);
+  return clicked;
+}
+
+bool Widgets::toggle(const char* label, bool& value, bool standard, const Help& help) {
+  const bool before = value;
+  const std::string standard_word = standard ? "on" : "off";
+  const Row row = begin_row(label, value != standard, help, standard_word);
+  const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(4));
+  const ImVec2 size(theme_.px(34), theme_.px(17));
+  if (clickable(label, rectangle(from, {from.x + size.x, from.y + size.y}))) value = !value;
+  if (row.reset) value = standard;
+  const float radius = size.y / 2;
+  const float knob_x = value ? from.x + size.x - radius : from.x + radius;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 off = ImGui::IsItemHovered() ? colour::well_hovered : colour::well;
+  draw.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(value ? colour::accent : off),
+                     radius);
+  draw.AddCircleFilled({knob_x, from.y + radius}, radius - theme_.px(3),
+                       ImGui::GetColorU32(value ? colour::on_accent : colour::dim));
+  draw_text(theme_.small, {from.x + size.x + theme_.px(8), from.y + theme_.px(1)}, colour::dim, value ? "on" : "off");
+  end_row(row, label, help, standard_word);
+  return value != before;
+}
+
+bool Widgets::choose(const char* label, int& index, int standard, std::span<const char* const> words,
+                     const Help& help) {
+  const int before = index;
+  const std::string standard_word = words[static_cast<std::size_t>(standard)];
+  const Row row = begin_row(label, index != standard, help, standard_word);
+  const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(1));
+  const ImVec2 to(row.control.to.x, row.control.to.y - theme_.px(2));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(from, to, ImGui::GetColorU32(colour::well), theme_.px(4));
+  const float width = (to.x - from.x) / static_cast<float>(words.size());
+  for (int i = 0; i < static_cast<int>(words.size()); ++i) {
+    const char* const word = words[static_cast<std::size_t>(i)];
+    const float x = std::floor(from.x + width * static_cast<float>(i));
+    const Area place = rectangle({x, from.y}, {std::floor(x + width), to.y});
+    if (clickable(std::string(label) + ":" + word, place)) index = i;
+    const bool hovered = ImGui::IsItemHovered();
+    if (i == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
+    const ImU32 ink = i == index ? colour::on_accent : (hovered ? colour::text : colour::dim);
+    draw_text(theme_.small, {(place.from.x + place.to.x) / 2, from.y + theme_.px(4)}, ink, word, 0.5F);
+  }
+  if (row.reset) index = standard;
+  end_row(row, label, help, standard_word);
+  return index != before;
+}
+
+bool Widgets::button(const char* label, const Help& help, float width) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const Area place = rectangle(from, {from.x + width, from.y + theme_.px(26)});
+  const bool clicked = clickable(label, place);
+  const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  const ImU32 fill = held ? colour::accent_soft : (hovered ? colour::well_hovered : colour::well);
+  ImGui::GetWindowDrawList()->AddRectFilled(place.from, place.to, ImGui::GetColorU32(fill), theme_.px(4));
+  draw_text(theme_.regular, {(place.from.x + place.to.x) / 2, from.y + theme_.px(5)}, colour::text, label, 0.5F);
+  if (hovered && resting_on(place)) tooltip(label, help, "");
+  return clicked;
+}
+
+void Widgets::fact(const char* label, const std::string& value, const Help& help) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const Area place = rectangle(from, {from.x + ImGui::GetContentRegionAvail().x, from.y + theme_.px(19)});
+  clickable(label, place);
+  if (ImGui::IsItemHovered() && resting_on(place) && *help.what != '\0') tooltip(label, help, "");
+  draw_text(theme_.regular, from, colour::dim, label);
+  draw_text(theme_.regular, {place.to.x - theme_.px(reset_width), from.y}, colour::text, value, 1);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+
+#include "app/overlay/theme.h"
+#include "app/overlay/ui_map.h"
+
+namespace throng::app {
+
+/// What the tooltip of a value says; its default is added from the value itself.
+struct Help {
+  const char* what = "";
+  const char* unit = "";
+  const char* cost = "";
+};
+
+/// Which numbers a row accepts and how it writes them.
+struct NumberScale {
+  double lowest = 0, highest = 1;
+  int decimals = 0;
+  bool logarithmic = false;
+  const char* zero_word = nullptr;  ///< written instead of 0, and may be typed
+  const char* suffix = "";          ///< the unit after the number; may be left out when typing
+  std::span<const int> stops = {};  ///< when not empty, the only numbers accepted
+};
+
+/// A rectangle of the screen to draw into.
+struct Area {
+  ImVec2 from, to;
+  bool hovered = false;
+
+  [[nodiscard]] float width() const { return to.x - from.x; }
+  [[nodiscard]] float height() const { return to.y - from.y; }
+};
+
+/// The rows of the tabs: a label, a control, and a way back to the default. Each row looks the same, shows its help
+/// when the pointer rests on it, marks a value that is not the default, and notes its rectangles in the map.
+class Widgets {
+ public:
+  Widgets(const Theme& theme, UiMap& map) : theme_(theme), map_(map) {}
+
+  [[nodiscard]] const Theme& theme() const { return theme_; }
+
+  void section(const char* title);
+  bool number(const char* label, int& value, int standard, const NumberScale& scale, const Help& help);
+  bool number(const char* label, float& value, float standard, const NumberScale& scale, const Help& help);
+  bool toggle(const char* label, bool& value, bool standard, const Help& help);
+  bool button(const char* label, const Help& help, float width);
+  void fact(const char* label, const std::string& value, const Help& help);
+  void caption(const std::string& text);
+
+  /// One of several words; the enumerators count from 0 in the order of `words`.
+  template <class Choice>
+  bool choice(const char* label, Choice& value, Choice standard, std::span<const char* const> words, const Help& help) {
+    int index = static_cast<int>(value);
+    const bool changed = choose(label, index, static_cast<int>(standard), words, help);
+    value = static_cast<Choice>(index);
+    return changed;
+  }
+  bool choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help);
+
+  /// The width that is left, `height` pixels of a plain screen high, for a picture named `name`.
+  Area area(const char* name, float height);
+
+  /// A tab or another plain clickable word, drawn by the caller into the rectangle.
+  bool clickable(const std::string& name, const Area& place);
+  void tooltip(const char* title, const Help& help, const std::string& standard) const;
+  void record(const std::string& name, const Area& place);
+
+ private:
+  using FieldText = std::array<char, 32>;
+  struct Row {
+    Area all, label, control;
+    bool reset = false;  ///< asked for in this frame, by the arrow or a double click on the label
+  };
+
+  Row begin_row(const char* label, bool changed, const Help& help, const std::string& standard);
+  void end_row(const Row& row, const char* label, const Help& help, const std::string& standard) const;
+  bool reset_arrow(const char* label, const Area& row);
+  bool edit_number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
+  bool drag_track(const char* label, const Area& place, double& value, double standard, const NumberScale& scale);
+  bool type_field(const char* label, const Area& place, double& value, const NumberScale& scale);
+
+  const Theme& theme_;
+  UiMap& map_;
+  std::map<ImGuiID, FieldText>
+      typed_;                     ///< what stands in the fields being typed into, two while one is left for another
+  ImGuiID held_after_reset_ = 0;  ///< the track that a double click reset, until the button is let go
+};
+
+/// Draws text with its left, middle (0.5) or right edge (1) at `at`.
+void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align = 0);
+
+}  // namespace throng::app

@@ -13,6 +13,8 @@ constexpr std::array<const char*, 3> level_distance_labels = {"Level 1 from", "L
 constexpr std::array<const char*, 5> mesh_words = {"auto", "0", "1", "2", "3"};
 constexpr float longest_distance = 150;
 
+ImU32 level_colour(int level) { return colour::step(level, 4); }
+
 /// Levels follow each other: the neighbours of a distance that was moved give way.
 void keep_in_order(Tuning& tuning, int moved) {
   auto& distance = tuning.bone_level_distance;
@@ -62,7 +64,7 @@ void show_band(const TabContext& context) {
     const float to = level == 3 ? band.to.x : x_of(tuning.bone_level_distance[level]) - theme.px(1);
     if (to <= from) continue;
     draw.AddRectFilled({from, band.from.y}, {to, band.to.y},
-                       ImGui::GetColorU32(colour::with_alpha(colour::level[level], 0.85F)), theme.px(3));
+                       ImGui::GetColorU32(colour::with_alpha(level_colour(level), 0.85F)), theme.px(3));
     const std::string words = bones_of(context.report, level);
     if (to - from > theme.px(20)) {
       draw_text(theme.small, {(from + to) / 2, band.from.y + theme.px(6)}, colour::on_accent, words, 0.5F);
@@ -108,7 +110,7 @@ void show_agents_by_level(const TabContext& context) {
   const FrameReport& report = context.report;
   draw_bars(context.widgets.theme(), plot,
             {.counts = counts,
-             .colour_of = [](int i) { return colour::level[std::clamp(i, 0, 3)]; },
+             .colour_of = [](int i) { return level_colour(i); },
              .name_of = [&report](int i) { return "level " + std::to_string(i) + ": " + bones_of(report, i); }});
 }
 
@@ -120,7 +122,7 @@ void draw_bone(const Theme& theme, const BoneRow& bone, std::size_t place) {
   const float indent = theme.px(30) + std::min(static_cast<float>(bone.depth) * theme.px(7), theme.px(110));
   draw_text(theme.small, {at.x + indent, at.y + theme.px(1)}, colour::text, bone.name);
   for (int kept = 0; kept < 4; ++kept) {
-    const ImU32 ink = kept <= level ? colour::level[kept] : colour::well_hovered;
+    const ImU32 ink = kept <= level ? level_colour(kept) : colour::well_hovered;
     ImGui::GetWindowDrawList()->AddCircleFilled(
         {right - theme.px(12) - theme.px(11) * static_cast<float>(3 - kept), middle}, theme.px(3),
         ImGui::GetColorU32(ink));
@@ -131,7 +133,7 @@ void draw_bone(const Theme& theme, const BoneRow& bone, std::size_t place) {
 void draw_divider(const Theme& theme, int level, std::size_t bones) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x, middle = at.y + theme.px(8);
-  const ImU32 ink = colour::level[level];
+  const ImU32 ink = level_colour(level);
   const std::string words = "level " + std::to_string(level) + " keeps the " + std::to_string(bones) + " above";
   const float width = theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, 0, words.c_str()).x;
   draw_text(theme.small, {at.x + theme.px(30), at.y}, ink, words);

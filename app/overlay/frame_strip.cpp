@@ -31,7 +31,7 @@ std::string drawn_by(const FrameReport& report) {
 }
 
 void draw_numbers(const Theme& theme, ImVec2 at, const FrameReport& report) {
-  draw_figure(theme, at, "Frame", colour::level[1], report.frame_ms, median(report.frame_ms_history));
+  draw_figure(theme, at, "Frame", colour::frame, report.frame_ms, median(report.frame_ms_history));
   draw_figure(theme, {at.x + theme.px(108), at.y}, "Animation", colour::accent, report.update_ms,
               median(report.update_ms_history));
   const float rate = report.frame_ms > 0 ? 1000 / report.frame_ms : 0;
@@ -86,7 +86,7 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
   draw_well(theme, graph);
   const float top = graph_top(report);
   draw_scale(theme, graph, top);
-  draw_line(graph, report.frame_ms_history, top, colour::level[1], theme.px(1.5F));
+  draw_line(graph, report.frame_ms_history, top, colour::frame, theme.px(1.5F));
   draw_line(graph, report.update_ms_history, top, colour::accent, theme.px(1.5F));
   draw_limit(theme, graph, display_interval_ms, top, "16.7 ms");
   show_frame_under_pointer(graph, report);

@@ -10,6 +10,9 @@
 namespace throng::app {
 namespace {
 
+/// As the debug view over the crowd has them.
+constexpr int colour_steps = 8;
+
 void show_rule(const TabContext& context) {
   auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Rule");
@@ -47,7 +50,7 @@ void show_intervals_over_distance(const TabContext& context) {
              {.longest = std::max(20.0F, reach),
               .largest = tuning.lod == LodRule::off ? 1 : largest,
               .value_at = [&tuning](float metres) { return interval_at(tuning, metres); },
-              .colour_of = [largest](int interval) { return colour::interval(interval, largest); }});
+              .colour_of = [](int interval) { return colour::step(interval - 1, colour_steps); }});
 }
 
 void show_agents_by_interval(const TabContext& context) {
@@ -58,7 +61,7 @@ void show_agents_by_interval(const TabContext& context) {
   const Area plot = context.widgets.area("Agents by interval", 112);
   draw_bars(context.widgets.theme(), plot,
             {.counts = counts,
-             .colour_of = [largest](int i) { return colour::interval(i + 1, largest); },
+             .colour_of = [](int i) { return colour::step(i, colour_steps); },
              .name_of = [](int i) { return std::to_string(i + 1); }});
   double work = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) work += counts[i] / static_cast<double>(i + 1);

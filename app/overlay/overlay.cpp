@@ -99,7 +99,7 @@ std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, 
   if (!report.notice.empty()) notices.push_back({colour::changed, report.notice});
   if (theme.fonts_missing)
     notices.push_back({colour::changed, "The overlay's fonts were not found in the data folder."});
-  if (tuning.paused) notices.push_back({colour::level[1], "Paused. Space goes on."});
+  if (tuning.paused) notices.push_back({colour::frame, "Paused. Space goes on."});
   return notices;
 }
 

@@ -31,7 +31,7 @@ namespace throng::app {
 ///     const InputFrame& input = window_input.next_frame();
 ///     overlay.begin_frame(width, height, seconds, input);
 ///     OverlayCommands commands = overlay.build(report, tuning);      // report of the frame before; also the hotkeys
-///     fly(camera, speed, input, {overlay.uses_pointer(), overlay.uses_keyboard()}, seconds);
+///     fly_camera.update(input, {!overlay.uses_pointer(), !overlay.uses_keyboard()}, seconds);
 ///     ... animate, draw the crowd ...
 ///     overlay_renderer.draw(*overlay.draw_data());
 ///     if (ui_map_wanted) write(to_json(overlay.ui_map(), tuning, report));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "app/agent_colors.h"
+
 namespace throng::app {
 namespace {
 
@@ -78,22 +80,11 @@ void set_shapes(ImGuiStyle& style, float scale) {
 
 }  // namespace
 
-ImU32 colour::mix(ImU32 from, ImU32 to, float share) {
-  const ImVec4 a = ImGui::ColorConvertU32ToFloat4(from), b = ImGui::ColorConvertU32ToFloat4(to);
-  return ImGui::ColorConvertFloat4ToU32(
-      {std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share), std::lerp(a.z, b.z, share), std::lerp(a.w, b.w, share)});
-}
+ImU32 colour::step(int place, int steps) { return step_color(place, steps) | IM_COL32_A_MASK; }
 
 ImU32 colour::with_alpha(ImU32 colour, float alpha) {
   const auto scaled = static_cast<ImU32>(alpha * static_cast<float>(colour >> IM_COL32_A_SHIFT));
   return (colour & ~IM_COL32_A_MASK) | (scaled << IM_COL32_A_SHIFT);
-}
-
-ImU32 colour::interval(int frames, int largest) {
-  if (largest <= 1) return level[0];
-  const float place = 3.0F * static_cast<float>(frames - 1) / static_cast<float>(largest - 1);
-  const int below = std::clamp(static_cast<int>(place), 0, 2);
-  return mix(level[below], level[below + 1], std::clamp(place - static_cast<float>(below), 0.0F, 1.0F));
 }
 
 Theme apply_theme(const std::filesystem::path& fonts, float scale) {

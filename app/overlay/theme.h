@@ -25,14 +25,11 @@ inline constexpr ImU32 fetch = IM_COL32(88, 140, 236, 255);
 inline constexpr ImU32 compute = IM_COL32(72, 191, 174, 255);
 inline constexpr ImU32 write_back = IM_COL32(182, 122, 232, 255);
 inline constexpr ImU32 wait = IM_COL32(72, 79, 90, 255);
-/// From every frame and every bone (cool) to the coarsest (warm); four of them, by level.
-inline constexpr ImU32 level[4] = {IM_COL32(72, 191, 174, 255), IM_COL32(122, 178, 232, 255),
-                                   IM_COL32(226, 196, 96, 255), IM_COL32(232, 130, 92, 255)};
+inline constexpr ImU32 frame = IM_COL32(122, 178, 232, 255);
 
-ImU32 mix(ImU32 from, ImU32 to, float share);
 ImU32 with_alpha(ImU32 colour, float alpha);
-/// By update interval, 1 to `largest`: along the colours of the levels.
-ImU32 interval(int frames, int largest);
+/// What the debug views lay over an agent, opaque: `place` 0 of `steps` is full detail.
+ImU32 step(int place, int steps);
 }  // namespace colour
 
 /// Fonts and measures; a length written in pixels of a plain screen is multiplied by the scale of the overlay.

@@ -15,6 +15,8 @@ Clip sample_loop(std::string name, std::size_t frames, double speed, const std::
   return clip;
 }
 
-std::vector<Clip> make_clips() { return {make_idle(), make_walk(), make_cheer()}; }
+std::vector<Clip> make_clips() {
+  return {make_idle(), make_walk(), make_cheer(), make_wave(), make_clap(), make_jog(), make_run()};
+}
 
 }  // namespace throng::mannequin

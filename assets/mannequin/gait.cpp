@@ -31,6 +31,7 @@ struct Gait {
   double lean;        ///< Of the trunk.
   double arm_swing, arm_forward, arm_spread;
   double elbow, elbow_swing;
+  double curl;  ///< Of the fingers.
 };
 
 constexpr dvec3 heel_from_ankle{0, -0.085, -0.058};
@@ -62,9 +63,9 @@ FootPlace planted(const Gait& gait, double phase) {
 /// From toe-off to strike, leaving and arriving nearly with the planted foot's velocity, but clear of the ground.
 FootPlace swung(const Gait& gait, double phase) {
   constexpr double h = 1e-5;
-  constexpr dvec3 peel{0, 0.10, 0};
-  constexpr dvec3 drop{0, -0.16, 0};
   const double span = 1 - gait.stance;
+  const dvec3 peel(0, 0.19 * gait.speed * span, 0);
+  const dvec3 drop(0, -0.30 * gait.speed * span, 0);
   const double t = (phase - gait.stance) / span;
   const dvec3 off = planted(gait, gait.stance).offset;
   const dvec3 on = planted(gait, 0).offset;
@@ -83,7 +84,7 @@ void step(Pose& pose, const Gait& gait, Side side, double phase) {
   const dvec3 rest = skeleton()[joint_index("foot.L")].position;
   const double outward = side == Side::left ? place.offset.x : -place.offset.x;
   const double airborne = std::max(0.0, (own - gait.stance) / (1 - gait.stance));
-  const double bend = std::max(0.0, -place.pitch) * (1 - airborne * airborne);
+  const double bend = std::clamp(-place.pitch, 0.0, 55.0) * (1 - airborne * airborne);
   place_leg(pose, side, {{outward, rest.y + place.offset.y, place.offset.z}, place.pitch, gait.toe_out, bend});
 }
 
@@ -95,13 +96,13 @@ void swing_arm(Pose& pose, const Gait& gait, Side side, double phase) {
   place_arm(pose, side,
             {.flexion = gait.arm_forward + gait.arm_swing * upper,
              .abduction = gait.arm_spread + 1.5 * wave(phase, 0.30, 2),
-             .inward_twist = 12 + 6 * lower,
+             .inward_twist = 3 + 5 * lower,
              .elbow = gait.elbow + gait.elbow_swing * lower,
-             .pronation = 22 + 5 * hand,
+             .pronation = 12 + 5 * hand,
              .wrist_flexion = 2 + 5 * hand,
              .shrug = 1.2 * wave(phase, 0.35, 2),
              .reach = 3.5 * upper});
-  curl_fingers(pose, side, 6 + 4 * hand);
+  curl_fingers(pose, side, gait.curl + 4 * hand);
 }
 
 Pose stride_pose(const Gait& gait, double phase) {
@@ -151,8 +152,61 @@ Clip make_walk() {
                       .arm_forward = 3,
                       .arm_spread = 7,
                       .elbow = 21,
-                      .elbow_swing = 12};
+                      .elbow_swing = 12,
+                      .curl = 7};
   return make_gait("walk", walk);
+}
+
+Clip make_jog() {
+  constexpr Gait jog{.frames = 22,
+                     .speed = 2.4,
+                     .stance = 0.38,
+                     .foot_flat = -0.065,
+                     .foot_spread = 0.060,
+                     .toe_out = 5,
+                     .pitch = {{{0.0, 10}, {0.06, 0}, {0.18, 0}, {0.28, -18}, {0.38, -52}, {0.55, -70}, {0.88, 6}}},
+                     .swing_height = 0.20,
+                     .crouch = 0.045,
+                     .bounce = 0.030,
+                     .bounce_peak = 0.43,
+                     .sway = 0.010,
+                     .pelvis_turn = 7,
+                     .pelvis_drop = 4,
+                     .chest_turn = 7,
+                     .lean = 8,
+                     .arm_swing = 28,
+                     .arm_forward = -8,
+                     .arm_spread = 10,
+                     .elbow = 80,
+                     .elbow_swing = 12,
+                     .curl = 32};
+  return make_gait("jog", jog);
+}
+
+Clip make_run() {
+  constexpr Gait run{.frames = 20,
+                     .speed = 3.6,
+                     .stance = 0.30,
+                     .foot_flat = -0.095,
+                     .foot_spread = 0.050,
+                     .toe_out = 4,
+                     .pitch = {{{0.0, 6}, {0.05, 0}, {0.12, 0}, {0.21, -20}, {0.30, -54}, {0.50, -80}, {0.86, 6}}},
+                     .swing_height = 0.30,
+                     .crouch = 0.062,
+                     .bounce = 0.034,
+                     .bounce_peak = 0.40,
+                     .sway = 0.006,
+                     .pelvis_turn = 9,
+                     .pelvis_drop = 4,
+                     .chest_turn = 9,
+                     .lean = 13,
+                     .arm_swing = 42,
+                     .arm_forward = -8,
+                     .arm_spread = 11,
+                     .elbow = 92,
+                     .elbow_swing = 16,
+                     .curl = 38};
+  return make_gait("run", run);
 }
 
 }  // namespace throng::mannequin

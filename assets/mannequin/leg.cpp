@@ -26,7 +26,7 @@ LimbRing add_section(Cage& cage, const Section& section) {
   return ring;
 }
 
-std::array<Section, 6> sections() {
+std::array<Section, 7> sections() {
   const Weights thigh = bind({{"thigh_twist.L", 0.85}, {"hips", 0.15}});
   const Weights above_knee = bind({{"thigh.L", 0.8}, {"shin.L", 0.2}});
   const Weights below_knee = bind({{"thigh.L", 0.2}, {"shin.L", 0.8}});
@@ -36,6 +36,7 @@ std::array<Section, 6> sections() {
            {0.525, 0.098, 0.004, 0.063, 0.068, above_knee},
            {0.462, 0.098, 0.002, 0.060, 0.064, below_knee},
            {0.335, 0.100, -0.014, 0.060, 0.067, shin},
+           {0.115, 0.102, -0.018, 0.0515, 0.0605, shin, paint::plain, true},
            {0.078, 0.102, -0.018, 0.051, 0.060, shin, paint::plain, true},
            {0.092, 0.102, -0.018, 0.038, 0.046, ankle, paint::fold, true}}};
 }

@@ -17,11 +17,12 @@ inline constexpr int max_bone_levels = 4;
 
 struct Bone {
   std::string name;
-  int node = -1;           ///< index of the glTF node it came from
-  int parent = -1;         ///< index of its parent bone, always below its own; -1 for a root
-  Transform rest;          ///< local transform of the file; identity where `prefix` holds the node's matrix
-  glm::dmat4 prefix{1.0};  ///< what never moves and stands between parent and bone: static nodes that are no
-                           ///< bones, or a matrix that is not a plain TRS. local = prefix * T * R * S
+  int node = -1;                     ///< index of the glTF node it came from
+  int parent = -1;                   ///< index of its parent bone, always below its own; -1 for a root
+  Transform rest;                    ///< local transform of the file; identity where `prefix` holds the node's matrix
+  glm::dmat4 prefix{1.0};            ///< what never moves and stands between parent and bone: static nodes that are no
+                                     ///< bones, or a matrix that is not a plain TRS. local = prefix * T * R * S
+  bool prefix_holds_matrix = false;  ///< the node's own matrix, which no T, R and S say
 };
 
 /// Where a bone is in the bind pose, in model space, without scale: what an animation state is relative to.

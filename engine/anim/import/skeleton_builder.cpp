@@ -104,6 +104,7 @@ class SkeletonBuilder {
       const NodeTransform& transform = tree_.transforms[index];
       bone.rest = transform.trs;
       if (!transform.is_trs) bone.prefix = bone.prefix * transform.matrix;
+      bone.prefix_holds_matrix = !transform.is_trs;
       parents.push_back(above < 0 ? -1 : bone_of_node_[static_cast<std::size_t>(above)]);
       lengths.push_back(above < 0 ? 0.0 : glm::distance(rest_origin(node), rest_origin(above)));
       bone_of_node_[index] = static_cast<int>(bones.size());

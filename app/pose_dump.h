@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/pose_command.h"
+
+namespace throng::app {
+
+/// What a dump says of a skin whatever the time: joints, names, mesh nodes.
+nlohmann::json describe_skin(const anim::Model& model, const anim::Skin& skin);
+
+/// The joints and the palette of a skin in one pose. A joint that holds a matrix with shear has no t, r, s.
+nlohmann::json dump_skin(const anim::Model& model, const anim::Skin& skin, const BonePose& pose);
+
+}  // namespace throng::app

@@ -22,6 +22,8 @@ struct SystemOptions {
   StreamKind stream = StreamKind::sampled;
   bool hash = true;                  ///< hash every palette that is written
   const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
+
+  friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
 };
 inline constexpr int max_pus = 256;
 

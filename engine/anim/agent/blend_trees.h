@@ -21,7 +21,7 @@ struct PlayRequest {
   Ticks start = 0;     ///< position in the clip, 0 to its duration
   bool loop = true;
   std::optional<float> held_fraction = std::nullopt;  ///< instead of fading: blend for good, this much of the new clip
-  std::int16_t mask = -1;              ///< bone weights of the blend, or none
+  std::int16_t mask = -1;                             ///< bone weights of the blend, or none
 };
 
 /// The blend trees of all agents: which players and blenders each one has, and until when its fades run.

@@ -1,0 +1,89 @@
+#include "app/character_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/anim/import/import.h"
+
+namespace throng::app {
+namespace {
+
+CharacterRoles roles_of(const anim::Character& character, const anim::CharacterBounds& bounds) {
+  std::vector<std::string> names;
+  for (const anim::BakedClip& clip : character.clips) names.push_back(clip.name);
+  CharacterRoles roles = roles_by_name(names);
+  const int walk = roles.clip(Role::walk);
+  if (walk != no_clip) roles.walk_speed = anim::ground_speed(character, walk);
+  roles.height = bounds.height;
+  roles.radius = bounds.body_radius;
+  return roles;
+}
+
+template <typename Float, typename Vector>
+std::span<const Float> flat(const std::vector<Vector>& vectors) {
+  return {reinterpret_cast<const Float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(Float)};
+}
+
+render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
+  return {.positions = flat<float>(mesh.positions),
+          .normals = flat<float>(mesh.normals),
+          .texture_coords = flat<float>(mesh.texture_coords),
+          .colors = flat<float>(mesh.colors),
+          .regions = mesh.regions,
+          .palette_entries = flat<std::uint16_t>(mesh.palette_entries),
+          .weights = flat<float>(mesh.weights),
+          .indices = mesh.indices,
+          .material = mesh.material};
+}
+
+render::MaterialData material_data(const anim::Material& material) {
+  render::MaterialData data{
+      .image = material.image, .double_sided = material.double_sided, .alpha_cutoff = material.alpha_cutoff};
+  for (int i = 0; i < 4; ++i) data.base_color[i] = material.base_color[i];
+  return data;
+}
+
+// A dropped bone's vertices follow its nearest kept ancestor: the first entry of the same skin that this bone has.
+std::vector<std::uint16_t> entries_at_level(const anim::Skeleton& skeleton, int bone_count) {
+  std::vector<std::uint16_t> kept;
+  for (int entry = 0; entry < skeleton.palette_count(); ++entry) {
+    const int bone =
+        anim::nearest_kept_bone(skeleton, skeleton.palette[static_cast<std::size_t>(entry)].bone, bone_count);
+    const auto same_bone = [bone](const anim::PaletteEntry& candidate) { return candidate.bone == bone; };
+    const auto found = std::ranges::find_if(skeleton.palette, same_bone);
+    const bool itself = skeleton.palette[static_cast<std::size_t>(entry)].bone == bone;
+    kept.push_back(static_cast<std::uint16_t>(itself ? entry : found - skeleton.palette.begin()));
+  }
+  return kept;
+}
+
+}  // namespace
+
+anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name) {
+  anim::Result<anim::ImportedFile> file = import::import_file(path);
+  if (!file) return file.error();
+  CharacterSource source;
+  source.name = name;
+  source.model = std::move(file->models.front());
+  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
+  source.bounds = anim::measure_bounds(source.model);
+  source.roles = roles_of(*source.character, source.bounds);
+  source.repairs = std::move(file->repairs);
+  return source;
+}
+
+render::CrowdMeshData mesh_data(const anim::Model& model) {
+  render::CrowdMeshData data;
+  for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_data(mesh));
+  for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));
+  for (const anim::Image& image : model.images) {
+    data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});
+  }
+  for (const int bones : model.skeleton.level_bone_counts) {
+    data.entry_at_level.push_back(entries_at_level(model.skeleton, bones));
+  }
+  return data;
+}
+
+}  // namespace throng::app

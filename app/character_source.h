@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/crowd_roles.h"
+#include "engine/anim/asset/character.h"
+#include "engine/anim/asset/character_bounds.h"
+#include "engine/anim/asset/model.h"
+#include "engine/anim/base/result.h"
+#include "engine/render/crowd_mesh_data.h"
+
+namespace throng::app {
+
+/// A character as the demo needs it: what import found, its baked clips, and which clip is played for what.
+struct CharacterSource {
+  std::string name;   ///< shown to people
+  anim::Model model;  ///< keeps the surface that `mesh` points into
+  std::shared_ptr<const anim::Character> character;
+  CharacterRoles roles;
+  anim::CharacterBounds bounds;
+  std::vector<std::string> repairs;
+
+  bool has_surface() const { return !model.meshes.empty(); }
+};
+
+/// Imports and bakes the largest model of `path`.
+anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name);
+
+/// The surface as drawing takes it; spans point into `source.model`, which must outlive the call that uses them.
+render::CrowdMeshData mesh_data(const anim::Model& model);
+
+}  // namespace throng::app

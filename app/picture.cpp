@@ -1,0 +1,55 @@
+#include "app/picture.h"
+
+#include <algorithm>
+
+#include "app/agent_colors.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::uint32_t lods = 4;
+constexpr std::uint32_t levels = anim::most_bone_levels;
+
+std::uint32_t run_of(std::uint32_t page, int mesh_lod, int bone_level) {
+  return (page * lods + static_cast<std::uint32_t>(mesh_lod)) * levels + static_cast<std::uint32_t>(bone_level);
+}
+
+}  // namespace
+
+void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod) {
+  entries_.clear();
+  const bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
+  for (const anim::VisibleAgent& agent : stage.selection().visible) {
+    Entry entry;
+    if (!stage.record(agent, entry.record)) continue;
+    const ShownPose& pose = stage.shown().pose(agent.agent);
+    const int lod = mesh_lod(agent.pixels_tall, pose.level());
+    entry.run = run_of(pose.to.page, lod, pose.level());
+    if (lod_as_color) entry.record.debug_color = step_color(lod, static_cast<int>(lods));
+    entries_.push_back(entry);
+  }
+  sort_into_runs();
+}
+
+// A counting sort, stable, so that equal frames give equal pictures.
+void Picture::sort_into_runs() {
+  std::uint32_t runs = 0;
+  for (const Entry& entry : entries_) runs = std::max(runs, entry.run + 1);
+  run_starts_.assign(runs + 1, 0);
+  for (const Entry& entry : entries_) ++run_starts_[entry.run + 1];
+  batches_.clear();
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    const std::uint32_t count = run_starts_[run + 1];
+    run_starts_[run + 1] += run_starts_[run];
+    if (count == 0) continue;
+    batches_.push_back({.page = run / (lods * levels),
+                        .mesh_lod = static_cast<std::uint8_t>(run / levels % lods),
+                        .bone_level = static_cast<std::uint8_t>(run % levels),
+                        .first_instance = run_starts_[run],
+                        .instance_count = count});
+  }
+  instances_.resize(entries_.size());
+  for (const Entry& entry : entries_) instances_[run_starts_[entry.run]++] = entry.record;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,180 @@
+#include "app/show.h"
+
+#include <chrono>
+#include <numbers>
+#include <utility>
+
+#include "app/data_folder.h"
+#include "app/exit_status.h"
+#include "app/scenes.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float degrees = std::numbers::pi_v<float> / 180.0F;
+constexpr int software_window_agents = 300;
+constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
+
+double milliseconds_of(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool fail(Failure& failure, int status, std::string message) {
+  failure = {status, std::move(message)};
+  return false;
+}
+
+anim::Result<CharacterSource> load(const DemoOptions& options) {
+  if (!options.model.empty()) return load_character(options.model, options.model);
+  const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
+  if (!built_in) return built_in.error();
+  return load_character(built_in->string(), "mannequin (built in)");
+}
+
+// A crowd drawn live; a single last picture can afford its full quality anywhere.
+bool draws_live(const DemoOptions& options) {
+  return options.context == ContextKind::window || options.draw == DrawWhich::all;
+}
+
+}  // namespace
+
+render::Camera to_camera(const CameraPlace& place) {
+  return {.position = {place.x, place.y, place.z},
+          .yaw = place.yaw * degrees,
+          .pitch = place.pitch * degrees,
+          .vertical_view = place.field_of_view * degrees};
+}
+
+CameraPlace to_place(const render::Camera& camera) {
+  return {.x = camera.position.x,
+          .y = camera.position.y,
+          .z = camera.position.z,
+          .yaw = camera.yaw / degrees,
+          .pitch = camera.pitch / degrees,
+          .field_of_view = camera.vertical_view / degrees};
+}
+
+Show::~Show() {
+  stage_.reset();
+  renderer_.reset();
+}
+
+bool Show::open_context(const DemoOptions& options, Failure& failure) {
+  using render::gl::make_egl_context;
+  using render::gl::make_osmesa_context;
+  if (options.context == ContextKind::none) return true;
+  auto context = [&] {
+    switch (options.context) {
+      case ContextKind::osmesa:
+        return make_osmesa_context();
+      case ContextKind::window:
+        return render::gl::make_window_context({.width = options.width, .height = options.height});
+      default:
+        return make_egl_context();
+    }
+  }();
+  if (!context && options.context == ContextKind::headless_default) context = make_osmesa_context();
+  if (!context) return fail(failure, exit_job_failed, context.error().message);
+  context_ = std::move(*context);
+  return true;
+}
+
+bool Show::open_renderer(const DemoOptions& options, const CharacterSource& character, Failure& failure) {
+  if (context_ == nullptr) return true;
+  const auto data = find_data(data_folders(options.data), "shaders");
+  if (!data) return fail(failure, exit_job_failed, data.error().message);
+  const bool modest = on_software() && draws_live(options);
+  mesh_detail_ = modest ? 0.25F : 1.0F;
+  auto renderer =
+      render::Renderer::create(*context_, {.data = data->parent_path(),
+                                           .size = {options.width, options.height},
+                                           .samples = options.msaa >= 0 ? options.msaa : (modest ? 0 : 4),
+                                           .shadows = options.shadows && (!modest || options.shadows_given)});
+  if (!renderer) return fail(failure, exit_job_failed, renderer.error().message);
+  renderer_ = std::move(*renderer);
+  const render::Status loaded = renderer_->load_character(mesh_data(character.model));
+  if (!loaded) return fail(failure, exit_job_failed, loaded.error().message);
+  return true;
+}
+
+std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure) {
+  std::unique_ptr<Show> show(new Show());
+  show->width = options.width;
+  show->height = options.height;
+  auto character = load(options);
+  if (!character) return fail(failure, exit_job_failed, character.error().message), nullptr;
+  if (!show->open_context(options, failure) || !show->open_renderer(options, *character, failure)) return nullptr;
+  Tuning tuning = options.tuning;
+  if (options.context == ContextKind::window && show->on_software() && !options.agents_given) {
+    tuning.agents = software_window_agents;
+    show->notice = "Drawn on the processor (" + show->context_->renderer() +
+                   "): 300 agents, no multisampling, no shadows, coarse meshes unless asked otherwise.";
+  }
+  if (show->renderer_ == nullptr) show->heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
+  render::PalettePageSource& pages = show->renderer_ != nullptr ? show->renderer_->palette_pages() : *show->heap_pages_;
+  const CharacterRoles roles = character->roles;
+  auto stage = Stage::create(std::move(*character), tuning, pages);
+  if (!stage) return fail(failure, exit_usage, stage.error().message), nullptr;
+  show->stage_ = std::move(*stage);
+
+  const auto cameras = scene_cameras(tuning.scene, static_cast<std::size_t>(tuning.agents), roles);
+  const NamedCamera* named = find_camera(cameras, options.camera_name);
+  if (named == nullptr) {
+    std::string names;
+    for (const NamedCamera& camera : cameras) names += (names.empty() ? "" : ", ") + std::string(camera.name);
+    fail(failure, exit_usage, "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
+    return nullptr;
+  }
+  show->camera = to_camera(options.camera.value_or(named->place));
+  return show;
+}
+
+anim::Status Show::apply(const Tuning& tuning) { return stage_->apply(tuning); }
+
+std::uint64_t Show::completed_frame() {
+  if (renderer_ == nullptr) return stage_->frame();
+  const std::uint64_t drawn = renderer_->fences().poll();
+  return renderer_->fences().frames_in_flight() == 0 ? stage_->frame() : drawn;
+}
+
+void Show::animate(anim::Ticks delta) {
+  const std::uint64_t completed = completed_frame();
+  update_ms_ = milliseconds_of([&] {
+    stage_->move(delta);
+    stage_->pose(camera, width, height, delta, completed);
+  });
+  statistics_.add_update(update_ms_);
+  statistics_.add_report(*stage_);
+}
+
+int Show::pick_mesh_lod(float pixels_tall, int at_least) const {
+  const render::CrowdMesh& mesh = renderer_->mesh();
+  const int fixed = stage_->tuning().mesh_lod;
+  if (fixed < 0) return render::pick_mesh_lod(mesh, pixels_tall, at_least, mesh_detail_);
+  return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
+}
+
+void Show::draw() {
+  draw_ms_ = milliseconds_of([&] {
+    picture_.compose(*stage_, [this](float pixels, int at_least) { return pick_mesh_lod(pixels, at_least); });
+    draw_counts_ =
+        renderer_->draw({.camera = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height)),
+                         .instances = picture_.instances(),
+                         .batches = picture_.batches(),
+                         .now = stage_->now(),
+                         .bones_as_lines = stage_->tuning().bones_as_lines});
+    renderer_->fences().insert(stage_->frame());
+    renderer_->finish();
+  });
+  statistics_.set_draw(draw_counts_.draw_calls, draw_counts_.triangles);
+  statistics_.add_drawn_frame(update_ms_ + draw_ms_);
+}
+
+DrawnBy Show::drawn_by() const {
+  if (context_ == nullptr) return {};
+  return {.context = context_->kind(), .gl_version = context_->version(), .gl_renderer = context_->renderer()};
+}
+
+}  // namespace throng::app

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/picture.h"
+#include "app/settings.h"
+#include "app/stage.h"
+#include "app/statistics.h"
+#include "engine/render/camera.h"
+#include "engine/render/gl/context.h"
+#include "engine/render/renderer.h"
+
+namespace throng::app {
+
+/// What ended a run before it began: the sentence and the exit status.
+struct Failure {
+  int status = 1;
+  std::string message;
+};
+
+/// A crowd, what draws it, and the figures: the demo without a loop, in a window or without one.
+class Show {
+ public:
+  static std::unique_ptr<Show> create(const DemoOptions& options, Failure& failure);
+  ~Show();
+
+  /// New values at a frame boundary; the sentence if they cannot be, and then nothing has changed.
+  anim::Status apply(const Tuning& tuning);
+
+  /// Moves and poses one frame of `delta`; 0 while paused.
+  void animate(anim::Ticks delta);
+  /// Draws the frame as animated last, into the renderer's picture, and waits for it, so that the time is the whole
+  /// frame's.
+  void draw();
+  bool draws() const { return renderer_ != nullptr; }
+
+  render::Renderer& renderer() { return *renderer_; }
+  render::gl::Context& context() { return *context_; }
+  const Stage& stage() const { return *stage_; }
+  const Picture& picture() const { return picture_; }
+  const Statistics& statistics() const { return statistics_; }
+  DrawnBy drawn_by() const;
+  const render::DrawCounts& draw_counts() const { return draw_counts_; }
+  double last_update_ms() const { return update_ms_; }
+  double last_draw_ms() const { return draw_ms_; }
+  bool on_software() const { return context_ != nullptr && context_->is_software(); }
+
+  render::Camera camera;
+  int width = 0;
+  int height = 0;
+  /// One sentence for people: what a software renderer turns down, a local store that grew; may be empty.
+  std::string notice;
+
+ private:
+  Show() = default;
+  bool open_context(const DemoOptions& options, Failure& failure);
+  bool open_renderer(const DemoOptions& options, const CharacterSource& character, Failure& failure);
+  std::uint64_t completed_frame();
+  int pick_mesh_lod(float pixels_tall, int at_least) const;
+
+  std::unique_ptr<render::gl::Context> context_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::HeapPageSource> heap_pages_;
+  std::unique_ptr<Stage> stage_;
+  Picture picture_;
+  Statistics statistics_;
+  render::DrawCounts draw_counts_;
+  float mesh_detail_ = 1.0F;
+  double update_ms_ = 0;
+  double draw_ms_ = 0;
+};
+
+render::Camera to_camera(const CameraPlace& place);
+CameraPlace to_place(const render::Camera& camera);
+
+}  // namespace throng::app

@@ -1,0 +1,54 @@
+#include "app/shown_poses.h"
+
+namespace throng::app {
+
+void ShownPoses::retire_from(ShownPose& pose, std::uint64_t last_frame) {
+  if (pose.from.valid() && pose.from.first_entry != pose.to.first_entry) slots_->retire(pose.from, last_frame);
+}
+
+void ShownPoses::hide(ShownPose& pose, std::uint64_t last_frame) {
+  retire_from(pose, last_frame);
+  if (pose.to.valid()) slots_->retire(pose.to, last_frame);
+  pose = {};
+}
+
+void ShownPoses::reset(std::size_t agents, std::uint64_t last_frame) {
+  for (ShownPose& pose : poses_) hide(pose, last_frame);
+  poses_.assign(agents, {});
+  shown_.clear();
+  shown_.reserve(agents);
+  out_of_memory_ = false;
+}
+
+void ShownPoses::hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame) {
+  auto seen = visible.begin();
+  for (const std::uint32_t agent : shown_) {
+    while (seen != visible.end() && seen->agent < agent) ++seen;
+    if (seen == visible.end() || seen->agent != agent) hide(poses_[agent], last_frame);
+  }
+  shown_.clear();
+  for (const anim::VisibleAgent& agent : visible) shown_.push_back(agent.agent);
+}
+
+anim::PaletteMatrix* ShownPoses::show(std::uint32_t agent, int level, std::uint32_t now, std::uint32_t pose_time,
+                                      std::uint64_t last_frame) {
+  ShownPose& pose = poses_[agent];
+  const render::PaletteSlot slot = slots_->acquire(level, pose.to.page);
+  if (!slot.valid()) {
+    out_of_memory_ = true;
+    hide(pose, last_frame);
+    return nullptr;
+  }
+  retire_from(pose, last_frame);
+  const bool blends = pose_time != now && pose.to.valid() && pose.to.page == slot.page;
+  if (!blends && pose.to.valid()) slots_->retire(pose.to, last_frame);
+  pose = {.from = blends ? pose.to : slot,
+          .to = slot,
+          .from_level = blends ? pose.to_level : static_cast<std::uint8_t>(level),
+          .to_level = static_cast<std::uint8_t>(level),
+          .from_time = blends ? pose.to_time : pose_time,
+          .to_time = pose_time};
+  return reinterpret_cast<anim::PaletteMatrix*>(slots_->memory(slot));
+}
+
+}  // namespace throng::app

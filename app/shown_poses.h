@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/run/lod.h"
+#include "engine/render/instance_record.h"
+#include "engine/render/palette_slots.h"
+
+namespace throng::app {
+
+/// The two slots of an agent that its record names, and how the shader goes from one to the other.
+struct ShownPose {
+  render::PaletteSlot from, to;
+  std::uint8_t from_level = 0, to_level = 0;
+  std::uint32_t from_time = 0;  ///< that `from` is the pose of; microseconds modulo 2^32
+  std::uint32_t to_time = 0;    ///< that `to` is the pose of; equal to from_time: nothing blends
+
+  bool shown() const { return to.valid(); }
+  /// Both slots hold at least this level's entries.
+  std::uint8_t level() const { return from_level > to_level ? from_level : to_level; }
+};
+
+/// Which palette slots each agent shows: the contract of engine/render/README.md, kept on the animation's side.
+class ShownPoses {
+ public:
+  explicit ShownPoses(render::PaletteSlots& slots) : slots_(&slots) {}
+
+  /// Everything shown is given back, as of the last drawn frame.
+  void reset(std::size_t agents, std::uint64_t last_frame);
+
+  /// Gives back the slots of agents that went out of view. `visible` is ascending by agent.
+  void hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame);
+
+  /// A slot for a new pose of a visible agent, shown from `now` on after `duration` of blending from the pose shown so
+  /// far. Null where no memory is left: the agent is posed but not drawn.
+  anim::PaletteMatrix* show(std::uint32_t agent, int level, std::uint32_t now, std::uint32_t duration,
+                            std::uint64_t last_frame);
+
+  const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
+  bool out_of_memory() const { return out_of_memory_; }
+
+ private:
+  void hide(ShownPose& pose, std::uint64_t last_frame);
+  void retire_from(ShownPose& pose, std::uint64_t last_frame);
+
+  render::PaletteSlots* slots_;
+  std::vector<ShownPose> poses_;
+  std::vector<std::uint32_t> shown_;  // ascending agents
+  bool out_of_memory_ = false;
+};
+
+}  // namespace throng::app

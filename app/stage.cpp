@@ -1,0 +1,169 @@
+#include "app/stage.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "app/agent_colors.h"
+
+namespace throng::app {
+namespace {
+
+std::vector<std::uint32_t> entries_by_level(const anim::Skeleton& skeleton) {
+  std::vector<std::uint32_t> entries;
+  for (const int bones : skeleton.level_bone_counts) {
+    entries.push_back(static_cast<std::uint32_t>(anim::palette_count_for_bones(skeleton, bones)));
+  }
+  return entries;
+}
+
+bool same_crowd(const Tuning& a, const Tuning& b) {
+  return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed;
+}
+
+std::uint32_t microseconds(anim::Ticks ticks) {
+  return static_cast<std::uint32_t>(ticks * 10 / (anim::ticks_per_second / 100'000));
+}
+
+}  // namespace
+
+anim::SystemOptions system_options(const Tuning& tuning) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return {.pus = tuning.pus == 0 ? cores : tuning.pus,
+          .local_store_bytes = static_cast<std::size_t>(tuning.local_store_kib) * 1024,
+          .tile = tuning.tile,
+          .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
+          .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
+          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe};
+}
+
+anim::LodRules lod_rules(const Tuning& tuning, int level_count) {
+  return {
+      .rule = tuning.lod == LodRule::off ? anim::LodRule::off : anim::LodRule::distance,
+      .full_rate_distance = tuning.full_rate_distance,
+      .interval_growth = tuning.interval_growth,
+      .largest_interval = tuning.largest_interval,
+      .bone_lod = tuning.bone_lod,
+      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]},
+      .level_count = level_count};
+}
+
+Stage::Stage(CharacterSource character, render::PalettePageSource& pages)
+    : character_(std::move(character)),
+      slots_(pages, entries_by_level(character_.character->skeleton)),
+      shown_(slots_) {}
+
+anim::Result<std::unique_ptr<Stage>> Stage::create(CharacterSource character, const Tuning& tuning,
+                                                   render::PalettePageSource& pages) {
+  std::unique_ptr<Stage> stage(new Stage(std::move(character), pages));
+  auto system = anim::AnimationSystem::create(stage->character_.character, system_options(tuning));
+  if (!system) return system.error();
+  stage->system_ = std::move(*system);
+  stage->tuning_ = tuning;
+  stage->populate();
+  return stage;
+}
+
+anim::Status Stage::apply(const Tuning& tuning) {
+  const anim::SystemOptions options = system_options(tuning);
+  if (options != system_->options()) {
+    const anim::Status configured = system_->configure(options);
+    if (!configured) return configured;
+  }
+  const bool keeps_crowd = same_crowd(tuning, tuning_);
+  tuning_ = tuning;
+  if (!keeps_crowd) populate();
+  return anim::Done{};
+}
+
+void Stage::populate() {
+  const auto agents = static_cast<std::size_t>(tuning_.agents);
+  crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, character_.roles);
+  system_->set_agent_count(0);
+  system_->set_agent_count(static_cast<std::uint32_t>(agents));
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    request_clip(agent, crowd_->clips()[agent], 0, static_cast<double>(crowd_->start_phases()[agent]));
+  }
+  lod_.resize(agents, selection_);
+  shown_.reset(agents, frame_);
+  updates_.reserve(agents);
+}
+
+void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
+  const int index = clip == no_clip ? 0 : clip;
+  const anim::Ticks duration = character_.character->clips[static_cast<std::size_t>(index)].duration;
+  const bool plays = clip != no_clip;
+  system_->play(agent, {.clip = index,
+                        .fade = fade,
+                        .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,
+                        .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
+}
+
+void Stage::move(anim::Ticks delta) {
+  system_->advance(delta);
+  for (const ClipRequest& request : crowd_->advance(delta)) {
+    request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
+  }
+}
+
+std::uint32_t Stage::now() const { return microseconds(system_->clock()); }
+
+anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) const {
+  const render::CameraView view = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height));
+  const anim::Character& character = *character_.character;
+  return {.positions = crowd_->positions(),
+          .scales = crowd_->scales(),
+          .bounds = {.centre_height = static_cast<float>(character_.bounds.height / 2.0),
+                     .radius = static_cast<float>(character_.bounds.reach),
+                     .height = static_cast<float>(character_.bounds.height)},
+          .camera = {.position = camera.position,
+                     .frustum = render::frustum_planes(view),
+                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F)},
+          .rules = lod_rules(tuning_, static_cast<int>(character.skeleton.level_bone_counts.size())),
+          .number = frame_};
+}
+
+void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
+                 std::uint64_t completed_frame) {
+  const std::uint64_t last_frame = frame_++;
+  slots_.reclaim(completed_frame);
+  anim::select_for_update(lod_frame(camera, width, height), lod_, selection_);
+  shown_.hide_unseen(selection_.visible, last_frame);
+  updates_.clear();
+  auto seen = selection_.visible.begin();
+  for (const anim::DueAgent& due : selection_.due) {
+    while (seen != selection_.visible.end() && seen->agent < due.agent) ++seen;
+    const bool visible = seen != selection_.visible.end() && seen->agent == due.agent;
+    // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
+    const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
+    const anim::Ticks look_ahead = ahead ? due.look_ahead * frame_step : 0;
+    updates_.push_back({.agent = due.agent, .level = due.bone_level, .look_ahead = look_ahead, .palette = nullptr});
+    if (!visible) continue;
+    updates_.back().palette =
+        shown_.show(due.agent, due.bone_level, now(), microseconds(system_->clock() + look_ahead), last_frame);
+  }
+  system_->update(updates_);
+}
+
+bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const {
+  const ShownPose& pose = shown_.pose(agent.agent);
+  if (!pose.shown()) return false;
+  const glm::vec3 position = crowd_->positions()[agent.agent];
+  const Heading heading = crowd_->headings()[agent.agent];
+  record = {.position = {position.x, position.y, position.z},
+            .scale = crowd_->scales()[agent.agent],
+            .heading_cosine = heading.cosine,
+            .heading_sine = heading.sine,
+            .palette_from = pose.from.first_entry,
+            .palette_to = pose.to.first_entry,
+            .blend_start = pose.from_time,
+            .blend_duration = pose.to_time - pose.from_time,
+            .agent = agent.agent,
+            .debug_color = debug_color(tuning_.debug_view, agent, pose.level()),
+            .tints = {},
+            .bone_level = pose.level(),
+            .reserved = {}};
+  std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
+  return true;
+}
+
+}  // namespace throng::app

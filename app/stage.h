@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "app/character_source.h"
+#include "app/crowd.h"
+#include "app/settings.h"
+#include "app/shown_poses.h"
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/run/lod.h"
+#include "engine/render/camera.h"
+#include "engine/render/instance_record.h"
+#include "engine/render/palette_slots.h"
+
+namespace throng::app {
+
+/// Where the crowd, its level of detail, its animation and its palette slots meet. A frame is
+///     move(dt)            the crowd walks on, asks for clips, every clock advances
+///     pose(...)           level of detail chooses, slots are taken, the PUs write them
+/// after which selection() and records() say what to draw.
+class Stage {
+ public:
+  static anim::Result<std::unique_ptr<Stage>> create(CharacterSource character, const Tuning& tuning,
+                                                     render::PalettePageSource& pages);
+
+  /// New tuning, at a frame boundary. A different crowd starts anew; on error the old tuning goes on.
+  anim::Status apply(const Tuning& tuning);
+
+  void move(anim::Ticks delta);
+  /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
+  /// looking ahead.
+  void pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step, std::uint64_t completed_frame);
+
+  /// Instance record of a visible agent; false: it has no slot and is not drawn.
+  bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const;
+
+  const anim::LodSelection& selection() const { return selection_; }
+  const ShownPoses& shown() const { return shown_; }
+  const anim::AnimationSystem& system() const { return *system_; }
+  const Crowd& crowd() const { return *crowd_; }
+  const CharacterSource& character() const { return character_; }
+  const Tuning& tuning() const { return tuning_; }
+  std::uint64_t frame() const { return frame_; }
+  std::uint32_t now() const;  ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
+
+ private:
+  Stage(CharacterSource character, render::PalettePageSource& pages);
+  void populate();
+  void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
+  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
+
+  CharacterSource character_;
+  Tuning tuning_;
+  render::PaletteSlots slots_;
+  ShownPoses shown_;
+  std::unique_ptr<anim::AnimationSystem> system_;
+  std::unique_ptr<Crowd> crowd_;
+  anim::LodState lod_;
+  anim::LodSelection selection_;
+  std::vector<anim::AgentUpdate> updates_;
+  std::uint64_t frame_ = 0;
+};
+
+/// What the command line and the overlay call a thing, as the animation system does.
+anim::SystemOptions system_options(const Tuning& tuning);
+anim::LodRules lod_rules(const Tuning& tuning, int level_count);
+
+}  // namespace throng::app

@@ -1,0 +1,92 @@
+#include "app/statistics.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "app/atomic_file.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double nearest_rank(std::vector<double> values, double part) {
+  if (values.empty()) return 0.0;
+  const auto rank = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1) + 0.5);
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(rank));
+  return values[rank];
+}
+
+double mean(std::uint64_t sum, std::uint64_t count) {
+  return count == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(count);
+}
+
+Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+void add_scheduling(Json& json, const Stage& stage) {
+  const anim::ScheduleOptions& schedule = stage.system().schedule();
+  std::size_t peak = 0;
+  for (const anim::ProcessingUnit& unit : stage.system().units()) peak = std::max(peak, unit.store().bytes_used());
+  json["pus"] = schedule.pus;
+  json["schedule"] = schedule.schedule == anim::Schedule::fused ? "fused" : "levels";
+  json["local_store_kib"] = schedule.local_store_bytes / 1024;
+  json["tile"] = schedule.plan.width;
+  json["stream"] = stage.system().options().stream == anim::StreamKind::sampled ? "sampled" : "keyframe";
+  json["simd_target"] = stage.system().kernels().target;
+  json["pose_hash"] = hex_string(stage.system().pose_hash());
+  json["local_store_peak_bytes"] = peak;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) { return nearest_rank(std::move(values), 0.5); }
+double percentile_99(std::vector<double> values) { return nearest_rank(std::move(values), 0.99); }
+
+std::string hex_string(std::uint64_t bits) {
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(bits));
+  return text;
+}
+
+void Statistics::set_draw(std::uint32_t draw_calls, std::uint64_t triangles) {
+  draw_calls_ = draw_calls;
+  triangles_ = triangles;
+}
+
+void Statistics::add_report(const Stage& stage) {
+  const anim::UpdateReport& report = stage.system().report();
+  ++frames_;
+  palette_bytes_ += report.palette_bytes;
+  dma_in_ += report.copies.bytes_in;
+  dma_out_ += report.copies.bytes_out;
+  dma_transfers_ += report.copies.transfers;
+  agents_updated_ += report.agents_updated;
+  bones_evaluated_ += report.bones_evaluated;
+}
+
+anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
+  Json json;
+  json["agents"] = stage.system().agent_count();
+  json["bones_per_agent"] = stage.character().character->skeleton.bone_count();
+  json["frames"] = frames_;
+  add_scheduling(json, stage);
+  json["update_ms_median"] = median(update_ms_);
+  json["update_ms_p99"] = percentile_99(update_ms_);
+  json["frame_ms_median"] = frame_ms_.empty() ? Json(nullptr) : Json(median(frame_ms_));
+  json["draw_calls"] = draw_calls_;
+  json["triangles"] = triangles_;
+  json["palette_bytes_per_frame"] = mean(palette_bytes_, frames_);
+  json["dma_in_bytes_per_frame"] = mean(dma_in_, frames_);
+  json["dma_out_bytes_per_frame"] = mean(dma_out_, frames_);
+  json["dma_transfers_per_frame"] = mean(dma_transfers_, frames_);
+  json["agents_updated_per_frame"] = mean(agents_updated_, frames_);
+  json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
+  json["gl_version"] = null_if_empty(drawn_by.gl_version);
+  json["gl_renderer"] = null_if_empty(drawn_by.gl_renderer);
+  json["context"] = drawn_by.context;
+  return write_whole_file(path, json.dump(2) + "\n");
+}
+
+}  // namespace throng::app

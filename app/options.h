@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/bench_options.h"
+#include "app/inspect_options.h"
+#include "app/pose_options.h"
+#include "app/settings.h"
+
+namespace throng::app {
+
+/// What --help or --version asked to be shown on standard output.
+struct ShowText {
+  std::string text;
+};
+
+/// Why a command line cannot be obeyed: one line that names the option and says what is allowed. Exit status 2.
+struct UsageError {
+  std::string message;
+};
+
+using ParsedCommand = std::variant<DemoOptions, PoseOptions, InspectOptions, BenchOptions, ShowText, UsageError>;
+
+/// Reads a command line as the README documents it; `arguments` are without the program's own name. Looks at no file.
+ParsedCommand parse_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace throng::app

@@ -1,0 +1,129 @@
+#include <limits>
+
+#include "app/option_reader.h"
+#include "app/options_commands.h"
+#include "app/options_scheduling.h"
+
+namespace throng::app {
+namespace {
+
+void declare_crowd(OptionReader& reader, Tuning& tuning) {
+  reader.heading("Crowd");
+  reader.value("--agents", "N", "Agents, 1 to 100000 (1000)", whole_number(tuning.agents, 1, 100000));
+  reader.value("--scene", "NAME", "plaza or grid (plaza)",
+               not_built_yet({"parade", "stadium"},
+                             choice<Scene>(tuning.scene, {{"plaza", Scene::plaza}, {"grid", Scene::grid}})));
+  reader.value("--seed", "S", "Another seed, another crowd (1)", seed_number(tuning.seed));
+}
+
+void declare_level_of_detail(OptionReader& reader, Tuning& tuning) {
+  reader.heading("Level of detail");
+  reader.value(
+      "--lod", "RULE", "off or distance (distance); off also turns off the three below, unless they are given",
+      not_built_yet({"budget"}, choice<LodRule>(tuning.lod, {{"off", LodRule::off}, {"distance", LodRule::distance}})));
+  reader.value("--bone-lod", "on|off", "Fewer bones far away (on)", on_or_off(tuning.bone_lod));
+  reader.value("--smooth", "on|off", "Blend between skipped updates (on)", on_or_off(tuning.smooth));
+  reader.value("--mesh-lod", "on|off|N", "By size on screen, the finest, or always number 0 to 3 (on)",
+               mesh_lod(tuning.mesh_lod));
+  reader.later("--budget-ms");
+  reader.later("--error-px");
+}
+
+void declare_picture(OptionReader& reader, DemoOptions& options) {
+  reader.heading("Picture");
+  reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
+  reader.value("--camera", "PLACE", "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees",
+               camera(options));
+  reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
+               choice<int>(options.msaa, {{"0", 0}, {"4", 4}}));
+  reader.value("--shadows", "on|off", "Shadows (on)", on_or_off(options.shadows));
+  reader.optional_value("--ui", "measured", "[=fixed]", "Overlay in a headless run; fixed: with times from a report",
+                        [&options](const std::string& text) {
+                          options.ui = true;
+                          return choice<bool>(options.ui_fixed, {{"measured", false}, {"fixed", true}})(text);
+                        });
+  reader.flag("--hide-ui", options.hide_ui, "No overlay in the window");
+}
+
+void declare_run(OptionReader& reader, DemoOptions& options) {
+  reader.heading("Run");
+  reader.optional_value("--headless", "auto", "[=egl|osmesa|none]",
+                        "No window: EGL, else OSMesa; none: no picture at all",
+                        choice<ContextKind>(options.context, {{"auto", ContextKind::headless_default},
+                                                              {"egl", ContextKind::egl},
+                                                              {"osmesa", ContextKind::osmesa},
+                                                              {"none", ContextKind::none}}));
+  reader.value(
+      "--draw", "WHICH", "Headless: last, all or none of the frames (last with --screenshot, else none)",
+      choice<DrawWhich>(options.draw, {{"last", DrawWhich::last}, {"all", DrawWhich::all}, {"none", DrawWhich::none}}));
+  reader.value("--frames", "N", "Frames (headless: 60; a window: until it is closed)",
+               whole_number(options.frames, 1, std::numeric_limits<int>::max()));
+  reader.value("--dt", "S", "Seconds a frame (headless: 1/60; a window: the clock)", seconds_above_zero(options.dt));
+  reader.later("--replay");
+}
+
+void declare_files(OptionReader& reader, DemoOptions& options) {
+  reader.heading("Files");
+  reader.value("--screenshot", "FILE.png", "Write the last frame", png_file(options.screenshot));
+  reader.value("--stats", "FILE.json", "Write what the run did and how long it took", any_text(options.stats));
+  reader.value("--trace", "FILE.json", "Write what each PU did when", any_text(options.trace));
+  reader.value("--preset", "FILE.json", "Start from a saved preset", any_text(options.preset));
+  reader.value("--ui-map", "FILE.json", "Write where every widget of the overlay is", any_text(options.ui_map));
+  reader.value("--data", "DIR", "Folder of shaders and assets", any_text(options.data));
+  reader.later("--record");
+}
+
+/// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly.
+void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
+  if (tuning.lod != LodRule::off) return;
+  if (!reader.given("--bone-lod")) tuning.bone_lod = false;
+  if (!reader.given("--smooth")) tuning.smooth = false;
+  if (!reader.given("--mesh-lod")) tuning.mesh_lod = 0;
+}
+
+/// Options that are right alone and wrong together.
+std::optional<std::string> contradiction_in(const DemoOptions& options) {
+  const bool draws_nothing = options.context == ContextKind::none;
+  const bool window = options.context == ContextKind::window;
+  if (draws_nothing && !options.screenshot.empty())
+    return "--screenshot: --headless=none draws nothing; use --headless";
+  if (draws_nothing && options.draw && *options.draw != DrawWhich::none) {
+    return "--draw: --headless=none draws nothing; use --headless";
+  }
+  if (draws_nothing && options.ui) return "--ui: --headless=none draws nothing; use --headless";
+  if (!options.screenshot.empty() && options.draw == DrawWhich::none) return "--screenshot: --draw none draws nothing";
+  if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";
+  if (options.ui && options.hide_ui) return "--ui: contradicts --hide-ui; give one of them";
+  return {};
+}
+
+}  // namespace
+
+ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
+  DemoOptions options;
+  OptionReader reader("throng", "Throng: a crowd of skinned characters, each in a pose of its own.");
+  reader.heading("What is shown");
+  reader.model(options.model, "A glTF file (.glb or .gltf); without it, the built-in character",
+               OptionReader::Need::optional);
+  declare_crowd(reader, options.tuning);
+  declare_level_of_detail(reader, options.tuning);
+  declare_scheduling(reader, options.tuning);
+  declare_picture(reader, options);
+  declare_run(reader, options);
+  declare_files(reader, options);
+  reader.footer(
+      "Other commands, each with a --help of its own:\n"
+      "  throng pose MODEL       the joints and palettes of every skin, as JSON\n"
+      "  throng inspect MODEL    what is in a file, what was repaired, what was refused\n"
+      "  throng bench [MODEL]    what an update of many agents costs");
+
+  if (auto stop = reader.read(arguments)) return *stop;
+  options.frames_given = reader.given("--frames");
+  options.agents_given = reader.given("--agents");
+  options.shadows_given = reader.given("--shadows");
+  settle_level_of_detail(reader, options.tuning);
+  if (auto contradiction = contradiction_in(options)) return UsageError{*contradiction};
+  return options;
+}
+
+}  // namespace throng::app

@@ -27,6 +27,7 @@ constexpr int packet_floats = rigid_components * packet_bones;
 struct alignas(64) Line {
   float floats[16];
 };
+constexpr int palette_lines = static_cast<int>(bones * sizeof(PaletteMatrix) / sizeof(Line)) + 1;
 using Lines = std::vector<Line>;
 
 Lines floats(int count) { return Lines(static_cast<std::size_t>((count + 15) / 16)); }
@@ -102,7 +103,7 @@ class Crowd {
       : program_(compile_hierarchy(branching_skeleton())),
         first_(stream_of(turning_rows(1.0))),
         second_(stream_of(turning_rows(1.7))),
-        palettes_(static_cast<std::size_t>(characters) * palette_lines) {
+        palettes_(static_cast<std::size_t>(characters * palette_lines)) {
     std::mt19937 random(1);
     for (int i = 0; i < characters; ++i) {
       const auto time = [&] { return static_cast<Ticks>(random()) % ticks_per_second; };
@@ -116,15 +117,13 @@ class Crowd {
   std::size_t size() const { return characters_.size(); }
 
  private:
-  static constexpr std::size_t palette_lines = bones * sizeof(PaletteMatrix) / sizeof(Line) + 1;
-
   void animate_tile(const Kernels& kernels, std::size_t first) {
     PaletteMatrix* palettes[widest_tile];
     SamplePoint points[2][widest_tile];
     const int count = static_cast<int>(std::min(characters_.size() - first, std::size_t{widest_tile}));
     for (int lane = 0; lane < count; ++lane) {
       const std::size_t character = first + static_cast<std::size_t>(lane);
-      palettes[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + character * palette_lines);
+      palettes[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + character * std::size_t{palette_lines});
       points[0][lane] = locate(as_stream(first_), characters_[character].first_time);
       points[1][lane] = locate(as_stream(second_), characters_[character].second_time);
     }
@@ -181,7 +180,7 @@ class Workbench {
   }
   ModelPaletteJob model_palette() {
     for (int lane = 0; lane < widest_tile; ++lane) {
-      destinations_[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + lane * 64);
+      destinations_[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + lane * palette_lines);
     }
     ModelPaletteJob job;
     job.hierarchy = &program_;
@@ -200,7 +199,7 @@ class Workbench {
   Lines local_ = floats(widest_tile * packet_floats);
   Lines carry_ = floats(branch_slot_floats * widest_tile);
   Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
-  Lines palettes_ = floats(widest_tile * 64 * 16);
+  Lines palettes_ = floats(widest_tile * palette_lines * 16);
   PaletteMatrix* destinations_[widest_tile];
 };
 

@@ -80,6 +80,7 @@ class EntryWriter {
 
   template <class V>
   HWY_INLINE void add(D d, const Affine<V>& entry) {
+    stage_.prefetch(job_.palettes + lane_, characters_, next_, staged_);
     stage_.put(d, staged_++, entry.matrix, entry.translation);
     if (staged_ == PaletteStage<D>::entries) flush();
   }

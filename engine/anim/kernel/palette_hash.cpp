@@ -1,5 +1,6 @@
 #include <bit>
 
+#include "engine/anim/base/hash.h"
 #include "engine/anim/kernel/kernels.h"
 
 namespace throng::anim {
@@ -7,13 +8,6 @@ namespace {
 
 /// Odd, so that multiplying loses nothing: the fractional digits of the golden ratio.
 constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;
-
-/// The finishing step of MurmurHash3 (Appleby, public domain): every bit of the input reaches every bit of the output.
-std::uint64_t mix(std::uint64_t value) {
-  value = (value ^ (value >> 33U)) * 0xFF51AFD7ED558CCDU;
-  value = (value ^ (value >> 33U)) * 0xC4CEB9FE1A85EC53U;
-  return value ^ (value >> 33U);
-}
 
 }  // namespace
 
@@ -27,7 +21,7 @@ std::uint64_t palette_entry_hash(std::uint32_t joint, const PaletteMatrix& matri
       hash = (std::rotl(hash, 23) ^ bits ^ (bits >> 29U)) * golden;
     }
   }
-  return mix(hash);
+  return mix_bits(hash);
 }
 
 }  // namespace throng::anim

@@ -72,6 +72,7 @@ HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, i
       } else if (step.load == HierarchyStep::from_root) {
         motion = no_motion(d);
       }
+      stage.prefetch(job.palettes + lane, characters, four, i);
       const float* input = inputs + i * rigid_components * lanes;
       motion = move_bone(d, motion, load_quaternions(d, input, lanes), load_vectors(d, input + 4 * lanes, lanes),
                          broadcast_vector(d, program.pivots.data() + 3 * (four + i)));

@@ -6,6 +6,8 @@
 #define THRONG_KERNEL_TRANSPOSE_INL_H
 #endif
 
+#include <cstring>
+
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/lanes-inl.h"
 
@@ -46,6 +48,21 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, int stride) {
     return hn::Combine(d, load_blocks(half, from + lane_count<D> / 2 / block_floats * stride, stride),
                        load_blocks(half, from, stride));
   }
+}
+
+#endif
+
+#if HWY_TARGET == HWY_AVX3
+
+/// out[i] has block i of v0, v1, v2, v3. Highway has no such shuffle of two vectors' blocks.
+template <class V>
+HWY_INLINE FourVectors<V> transpose_whole_blocks(V v0, V v1, V v2, V v3) {
+  const __m512 low01 = _mm512_shuffle_f32x4(v0.raw, v1.raw, 0x44);
+  const __m512 high01 = _mm512_shuffle_f32x4(v0.raw, v1.raw, 0xEE);
+  const __m512 low23 = _mm512_shuffle_f32x4(v2.raw, v3.raw, 0x44);
+  const __m512 high23 = _mm512_shuffle_f32x4(v2.raw, v3.raw, 0xEE);
+  return {{V{_mm512_shuffle_f32x4(low01, low23, 0x88)}, V{_mm512_shuffle_f32x4(low01, low23, 0xDD)},
+           V{_mm512_shuffle_f32x4(high01, high23, 0x88)}, V{_mm512_shuffle_f32x4(high01, high23, 0xDD)}}};
 }
 
 #endif
@@ -109,12 +126,24 @@ class PaletteStage {
     put_row(d, entry, 2, m.z, translation.z);
   }
 
+  /// Fetches for writing what one of every four characters will write: spread over the four entries, the lines arrive
+  /// while they are computed.
+  HWY_INLINE void prefetch(PaletteMatrix* const* palettes, int characters, int first, int quarter) const {
+    for (int character = quarter; character < characters; character += 4) {
+      const float* line = reinterpret_cast<float*>(palettes[character] + first);
+      for (int at = 0; at < entries * matrix_floats; at += 16) __builtin_prefetch(line + at, 1, 3);
+    }
+  }
+
   /// Writes entries [first, first + count) of palettes[0, characters).
   HWY_INLINE void write(PaletteMatrix* const* palettes, int characters, int first, int count) const {
+    if constexpr (lanes == 16) {
+      if (count == entries && characters == lanes) return write_all_lines(palettes, first);
+    }
     for (int character = 0; character < characters; ++character) {
-      float* out = &palettes[character][first].rows[0][0];
+      float* out = reinterpret_cast<float*>(palettes[character] + first);
       if (count == entries) {
-        write_lines(character, out);
+        write_entries(character, out);
       } else {
         write_blocks(character, count, out);
       }
@@ -126,7 +155,7 @@ class PaletteStage {
       for (int entry = 0; entry < count; ++entry) {
         PaletteMatrix matrix;
         for (int row = 0; row < 3; ++row) {
-          for (int k = 0; k < 4; ++k) matrix.rows[row][k] = block(character, entry * 3 + row)[k];
+          std::memcpy(matrix.rows[row], block(character, entry * 3 + row), sizeof(matrix.rows[row]));
         }
         hashes[character] += palette_entry_hash(static_cast<std::uint32_t>(joints[entry]), matrix);
       }
@@ -134,9 +163,7 @@ class PaletteStage {
   }
 
  private:
-  static constexpr int block_stride = lanes >= block_floats ? lanes : block_floats;
-
-  /// Row `index` (entry * 3 + row) of one character; the next lies block_stride floats on.
+  /// Row `index` (entry * 3 + row) of one character.
   const float* block(int character, int index) const {
     if constexpr (lanes >= block_floats) {
       return rows_ + (character % 4 * entries * 3 + index) * lanes + character / 4 * block_floats;
@@ -145,21 +172,35 @@ class PaletteStage {
     }
   }
 
-  HWY_INLINE void write_lines(int character, float* out) const {
-#if HWY_TARGET == HWY_SCALAR
-    write_blocks(character, entries, out);
-#else
-    using Line = LanesUpTo<16>;
-    for (int at = 0; at < entries * matrix_floats; at += lane_count<Line>) {
-      hn::StoreU(load_blocks(Line(), block(character, at / block_floats), block_stride), Line(), out + at);
+  /// All sixteen characters, a line of four of them at a time.
+  HWY_INLINE void write_all_lines(PaletteMatrix* const* palettes, int first) const {
+    const D d;
+    for (int k = 0; k < 4; ++k) {
+      for (int line = 0; line < 3; ++line) {
+        const float* in = rows_ + (k * entries * 3 + line * 4) * lanes;
+        const auto lines = transpose_whole_blocks(hn::Load(d, in), hn::Load(d, in + lanes), hn::Load(d, in + 2 * lanes),
+                                                  hn::Load(d, in + 3 * lanes));
+        for (int b = 0; b < 4; ++b) {
+          hn::StoreU(lines.v[b], d, reinterpret_cast<float*>(palettes[4 * b + k] + first) + line * lanes);
+        }
+      }
     }
-#endif
+  }
+
+  HWY_INLINE void write_entries(int character, float* out) const {
+    if constexpr (lanes >= block_floats) {
+      const D d;
+      for (int at = 0; at < entries * matrix_floats; at += lanes) {
+        hn::StoreU(load_blocks(d, block(character, at / block_floats), lanes), d, out + at);
+      }
+    } else {
+      write_blocks(character, entries, out);
+    }
   }
 
   HWY_INLINE void write_blocks(int character, int count, float* out) const {
     for (int index = 0; index < count * 3; ++index) {
-      const float* in = block(character, index);
-      for (int k = 0; k < block_floats; ++k) out[index * block_floats + k] = in[k];
+      std::memcpy(out + index * block_floats, block(character, index), block_floats * sizeof(float));
     }
   }
 

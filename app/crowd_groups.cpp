@@ -15,12 +15,12 @@ namespace {
 constexpr std::size_t largest_group = 6;
 constexpr std::array<float, largest_group> share_up_to_size{0.18F, 0.44F, 0.66F, 0.83F, 0.93F, 1.0F};
 
-// Metres, for a person 1.8 m tall. The rings leave neighbours 0.85 m apart and more.
-constexpr std::array<double, largest_group> ring_radii{0.0, 0.48, 0.56, 0.66, 0.78, 0.90};
-constexpr double ring_jitter = 0.05;
+// Metres, for a person 1.8 m tall. With the jitter, neighbours in a ring stay 0.7 m apart and more.
+constexpr std::array<double, largest_group> ring_radii{0.0, 0.56, 0.66, 0.76, 0.88, 1.02};
+constexpr double ring_jitter = 0.12;
 constexpr double between_groups = 0.8;
 constexpr double clear_view = 4.6;
-constexpr double bucket = 3.0;  // more than two of the largest groups' radii and the gap between them
+constexpr double bucket = 3.2;  // more than two of the largest groups' radii and the gap between them
 
 constexpr double lane_cell = 8.0;
 
@@ -140,9 +140,12 @@ glm::dvec2 somewhere(double half, Random& random) {
   return {x, half * static_cast<double>(random.between(-1.0F, 1.0F))};
 }
 
-Heading facing(glm::dvec2 direction) {
-  const glm::dvec2 unit = glm::normalize(direction);
-  return {static_cast<float>(unit.y), static_cast<float>(unit.x)};
+// Into the ring, more or less.
+Heading facing_inward(glm::dvec2 outward, Random& random) {
+  const glm::dvec2 turn = cosine_sine(static_cast<double>(random.between(-0.25F, 0.25F)));
+  const double x = turn.x * outward.x - turn.y * outward.y;
+  const double z = turn.y * outward.x + turn.x * outward.y;
+  return {static_cast<float>(-z), static_cast<float>(-x)};
 }
 
 void stand_in_ring(const Group& group, std::size_t size, double jitter, Random& random,
@@ -150,10 +153,10 @@ void stand_in_ring(const Group& group, std::size_t size, double jitter, Random& 
   const double first = 4.0 * static_cast<double>(random.unit());
   for (std::size_t member = 0; member < size; ++member) {
     const double quarters = first + 4.0 * static_cast<double>(member) / static_cast<double>(size);
-    const glm::dvec2 outward = cosine_sine(quarters + static_cast<double>(random.between(-0.06F, 0.06F)));
+    const glm::dvec2 outward = cosine_sine(quarters + static_cast<double>(random.between(-0.07F, 0.07F)));
     const double radius = group.radius - 2.0 * jitter * static_cast<double>(random.unit());
     const glm::dvec2 place = group.centre + (size == 1 ? 0.0 : radius) * outward;
-    standers.push_back({place, facing(-outward)});
+    standers.push_back({place, facing_inward(outward, random)});
   }
 }
 

@@ -17,7 +17,7 @@ std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
   const float above = 0.75F * side + 8.0F * unit;
   const float beyond = 0.3F * side + 6.0F * unit;
   return {
-      {"front", {corner, 2.5F * unit, corner, to_the_middle, -7.0F, 42.0F}},
+      {"front", {corner, 2.7F * unit, corner, to_the_middle, -8.5F, 42.0F}},
       {"above", {0.0F, above, 0.5F * above, 0.0F, -64.0F, 50.0F}},
       {"close", {corner - 1.2F * unit, 1.6F * unit, corner - 1.2F * unit, to_the_middle, -4.0F, 40.0F}},
       {"far", {corner + beyond, 0.25F * side + 6.0F * unit, corner + beyond, to_the_middle, -18.0F, 45.0F}},
@@ -30,7 +30,7 @@ std::vector<NamedCamera> grid_cameras(std::size_t agents, double spacing) {
   const float above = 0.75F * side + 6.0F * unit;
   return {
       {"front", {0.0F, 2.2F * unit, 5.0F * unit, 0.0F, -9.0F, 50.0F}},
-      {"above", {0.0F, above, 0.0F, 0.0F, -64.0F, 50.0F}},
+      {"above", {0.0F, above, 0.5F * (above - side), 0.0F, -64.0F, 50.0F}},
       {"close", {0.0F, 1.3F * unit, 3.0F * unit, 0.0F, -4.0F, 45.0F}},
       {"far", {0.0F, 0.35F * side + 4.0F * unit, 0.6F * side + 10.0F * unit, 0.0F, -20.0F, 45.0F}},
   };

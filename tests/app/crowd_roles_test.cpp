@@ -1,0 +1,68 @@
+#include "app/crowd_roles.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace throng::app {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string clip_for(Role role, const Names& names) {
+  const int clip = roles_by_name(names).clip(role);
+  return clip == no_clip ? "none" : names.at(static_cast<std::size_t>(clip));
+}
+
+TEST(RolesByName, AreFoundWhateverTheCaseAndThePrefix) {
+  const Names names{"CharacterArmature|Death", "CharacterArmature|Idle",     "CharacterArmature|WALK",
+                    "CharacterArmature|Wave",  "CharacterArmature|cheering", "CharacterArmature|Clapping"};
+  EXPECT_EQ(clip_for(Role::idle, names), names[1]);
+  EXPECT_EQ(clip_for(Role::walk, names), names[2]);
+  EXPECT_EQ(clip_for(Role::wave, names), names[3]);
+  EXPECT_EQ(clip_for(Role::cheer, names), names[4]);
+  EXPECT_EQ(clip_for(Role::clap, names), names[5]);
+}
+
+TEST(RolesByName, ThePlainestNameWins) {
+  const Names names{"2H_Melee_Idle", "Jump_Idle",         "Lie_Idle",  "Unarmed_Idle", "Idle",
+                    "Running_A",     "Walking_Backwards", "Walking_A", "Walking_B",    "Cheer"};
+  EXPECT_EQ(clip_for(Role::idle, names), "Idle");
+  EXPECT_EQ(clip_for(Role::walk, names), "Walking_A");
+  EXPECT_EQ(clip_for(Role::cheer, names), "Cheer");
+}
+
+TEST(RolesByName, WordsMayRunTogether) {
+  const Names names{"Robot_WalkJump", "Robot_Standing", "Robot_Idle", "Robot_Walking", "Robot_Dance", "Robot_Jump"};
+  EXPECT_EQ(clip_for(Role::idle, names), "Robot_Idle");
+  EXPECT_EQ(clip_for(Role::walk, names), "Robot_Walking");
+  EXPECT_EQ(clip_for(Role::cheer, names), "Robot_Dance");
+}
+
+TEST(RolesByName, ARunStandsInForAWalkAndAJumpForACheer) {
+  const Names names{"Idle", "Run_Back", "Run", "Jump_Land", "Jump"};
+  EXPECT_EQ(clip_for(Role::walk, names), "Run");
+  EXPECT_EQ(clip_for(Role::cheer, names), "Jump");
+}
+
+TEST(RolesByName, WhatIsNotThereIsNoClip) {
+  const Names names{"Walk_Left", "Jump_Idle"};
+  EXPECT_EQ(clip_for(Role::idle, names), "none");
+  EXPECT_EQ(clip_for(Role::walk, names), "none");
+  EXPECT_EQ(clip_for(Role::wave, names), "none");
+}
+
+TEST(RolesByName, OthersLeaveOutPosesAndDeaths) {
+  EXPECT_THAT(roles_by_name(Names{"T-Pose", "Death_A", "Spin", "Swim"}).others, testing::ElementsAre(2, 3));
+}
+
+TEST(RolesByName, ACharacterOfOnePoseStillHasAnOther) {
+  EXPECT_THAT(roles_by_name(Names{"T-Pose"}).others, testing::ElementsAre(0));
+  EXPECT_THAT(roles_by_name(Names{""}).others, testing::ElementsAre(0));
+  EXPECT_TRUE(roles_by_name({}).others.empty());
+}
+
+}  // namespace
+}  // namespace throng::app

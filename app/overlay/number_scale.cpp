@@ -30,8 +30,8 @@ std::string without_separators(const std::string& text) {
 
 double accepted(const NumberScale& scale, double value) {
   if (!scale.stops.empty()) return scale.stops[nearest_stop(scale, value)];
-  const double step = std::pow(10.0, -scale.decimals);
-  return std::clamp(std::round(value / step) * step, scale.lowest, scale.highest);
+  const double parts = std::pow(10.0, scale.decimals);
+  return std::clamp(std::round(value * parts) / parts, scale.lowest, scale.highest);
 }
 
 double place_of(const NumberScale& scale, double value) {

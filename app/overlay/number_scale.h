@@ -1,11 +1,20 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
-#include "app/overlay/widgets.h"
-
 namespace throng::app {
+
+/// Which numbers a row accepts and how it writes them.
+struct NumberScale {
+  double lowest = 0, highest = 1;
+  int decimals = 0;
+  bool logarithmic = false;
+  const char* zero_word = nullptr;  ///< written instead of 0, and may be typed
+  const char* suffix = "";          ///< the unit after the number; may be left out when typing
+  std::span<const int> stops = {};  ///< when not empty, the only numbers accepted
+};
 
 /// The nearest number that the scale accepts.
 double accepted(const NumberScale& scale, double value);

@@ -146,6 +146,8 @@ void Overlay::begin_frame(int width, int height, double seconds, const InputFram
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
+  // Two clicks take four frames at least, however slow they are.
+  io.MouseDoubleClickTime = std::max(0.3F, 4 * io.DeltaTime);
   feed(io, input);
   ImGui::NewFrame();
 }
@@ -214,6 +216,8 @@ void Overlay::State::show_column(const Area& column, const TabContext& context_o
 }
 
 ImDrawData* Overlay::draw_data() const { return ImGui::GetDrawData(); }
+
+int Overlay::vertex_count() const { return ImGui::GetDrawData()->TotalVtxCount; }
 
 const UiMap& Overlay::ui_map() const { return state_->map; }
 

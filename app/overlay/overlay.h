@@ -56,6 +56,9 @@ class Overlay {
   /// What to draw after build; valid until the next begin_frame.
   ImDrawData* draw_data() const;
 
+  /// How much the last build drew; 0 when hidden.
+  int vertex_count() const;
+
   /// Where everything lay in the last build.
   const UiMap& ui_map() const;
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "app/overlay/number_scale.h"
 #include "app/overlay/theme.h"
 #include "app/overlay/ui_map.h"
 
@@ -15,16 +16,6 @@ struct Help {
   const char* what = "";
   const char* unit = "";
   const char* cost = "";
-};
-
-/// Which numbers a row accepts and how it writes them.
-struct NumberScale {
-  double lowest = 0, highest = 1;
-  int decimals = 0;
-  bool logarithmic = false;
-  const char* zero_word = nullptr;  ///< written instead of 0, and may be typed
-  const char* suffix = "";          ///< the unit after the number; may be left out when typing
-  std::span<const int> stops = {};  ///< when not empty, the only numbers accepted
 };
 
 /// A rectangle of the screen to draw into.

@@ -1,0 +1,93 @@
+#include "tests/app/overlay_driver.h"
+
+#include <gtest/gtest.h>
+
+namespace throng::app {
+
+OverlayDriver::OverlayDriver(const std::string& fonts)
+    : overlay(fonts, 1, Tuning(),
+              {.get = [this] { return clipboard; }, .set = [this](const std::string& text) { clipboard = text; }}),
+      report(full_report()) {
+  frames(2);
+}
+
+OverlayCommands OverlayDriver::frames(int count) {
+  OverlayCommands all;
+  for (int i = 0; i < count; ++i) {
+    overlay.begin_frame(1280, 720, 1.0 / 60, input.next_frame());
+    const OverlayCommands commands = overlay.build(report, tuning);
+    all.step |= commands.step;
+    all.frame_crowd |= commands.frame_crowd;
+    all.copy_camera |= commands.copy_camera;
+    all.screenshot |= commands.screenshot;
+    all.quit |= commands.quit;
+  }
+  return all;
+}
+
+OverlayCommands OverlayDriver::click(const std::string& widget) {
+  point_at(widget, 0.5F);
+  button(true);
+  button(false);
+  return frames();
+}
+
+void OverlayDriver::double_click(const std::string& widget) {
+  point_at(widget, 0.5F);
+  for (const bool down : {true, false, true, false}) button(down);
+  frames();
+}
+
+void OverlayDriver::drag(const std::string& widget, float share) {
+  point_at(widget, 0.5F);
+  button(true);
+  point_at(widget, share);
+  frames();
+  button(false);
+  frames(20);  // long enough that the next drag is no double click
+}
+
+OverlayCommands OverlayDriver::press(Key key) {
+  input.push({.kind = InputEvent::Kind::key, .key = key, .down = true});
+  input.push({.kind = InputEvent::Kind::key, .key = key, .down = false});
+  return frames();
+}
+
+void OverlayDriver::type(const std::string& text) {
+  for (const char letter : text) {
+    input.push({.kind = InputEvent::Kind::character, .character = static_cast<char32_t>(letter)});
+  }
+  frames();
+}
+
+void OverlayDriver::point_at(float x, float y) { input.push({.kind = InputEvent::Kind::pointer, .x = x, .y = y}); }
+
+void OverlayDriver::point_at(const std::string& widget, float share) {
+  const UiRectangle* const place = overlay.ui_map().find(widget);
+  ASSERT_NE(place, nullptr) << "no widget is called " << widget;
+  point_at(place->x + share * place->width, place->y + place->height / 2);
+}
+
+void OverlayDriver::button(bool down) { input.push({.kind = InputEvent::Kind::button, .down = down}); }
+
+FrameReport full_report() {
+  FrameReport report;
+  report.model = "mannequin (built in)";
+  report.notice = "A line worth reading.";
+  report.agents = 1000;
+  report.visible = report.drawn = 600;
+  report.frame_ms_history.assign(240, 15);
+  report.update_ms_history.assign(240, 3);
+  report.agents_by_interval = {300, 200, 100};
+  report.agents_by_bone_level = {200, 200, 100, 100};
+  report.level_bone_counts = {4, 3, 2, 1};
+  report.bones = {{"hips", 0, 3}, {"spine", 1, 2}, {"hand", 2, 1}, {"finger", 3, 0}};
+  report.pus = 2;
+  report.hardware_threads = 4;
+  PuReport pu;
+  pu.spans = {{PuSpan::Kind::fetch, 0, 0.1F}, {PuSpan::Kind::compute, 0.1F, 0.9F}};
+  report.pu = {pu, pu};
+  return report;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "app/overlay/overlay.h"
+
+namespace throng::app {
+
+/// An overlay with a person at it: acts by the names of the ui map, one frame at a time, without a window.
+class OverlayDriver {
+ public:
+  explicit OverlayDriver(const std::string& fonts = std::string(THRONG_SOURCE_DIR) + "/assets/fonts");
+
+  /// Frames pass, as many as it takes to see every event; the commands of all of them are added up.
+  OverlayCommands frames(int count = 6);
+
+  OverlayCommands click(const std::string& widget);
+  void double_click(const std::string& widget);
+  /// Presses in the middle and lets go at a share of the width, 0 to 1.
+  void drag(const std::string& widget, float share);
+  OverlayCommands press(Key key);
+  void type(const std::string& text);
+  void point_at(float x, float y);
+
+  [[nodiscard]] bool sees(const std::string& widget) const { return overlay.ui_map().find(widget) != nullptr; }
+
+  Overlay overlay;
+  FrameReport report;
+  Tuning tuning;
+  std::string clipboard;
+  InputQueue input;
+
+ private:
+  void point_at(const std::string& widget, float share);
+  void button(bool down);
+};
+
+/// A report in which everything that the overlay can show is there.
+FrameReport full_report();
+
+}  // namespace throng::app

@@ -56,7 +56,7 @@ class Reader {
       : document_(document),
         accessor_(accessor_at(document, index)),
         width_(element_width(accessor_)),
-        name_(std::string(rule.what) + ", " + label("accessor", static_cast<std::size_t>(index), accessor_.name)) {
+        name_(rule.what + ", " + label("accessor", static_cast<std::size_t>(index), accessor_.name)) {
     if (std::ranges::find(rule.types, accessor_.type) == rule.types.end()) refuse("has the wrong type");
     if (std::ranges::find(rule.components, accessor_.componentType) == rule.components.end()) {
       refuse("has the wrong component type");

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 #include "engine/anim/import/document.h"
@@ -18,7 +19,7 @@ inline constexpr std::size_t max_elements_without_view = std::size_t{1} << 20U;
 
 /// Which accessors a property takes.
 struct AccessorRule {
-  const char* what = "";                  ///< for messages: "POSITION"
+  std::string what;                       ///< for messages: whose and which
   std::initializer_list<int> types;       ///< TINYGLTF_TYPE_...
   std::initializer_list<int> components;  ///< TINYGLTF_COMPONENT_TYPE_...; integers must be normalised unless `raw`
   bool raw = false;                       ///< integers may stand for themselves

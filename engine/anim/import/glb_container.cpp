@@ -51,7 +51,10 @@ FileParts split_glb(std::span<const std::byte> bytes) {
     throw Refusal("its GLB container has version " + std::to_string(version) + ", not 2; export it as glTF 2.0");
   }
   const std::size_t length = read_word(bytes, 8);
-  if (length > bytes.size() || length < header_size + chunk_header_size) {
+  if (length < header_size + chunk_header_size) {
+    throw Refusal("its GLB header says " + std::to_string(length) + " bytes, too few for any chunk; export it again");
+  }
+  if (length > bytes.size()) {
     throw Refusal("its GLB header says " + std::to_string(length) + " bytes, but the file has " +
                   std::to_string(bytes.size()) + "; copy or export the file again");
   }

@@ -27,7 +27,7 @@ struct Sets {
   std::vector<std::vector<float>> weights;
 };
 
-Sets read_sets(const Document& document, const tinygltf::Primitive& primitive) {
+Sets read_sets(const Document& document, const tinygltf::Primitive& primitive, const std::string& name) {
   Sets sets;
   for (std::size_t set = 0;; ++set) {
     const auto joints = primitive.attributes.find("JOINTS_" + std::to_string(set));
@@ -35,13 +35,13 @@ Sets read_sets(const Document& document, const tinygltf::Primitive& primitive) {
     if (joints == primitive.attributes.end() || weights == primitive.attributes.end()) return sets;
     sets.joints.push_back(
         read_integers(document, joints->second,
-                      {.what = "JOINTS",
+                      {.what = name + ": JOINTS_" + std::to_string(set),
                        .types = {TINYGLTF_TYPE_VEC4},
                        .components = {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},
                        .raw = true}));
     sets.weights.push_back(
         read_floats(document, weights->second,
-                    {.what = "WEIGHTS",
+                    {.what = name + ": WEIGHTS_" + std::to_string(set),
                      .types = {TINYGLTF_TYPE_VEC4},
                      .components = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
                                     TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT}}));
@@ -122,7 +122,7 @@ void report(Document& document, const std::string& name, std::size_t count, cons
 
 Influences read_influences(Document& document, const tinygltf::Primitive& primitive, const anim::Skin& skin,
                            std::size_t vertex_count, const std::string& name) {
-  const Sets sets = read_sets(document, primitive);
+  const Sets sets = read_sets(document, primitive, name);
   check_sets(sets, skin, vertex_count, name);
   Influences result{.palette_entries = std::vector<glm::u16vec4>(vertex_count),
                     .weights = std::vector<glm::vec4>(vertex_count)};

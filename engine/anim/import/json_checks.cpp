@@ -50,6 +50,15 @@ std::string describe(const Place& place) {
   throw Refusal(describe(place) + ": \"" + std::string(key) + "\" " + what + "; export the file again");
 }
 
+bool lists(std::string_view choices, std::string_view text) {
+  while (!choices.empty()) {
+    const std::string_view choice = choices.substr(0, choices.find('|'));
+    if (choice == text) return true;
+    choices.remove_prefix(std::min(choices.size(), choice.size() + 1));
+  }
+  return false;
+}
+
 class Checker {
  public:
   explicit Checker(const json& document) : document_(document) {}
@@ -84,6 +93,11 @@ class Checker {
         break;
       case Kind::text:
         if (!value.is_string()) refuse(place, key, "is not a text");
+        break;
+      case Kind::choice:
+        if (!value.is_string() || !lists(property.target, value.get_ref<const std::string&>())) {
+          refuse(place, key, "is none of " + std::string(property.target));
+        }
         break;
       case Kind::index:
         check_index(place, key, property, value);
@@ -148,6 +162,19 @@ class Checker {
   const json& document_;
 };
 
+void check_transforms(const json& document) {
+  const Place root{.outer = nullptr, .type = "document", .object = &document};
+  std::ptrdiff_t index = 0;
+  for (const json& node : document.value("nodes", json::array())) {
+    const bool has_trs = node.contains("translation") || node.contains("rotation") || node.contains("scale");
+    if (has_trs && node.contains("matrix")) {
+      const Place place{.outer = &root, .type = "node", .object = &node, .index = index};
+      refuse(place, "matrix", "stands beside a translation, rotation or scale");
+    }
+    ++index;
+  }
+}
+
 void check_version(const json& document) {
   const std::string version = document["asset"]["version"].get<std::string>();
   if (!version.starts_with("2.")) throw Refusal("it is glTF " + version + ", not 2.0; export it as glTF 2.0");
@@ -168,6 +195,7 @@ void check_extensions(const json& document) {
 
 void check_json(const json& document) {
   Checker(document).check_object({.outer = nullptr, .type = "document", .object = &document});
+  check_transforms(document);
   check_version(document);
   check_extensions(document);
 }

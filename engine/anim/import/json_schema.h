@@ -12,6 +12,7 @@ enum class Kind : unsigned char {
   number,   ///< finite
   numbers,  ///< array of `count` finite numbers; any number of them where count is 0
   text,
+  choice,  ///< one of the texts that `target` lists, divided by "|"
   texts,
   index,    ///< into the document's top-level array `target`
   indices,  ///< array of those, at least `count`, no two equal

@@ -18,10 +18,11 @@ namespace {
 std::vector<glm::dmat4> read_inverse_binds(Document& document, const tinygltf::Skin& skin, const std::string& name) {
   std::vector<glm::dmat4> matrices(skin.joints.size(), glm::dmat4(1.0));
   if (skin.inverseBindMatrices < 0) return matrices;
-  const auto values = read_floats(
-      document, skin.inverseBindMatrices,
-      {.what = "inverse bind matrices", .types = {TINYGLTF_TYPE_MAT4}, .components = {TINYGLTF_COMPONENT_TYPE_FLOAT}},
-      skin.joints.size());
+  const auto values = read_floats(document, skin.inverseBindMatrices,
+                                  {.what = name + ": inverse bind matrices",
+                                   .types = {TINYGLTF_TYPE_MAT4},
+                                   .components = {TINYGLTF_COMPONENT_TYPE_FLOAT}},
+                                  skin.joints.size());
   if (values.size() < matrices.size() * 16) {
     throw Refusal(name + ": has " + std::to_string(values.size() / 16) + " inverse bind matrices for " +
                   std::to_string(matrices.size()) + " joints; export the file again");

@@ -55,7 +55,7 @@ std::vector<std::byte> decode_base64(std::string_view text) {
   int bit_count = 0;
   for (const char c : text) {
     const int digit = base64_digit(c);
-    if (digit < 0) throw Refusal("its data URI is not base64");
+    if (digit < 0) throw Refusal("its data URI is not base64; export the file again");
     bits = (bits << 6U) | static_cast<std::uint32_t>(digit);
     bit_count += 6;
     if (bit_count < 8) continue;
@@ -75,8 +75,8 @@ bool is_below(const std::filesystem::path& folder, const std::filesystem::path& 
 std::vector<std::byte> read_file(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw Refusal("there is no such file");
-  if (!std::filesystem::is_regular_file(status)) throw Refusal("this is not a regular file");
+  if (!std::filesystem::exists(status)) throw Refusal("there is no such file; check the path");
+  if (!std::filesystem::is_regular_file(status)) throw Refusal("it is not a regular file; name a .glb or .gltf");
   const auto size = std::filesystem::file_size(path, error);
   if (error) throw Refusal("its size cannot be read: " + error.message());
   if (size > max_file_size) throw Refusal("it is larger than 1 GiB; split the model");
@@ -89,10 +89,10 @@ std::vector<std::byte> read_file(const std::filesystem::path& path) {
 }
 
 std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::string_view uri) {
-  if (uri.empty()) throw Refusal("its uri is empty");
-  if (uri.size() > max_uri_length) throw Refusal("its uri is longer than 1024 characters");
+  if (uri.empty()) throw Refusal("its uri is empty; name a file beside the model");
+  if (uri.size() > max_uri_length) throw Refusal("its uri is longer than 1024 characters; rename the file");
   const std::string text = decode_percent(uri);
-  if (text.find('\0') != std::string::npos) throw Refusal("its uri holds a zero byte");
+  if (text.find('\0') != std::string::npos) throw Refusal("its uri holds a zero byte; rename the file");
   if (text.find(':') != std::string::npos || text.find('\\') != std::string::npos || text.front() == '/') {
     throw Refusal("its uri is not a plain relative path; keep its files beside the model");
   }
@@ -103,6 +103,7 @@ std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::stri
   std::error_code error;
   const auto root = std::filesystem::canonical(folder.empty() ? "." : folder, error);
   const auto file = std::filesystem::weakly_canonical(root / relative, error);
+  if (!error && file == root) throw Refusal("its uri names the model's folder; name a file beside the model");
   if (error || !is_below(root, file)) {
     throw Refusal("its uri leaves the model's folder; keep its files beside the model");
   }
@@ -112,8 +113,8 @@ std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::stri
 std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
   if (!uri.starts_with("data:")) return std::nullopt;
   const std::size_t comma = uri.find(',');
-  if (comma == std::string_view::npos) throw Refusal("its data URI holds no data");
-  if (!uri.substr(0, comma).ends_with(";base64")) throw Refusal("its data URI is not base64");
+  if (comma == std::string_view::npos) throw Refusal("its data URI holds no data; export the file again");
+  if (!uri.substr(0, comma).ends_with(";base64")) throw Refusal("its data URI is not base64; export the file again");
   return decode_base64(uri.substr(comma + 1));
 }
 

@@ -52,12 +52,7 @@ class SurfaceReader {
   std::vector<float> read_attribute(const char* attribute, const AccessorRule& rule, std::size_t width) const {
     const auto found = primitive_.attributes.find(attribute);
     if (found == primitive_.attributes.end()) return {};
-    std::vector<float> values;
-    try {
-      values = read_floats(document_, found->second, rule);
-    } catch (const Refusal& refusal) {
-      throw Refusal(name_ + ": " + refusal.what());
-    }
+    auto values = read_floats(document_, found->second, rule);
     if (!mesh_.positions.empty() && values.size() != mesh_.positions.size() * width) {
       throw Refusal(name_ + ": has another number of " + attribute + " than of POSITION; export the file again");
     }
@@ -66,7 +61,8 @@ class SurfaceReader {
 
   std::vector<glm::vec3> read_vectors(const char* attribute, bool raw) const {
     const auto values = read_attribute(
-        attribute, {.what = attribute, .types = {TINYGLTF_TYPE_VEC3}, .components = any_component, .raw = raw}, 3);
+        attribute,
+        {.what = name_ + ": " + attribute, .types = {TINYGLTF_TYPE_VEC3}, .components = any_component, .raw = raw}, 3);
     std::vector<glm::vec3> vectors;
     vectors.reserve(values.size() / 3);
     for (std::size_t i = 0; i < values.size(); i += 3) vectors.emplace_back(values[i], values[i + 1], values[i + 2]);
@@ -102,8 +98,8 @@ class SurfaceReader {
 
   void read_texture_coords(const MaterialCollector& materials) {
     const auto values = read_attribute(
-        "TEXCOORD_0", {.what = "TEXCOORD_0", .types = {TINYGLTF_TYPE_VEC2}, .components = any_component, .raw = true},
-        2);
+        "TEXCOORD_0",
+        {.what = name_ + ": TEXCOORD_0", .types = {TINYGLTF_TYPE_VEC2}, .components = any_component, .raw = true}, 2);
     const glm::mat3 transform = materials.texture_transform(primitive_.material);
     mesh_.texture_coords.reserve(values.size() / 2);
     for (std::size_t i = 0; i < values.size(); i += 2) {
@@ -117,7 +113,7 @@ class SurfaceReader {
     const std::size_t width = accessor_at(document_, found->second).type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
     const auto values =
         read_attribute("COLOR_0",
-                       {.what = "COLOR_0",
+                       {.what = name_ + ": COLOR_0",
                         .types = {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4},
                         .components = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
                                        TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT}},
@@ -131,7 +127,7 @@ class SurfaceReader {
   void read_regions() {
     const auto values =
         read_attribute("_REGION",
-                       {.what = "_REGION",
+                       {.what = name_ + ": _REGION",
                         .types = {TINYGLTF_TYPE_SCALAR},
                         .components = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
                                        TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},

@@ -24,7 +24,7 @@ Indices read_indices(const Document& document, const tinygltf::Primitive& primit
   }
   Indices indices =
       read_integers(document, primitive.indices,
-                    {.what = "indices",
+                    {.what = name + ": indices",
                      .types = {TINYGLTF_TYPE_SCALAR},
                      .components = {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
                                     TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},

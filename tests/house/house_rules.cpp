@@ -1,0 +1,233 @@
+#include "tests/house/house_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+namespace throng::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_lines = 350;
+
+struct Include {
+  const SourceFile* file;
+  std::size_t line;
+  std::string target;
+};
+
+bool is_code(const std::string& path) {
+  static const std::set<std::string> code{".h", ".cpp", ".c", ".glsl", ".vert", ".frag", ".comp"};
+  return code.contains(fs::path(path).extension().string());
+}
+
+std::string finding(const std::string& path, std::size_t line, const std::string& what) {
+  return path + ":" + std::to_string(line) + ": " + what;
+}
+
+std::vector<Include> includes_of(const Tree& tree, std::string_view folder) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)");
+  std::vector<Include> includes;
+  for (const SourceFile& file : tree) {
+    if (!file.path.starts_with(folder) || !is_code(file.path)) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      std::smatch match;
+      if (std::regex_match(file.lines[i], match, pattern)) includes.push_back({&file, i + 1, match[1]});
+    }
+  }
+  return includes;
+}
+
+Findings findings_among(const std::vector<Include>& includes, const std::string& what, auto is_wrong) {
+  Findings findings;
+  for (const Include& include : includes) {
+    if (!is_wrong(include)) continue;
+    findings.push_back(finding(include.file->path, include.line, "includes " + include.target + ": " + what));
+  }
+  return findings;
+}
+
+void append(Findings& findings, const Findings& more) { findings.insert(findings.end(), more.begin(), more.end()); }
+
+/// A room of engine/anim and how high it lies; two rooms of one height do not see each other.
+const std::map<std::string, int>& floors() {
+  static const std::map<std::string, int> heights{{"base", 0}, {"asset", 1},  {"import", 2}, {"kernel", 2},
+                                                  {"bake", 3}, {"entity", 3}, {"run", 4},    {"agent", 5}};
+  return heights;
+}
+
+/// "kernel" for engine/anim/kernel/blend.h; nothing for a file outside the rooms.
+std::optional<std::string> room_of(const std::string& path) {
+  constexpr std::string_view animation = "engine/anim/";
+  const std::size_t end = path.find('/', animation.size());
+  if (!path.starts_with(animation) || end == std::string::npos) return {};
+  return path.substr(animation.size(), end - animation.size());
+}
+
+bool climbs(const Include& include) {
+  const auto from = room_of(include.file->path);
+  const auto to = room_of(include.target);
+  if (!from || !to || *from == *to) return false;
+  return !floors().contains(*from) || !floors().contains(*to) || floors().at(*to) >= floors().at(*from);
+}
+
+bool leaves_the_engine(const Include& include) {
+  const auto starts = [&](std::string_view folder) { return include.target.starts_with(folder); };
+  return starts("app/") || starts("assets/") || starts("tests/");
+}
+
+/// The headers of a part, and where they may be included: folders end in /, files are whole.
+struct Part {
+  std::string_view headers;
+  std::vector<std::string_view> seen_by;
+};
+
+const std::vector<Part>& parts() {
+  static const std::vector<Part> all{
+      {"tiny_gltf", {"engine/anim/import/"}},
+      {"imgui", {"engine/render/overlay_renderer.cpp", "app/overlay/"}},
+      {"CLI/", {"app/option_reader.cpp"}},
+      {"GLFW/", {"engine/render/gl/window_context.cpp", "app/window_input.cpp"}},
+      {"EGL/", {"engine/render/gl/egl_context.cpp"}},
+      {"GL/osmesa", {"engine/render/gl/osmesa_context.cpp"}},
+      {"glad/", {"engine/render/"}},
+      {"hwy/", {"engine/anim/kernel/"}},
+      {"stb_image", {"engine/anim/import/images.cpp", "engine/render/image.cpp"}},
+      {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
+  };
+  return all;
+}
+
+bool is_seen_by(const Part& part, const std::string& path) {
+  return std::any_of(part.seen_by.begin(), part.seen_by.end(), [&](std::string_view place) {
+    return place.ends_with('/') ? path.starts_with(place) : path == place;
+  });
+}
+
+}  // namespace
+
+SourceFile source_file(std::string path, const std::string& text) {
+  SourceFile file{std::move(path), {}};
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) file.lines.push_back(line);
+  return file;
+}
+
+Tree read_project(const fs::path& project) {
+  static const std::set<std::string> pages{".md", ".txt", ".cmake", ".sh", ".json", ""};
+  Tree tree;
+  for (const std::string_view top : {"engine", "app", "assets", "shaders", "tests", "scripts", ".ci"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(project / top)) {
+      const std::string path = entry.path().lexically_relative(project).generic_string();
+      const bool is_page = pages.contains(entry.path().extension().string()) && !path.starts_with("tests/data/");
+      if (!entry.is_regular_file() || !(is_code(path) || is_page)) continue;
+      std::ostringstream text;
+      text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+      tree.push_back(source_file(path, text.str()));
+    }
+  }
+  return tree;
+}
+
+Findings includes_that_climb(const Tree& tree) {
+  const std::vector<Include> includes = includes_of(tree, "engine/");
+  Findings findings = findings_among(includes, "a file sees its own floor of engine/anim and lower ones", climbs);
+  append(findings, findings_among(includes, "nothing under engine/ needs it", leaves_the_engine));
+  return findings;
+}
+
+Findings includes_across_animation_and_drawing(const Tree& tree) {
+  const std::string what = "animation and drawing meet in app/ alone";
+  Findings findings = findings_among(includes_of(tree, "engine/anim/"), what, [](const Include& include) {
+    return include.target.starts_with("engine/render/");
+  });
+  append(findings, findings_among(includes_of(tree, "engine/render/"), what,
+                                  [](const Include& include) { return include.target.starts_with("engine/anim/"); }));
+  return findings;
+}
+
+Findings parts_seen_elsewhere(const Tree& tree) {
+  Findings findings;
+  for (const std::string_view folder : {"engine/", "app/"}) {
+    for (const Part& part : parts()) {
+      append(findings, findings_among(includes_of(tree, folder), "few files speak with it, not this one",
+                                      [&](const Include& include) {
+                                        return include.target.starts_with(part.headers) &&
+                                               !is_seen_by(part, include.file->path);
+                                      }));
+    }
+  }
+  return findings;
+}
+
+Findings maths_in_main(const Tree& tree) {
+  static const std::regex fraction(R"(.*\b(float|double|glm|std::(sin|cos|sqrt|pow))\b.*)");
+  Findings findings =
+      findings_among(includes_of(tree, "app/main.cpp"), "main parses and dispatches", [](const Include& include) {
+        const bool standard = include.target.find('/') == std::string::npos;
+        return include.target == "cmath" || !(standard || include.target.starts_with("app/"));
+      });
+  for (const SourceFile& file : tree) {
+    for (std::size_t i = 0; file.path == "app/main.cpp" && i < file.lines.size(); ++i) {
+      if (std::regex_match(file.lines[i], fraction)) findings.push_back(finding(file.path, i + 1, "maths in main"));
+    }
+  }
+  return findings;
+}
+
+Findings files_too_long(const Tree& tree) {
+  Findings findings;
+  for (const SourceFile& file : tree) {
+    if (!is_code(file.path) || file.lines.size() <= most_lines) continue;
+    findings.push_back(finding(file.path, file.lines.size(), "is there a second subject inside?"));
+  }
+  return findings;
+}
+
+Findings machine_paths(const Tree& tree) {
+  // Built from two halves each, so that this file keeps its own rule.
+  static const std::array<std::string, 5> homes{
+      "/ho"
+      "me/",
+      "/ro"
+      "ot/",
+      "/wo"
+      "rk/",
+      "/Us"
+      "ers/",
+      "/tm"
+      "p/"};
+  Findings findings;
+  for (const SourceFile& file : tree) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const bool has = std::any_of(homes.begin(), homes.end(), [&](const std::string& home) {
+        const std::size_t at = file.lines[i].find(home);
+        return at != std::string::npos && (at == 0 || !std::isalnum(static_cast<unsigned char>(file.lines[i][at - 1])));
+      });
+      if (has) findings.push_back(finding(file.path, i + 1, "a path that other machines lack"));
+    }
+  }
+  return findings;
+}
+
+Findings folders_without_readme(const Tree& tree) {
+  std::set<std::string> folders;
+  std::set<std::string> described;
+  for (const SourceFile& file : tree) {
+    const fs::path path = file.path;
+    if (!file.path.starts_with("engine/")) continue;
+    (path.filename() == "README.md" ? described : folders).insert(path.parent_path().generic_string());
+  }
+  Findings findings;
+  std::set_difference(folders.begin(), folders.end(), described.begin(), described.end(), std::back_inserter(findings));
+  return findings;
+}
+
+}  // namespace throng::house

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace throng::house {
+
+/// A text of the project; `path` is from the project's folder, with slashes.
+struct SourceFile {
+  std::string path;
+  std::vector<std::string> lines;
+};
+
+using Tree = std::vector<SourceFile>;
+
+SourceFile source_file(std::string path, const std::string& text);
+
+/// Every file of ours that a person writes: code, shaders, scripts, build files, pages.
+Tree read_project(const std::filesystem::path& project);
+
+/// One line each, "path:line: what is wrong"; empty when the rule is kept.
+using Findings = std::vector<std::string>;
+
+/// A file of engine/anim includes its own floor or lower ones; nothing under engine/ includes app/, assets/ or tests/.
+Findings includes_that_climb(const Tree& tree);
+
+/// engine/render and engine/anim never meet; app/ joins them.
+Findings includes_across_animation_and_drawing(const Tree& tree);
+
+/// A part that others made is seen by the few files that speak with it.
+Findings parts_seen_elsewhere(const Tree& tree);
+
+/// app/main.cpp parses and dispatches: it includes app/ and the standard library, and has no fractions.
+Findings maths_in_main(const Tree& tree);
+
+/// No file of code has more than 350 lines.
+Findings files_too_long(const Tree& tree);
+
+/// No path that only one machine has.
+Findings machine_paths(const Tree& tree);
+
+/// Every folder of engine/ with files in it says in a README what it is.
+Findings folders_without_readme(const Tree& tree);
+
+}  // namespace throng::house

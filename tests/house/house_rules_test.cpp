@@ -1,0 +1,114 @@
+// The rules bite: each is given a small tree that breaks it, beside one that does not.
+#include "tests/house/house_rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace throng::house {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+Tree one(const std::string& path, const std::string& text) { return {source_file(path, text)}; }
+
+TEST(Floors, RefuseAnIncludeOfAHigherFloor) {
+  const Tree tree = one("engine/anim/asset/clip.h", "#pragma once\n\n#include \"engine/anim/kernel/blend.h\"\n");
+  EXPECT_THAT(includes_that_climb(tree), ElementsAre(StartsWith("engine/anim/asset/clip.h:3: includes")));
+}
+
+TEST(Floors, AllowOnesOwnFloorAndLowerOnes) {
+  const Tree tree = one("engine/anim/kernel/blend.h",
+                        "#include \"engine/anim/kernel/lanes.h\"\n#include \"engine/anim/asset/clip.h\"\n");
+  EXPECT_THAT(includes_that_climb(tree), IsEmpty());
+}
+
+TEST(Floors, KeepRoomsOfOneHeightApart) {
+  const Tree tree = one("engine/anim/import/import.cpp", "#include \"engine/anim/kernel/blend.h\"\n");
+  EXPECT_THAT(includes_that_climb(tree), testing::SizeIs(1));
+}
+
+TEST(Floors, LetNobodyOfTheLibraryIncludeTheImporter) {
+  const Tree tree = one("engine/anim/asset/clip.cpp", "#include \"engine/anim/import/import.h\"\n");
+  EXPECT_THAT(includes_that_climb(tree), testing::SizeIs(1));
+}
+
+TEST(Floors, RefuseARoomThatIsNotPlanned) {
+  const Tree tree = one("engine/anim/agent/agent.h", "#include \"engine/anim/attic/box.h\"\n");
+  EXPECT_THAT(includes_that_climb(tree), testing::SizeIs(1));
+}
+
+TEST(Floors, RefuseTheProgramInsideTheEngine) {
+  const Tree tree = one("engine/render/camera.cpp", "#  include \"app/settings.h\"\n");
+  EXPECT_THAT(includes_that_climb(tree), ElementsAre(HasSubstr("app/settings.h")));
+}
+
+TEST(Joint, IsRefusedFromEitherSide) {
+  const Tree tree{source_file("engine/render/camera.h", "#include \"engine/anim/base/units.h\"\n"),
+                  source_file("engine/anim/run/lod.h", "#include \"engine/render/camera.h\"\n")};
+  EXPECT_THAT(includes_across_animation_and_drawing(tree), testing::SizeIs(2));
+}
+
+TEST(Joint, IsWhatAppIsFor) {
+  const Tree tree = one("app/stage.h", "#include \"engine/anim/run/lod.h\"\n#include \"engine/render/camera.h\"\n");
+  EXPECT_THAT(includes_across_animation_and_drawing(tree), IsEmpty());
+}
+
+TEST(Parts, AreRefusedWhereTheyAreNotNamed) {
+  const Tree tree{source_file("engine/anim/asset/model.cpp", "#include <tiny_gltf.h>\n"),
+                  source_file("app/demo.cpp", "#include <imgui.h>\n")};
+  EXPECT_THAT(parts_seen_elsewhere(tree), testing::SizeIs(2));
+}
+
+TEST(Parts, AreSeenWhereTheyAreNamed) {
+  const Tree tree{source_file("engine/anim/import/document.h", "#include <tiny_gltf.h>\n"),
+                  source_file("app/overlay/overlay.cpp", "#include <imgui.h>\n")};
+  EXPECT_THAT(parts_seen_elsewhere(tree), IsEmpty());
+}
+
+TEST(Main, MayNotCompute) {
+  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include <cmath>\n")), testing::SizeIs(1));
+  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include \"engine/anim/run/lod.h\"\n")), testing::SizeIs(1));
+  EXPECT_THAT(maths_in_main(one("app/main.cpp", "const float half = 1 / 2.0F;\n")), testing::SizeIs(1));
+}
+
+TEST(Main, MayParseAndDispatch) {
+  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include <variant>\n#include \"app/demo.h\"\n")), IsEmpty());
+}
+
+TEST(Length, IsRefusedAbove350Lines) {
+  const auto lines = [](int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += "int a;\n";
+    return text;
+  };
+  EXPECT_THAT(files_too_long(one("engine/a.cpp", lines(351))), ElementsAre(StartsWith("engine/a.cpp:351:")));
+  EXPECT_THAT(files_too_long(one("engine/a.cpp", lines(350))), IsEmpty());
+  EXPECT_THAT(files_too_long(one("engine/README.md", lines(351))), IsEmpty());
+}
+
+TEST(MachinePath, IsRefusedWhereverItStands) {
+  const std::string home =
+      "/ho"
+      "me/someone/a";
+  EXPECT_THAT(machine_paths(one("scripts/demo", "cd " + home + "\n")), ElementsAre(StartsWith("scripts/demo:1:")));
+  EXPECT_THAT(machine_paths(one("engine/a.cpp", "open(\"" + home + "\");\n")), testing::SizeIs(1));
+}
+
+TEST(MachinePath, IsNotEveryPathWithSuchAFolder) {
+  EXPECT_THAT(machine_paths(one("scripts/demo",
+                                "cd build/ho"
+                                "me/a && cd /usr/share\n")),
+              IsEmpty());
+}
+
+TEST(Readme, IsMissedInAFolderThatHasNone) {
+  const Tree tree{source_file("engine/anim/run/lod.h", ""), source_file("engine/anim/base/units.h", ""),
+                  source_file("engine/anim/base/README.md", "")};
+  EXPECT_THAT(folders_without_readme(tree), ElementsAre("engine/anim/run"));
+}
+
+}  // namespace
+}  // namespace throng::house

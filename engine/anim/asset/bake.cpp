@@ -69,10 +69,8 @@ void bake_sampled_stream(BakedClip& baked, const SampleSource& source, const Sta
     return add_note(baked, "plays from its keyframe stream: its keys lie on no grid of up to 120 Hz");
   }
   SampledBake bake = clip.tracks.empty() ? bake_still(source) : bake_sampled(source, *grid, last_key);
-  if (!bake.block) {
-    return add_note(
-        baked, "plays from its keyframe stream: no rate of up to 120 Hz keeps to the error bound in sensible memory");
-  }
+  if (!bake.block) return add_note(baked, "plays from its keyframe stream: too long to be sampled");
+  if (bake.error > baked.error_bound) add_note(baked, "no rate of up to 120 Hz keeps to the error bound");
   baked.sampled_block = std::move(bake.block);
   baked.sampled_rate = bake.rate;
   baked.sampled_error = bake.error;

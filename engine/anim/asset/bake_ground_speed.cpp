@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/anim/asset/bake_surface.h"
@@ -10,20 +12,23 @@ namespace throng::anim {
 
 namespace {
 
-constexpr int instants = 96;
+constexpr std::size_t instants = 96;
 constexpr double tall_person = 1.8;     // metres: what the limits below are meant for
 constexpr double least_motion = 0.01;   // metres: a joint that moves less bears no step
 constexpr double least_speed = 0.15;    // metres a second
+constexpr double stance_height = 0.05;  // metres above the lowest point of all: higher joints are in flight
 constexpr double agreement = 0.35;      // a sample agrees with the median that is within this share of it
-constexpr double least_agreeing = 0.5;  // of all samples
+constexpr double least_agreeing = 0.5;  // of the stance samples
+constexpr std::size_t least_stances = instants / 6;
 
 using Joints = std::vector<BoneFrame>;
 
 std::vector<Joints> sample_joints(const Skeleton& skeleton, const KeyframeStream& stream) {
   ExactPoses poses(stream);
   std::vector<Joints> samples(instants + 1, Joints(skeleton.bones.size()));
-  for (int i = 0; i <= instants; ++i) {
-    compute_frames(skeleton, poses.at(stream.duration * i / instants), samples[static_cast<std::size_t>(i)]);
+  for (std::size_t i = 0; i <= instants; ++i) {
+    compute_frames(skeleton, poses.at(stream.duration * static_cast<Ticks>(i) / static_cast<Ticks>(instants)),
+                   samples[i]);
   }
   return samples;
 }
@@ -45,6 +50,35 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+/// Ground-plane velocities of the lowest joint, while it is on the ground.
+std::vector<glm::dvec2> stance_velocities(const std::vector<Joints>& samples, std::span<const std::size_t> joints,
+                                          double seconds, double band) {
+  const auto height = [&](std::size_t i, std::size_t joint) { return samples[i][joint].origin.y; };
+  std::vector<std::size_t> lowest;
+  double ground = height(0, joints.front());
+  for (std::size_t i = 0; i < instants; ++i) {
+    lowest.push_back(*std::ranges::min_element(joints, {}, [&](std::size_t joint) { return height(i, joint); }));
+    ground = std::min(ground, height(i, lowest.back()));
+  }
+  std::vector<glm::dvec2> velocities;
+  for (std::size_t i = 0; i < instants; ++i) {
+    if (height(i, lowest[i]) > ground + band) continue;
+    const glm::dvec3 moved = samples[i + 1][lowest[i]].origin - samples[i][lowest[i]].origin;
+    velocities.emplace_back(moved.x / seconds, moved.z / seconds);
+  }
+  return velocities;
+}
+
+glm::dvec2 median(std::span<const glm::dvec2> velocities) {
+  std::vector<double> x;
+  std::vector<double> z;
+  for (const glm::dvec2& velocity : velocities) {
+    x.push_back(velocity.x);
+    z.push_back(velocity.y);
+  }
+  return {median(std::move(x)), median(std::move(z))};
+}
+
 }  // namespace
 
 double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, double height) {
@@ -52,24 +86,16 @@ double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, doub
   const std::vector<Joints> samples = sample_joints(skeleton, stream);
   const std::vector<std::size_t> moving = moving_joints(samples, least_motion * size);
   if (moving.empty()) return 0.0;
-  const double seconds = to_seconds(stream.duration) / instants;
-  std::vector<double> across;
-  std::vector<double> along;
-  for (std::size_t i = 0; i < instants; ++i) {
-    const auto lowest =
-        *std::ranges::min_element(moving, {}, [&](std::size_t joint) { return samples[i][joint].origin.y; });
-    const glm::dvec3 velocity = (samples[i + 1][lowest].origin - samples[i][lowest].origin) / seconds;
-    across.push_back(velocity.x);
-    along.push_back(velocity.z);
-  }
-  const glm::dvec2 typical(median(across), median(along));
+  const double seconds = to_seconds(stream.duration) / static_cast<double>(instants);
+  const std::vector<glm::dvec2> velocities = stance_velocities(samples, moving, seconds, stance_height * size);
+  if (velocities.size() < least_stances) return 0.0;
+  const glm::dvec2 typical = median(velocities);
   const double speed = glm::length(typical);
   if (speed < least_speed * size) return 0.0;
-  int agreeing = 0;
-  for (std::size_t i = 0; i < instants; ++i) {
-    if (glm::distance(glm::dvec2(across[i], along[i]), typical) < agreement * speed) ++agreeing;
-  }
-  return agreeing < least_agreeing * instants ? 0.0 : speed;
+  const auto agreeing = std::ranges::count_if(
+      velocities, [&](const glm::dvec2& velocity) { return glm::distance(velocity, typical) < agreement * speed; });
+  const double share = static_cast<double>(agreeing) / static_cast<double>(velocities.size());
+  return share < least_agreeing ? 0.0 : speed;
 }
 
 }  // namespace throng::anim

@@ -14,6 +14,9 @@ namespace {
 /// More floats than this, half an hour of a character at 30 Hz, would take more memory than a crowd gains by them.
 constexpr Ticks most_floats = 1 << 25;
 
+/// A higher rate must be better by this: what is left may be quantisation, which no rate mends.
+constexpr double worthwhile = 0.9;
+
 /// Where between two rows errors are looked for: on a row, midway (CUBICSPLINE), and where a chord strays most from
 /// its arc.
 constexpr double probes[] = {0.0, 0.21, 0.5, 0.79};
@@ -104,14 +107,16 @@ double measure_error(const SampleSource& source, const SampledStream& stream) {
 }
 
 SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks last_key) {
+  SampledBake best;
   for (int multiple = 1; multiple * grid.rate <= highest_sample_rate + 1e-6; ++multiple) {
     const Ticks row_step = to_ticks(1.0 / (grid.rate * multiple));
     SampledRows rows = lay_out_rows(source, grid, row_step, last_key);
     if (rows.row_count > most_floats / floats_in_pose(source.exact)) break;
     SampledBake bake = encode(source, rows);
-    if (bake.error <= source.error_bound) return bake;
+    if (!best.block || bake.error < worthwhile * best.error) best = std::move(bake);
+    if (best.error <= source.error_bound) break;
   }
-  return {};
+  return best;
 }
 
 SampledBake bake_still(const SampleSource& source) {

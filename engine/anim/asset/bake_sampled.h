@@ -21,13 +21,14 @@ struct SampleSource {
 };
 
 struct SampledBake {
-  AlignedBytes block;  ///< null if no rate up to highest_sample_rate keeps to the bound
+  AlignedBytes block;  ///< null if the clip is too long for any rate
   double rate = 0.0;
   double error = 0.0;
 };
 
 /// Tries the grid's own rate and its multiples up to highest_sample_rate, lowest first, until the error measured
-/// between and on the rows is within the bound. `last_key`: the clip does not move after it.
+/// between and on the rows is within the bound; where none is, the lowest rate of about the least error is taken.
+/// `last_key`: the clip does not move after it.
 SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks last_key);
 
 /// The stream of a clip in which nothing moves: one row.

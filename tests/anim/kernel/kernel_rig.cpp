@@ -314,7 +314,9 @@ CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& pro
 }
 
 bool same_bits(const std::vector<PaletteMatrix>& a, const std::vector<PaletteMatrix>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(PaletteMatrix)) == 0;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PaletteMatrix& left, const PaletteMatrix& right) {
+    return std::memcmp(&left, &right, sizeof(PaletteMatrix)) == 0;
+  });
 }
 
 }  // namespace throng::anim::kernel_rig

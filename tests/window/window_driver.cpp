@@ -1,0 +1,140 @@
+#include "tests/window/window_driver.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <unistd.h>
+
+namespace throng::app {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+std::string whole_pixels(double place) { return std::to_string(std::lround(std::floor(place))); }
+
+std::string contents(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+void WindowDriver::SetUp() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "throng_window_XXXXXX").string();
+  ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+  folder_ = pattern;
+  ASSERT_NO_FATAL_FAILURE(start_display());
+  ASSERT_NO_FATAL_FAILURE(start_program());
+  ASSERT_NO_FATAL_FAILURE(wait_for("a first ui map", [](const Json& map) { return !map["widgets"].empty(); }));
+}
+
+void WindowDriver::TearDown() {
+  program_.reset();
+  display_.reset();
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+void WindowDriver::start_display() {
+  // Xvfb looks for a free number by itself and writes it where -displayfd says: to its standard output.
+  display_ = std::make_unique<ChildProcess>(
+      std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1400x800x24", "-nolisten", "tcp"},
+      std::vector<std::string>{});
+  ASSERT_TRUE(display_->started()) << "Xvfb is missing: install xvfb";
+  const auto number = display_->read_line(soon());
+  ASSERT_TRUE(number.has_value()) << "Xvfb did not start";
+  display_name_ = ":" + *number;
+}
+
+std::vector<std::string> WindowDriver::environment() const {
+  return {"DISPLAY=" + display_name_, "WAYLAND_DISPLAY=", "LIBGL_ALWAYS_SOFTWARE=1",
+          "XDG_CONFIG_HOME=" + (folder_ / "config").string()};
+}
+
+void WindowDriver::start_program() {
+  program_ =
+      std::make_unique<ChildProcess>(std::vector<std::string>{THRONG_PROGRAM, "--agents", "50", "--size", "1280x720",
+                                                              "--ui-map", (folder_ / "ui.json").string()},
+                                     environment());
+  ASSERT_TRUE(program_->started());
+  while (const auto line = program_->read_line(soon())) {
+    if (*line == "READY") return;
+  }
+  FAIL() << "the program did not say READY";
+}
+
+WindowDriver::Json WindowDriver::wait_for(const std::string& what, const std::function<bool(const Json&)>& holds) {
+  Json map;
+  for (const Deadline deadline = soon(); steady_clock::now() < deadline;) {
+    map = Json::parse(contents(folder_ / "ui.json"), nullptr, false);
+    if (map.is_object() && holds(map)) return map;
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  [&] { FAIL() << "waited in vain for " << what << "; the last state is " << map["tuning"] << map["report"]; }();
+  return map;
+}
+
+WindowDriver::Json WindowDriver::next_map(int frames) {
+  const int now = wait_for("a map", [](const Json&) { return true; })["frame"];
+  return wait_for("another frame", [&](const Json& map) { return map["frame"] >= now + frames; });
+}
+
+void WindowDriver::xdotool(const std::vector<std::string>& words) {
+  std::vector<std::string> command = {"xdotool"};
+  command.insert(command.end(), words.begin(), words.end());
+  ChildProcess tool(command, environment());
+  ASSERT_TRUE(tool.started()) << "xdotool is missing: install xdotool";
+  EXPECT_EQ(tool.exit_status(soon()), 0);
+}
+
+void WindowDriver::point_at(double x, double y) { xdotool({"mousemove", whole_pixels(x), whole_pixels(y)}); }
+
+void WindowDriver::button(int number, bool down) {
+  xdotool({down ? "mousedown" : "mouseup", std::to_string(number)});
+  next_map();
+}
+
+void WindowDriver::click(const std::string& widget) { drag(widget, 0.5); }
+
+void WindowDriver::drag(const std::string& widget, double share) {
+  const Json map = wait_for("the widget " + widget, [&](const Json& now) { return now["widgets"].contains(widget); });
+  const Json place = map["widgets"][widget];
+  const double x = place["x"], y = place["y"], width = place["w"], height = place["h"];
+  point_at(x + width / 2, y + height / 2);
+  button(1, true);
+  if (share != 0.5) {
+    point_at(x + width * share, y + height / 2);
+    next_map();
+  }
+  button(1, false);
+}
+
+void WindowDriver::hold(const std::string& name) {
+  xdotool({"keydown", name});
+  next_map();
+}
+
+void WindowDriver::let_go(const std::string& name) {
+  xdotool({"keyup", name});
+  next_map();
+}
+
+void WindowDriver::press(const std::string& name) {
+  hold(name);
+  let_go(name);
+}
+
+void WindowDriver::type(const std::string& text) { xdotool({"type", text}); }
+
+void WindowDriver::type_into(const std::string& widget, const std::string& text) {
+  click(widget);
+  wait_for("a text field that takes keys", [](const Json& map) { return map["typing"].get<bool>(); });
+  type(text);
+  press("Return");
+}
+
+}  // namespace throng::app

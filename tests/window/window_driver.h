@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/window/child_process.h"
+
+namespace throng::app {
+
+/// The real program in a real window on a display of its own, driven by mouse and keyboard. What it does is read from
+/// the ui map (app/overlay/ui_map.h) that it writes each frame; every wait is for a state, none for a time.
+class WindowDriver : public testing::Test {
+ protected:
+  using Json = nlohmann::json;
+
+  void SetUp() override;
+  void TearDown() override;
+
+  /// The ui map once `holds` says yes of it; fails the test, naming `what`, if that never happens.
+  Json wait_for(const std::string& what, const std::function<bool(const Json&)>& holds);
+  /// The map of a frame that begins after now.
+  Json next_map(int frames = 2);
+
+  void click(const std::string& widget);
+  /// Presses in the middle of a widget and lets go at a share of its width.
+  void drag(const std::string& widget, double share);
+  /// `name` as X11 calls the key: space, Escape, w, F1.
+  void press(const std::string& name);
+  void hold(const std::string& name);
+  void let_go(const std::string& name);
+  void type(const std::string& text);
+  void type_into(const std::string& widget, const std::string& text);
+  void point_at(double x, double y);
+  void button(int number, bool down);
+  void xdotool(const std::vector<std::string>& words);
+
+  ChildProcess& program() { return *program_; }
+
+ private:
+  void start_display();
+  void start_program();
+  std::vector<std::string> environment() const;
+
+  std::filesystem::path folder_;
+  std::unique_ptr<ChildProcess> display_, program_;
+  std::string display_name_;
+};
+
+}  // namespace throng::app

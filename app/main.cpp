@@ -4,8 +4,12 @@
 #include <variant>
 
 #include "app/atomic_file.h"
+#include "app/bench_command.h"
+#include "app/demo.h"
 #include "app/exit_status.h"
+#include "app/inspect_command.h"
 #include "app/options.h"
+#include "app/pose_command.h"
 
 namespace throng::app {
 namespace {
@@ -31,21 +35,21 @@ struct Run {
                                                  {"--trace", options.trace},
                                                  {"--ui-map", options.ui_map}});
     if (!writable) return end_with(exit_job_failed, writable.error().message);
-    return end_with(exit_job_failed, "the demo is not joined yet");
+    return run_demo(options);
   }
 
   int operator()(const PoseOptions& options) const {
     const anim::Status writable = check_outputs({{"--json", options.json}});
     if (!writable) return end_with(exit_job_failed, writable.error().message);
-    return end_with(exit_job_failed, "pose is not joined yet");
+    return run_pose(options);
   }
 
-  int operator()(const InspectOptions&) const { return end_with(exit_job_failed, "inspect is not joined yet"); }
+  int operator()(const InspectOptions& options) const { return run_inspect(options); }
 
   int operator()(const BenchOptions& options) const {
     const anim::Status writable = check_outputs({{"--json", options.json}});
     if (!writable) return end_with(exit_job_failed, writable.error().message);
-    return end_with(exit_job_failed, "bench is not joined yet");
+    return run_bench(options);
   }
 
   int operator()(const ShowText& shown) const {

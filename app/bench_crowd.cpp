@@ -1,0 +1,160 @@
+#include "app/bench_crowd.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <random>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace throng::app {
+namespace {
+
+constexpr anim::Ticks frame_step = anim::ticks_per_second / 60;
+constexpr std::size_t cache_line = 64;
+
+anim::PlayRequest request(int clip, anim::Ticks start) { return {.clip = clip, .start = start}; }
+
+std::size_t packet_floats(const anim::Character& character) {
+  return anim::packet_bytes(character.skeleton.components()) / sizeof(float);
+}
+
+}  // namespace
+
+std::vector<BenchAgent> bench_agents(const anim::Character& character, int agents) {
+  std::mt19937 generator(1);
+  const auto random = [&generator] { return static_cast<std::uint32_t>(generator()); };
+  const auto clip_count = static_cast<std::uint32_t>(character.clips.size());
+  const auto start_in = [&](std::uint32_t clip) {
+    const anim::Ticks duration = std::max<anim::Ticks>(character.clips[clip].duration, 1);
+    return static_cast<anim::Ticks>(random() % static_cast<std::uint64_t>(duration));
+  };
+  std::vector<BenchAgent> result;
+  for (int i = 0; i < agents; ++i) {
+    const std::uint32_t from = random() % clip_count;
+    const std::uint32_t to = (from + 1 + random() % std::max(clip_count - 1, 1U)) % clip_count;
+    result.push_back({.from_clip = static_cast<int>(from),
+                      .to_clip = static_cast<int>(to),
+                      .from_start = start_in(from),
+                      .to_start = start_in(to),
+                      .fraction = static_cast<float>(random() % 1000) / 1000.0F});
+  }
+  return result;
+}
+
+BenchPalettes::BenchPalettes(int agents, int entries)
+    : slot_bytes_(static_cast<std::size_t>((entries + 3) / 4 * 4) * sizeof(anim::PaletteMatrix)),
+      size_(slot_bytes_ * static_cast<std::size_t>(agents)),
+      memory_(anim::allocate_aligned(size_)) {}
+
+anim::PaletteMatrix* BenchPalettes::of(std::size_t agent) const {
+  return reinterpret_cast<anim::PaletteMatrix*>(memory_.get() + agent * slot_bytes_);
+}
+
+anim::Result<SystemSubject> SystemSubject::create(std::shared_ptr<const anim::Character> character,
+                                                  const anim::SystemOptions& options,
+                                                  std::span<const BenchAgent> agents, const BenchPalettes& palettes) {
+  auto system = anim::AnimationSystem::create(std::move(character), options);
+  if (!system) return system.error();
+  SystemSubject subject;
+  subject.system_ = std::move(*system);
+  subject.system_->set_agent_count(static_cast<std::uint32_t>(agents.size()));
+  for (std::uint32_t i = 0; i < agents.size(); ++i) {
+    subject.system_->play(i, request(agents[i].from_clip, agents[i].from_start));
+    anim::PlayRequest blended = request(agents[i].to_clip, agents[i].to_start);
+    blended.held_fraction = agents[i].fraction;
+    subject.system_->play(i, blended);
+    subject.updates_.push_back({.agent = i, .palette = palettes.of(i)});
+  }
+  return subject;
+}
+
+void SystemSubject::run() {
+  system_->advance(frame_step);
+  system_->update(updates_);
+}
+
+KernelSubject::KernelSubject(const anim::Character& character, const anim::Kernels& kernels,
+                             std::span<const BenchAgent> agents, const BenchPalettes& palettes)
+    : character_(&character), kernels_(&kernels), agents_(agents), palettes_(&palettes) {
+  const std::size_t packet = packet_floats(character);
+  const std::size_t lanes = anim::widest_tile;
+  const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count + 1);
+  const std::size_t floats = packet * 2 + packet * lanes + slots * anim::branch_slot_floats * lanes;
+  scratch_ = anim::allocate_aligned(floats * sizeof(float));
+  stack_ = reinterpret_cast<float*>(scratch_.get());
+  local_ = stack_ + packet * 2;
+  carry_ = local_ + packet * lanes;
+  branches_ = carry_ + anim::branch_slot_floats * lanes;
+}
+
+void KernelSubject::run() {
+  clock_ += frame_step;
+  for (std::size_t first = 0; first < agents_.size(); first += anim::widest_tile) {
+    run_tile(first, std::min<std::size_t>(anim::widest_tile, agents_.size() - first));
+  }
+}
+
+void KernelSubject::pose_packet(const BenchAgent& agent, int packet, float* local) {
+  const std::array<int, 2> clips = {agent.from_clip, agent.to_clip};
+  const std::array<anim::Ticks, 2> starts = {agent.from_start, agent.to_start};
+  float* out = stack_;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const anim::BakedClip& clip = character_->clips[static_cast<std::size_t>(clips[i])];
+    const anim::Ticks time = clip.duration > 0 ? (starts[i] + clock_) % clip.duration : 0;
+    kernels_->sample({.stream = clip.sampled(), .point = locate(*clip.sampled(), time), .packet = packet, .pose = out});
+    out += packet_floats(*character_);
+  }
+  kernels_->blend({.from = stack_,
+                   .to = stack_ + packet_floats(*character_),
+                   .bone_weights = nullptr,
+                   .fraction = agent.fraction,
+                   .components = character_->skeleton.components(),
+                   .out = local});
+}
+
+void KernelSubject::run_tile(std::size_t first, std::size_t count) {
+  std::array<anim::PaletteMatrix*, anim::widest_tile> palettes{};
+  for (std::size_t i = 0; i < count; ++i) palettes[i] = palettes_->of(first + i);
+  const int bones = character_->skeleton.bone_count();
+  for (int packet = 0; packet < anim::packets_for(bones); ++packet) {
+    for (std::size_t i = 0; i < count; ++i) {
+      pose_packet(agents_[first + i], packet, local_ + i * packet_floats(*character_));
+    }
+    kernels_->model_palette({.hierarchy = &character_->hierarchy,
+                             .packet = packet,
+                             .bone_count = bones,
+                             .width = anim::widest_tile,
+                             .characters = static_cast<int>(count),
+                             .local = local_,
+                             .carry = carry_,
+                             .branch_slots = branches_,
+                             .palettes = palettes.data(),
+                             .hashes = nullptr});
+  }
+}
+
+void write_floor(std::span<std::byte> palettes, StorePolicy policy) {
+#if defined(__SSE2__)
+  const __m128 value = _mm_set1_ps(static_cast<float>(palettes.size()));
+  for (std::size_t offset = 0; offset < palettes.size(); offset += cache_line) {
+    auto* line = reinterpret_cast<float*>(palettes.data() + offset);
+    if (policy == StorePolicy::prefetched) __builtin_prefetch(palettes.data() + offset + 16 * cache_line, 1);
+    for (int i = 0; i < 16; i += 4) {
+      if (policy == StorePolicy::streaming) {
+        _mm_stream_ps(line + i, value);
+      } else {
+        _mm_store_ps(line + i, value);
+      }
+    }
+  }
+  _mm_sfence();
+#else
+  static_cast<void>(policy);
+  std::memset(palettes.data(), 1, palettes.size());
+#endif
+}
+
+}  // namespace throng::app

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/asset/character.h"
+
+namespace throng::app {
+
+/// What one agent of a benchmark plays for good: two clips, each from its own phase, and how much of the second.
+struct BenchAgent {
+  int from_clip, to_clip;
+  anim::Ticks from_start, to_start;
+  float fraction;
+};
+
+/// A pair of clips, phases and a weight for each agent; deterministic.
+std::vector<BenchAgent> bench_agents(const anim::Character& character, int agents);
+
+/// One palette slot an agent, 64-byte aligned, as a renderer would hand them out.
+class BenchPalettes {
+ public:
+  BenchPalettes(int agents, int entries);
+  anim::PaletteMatrix* of(std::size_t agent) const;
+  std::span<std::byte> bytes() const { return {memory_.get(), size_}; }
+
+ private:
+  std::size_t slot_bytes_;
+  std::size_t size_;
+  anim::AlignedBytes memory_;
+};
+
+/// The whole update: system, scheduler, local stores, kernels.
+class SystemSubject {
+ public:
+  static anim::Result<SystemSubject> create(std::shared_ptr<const anim::Character> character,
+                                            const anim::SystemOptions& options, std::span<const BenchAgent> agents,
+                                            const BenchPalettes& palettes);
+  void run();
+  const anim::AnimationSystem& system() const { return *system_; }
+
+ private:
+  std::unique_ptr<anim::AnimationSystem> system_;
+  std::vector<anim::AgentUpdate> updates_;
+};
+
+/// The bare kernels over the same agents: sample, sample, blend, palette, one thread, no blocks and no copies.
+class KernelSubject {
+ public:
+  KernelSubject(const anim::Character& character, const anim::Kernels& kernels, std::span<const BenchAgent> agents,
+                const BenchPalettes& palettes);
+  void run();
+
+ private:
+  void run_tile(std::size_t first, std::size_t count);
+  void pose_packet(const BenchAgent& agent, int packet, float* local);
+
+  const anim::Character* character_;
+  const anim::Kernels* kernels_;
+  std::span<const BenchAgent> agents_;
+  const BenchPalettes* palettes_;
+  anim::Ticks clock_ = 0;
+  anim::AlignedBytes scratch_;
+  float* stack_;
+  float* local_;
+  float* carry_;
+  float* branches_;
+};
+
+/// Writing the same palette bytes and nothing else.
+enum class StorePolicy : std::uint8_t { plain, prefetched, streaming };
+void write_floor(std::span<std::byte> palettes, StorePolicy policy);
+
+}  // namespace throng::app

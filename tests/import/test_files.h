@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/anim/asset/model.h"
+
+namespace throng::import::testing {
+
+/// tests/data/`name`.
+std::filesystem::path data_path(const std::string& name);
+
+nlohmann::json read_json(const std::filesystem::path& path);
+
+std::vector<char> read_bytes(const std::filesystem::path& path);
+
+/// Names of the .glb and .gltf files of a folder, sorted.
+std::vector<std::string> model_files(const std::filesystem::path& folder);
+
+/// The file, which must import; an empty one, with a failure recorded, where it does not.
+anim::ImportedFile import_good(const std::filesystem::path& path);
+
+/// A test's name may only hold letters and digits.
+std::string as_test_name(const std::string& file);
+
+/// A folder of its own below the system's temporary one, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+
+  /// Writes a file there and returns its path.
+  std::filesystem::path write(const std::string& name, const std::vector<char>& bytes) const;
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace throng::import::testing

@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::size_t instants = 96;
 constexpr double tall_person = 1.8;     // metres: what the limits below are meant for
-constexpr double least_motion = 0.01;   // metres: a joint that moves less bears no step
-constexpr double least_speed = 0.15;    // metres a second
+constexpr double least_stride = 0.06;   // metres over the ground: a joint that strides less is no foot
+constexpr double least_speed = 0.25;    // metres a second
 constexpr double stance_height = 0.05;  // metres above the lowest point of all: higher joints are in flight
-constexpr double agreement = 0.35;      // a sample agrees with the median that is within this share of it
+constexpr double agreement = 0.5;       // a sample agrees with the median that is within this share of it
 constexpr double least_agreeing = 0.5;  // of the stance samples
-constexpr std::size_t least_stances = instants / 6;
+constexpr std::size_t least_stances = instants / 10;
 
 using Joints = std::vector<BoneFrame>;
 
@@ -33,15 +33,18 @@ std::vector<Joints> sample_joints(const Skeleton& skeleton, const KeyframeStream
   return samples;
 }
 
-std::vector<std::size_t> moving_joints(const std::vector<Joints>& samples, double least) {
-  std::vector<std::size_t> moving;
+/// Joints that go to and fro over the ground, as feet do, and not only up and down.
+std::vector<std::size_t> striding_joints(const std::vector<Joints>& samples, double least) {
+  std::vector<std::size_t> striding;
   for (std::size_t joint = 0; joint < samples.front().size(); ++joint) {
-    const bool moves = std::ranges::any_of(samples, [&](const Joints& joints) {
-      return glm::distance(joints[joint].origin, samples.front()[joint].origin) > least;
+    const glm::dvec3 start = samples.front()[joint].origin;
+    const bool strides = std::ranges::any_of(samples, [&](const Joints& joints) {
+      const glm::dvec3 moved = joints[joint].origin - start;
+      return std::hypot(moved.x, moved.z) > least;
     });
-    if (moves) moving.push_back(joint);
+    if (strides) striding.push_back(joint);
   }
-  return moving;
+  return striding;
 }
 
 double median(std::vector<double> values) {
@@ -84,10 +87,10 @@ glm::dvec2 median(std::span<const glm::dvec2> velocities) {
 double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, double height) {
   const double size = height / tall_person;
   const std::vector<Joints> samples = sample_joints(skeleton, stream);
-  const std::vector<std::size_t> moving = moving_joints(samples, least_motion * size);
-  if (moving.empty()) return 0.0;
+  const std::vector<std::size_t> striding = striding_joints(samples, least_stride * size);
+  if (striding.empty()) return 0.0;
   const double seconds = to_seconds(stream.duration) / static_cast<double>(instants);
-  const std::vector<glm::dvec2> velocities = stance_velocities(samples, moving, seconds, stance_height * size);
+  const std::vector<glm::dvec2> velocities = stance_velocities(samples, striding, seconds, stance_height * size);
   if (velocities.size() < least_stances) return 0.0;
   const glm::dvec2 typical = median(velocities);
   const double speed = glm::length(typical);

@@ -13,7 +13,7 @@ double ground_speed(const Character& character, int clip) {
   if (baked.duration <= 0) return 0.0;
   const double travel = glm::length(baked.loop_displacement);
   if (travel > 0.0) return travel / to_seconds(baked.duration);
-  return baked.loops ? stance_speed(character.skeleton, baked.keyframe(), character.height) : 0.0;
+  return stance_speed(character.skeleton, baked.keyframe(), character.height);
 }
 
 }  // namespace throng::anim

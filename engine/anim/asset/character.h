@@ -49,7 +49,7 @@ struct Character {
 Character bake_character(const Model& model, const BakeOptions& options = {});
 
 /// Metres a second at which the ground must pass under a character that plays `clip`, so that its feet do not slide:
-/// the speed of its root motion; without any, the speed at which the standing foot of a looping clip moves backward. 0
+/// the speed of its root motion; without any, the speed at which the standing foot moves. 0
 /// for clips that stay where they are.
 double ground_speed(const Character& character, int clip);
 

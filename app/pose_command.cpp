@@ -10,6 +10,7 @@
 
 #include "app/atomic_file.h"
 #include "app/exit_status.h"
+#include "app/pose_pipe.h"
 #include "app/pose_dump.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/import.h"
@@ -141,7 +142,7 @@ int run_pose(const PoseOptions& options, PoseSource& source) {
 }
 
 int run_pose(const PoseOptions& options) {
-  ReferencePoseSource source;
+  PipePoseSource source(options.stream);
   return run_pose(options, source);
 }
 

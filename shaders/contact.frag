@@ -12,6 +12,6 @@ void main() {
   vec2 streak_place = (place - vec2(0.0, 0.5)) / vec2(0.30, 0.95);
   float streak = max(1.0 - dot(streak_place, streak_place), 0.0) * sun_side;
   float shade = 1.0 - (1.0 - 0.55 * contact * contact) * (1.0 - 0.50 * streak);
-  float clear = exp2(-metres * 0.02);
+  float clear = exp2(-metres * 0.014);
   darkening = vec4(vec3(1.0) - vec3(1.0, 0.95, 0.85) * (shade * clear), 1.0);
 }

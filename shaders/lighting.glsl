@@ -4,20 +4,20 @@ const vec3 sun_light = vec3(2.05, 1.80, 1.46);
 const vec3 sky_light = vec3(0.52, 0.64, 0.86);
 const vec3 ground_light = vec3(0.34, 0.29, 0.24);
 
-const vec3 haze_color = vec3(0.74, 0.79, 0.85);
-const vec3 zenith_color = vec3(0.14, 0.31, 0.62);
+const vec3 haze_color = vec3(0.80, 0.80, 0.80);
+const vec3 zenith_color = vec3(0.10, 0.26, 0.58);
 const vec3 sun_haze = vec3(0.42, 0.26, 0.10);
 
 vec3 sky_color(vec3 direction) {
   float height = max(direction.y, 0.0);
-  vec3 sky = mix(haze_color, zenith_color, 1.0 - exp2(-height * 4.5));
+  vec3 sky = mix(haze_color, zenith_color, 1.0 - exp2(-height * 6.0));
   float towards_sun = max(dot(direction, to_sun), 0.0);
   float glow = towards_sun * towards_sun;
   return sky + sun_haze * glow * glow;
 }
 
 vec3 through_haze(vec3 color, vec3 direction, float metres) {
-  float clear = exp2(-metres * metres * 4.0e-5 / (1.0 + metres * 0.007));
+  float clear = exp2(-metres * metres * 2.2e-5 / (1.0 + metres * 0.006));
   return mix(sky_color(vec3(direction.x, 0.0, direction.z)), color, clear);
 }
 

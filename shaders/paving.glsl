@@ -1,12 +1,12 @@
 // Stone slabs on the plane y = 0, filtered over `footprint`, the metres of ground that a pixel covers.
-const vec3 stone_color = vec3(0.335, 0.315, 0.285);
-const vec3 joint_color = vec3(0.115, 0.110, 0.105);
-const vec3 inlay_color = vec3(0.52, 0.50, 0.46);
+const vec3 stone_color = vec3(0.225, 0.205, 0.180);
+const vec3 joint_color = vec3(0.085, 0.080, 0.075);
+const vec3 inlay_color = vec3(0.35, 0.325, 0.285);
 
 const vec2 slab_size = vec2(1.5, 0.75);  // metres
 const float joint_width = 0.022;
 const float inlay_spacing = 12.0;
-const float inlay_width = 0.45;
+const float inlay_width = 0.30;
 
 // How much of [x - width / 2, x + width / 2] lies within `thickness` after a whole number, 0 to 1.
 float band_share(float x, float thickness, float width) {

@@ -25,7 +25,7 @@ HWY_INLINE Quaternions<V> blend_rotations(D d, const Quaternions<V>& from, const
   return scaled(q, inverse_square_root(d, dot(q, q)));
 }
 
-void blend(const BlendJob& job) {
+inline void blend(const BlendJob& job) {
   const BoneLanes d;
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
     auto weight = hn::Set(d, job.fraction);

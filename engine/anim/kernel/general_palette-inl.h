@@ -5,7 +5,7 @@
 #define THRONG_KERNEL_GENERAL_PALETTE_INL_H
 #endif
 
-#include "engine/anim/kernel/transpose-inl.h"
+#include "engine/anim/kernel/palette_stage-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {

@@ -114,7 +114,7 @@ HierarchyProgram compile_hierarchy(const Skeleton& skeleton) {
   HierarchyProgram program;
   program.rigid = skeleton.rigid;
   program.bone_count = skeleton.bone_count();
-  program.steps.resize(static_cast<std::size_t>(packets_for(skeleton.bone_count()) * packet_bones));
+  program.steps.resize(static_cast<std::size_t>(packets_for(skeleton.bone_count())) * packet_bones);
   plan_branch_slots(skeleton, program);
   assign_entries(skeleton, program);
   if (skeleton.rigid) {

@@ -5,7 +5,7 @@
 #define THRONG_KERNEL_RIGID_PALETTE_INL_H
 #endif
 
-#include "engine/anim/kernel/transpose-inl.h"
+#include "engine/anim/kernel/palette_stage-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
@@ -66,7 +66,7 @@ HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, i
     gather_four_bones<rigid_components>(d, local + (four - begin), inputs);
     const int count = HWY_MIN(end - four, 4);
     for (int i = 0; i < count; ++i) {
-      const HierarchyStep step = program.steps[static_cast<std::size_t>(four + i)];
+      const HierarchyStep step = program.steps.data()[four + i];
       if (step.load >= 0) {
         motion = load_motion(d, job.branch_slots + step.load * branch_slot_floats * width + lane, width);
       } else if (step.load == HierarchyStep::from_root) {

@@ -129,7 +129,7 @@ HWY_INLINE void sample_vectors(const SamplePoint& point, std::int32_t offset, co
   }
 }
 
-void sample(const SampleJob& job) {
+inline void sample(const SampleJob& job) {
   const SampledPacket& packet = job.stream->packets()[job.packet];
   sample_rotations(job.point, packet, job.pose);
   sample_vectors(job.point, packet.position_offset, packet.position_base, packet.position_step,

@@ -91,13 +91,14 @@ StateTransform rigid_state(const Skeleton& skeleton, std::size_t index, const St
 constexpr std::size_t guard_entries = 2;
 constexpr unsigned char guard_byte = 0xA5;
 
-/// One character's palette slot: 64-byte aligned, guards before and after.
+/// One character's palette slot: 64-byte aligned, or only 16-byte aligned; guards before and after.
 class GuardedPalette {
  public:
-  explicit GuardedPalette(std::size_t entries) : storage_(entries + 8) {
+  GuardedPalette(std::size_t entries, bool whole_lines) : storage_(entries + 8) {
     std::memset(storage_.data(), guard_byte, storage_.size() * sizeof(PaletteMatrix));
-    auto address = reinterpret_cast<std::uintptr_t>(storage_.data());
+    const auto address = reinterpret_cast<std::uintptr_t>(storage_.data());
     while ((address + offset_ * sizeof(PaletteMatrix)) % 64 != 0 || offset_ < guard_entries) ++offset_;
+    if (!whole_lines) ++offset_;
   }
   PaletteMatrix* entries() { return storage_.data() + offset_; }
   std::vector<PaletteMatrix> copy(std::size_t count) const {
@@ -275,7 +276,7 @@ CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& pro
   std::vector<GuardedPalette> palettes;
   palettes.reserve(characters.size());
   for (std::size_t i = 0; i < characters.size(); ++i) {
-    palettes.emplace_back(entries_below(program, program.bone_count));
+    palettes.emplace_back(entries_below(program, program.bone_count), i % 2 == 0);
   }
 
   CrowdResult result;

@@ -51,7 +51,7 @@ double largest_error(const Skeleton& skeleton, const std::vector<glm::dmat4>& re
                      const std::vector<PaletteMatrix>& palette);
 
 /// Palettes and hashes of characters, computed in tiles of `width`; a last tile may be partly filled. Every palette
-/// lies between guard bytes, and so do entries of bones above `bone_count`.
+/// lies between guard bytes, and so do entries of bones above `bone_count`; every second one is only 16-byte aligned.
 struct CrowdResult {
   std::vector<std::vector<PaletteMatrix>> palettes;  ///< [character][entry below the bone count]
   std::vector<std::uint64_t> hashes;

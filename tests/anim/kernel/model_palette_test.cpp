@@ -54,9 +54,9 @@ class ModelPalette : public ::testing::TestWithParam<Rig> {
 constexpr int all_widths[] = {1, 2, 4, 8, 16};
 
 TEST_P(ModelPalette, AgreesWithDoublePrecisionMatricesOnEveryTarget) {
-  constexpr double tenth_of_a_millimetre = 1e-4;
+  constexpr double hundredth_of_a_millimetre = 1e-5;
   for (const Kernels& kernels : runnable_kernels()) {
-    EXPECT_LT(largest_error(skeleton(), poses_, compute(kernels, widest_tile)), tenth_of_a_millimetre)
+    EXPECT_LT(largest_error(skeleton(), poses_, compute(kernels, widest_tile)), hundredth_of_a_millimetre)
         << kernels.target;
   }
 }

@@ -40,7 +40,10 @@ class CrowdMesh {
   /// Vertices reading the entries of that bone level; indices are 32 bits wide.
   GLuint vertex_array(std::size_t level) const { return by_level_[level].array.id(); }
 
-  /// Ends of bone lines among the vertices, two a bone.
+  /// Vertices of the surface, the first ones in the vertex array.
+  std::uint32_t vertex_count() const { return first_bone_end_; }
+
+  /// Ends of bone lines behind them, two a bone.
   std::uint32_t first_bone_end() const { return first_bone_end_; }
   std::uint32_t bone_end_count() const { return bone_end_count_; }
 

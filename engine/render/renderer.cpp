@@ -29,17 +29,20 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gl::Context& context, const R
   if (!contact) return contact.error();
   Result<CrowdPass> crowd = CrowdPass::create(*shaders);
   if (!crowd) return crowd.error();
-  return std::unique_ptr<Renderer>(
-      new Renderer(context, options, std::move(shaders), std::move(*ground), std::move(*contact), std::move(*crowd)));
+  Result<SkinningReadBack> reader = SkinningReadBack::create(*shaders);
+  if (!reader) return reader.error();
+  return std::unique_ptr<Renderer>(new Renderer(context, options, std::move(shaders), std::move(*ground),
+                                                std::move(*contact), std::move(*crowd), *reader));
 }
 
 Renderer::Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
-                   GroundPass ground, ContactPass contact, CrowdPass crowd)
+                   GroundPass ground, ContactPass contact, CrowdPass crowd, SkinningReadBack reader)
     : context_(&context),
       shaders_(std::move(shaders)),
       ground_(std::move(ground)),
       contact_(std::move(contact)),
       crowd_(std::move(crowd)),
+      read_back_(reader),
       target_(options.size, options.samples),
       frame_uniforms_(create_frame_uniforms()),
       shadows_(options.shadows) {}
@@ -58,12 +61,22 @@ void Renderer::reset_palette_pages() {
   palettes_ = PaletteBuffer();
 }
 
-DrawCounts Renderer::draw(const CrowdFrame& frame) {
-  assert(mesh_.has_value());
+void Renderer::upload(const CrowdFrame& frame) {
   const FrameUniforms uniforms = frame_uniforms(frame.camera, frame.now);
   glNamedBufferSubData(frame_uniforms_.id(), 0, sizeof(uniforms), &uniforms);
   glBindBufferBase(GL_UNIFORM_BUFFER, frame_uniforms_binding, frame_uniforms_.id());
   instances_.upload(frame.instances);
+}
+
+std::vector<ReadBackVertex> Renderer::read_back(const CrowdFrame& frame, const ReadBackAgent& agent) {
+  assert(mesh_.has_value() && agent.instance < frame.instances.size());
+  upload(frame);
+  return read_back_.read(agent, *mesh_, palettes_);
+}
+
+DrawCounts Renderer::draw(const CrowdFrame& frame) {
+  assert(mesh_.has_value());
+  upload(frame);
   target_.bind_scene();
   ground_.draw();
   DrawCounts counts{1, 1};

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -22,6 +23,7 @@
 #include "engine/render/palette_buffer.h"
 #include "engine/render/result.h"
 #include "engine/render/shader_library.h"
+#include "engine/render/skinning_read_back.h"
 
 namespace throng::render {
 
@@ -65,6 +67,9 @@ class Renderer {
   /// Draws ground, shadows and crowd. Nothing is kept of `frame`.
   DrawCounts draw(const CrowdFrame& frame);
 
+  /// Where the vertex shader puts each vertex of one agent of `frame`, for tests; draws nothing and waits.
+  std::vector<ReadBackVertex> read_back(const CrowdFrame& frame, const ReadBackAgent& agent);
+
   /// Makes draw_overlay possible; an ImGui context must be current, its fonts added. Again after fonts were added.
   Status prepare_overlay();
   void draw_overlay(const ImDrawData& data);
@@ -92,13 +97,15 @@ class Renderer {
 
  private:
   Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
-           GroundPass ground, ContactPass contact, CrowdPass crowd);
+           GroundPass ground, ContactPass contact, CrowdPass crowd, SkinningReadBack reader);
+  void upload(const CrowdFrame& frame);
 
   gl::Context* context_;
   std::unique_ptr<ShaderLibrary> shaders_;
   GroundPass ground_;
   ContactPass contact_;
   CrowdPass crowd_;
+  SkinningReadBack read_back_;
   std::optional<OverlayRenderer> overlay_;
   ImageTarget target_;
   gl::Buffer frame_uniforms_;

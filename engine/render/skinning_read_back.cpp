@@ -1,0 +1,41 @@
+#include "engine/render/skinning_read_back.h"
+
+#include "engine/render/frame_uniforms.h"
+
+namespace throng::render {
+namespace {
+
+constexpr GLint first_instance_location = 0;
+
+static_assert(sizeof(ReadBackVertex) == 24);
+
+}  // namespace
+
+Result<SkinningReadBack> SkinningReadBack::create(ShaderLibrary& shaders) {
+  const Result<ProgramHandle> program =
+      shaders.load({"skinning_read_back.vert", "", {"world_position", "world_normal"}});
+  if (!program) return program.error();
+  return SkinningReadBack(shaders, *program);
+}
+
+std::vector<ReadBackVertex> SkinningReadBack::read(const ReadBackAgent& agent, const CrowdMesh& mesh,
+                                                   const PaletteBuffer& palettes) const {
+  std::vector<ReadBackVertex> vertices(mesh.vertex_count());
+  const gl::Buffer captured = gl::create_buffer();
+  const auto bytes = static_cast<GLsizeiptr>(vertices.size() * sizeof(ReadBackVertex));
+  glNamedBufferStorage(captured.id(), bytes, nullptr, 0);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured.id());
+  palettes.bind(agent.page, palette_binding);
+  glBindVertexArray(mesh.vertex_array(agent.bone_level));
+  glUseProgram(shaders_->id(program_));
+  glUniform1ui(first_instance_location, agent.instance);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices.size()));
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glGetNamedBufferSubData(captured.id(), 0, bytes, vertices.data());
+  return vertices;
+}
+
+}  // namespace throng::render

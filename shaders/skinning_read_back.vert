@@ -1,0 +1,17 @@
+#version 450 core
+
+// The crowd's own skinning, its results captured instead of drawn.
+#include "frame_uniforms.glsl"
+#include "instance_record.glsl"
+#include "skinning.glsl"
+#include "crowd_vertex.glsl"
+
+out vec3 world_position;
+out vec3 world_normal;
+
+void main() {
+  InstanceRecord instance = instances[first_instance];
+  SkinnedVertex vertex = skinned(instance);
+  world_position = to_world(instance, vertex.position);
+  world_normal = turned(instance, vertex.normal);
+}

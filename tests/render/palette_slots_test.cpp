@@ -1,0 +1,175 @@
+#include "engine/render/palette_slots.h"
+
+#include <cstdint>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace throng::render {
+namespace {
+
+constexpr std::size_t bytes_of(std::size_t entries) { return entries * palette_entry_bytes; }
+
+/// Gives `pages` pages and then no more.
+class LimitedPages final : public PalettePageSource {
+ public:
+  LimitedPages(std::size_t page_entries, int pages) : heap_(bytes_of(page_entries)), left_(pages) {}
+  PalettePage add_page() override { return left_-- > 0 ? heap_.add_page() : PalettePage{}; }
+
+ private:
+  HeapPageSource heap_;
+  int left_;
+};
+
+TEST(PaletteSlots, StartAndEndOnCacheLines) {
+  HeapPageSource pages(bytes_of(4096));
+  PaletteSlots slots(pages, {62, 21});
+  for (int level : {0, 1, 0, 1}) {
+    const PaletteSlot slot = slots.acquire(level);
+    ASSERT_TRUE(slot.valid());
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(slots.memory(slot)) % 64, 0U);
+    EXPECT_EQ(bytes_of(slot.entries) % 64, 0U);
+  }
+}
+
+TEST(PaletteSlots, NeverOverlap) {
+  HeapPageSource pages(bytes_of(640));
+  PaletteSlots slots(pages, {62, 21});
+  std::set<std::byte*> groups;
+  for (int i = 0; i < 40; ++i) {
+    const PaletteSlot slot = slots.acquire(i % 2);
+    ASSERT_TRUE(slot.valid());
+    for (std::uint32_t entry = 0; entry < slot.entries; entry += 4) {
+      EXPECT_TRUE(groups.insert(slots.memory(slot) + bytes_of(entry)).second);
+    }
+  }
+}
+
+TEST(PaletteSlots, HoldWhatTheirLevelNeeds) {
+  HeapPageSource pages(bytes_of(4096));
+  PaletteSlots slots(pages, {62, 21});
+  EXPECT_EQ(slots.acquire(0).entries, 64U);
+  EXPECT_EQ(slots.acquire(1).entries, 24U);
+}
+
+TEST(PaletteSlots, RetiredOneIsNotReusedBeforeItsLastFrameCompleted) {
+  LimitedPages pages(64, 1);
+  PaletteSlots slots(pages, {64});
+  const PaletteSlot first = slots.acquire(0);
+  slots.retire(first, 7);
+  EXPECT_FALSE(slots.acquire(0).valid());
+  slots.reclaim(6);
+  EXPECT_FALSE(slots.acquire(0).valid());
+  slots.reclaim(7);
+  const PaletteSlot second = slots.acquire(0);
+  ASSERT_TRUE(second.valid());
+  EXPECT_EQ(second.first_entry, first.first_entry);
+}
+
+TEST(PaletteSlots, RetiredOneIsNoLongerAcquired) {
+  HeapPageSource pages(bytes_of(256));
+  PaletteSlots slots(pages, {64});
+  const PaletteSlot slot = slots.acquire(0);
+  EXPECT_TRUE(slots.is_acquired(slot));
+  slots.retire(slot, 1);
+  EXPECT_FALSE(slots.is_acquired(slot));
+}
+
+#ifndef NDEBUG
+TEST(PaletteSlotsDeathTest, WriteToARetiredSlotIsCaught) {
+  HeapPageSource pages(bytes_of(256));
+  PaletteSlots slots(pages, {64});
+  const PaletteSlot slot = slots.acquire(0);
+  slots.retire(slot, 1);
+  EXPECT_DEATH(slots.memory(slot), "is_acquired");
+}
+
+TEST(PaletteSlotsDeathTest, RetiringTwiceIsCaught) {
+  HeapPageSource pages(bytes_of(256));
+  PaletteSlots slots(pages, {64});
+  const PaletteSlot slot = slots.acquire(0);
+  slots.retire(slot, 1);
+  EXPECT_DEATH(slots.retire(slot, 2), "is_acquired");
+}
+#endif
+
+TEST(PaletteSlots, SecondSlotOfAnAgentLiesOnThePageOfItsFirst) {
+  HeapPageSource pages(bytes_of(640));
+  PaletteSlots slots(pages, {64});
+  for (int agent = 0; agent < 10; ++agent) {
+    const PaletteSlot first = slots.acquire(0);
+    const PaletteSlot second = slots.acquire(0, first.page);
+    ASSERT_TRUE(second.valid());
+    EXPECT_EQ(second.page, first.page);
+  }
+  EXPECT_GT(slots.page_count(), 1U);
+}
+
+TEST(PaletteSlots, NewcomersLeaveRoomForTheSecondSlotsOfThoseWhoAreThere) {
+  HeapPageSource pages(bytes_of(1200));
+  PaletteSlots slots(pages, {40});
+  int on_first_page = 0;
+  while (slots.acquire(0).page == 0) ++on_first_page;
+  int second_slots = 0;
+  while (slots.acquire(0, 0).valid()) ++second_slots;
+  EXPECT_EQ(on_first_page, 10);
+  EXPECT_EQ(second_slots, 20);
+}
+
+TEST(PaletteSlots, AreInvalidWhenThePageAskedForIsFull) {
+  LimitedPages pages(128, 1);
+  PaletteSlots slots(pages, {64});
+  const PaletteSlot first = slots.acquire(0);
+  EXPECT_TRUE(slots.acquire(0, first.page).valid());
+  EXPECT_FALSE(slots.acquire(0, first.page).valid());
+}
+
+TEST(PaletteSlots, FillEveryPageToTheEndWhenTheDeviceHasNoMore) {
+  LimitedPages pages(256, 1);
+  PaletteSlots slots(pages, {64});
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(slots.acquire(0).valid()) << i;
+  EXPECT_FALSE(slots.acquire(0).valid());
+}
+
+TEST(PaletteSlots, SmallPoseTakesALargerFreeSlotRatherThanNone) {
+  LimitedPages pages(64, 1);
+  PaletteSlots slots(pages, {64, 24});
+  slots.retire(slots.acquire(0), 1);
+  slots.reclaim(1);
+  const PaletteSlot slot = slots.acquire(1);
+  ASSERT_TRUE(slot.valid());
+  EXPECT_EQ(slot.entries, 64U);
+}
+
+TEST(PaletteSlots, CountWhatIsInUseUntilItIsReclaimed) {
+  HeapPageSource pages(bytes_of(4096));
+  PaletteSlots slots(pages, {64});
+  const PaletteSlot slot = slots.acquire(0);
+  EXPECT_EQ(slots.slots_in_use(), 1U);
+  EXPECT_EQ(slots.bytes_in_use(), bytes_of(64));
+  slots.retire(slot, 3);
+  EXPECT_EQ(slots.slots_in_use(), 1U);
+  slots.reclaim(3);
+  EXPECT_EQ(slots.slots_in_use(), 0U);
+  EXPECT_EQ(slots.bytes_in_use(), 0U);
+}
+
+TEST(PaletteSlots, ThousandAgentsThatMoveOnEveryFrameKeepToOnePage) {
+  HeapPageSource pages(std::size_t{16} << 20U);
+  PaletteSlots slots(pages, {62});
+  std::vector<PaletteSlot> shown;
+  for (int agent = 0; agent < 1000; ++agent) shown.push_back(slots.acquire(0));
+  for (std::uint64_t frame = 3; frame < 100; ++frame) {
+    slots.reclaim(frame - 2);
+    for (PaletteSlot& slot : shown) {
+      const PaletteSlot next = slots.acquire(0, slot.page);
+      ASSERT_TRUE(next.valid());
+      slots.retire(slot, frame - 1);
+      slot = next;
+    }
+  }
+  EXPECT_EQ(slots.page_count(), 1U);
+}
+
+}  // namespace
+}  // namespace throng::render

@@ -4,8 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
-
-#include "engine/anim/asset/skeleton.h"
+#include <numeric>
 
 namespace throng::anim {
 
@@ -14,26 +13,28 @@ namespace {
 // Shares of the bones that the coarser levels aim at: 62 bones give about 32, 22 and 14.
 constexpr std::array<double, max_bone_levels - 1> level_shares{0.52, 0.355, 0.23};
 constexpr int smallest_level = 6;              // a level of fewer bones saves nothing
-constexpr double same_reach = 0.02;            // the two sides of a character differ by less
+constexpr double equally_important = 0.02;     // the two sides of a character differ by less
 constexpr double largest_useful_share = 0.85;  // of the level above; else the level is not worth its switch
 
-std::vector<double> reaches(std::span<const int> parents, std::span<const double> lengths) {
-  std::vector<double> reach(lengths.begin(), lengths.end());
+/// A parent cannot be dropped before its children.
+std::vector<double> hand_up(std::span<const int> parents, std::span<const double> importance) {
+  std::vector<double> result(importance.begin(), importance.end());
   for (std::size_t bone = parents.size(); bone-- > 0;) {
     if (parents[bone] < 0) continue;
-    const auto parent = static_cast<std::size_t>(parents[bone]);
-    reach[parent] = std::max(reach[parent], lengths[parent] + reach[bone]);
+    double& parent = result[static_cast<std::size_t>(parents[bone])];
+    parent = std::max(parent, result[bone]);
   }
-  return reach;
+  return result;
 }
 
-/// Number of bones to keep near `target`: where the sorted reaches drop most, so that limbs are kept or dropped whole.
+/// Number of bones to keep near `target`: where the sorted importance falls most, so that limbs are kept or dropped
+/// whole.
 int cut_near(std::span<const double> descending, double target) {
   const int count = static_cast<int>(descending.size());
   const int from = std::max(1, static_cast<int>(target * 0.8));
   const int to = std::min(count - 1, static_cast<int>(target * 1.25));
   int best = count;
-  double best_gap = same_reach;
+  double best_gap = equally_important;
   for (int cut = from; cut <= to; ++cut) {
     const double above = descending[static_cast<std::size_t>(cut) - 1];
     const double gap = above > 0.0 ? 1.0 - descending[static_cast<std::size_t>(cut)] / above : 0.0;
@@ -75,11 +76,11 @@ std::vector<int> depth_first(std::span<const int> parents) {
   return order;
 }
 
-/// For each bone the coarsest level that keeps it. Ties in reach go to the parent, which is listed first.
-std::vector<int> coarsest_levels(std::span<const int> by_reach, std::span<const int> counts) {
-  std::vector<int> levels(by_reach.size(), 0);
+/// For each bone the coarsest level that keeps it. Ties go to the parent, which is listed first.
+std::vector<int> coarsest_levels(std::span<const int> by_importance, std::span<const int> counts) {
+  std::vector<int> levels(by_importance.size(), 0);
   for (std::size_t level = 1; level < counts.size(); ++level) {
-    for (const int bone : by_reach.first(static_cast<std::size_t>(counts[level]))) {
+    for (const int bone : by_importance.first(static_cast<std::size_t>(counts[level]))) {
       levels[static_cast<std::size_t>(bone)] = static_cast<int>(level);
     }
   }
@@ -88,19 +89,19 @@ std::vector<int> coarsest_levels(std::span<const int> by_reach, std::span<const 
 
 }  // namespace
 
-BoneOrder order_bones(std::span<const int> parents, std::span<const double> lengths) {
-  assert(parents.size() == lengths.size());
-  const std::vector<double> reach = reaches(parents, lengths);
-  std::vector<int> by_reach(parents.size());
-  for (std::size_t bone = 0; bone < by_reach.size(); ++bone) by_reach[bone] = static_cast<int>(bone);
-  const auto reach_of = [&](int bone) { return reach[static_cast<std::size_t>(bone)]; };
-  std::ranges::stable_sort(by_reach, std::ranges::greater{}, reach_of);
+BoneOrder order_bones(std::span<const int> parents, std::span<const double> importance) {
+  assert(parents.size() == importance.size());
+  const std::vector<double> handed_up = hand_up(parents, importance);
+  std::vector<int> by_importance(parents.size());
+  std::iota(by_importance.begin(), by_importance.end(), 0);
+  const auto importance_of = [&](int bone) { return handed_up[static_cast<std::size_t>(bone)]; };
+  std::ranges::stable_sort(by_importance, std::ranges::greater{}, importance_of);
   std::vector<double> descending;
-  descending.reserve(by_reach.size());
-  for (const int bone : by_reach) descending.push_back(reach_of(bone));
+  descending.reserve(by_importance.size());
+  for (const int bone : by_importance) descending.push_back(importance_of(bone));
 
   BoneOrder order{.bones = depth_first(parents), .level_counts = level_counts(descending)};
-  const std::vector<int> levels = coarsest_levels(by_reach, order.level_counts);
+  const std::vector<int> levels = coarsest_levels(by_importance, order.level_counts);
   std::ranges::stable_sort(order.bones, std::ranges::greater{},
                            [&](int bone) { return levels[static_cast<std::size_t>(bone)]; });
   return order;

@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/anim/asset/model.h"
+
 namespace throng::anim {
 
 /// An order of bones whose prefixes are levels of detail (DESIGN section 7 "Per-bone LOD").
@@ -13,10 +15,13 @@ struct BoneOrder {
 
 /// Orders bones level by level, the coarsest level first, parents before children, depth-first inside a level.
 ///
-/// `parents`: for each bone its parent, below its own index, or -1. `lengths`: for each bone its distance from its
-/// parent in the rest pose, any unit, >= 0. What a level drops first is the limb end that reaches least: a bone's reach
-/// is its own length and the longest chain below it, so fingers go before toes and toes before hands. Bones of equal
-/// reach, such as the two sides of a character, are kept or dropped together.
-BoneOrder order_bones(std::span<const int> parents, std::span<const double> lengths);
+/// `parents`: for each bone its parent, below its own index, or -1. `importance`: for each bone, any unit, what is lost
+/// when it and all below it follow its parent (see bone_importance); a parent counts as at least as important as its
+/// children. A level ends where importance falls most near the size it aims at, so that what matters alike, such as the
+/// fingers of a hand, is kept or dropped together. Bones of no importance, such as the handles of a rig, go first.
+BoneOrder order_bones(std::span<const int> parents, std::span<const double> importance);
+
+/// Brings skeleton, skins, clips and meshes of a model into an order.
+void reorder_bones(Model& model, const BoneOrder& order);
 
 }  // namespace throng::anim

@@ -5,7 +5,10 @@
 #include <new>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "engine/anim/asset/bone_importance.h"
+#include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/import/animations.h"
 #include "engine/anim/import/document.h"
 #include "engine/anim/import/materials.h"
@@ -19,6 +22,12 @@ namespace throng::import {
 
 namespace {
 
+std::vector<int> parents_of(const anim::Skeleton& skeleton) {
+  std::vector<int> parents;
+  for (const anim::Bone& bone : skeleton.bones) parents.push_back(bone.parent);
+  return parents;
+}
+
 anim::Model build_model(Document& document, const NodeTree& tree, BuiltSkeleton built) {
   MaterialCollector materials(document);
   anim::Model model;
@@ -28,6 +37,7 @@ anim::Model build_model(Document& document, const NodeTree& tree, BuiltSkeleton 
   model.clips = std::move(built.clips);
   model.materials = materials.take_materials();
   model.images = materials.take_images();
+  anim::reorder_bones(model, anim::order_bones(parents_of(model.skeleton), anim::bone_importance(model)));
   return model;
 }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/import/reference_frames.h"
 #include "engine/anim/import/refusal.h"
 
@@ -89,24 +88,21 @@ class SkeletonBuilder {
     return node;
   }
 
+  /// Parents first; the order by level of detail comes when the surface is known.
   void add_bones(const NodeSet& bone_nodes) {
-    std::vector<int> nodes;
-    std::vector<int> parents;
-    std::vector<double> lengths;
-    std::vector<anim::Bone> bones;
+    std::vector<anim::Bone>& bones = built_.skeleton.bones;
     for (const int node : tree_.parents_first) {
       if (!has(bone_nodes, node)) continue;
       const auto index = static_cast<std::size_t>(node);
+      const NodeTransform& transform = tree_.transforms[index];
       anim::Bone bone;
       bone.name = document_.gltf.nodes[index].name;
       bone.node = node;
       const int above = climb(tree_.parents[index], bone_nodes, bone.prefix);
-      const NodeTransform& transform = tree_.transforms[index];
+      bone.parent = above < 0 ? -1 : bone_of_node_[static_cast<std::size_t>(above)];
       bone.rest = transform.trs;
-      if (!transform.is_trs) bone.prefix = bone.prefix * transform.matrix;
       bone.prefix_holds_matrix = !transform.is_trs;
-      parents.push_back(above < 0 ? -1 : bone_of_node_[static_cast<std::size_t>(above)]);
-      lengths.push_back(above < 0 ? 0.0 : glm::distance(rest_origin(node), rest_origin(above)));
+      if (bone.prefix_holds_matrix) bone.prefix = bone.prefix * transform.matrix;
       bone_of_node_[index] = static_cast<int>(bones.size());
       bones.push_back(std::move(bone));
     }
@@ -114,24 +110,7 @@ class SkeletonBuilder {
       throw Refusal("a skeleton has " + std::to_string(bones.size()) + " bones, more than " +
                     std::to_string(anim::max_bones) + "; split the model");
     }
-    put_in_order(std::move(bones), parents, anim::order_bones(parents, lengths));
-  }
-
-  glm::dvec3 rest_origin(int node) const { return tree_.globals[static_cast<std::size_t>(node)][3]; }
-
-  void put_in_order(std::vector<anim::Bone> bones, const std::vector<int>& parents, const anim::BoneOrder& order) {
-    std::vector<int> place(bones.size());
-    for (std::size_t i = 0; i < bones.size(); ++i) {
-      place[static_cast<std::size_t>(order.bones[i])] = static_cast<int>(i);
-    }
-    for (const int from : order.bones) {
-      anim::Bone& bone = bones[static_cast<std::size_t>(from)];
-      const int parent = parents[static_cast<std::size_t>(from)];
-      bone.parent = parent < 0 ? -1 : place[static_cast<std::size_t>(parent)];
-      bone_of_node_[static_cast<std::size_t>(bone.node)] = place[static_cast<std::size_t>(from)];
-      built_.skeleton.bones.push_back(std::move(bone));
-    }
-    built_.skeleton.level_bone_counts = order.level_counts;
+    built_.skeleton.level_bone_counts = {built_.skeleton.bone_count()};
   }
 
   void add_skins(const std::vector<FileSkin>& skins, const std::vector<int>& group) {

@@ -73,7 +73,7 @@ void show_band(const TabContext& context) {
 }
 
 void show_levels(const TabContext& context) {
-  auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Levels");
   widgets.toggle(
       "Per-bone LOD", tuning.bone_lod, standard.bone_lod,

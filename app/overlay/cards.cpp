@@ -86,7 +86,7 @@ void show_notices(const Widgets& widgets, const Area& crowd, std::span<const Not
 
 void show_help_card(Widgets& widgets, const Area& crowd) {
   const Theme& theme = widgets.theme();
-  const float lines = static_cast<float>(key_lines.size() + word_lines.size());
+  const auto lines = static_cast<float>(key_lines.size() + word_lines.size());
   const float width = theme.px(card_width), height = theme.px(line_height * (lines + 2) + 6 + 10 + 2 * margin);
   const ImVec2 from(crowd.from.x + (crowd.width() - width) / 2, crowd.from.y + (crowd.height() - height) / 2);
   const Area place{.from = from, .to = {from.x + width, from.y + height}};

@@ -8,7 +8,7 @@ namespace throng::app {
 namespace {
 
 void show_who(const TabContext& context) {
-  auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Who");
   widgets.fact("Model", report.model, {.what = "The character of every agent. Give another file on the command line."});
   widgets.choice("Scene", tuning.scene, standard.scene, scene_words,
@@ -27,7 +27,7 @@ void show_who(const TabContext& context) {
 }
 
 void show_time(const TabContext& context) {
-  auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Time");
   widgets.toggle("Pause", tuning.paused, standard.paused,
                  {.what = "Holds the crowd; the camera still flies. Space does the same."});
@@ -41,7 +41,7 @@ void show_time(const TabContext& context) {
 }
 
 void show_picture(const TabContext& context) {
-  auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Picture");
   widgets.choice("Colours", tuning.debug_view, standard.debug_view, debug_view_words,
                  {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "

@@ -14,7 +14,7 @@ namespace {
 constexpr int colour_steps = 8;
 
 void show_rule(const TabContext& context) {
-  auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Rule");
   widgets.choice("Rule", tuning.lod, standard.lod, lod_rule_words,
                  {.what = "off: every agent is updated in every frame, seen or not. distance: the farther, the rarer.",

@@ -14,7 +14,7 @@ constexpr std::array<int, 8> local_store_stops = {0, 16, 32, 64, 128, 256, 512, 
 constexpr std::array<int, 6> tile_stops = {0, 1, 2, 4, 8, 16};
 
 void show_machine(const TabContext& context) {
-  auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Processing units");
   widgets.number(
       "PUs", tuning.pus, standard.pus,

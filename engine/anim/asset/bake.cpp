@@ -16,6 +16,7 @@ namespace {
 // What follows is meant for a person of 1.8 m, and scales with the character.
 constexpr double tall_person = 1.8;
 constexpr double surface_error = 0.0002;  // metres: the bound of sampled streams
+constexpr double hopeless = 4.0;          // times the bound: quantisation alone stays below
 constexpr double closing_error = 0.005;   // metres between the first and the last pose of a loop
 constexpr double least_travel = 0.05;     // metres of root motion
 
@@ -48,6 +49,7 @@ class PoseDistance {
 };
 
 /// A clip whose last key stands one step before its first looks like a loop and is none: it would hitch at the seam.
+/// `grid`: of a clip that moves smoothly.
 void find_loop(BakedClip& baked, const SampleSource& source, const std::optional<KeyGrid>& grid) {
   if (baked.duration == 0) return;
   const double limit = closing_error * source.proxy.height / tall_person;
@@ -70,6 +72,9 @@ void bake_sampled_stream(BakedClip& baked, const SampleSource& source, const Sta
   }
   SampledBake bake = clip.tracks.empty() ? bake_still(source) : bake_sampled(source, *grid, last_key);
   if (!bake.block) return add_note(baked, "plays from its keyframe stream: too long to be sampled");
+  if (bake.error > hopeless * baked.error_bound) {
+    return add_note(baked, "plays from its keyframe stream: it jumps, and no rate of up to 120 Hz follows");
+  }
   if (bake.error > baked.error_bound) add_note(baked, "no rate of up to 120 Hz keeps to the error bound");
   baked.sampled_block = std::move(bake.block);
   baked.sampled_rate = bake.rate;
@@ -93,7 +98,7 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
   baked.keyframe_block = pack_keyframe_stream(state);
 
   const SampleSource source{skeleton, proxy, baked.keyframe(), baked.loop_displacement, baked.error_bound};
-  find_loop(baked, source, grid);
+  find_loop(baked, source, has_step_tracks(state) ? std::nullopt : grid);
   bake_sampled_stream(baked, source, state, grid, keys.empty() ? 0 : keys.back());
   return baked;
 }

@@ -34,22 +34,16 @@ double common_divisor(double a, double b, double nothing) {
   return a;
 }
 
-/// The rate whose whole steps fit all distances best, or 0.
+/// The rate whose whole steps fit all distances, or 0. The longer the distance, the better it tells the step.
 double divisor_rate(std::span<const double> distances, double first) {
   const double nothing = 4.0 * tolerance(first + distances.back());
-  double step = distances.back();
+  double step = 0.0;
   for (const double distance : distances) {
-    step = common_divisor(step, distance, nothing);
-    if (step * highest_sample_rate < 0.5) return 0.0;
+    step = common_divisor(distance, step, nothing);
+    if (distance > nothing) step = distance / std::round(distance / step);
+    if (step > 0.0 && step * highest_sample_rate < 0.5) return 0.0;
   }
-  double steps_by_distance = 0.0;
-  double steps_squared = 0.0;
-  for (const double distance : distances) {
-    const double steps = std::round(distance / step);
-    steps_by_distance += steps * distance;
-    steps_squared += steps * steps;
-  }
-  return steps_by_distance > 0.0 ? steps_squared / steps_by_distance : 0.0;
+  return step > 0.0 ? 1.0 / step : 0.0;
 }
 
 }  // namespace

@@ -113,8 +113,9 @@ SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks 
     SampledRows rows = lay_out_rows(source, grid, row_step, last_key);
     if (rows.row_count > most_floats / floats_in_pose(source.exact)) break;
     SampledBake bake = encode(source, rows);
-    if (!best.block || bake.error < worthwhile * best.error) best = std::move(bake);
-    if (best.error <= source.error_bound) break;
+    const bool keeps_to_bound = bake.error <= source.error_bound;
+    if (keeps_to_bound || !best.block || bake.error < worthwhile * best.error) best = std::move(bake);
+    if (keeps_to_bound) break;
   }
   return best;
 }

@@ -130,7 +130,7 @@ std::size_t pick_size(Random& random) {
 // Before the camera, which looks from the viewpoint at the middle of the square.
 glm::dvec2 somewhere_in_front(const GroundPlan& ground, Random& random) {
   const glm::dvec2 ahead = -glm::normalize(ground.viewpoint);
-  const double depth = static_cast<double>(random.between(5.0F, 7.5F));
+  const auto depth = static_cast<double>(random.between(5.0F, 7.5F));
   const double side = static_cast<double>(random.between(-0.55F, 0.55F)) * depth;
   return ground.viewpoint + ground.spacing * (depth * ahead + side * glm::dvec2(ahead.y, -ahead.x));
 }

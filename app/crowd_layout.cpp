@@ -88,7 +88,7 @@ void LanePlanner::lay_block(const Square& block) {
   const double inset = std::min(static_cast<double>(random_.between(2.3F, 3.3F)) * spacing_, 0.4 * block.half);
   const double half = block.half - inset;
   const int count = half > 5.0 * spacing_ ? 3 : (half > 3.0 * spacing_ ? 2 : 1);
-  const double roundness = static_cast<double>(large ? random_.between(0.28F, 0.45F) : random_.between(0.75F, 1.0F));
+  const auto roundness = static_cast<double>(large ? random_.between(0.28F, 0.45F) : random_.between(0.75F, 1.0F));
   lay_band(block.centre, glm::dvec2(half), roundness * half, count);
   if (large) lay_loops({block.centre, half - ((count - 1) * lane_pitch + 1.5) * spacing_});
 }
@@ -171,7 +171,8 @@ CrowdLayout grid_layout(std::size_t agents, const CharacterRoles& roles) {
   layout.standers.reserve(agents);
   for (std::size_t agent = 0; agent < agents; ++agent) {
     const double column = static_cast<double>(agent % columns) - 0.5 * static_cast<double>(columns - 1);
-    layout.standers.push_back({pitch * glm::dvec2(column, -static_cast<double>(agent / columns)), Heading{}});
+    const auto row = agent / columns;
+    layout.standers.push_back({pitch * glm::dvec2(column, -static_cast<double>(row)), Heading{}});
   }
   return layout;
 }

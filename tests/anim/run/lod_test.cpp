@@ -1,5 +1,6 @@
 #include "engine/anim/run/lod.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -144,13 +145,7 @@ TEST_F(LodTest, AnAgentThatReappearsIsDueAtOnce) {
   select_next();
   positions[5].z = -100.0F;
   select_next();
-  const auto due = [&] {
-    for (const DueAgent& agent : selection.due) {
-      if (agent.agent == 5) return true;
-    }
-    return false;
-  };
-  EXPECT_TRUE(due());
+  EXPECT_TRUE(std::ranges::any_of(selection.due, [](const DueAgent& due) { return due.agent == 5; }));
 }
 
 TEST_F(LodTest, WithLodOffEveryoneIsPosedWithAllBonesAndOnlyTheVisibleAreReportedSo) {

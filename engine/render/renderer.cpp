@@ -71,6 +71,8 @@ void Renderer::upload(const CrowdFrame& frame) {
 std::vector<ReadBackVertex> Renderer::read_back(const CrowdFrame& frame, const ReadBackAgent& agent) {
   assert(mesh_.has_value() && agent.instance < frame.instances.size());
   upload(frame);
+  // Without a window there is no framebuffer but ours, and OpenGL draws nothing, not even unseen, without one.
+  target_.bind_overlay();
   return read_back_.read(agent, *mesh_, palettes_);
 }
 

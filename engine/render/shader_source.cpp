@@ -4,7 +4,7 @@
 #include <fstream>
 #include <optional>
 #include <regex>
-#include <sstream>
+#include <string_view>
 
 namespace throng::render {
 namespace {
@@ -15,28 +15,20 @@ std::optional<std::string> included_file(const std::string& line) {
   return line.substr(directive.size(), line.find('"', directive.size()) - directive.size());
 }
 
-std::string line_directive(std::size_t line, std::size_t file) {
-  return "#line " + std::to_string(line) + " " + std::to_string(file) + "\n";
-}
-
 Status append_file(const std::filesystem::path& folder, const std::string& name, ShaderSource& source) {
   std::ifstream input(folder / name);
   if (!input) return Error{"cannot read shader " + (folder / name).string() + "; check --data"};
   const std::size_t file = source.files.size();
   source.files.push_back(name);
-  // Nothing may stand before #version, which only the stage's own file has, in its first line.
-  if (file != 0) source.text += line_directive(1, file);
   std::string line;
   for (std::size_t number = 1; std::getline(input, line); ++number) {
     const std::optional<std::string> included = included_file(line);
     if (!included) {
       source.text += line + "\n";
-      continue;
-    }
-    if (std::ranges::find(source.files, *included) == source.files.end()) {
+      source.lines.push_back({file, number});
+    } else if (std::ranges::find(source.files, *included) == source.files.end()) {
       if (const Status appended = append_file(folder, *included, source); !appended) return appended.error();
     }
-    source.text += line_directive(number + 1, file);
   }
   return Done{};
 }
@@ -50,12 +42,14 @@ Result<ShaderSource> read_shader_source(const std::filesystem::path& folder, con
 }
 
 std::string first_complaint(const std::string& log, const ShaderSource& source) {
-  // Mesa writes "file:line(column): what", others "file(line) : what".
-  static const std::regex position(R"((\d+)[:(](\d+)(?:\(\d+\))?\)?\s*:\s*([^\n]*))");
+  // Mesa writes "0:line(column): what", others "0(line) : what"; the text is one string, number 0.
+  static const std::regex position(R"(\d+[:(](\d+)(?:\(\d+\))?\)?\s*:\s*([^\n]*))");
   std::smatch found;
-  if (!std::regex_search(log, found, position)) return source.files[0] + ": " + log.substr(0, log.find('\n'));
-  const std::size_t file = std::stoul(found[1]);
-  return source.files[std::min(file, source.files.size() - 1)] + ":" + found[2].str() + ": " + found[3].str();
+  const bool has_position = std::regex_search(log, found, position);
+  const std::size_t line = has_position ? std::stoul(found[1]) : 0;
+  if (line == 0 || line > source.lines.size()) return source.files[0] + ": " + log.substr(0, log.find('\n'));
+  const ShaderLine& written = source.lines[line - 1];
+  return source.files[written.file] + ":" + std::to_string(written.number) + ": " + found[2].str();
 }
 
 }  // namespace throng::render

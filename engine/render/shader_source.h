@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,10 +9,17 @@
 
 namespace throng::render {
 
-/// One stage's text with its includes in place. `#line` directives number the files in the order of `files`.
+/// Where a line of a ShaderSource was written.
+struct ShaderLine {
+  std::size_t file = 0;    ///< index among ShaderSource::files
+  std::size_t number = 1;  ///< counted from 1
+};
+
+/// One stage's text with its includes in place. (Drivers disagree on `#line`, so lines are mapped back here.)
 struct ShaderSource {
   std::string text;
   std::vector<std::string> files;  ///< [0] is the stage's own file
+  std::vector<ShaderLine> lines;   ///< one a line of text
 };
 
 /// Reads `file` of `folder` and, in place of each line `#include "name"`, that file of the same folder, once.

@@ -23,18 +23,14 @@ class ShaderFolder : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(ShaderFolder, PutsAnIncludedFileInPlaceOnceAndNumbersLines) {
+TEST_F(ShaderFolder, PutsAnIncludedFileInPlaceOnce) {
   write("light.glsl", "light\n");
   write("crowd.glsl", "#include \"light.glsl\"\ncrowd\n");
   write("main.vert", "#version 450 core\n#include \"light.glsl\"\n#include \"crowd.glsl\"\nmain\n");
   const Result<ShaderSource> source = read_shader_source(folder_, "main.vert");
   ASSERT_TRUE(source);
   EXPECT_EQ(source->files, (std::vector<std::string>{"main.vert", "light.glsl", "crowd.glsl"}));
-  EXPECT_EQ(source->text,
-            "#version 450 core\n"
-            "#line 1 1\nlight\n#line 3 0\n"
-            "#line 1 2\n#line 2 2\ncrowd\n#line 4 0\n"
-            "main\n");
+  EXPECT_EQ(source->text, "#version 450 core\nlight\ncrowd\nmain\n");
 }
 
 TEST_F(ShaderFolder, NamesTheFileThatIsMissing) {
@@ -44,16 +40,23 @@ TEST_F(ShaderFolder, NamesTheFileThatIsMissing) {
   EXPECT_NE(source.error().message.find("absent.glsl"), std::string::npos);
 }
 
-TEST(ShaderComplaint, NamesFileAndLineAsWrittenByEveryDriver) {
-  const ShaderSource source{"", {"main.vert", "light.glsl"}};
-  EXPECT_EQ(first_complaint("1:12(5): error: `sun' undeclared\n1:13(1): error: more", source),
-            "light.glsl:12: error: `sun' undeclared");
-  EXPECT_EQ(first_complaint("0(7) : error C1008: undefined variable", source),
-            "main.vert:7: error C1008: undefined variable");
+TEST_F(ShaderFolder, TakesAComplaintOfAnyDriverBackToFileAndLineAsWritten) {
+  write("light.glsl", "light\nmoon\n");
+  write("main.vert", "#version 450 core\n#include \"light.glsl\"\nmain\n");
+  const Result<ShaderSource> source = read_shader_source(folder_, "main.vert");
+  ASSERT_TRUE(source);
+  EXPECT_EQ(first_complaint("0:3(5): error: `moon' undeclared\n0:4(1): error: more", *source),
+            "light.glsl:2: error: `moon' undeclared");
+  EXPECT_EQ(first_complaint("0(4) : error C1008: undefined variable", *source),
+            "main.vert:3: error C1008: undefined variable");
 }
 
-TEST(ShaderComplaint, KeepsWhatItCannotRead) {
-  EXPECT_EQ(first_complaint("out of memory\n", {"", {"main.vert"}}), "main.vert: out of memory");
+TEST_F(ShaderFolder, KeepsAComplaintThatNamesNoLineOfIt) {
+  write("main.vert", "#version 450 core\n");
+  const Result<ShaderSource> source = read_shader_source(folder_, "main.vert");
+  ASSERT_TRUE(source);
+  EXPECT_EQ(first_complaint("out of memory\n", *source), "main.vert: out of memory");
+  EXPECT_EQ(first_complaint("0:77(1): error: end\n", *source), "main.vert: 0:77(1): error: end");
 }
 
 }  // namespace

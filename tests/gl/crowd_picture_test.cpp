@@ -1,0 +1,131 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/gl/doll_crowd.h"
+#include "tests/gl/gl_test.h"
+#include "tests/gl/picture_tolerance.h"
+
+namespace throng::render::test {
+namespace {
+
+constexpr std::size_t crowd_size = 15;
+
+/// Draws the crowd as meant, and once more with a fault in what the renderer is given.
+class CrowdPicture : public SoftwareGlTest {
+ protected:
+  void SetUp() override {
+    SoftwareGlTest::SetUp();
+    crowd_ = std::make_unique<DollCrowd>(context());
+    crowd_->stand(crowd_size);
+    crowd_->write_palettes();
+    meant_ = crowd_->picture();
+  }
+  void TearDown() override {
+    crowd_.reset();
+    SoftwareGlTest::TearDown();
+  }
+
+  DollCrowd& crowd() { return *crowd_; }
+  ImageDifference difference_now() { return *compare(meant_, crowd().picture()); }
+
+ private:
+  std::unique_ptr<DollCrowd> crowd_;
+  Image meant_;
+};
+
+TEST_F(CrowdPicture, IsTheSameWhenDrawnAgain) {
+  const ImageDifference difference = difference_now();
+  EXPECT_EQ(difference.mean, 0.0);
+  EXPECT_EQ(difference.worst_block, 0.0);
+}
+
+TEST_F(CrowdPicture, ShowsAMissingAgent) {
+  crowd().instances.erase(crowd().instances.begin() + 7);
+  EXPECT_FALSE(looks_the_same(difference_now()));
+}
+
+TEST_F(CrowdPicture, ShowsSwappedTintRegions) {
+  for (InstanceRecord& record : crowd().instances) std::swap(record.tints[2], record.tints[3]);
+  EXPECT_FALSE(looks_the_same(difference_now()));
+}
+
+TEST_F(CrowdPicture, ShowsAPaletteOffByOneBone) {
+  for (DollPalette& palette : crowd().to) std::rotate(palette.begin(), palette.begin() + 1, palette.end());
+  crowd().write_palettes();
+  EXPECT_FALSE(looks_the_same(difference_now()));
+}
+
+TEST_F(CrowdPicture, ShowsInstancesOffByOneSlot) {
+  auto& instances = crowd().instances;
+  for (std::size_t i = 0; i + 1 < instances.size(); ++i) instances[i].palette_to = instances[i + 1].palette_to;
+  EXPECT_FALSE(looks_the_same(difference_now()));
+}
+
+TEST_F(CrowdPicture, ShowsTransposedMatrices) {
+  for (DollPalette& palette : crowd().to) {
+    for (PaletteRows& joint : palette) {
+      for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < row; ++column) std::swap(joint.rows[row][column], joint.rows[column][row]);
+      }
+    }
+  }
+  crowd().write_palettes();
+  EXPECT_FALSE(looks_the_same(difference_now()));
+}
+
+TEST_F(CrowdPicture, ShowsADebugColorAsFarAsItsAlphaSays) {
+  for (InstanceRecord& record : crowd().instances) record.debug_color = 0x000000FFU;
+  EXPECT_EQ(difference_now().worst_block, 0.0);
+  for (InstanceRecord& record : crowd().instances) record.debug_color = 0xFF0000FFU;
+  EXPECT_FALSE(looks_the_same(difference_now()));
+}
+
+TEST_F(CrowdPicture, TakesAsManyDrawCallsForManyAgentsAsForFew) {
+  const DrawCounts few = crowd().renderer().draw(crowd().frame());
+  crowd().stand(60);
+  crowd().write_palettes();
+  const DrawCounts many = crowd().renderer().draw(crowd().frame());
+  EXPECT_EQ(many.draw_calls, few.draw_calls);
+  EXPECT_GT(many.triangles, few.triangles * 4);
+}
+
+TEST_F(CrowdPicture, CountsNoTriangleTwice) {
+  crowd().renderer().set_shadows(false);
+  const DrawCounts counts = crowd().renderer().draw(crowd().frame());
+  const std::uint64_t surface = crowd().renderer().mesh().triangles_by_lod()[0];
+  constexpr std::uint64_t ground = 1, contact_spot = 2;
+  EXPECT_EQ(counts.triangles, ground + crowd_size * (contact_spot + surface));
+  EXPECT_EQ(counts.draw_calls, 2U + 2U);
+}
+
+TEST_F(CrowdPicture, OfBonesIsAModeOfTheSamePass) {
+  CrowdFrame frame = crowd().frame();
+  frame.bones_as_lines = true;
+  EXPECT_GT(crowd().renderer().draw(frame).draw_calls, 0U);
+  const Image bones = crowd().renderer().read_image();
+  EXPECT_FALSE(looks_the_same(*compare(bones, crowd().picture())));
+}
+
+TEST_F(CrowdPicture, SurvivesAnotherSizeAndBack) {
+  crowd().renderer().set_size({64, 400});
+  EXPECT_EQ(crowd().picture().height, 400);
+  crowd().renderer().set_size({DollCrowd::width, DollCrowd::height});
+  EXPECT_EQ(difference_now().worst_block, 0.0);
+}
+
+TEST_F(CrowdPicture, SmoothsEdgesWithSamplesAndKeepsEverythingElse) {
+  crowd().renderer().set_samples(4);
+  const ImageDifference difference = difference_now();
+  EXPECT_GT(difference.mean, 0.0);
+  EXPECT_LT(difference.mean, 6.0);
+}
+
+TEST_F(CrowdPicture, OfNobodyIsTheGround) {
+  crowd().instances.clear();
+  const DrawCounts counts = crowd().renderer().draw({crowd().frame().camera, {}, {}, 0, false});
+  EXPECT_EQ(counts.draw_calls, 1U);
+}
+
+}  // namespace
+}  // namespace throng::render::test

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "engine/render/crowd_mesh_data.h"
+
+namespace throng::render::test {
+
+inline constexpr std::size_t doll_joints = 6;
+enum DollJoint : std::uint16_t { hips, chest, head, left_arm, right_arm, legs };
+
+/// One matrix of a palette as animation writes it: 3x4 row-major.
+struct PaletteRows {
+  float rows[3][4];
+};
+using DollPalette = std::vector<PaletteRows>;  ///< doll_joints entries
+
+/// A hand-made figure of boxes 1.75 m tall: six joints, all five tint regions, a trunk whose vertices hang between two
+/// joints. Owns what its mesh data points to.
+class Doll {
+ public:
+  Doll();
+  CrowdMeshData mesh_data() const;
+
+  /// Where the vertices of the mesh are, at rest and moved by a palette (on the CPU, in double), model space.
+  std::size_t vertex_count() const { return positions_.size(); }
+  glm::dvec3 skinned_position(std::size_t vertex, const DollPalette& palette) const;
+  glm::dvec3 skinned_normal(std::size_t vertex, const DollPalette& palette) const;
+
+ private:
+  struct Influence {
+    std::array<std::uint16_t, 4> joints;
+    std::array<float, 4> weights;
+  };
+
+  void add_box(const glm::vec3& low, const glm::vec3& high, std::uint8_t region, Influence lower, Influence upper);
+  glm::dmat4 blended(std::size_t vertex, const DollPalette& palette) const;
+
+  std::vector<glm::vec3> positions_;
+  std::vector<glm::vec3> normals_;
+  std::vector<std::uint8_t> regions_;
+  std::vector<std::uint16_t> joints_;
+  std::vector<float> weights_;
+  std::vector<std::uint32_t> indices_;
+};
+
+/// A pose with arms raised and trunk bent by `bend` radians; every joint's matrix differs from every other's.
+DollPalette doll_pose(float bend);
+
+}  // namespace throng::render::test

@@ -1,0 +1,93 @@
+#include "tests/gl/doll_crowd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+namespace throng::render::test {
+namespace {
+
+constexpr std::size_t row_length = 5;
+constexpr std::uint32_t opaque = 0xFF000000U;
+
+std::uint32_t tint_of(std::size_t agent, std::size_t region) {
+  const auto hash = static_cast<std::uint32_t>((agent * 5 + region + 1) * 2654435761U);
+  return (hash >> 4U) | 0x00404040U | opaque;
+}
+
+InstanceRecord record_of(std::size_t agent) {
+  InstanceRecord record{};
+  const auto column = static_cast<float>(agent % row_length);
+  const auto row = static_cast<float>(agent / row_length);
+  record.position[0] = (column - 2.0F) * 1.2F;
+  record.position[2] = -row * 1.6F;
+  record.scale = 0.9F + 0.02F * column;
+  record.heading_cosine = std::cos(0.3F * column - 0.5F);
+  record.heading_sine = std::sin(0.3F * column - 0.5F);
+  record.agent = static_cast<std::uint32_t>(agent);
+  for (std::size_t region = 0; region < tint_regions; ++region) record.tints[region] = tint_of(agent, region);
+  // A third of the way from one slot to the other.
+  record.blend_start = DollCrowd::now - 10'000;
+  record.blend_duration = 30'000;
+  return record;
+}
+
+}  // namespace
+
+DollCrowd::DollCrowd(gl::Context& context, int samples) {
+  RendererOptions options;
+  options.data = THRONG_SOURCE_DIR;
+  options.size = {width, height};
+  options.samples = samples;
+  Result<std::unique_ptr<Renderer>> renderer = Renderer::create(context, options);
+  if (!renderer) throw std::runtime_error(renderer.error().message);
+  renderer_ = std::move(*renderer);
+  if (const Status loaded = renderer_->load_character(doll_.mesh_data()); !loaded) {
+    throw std::runtime_error(loaded.error().message);
+  }
+  slots_ = std::make_unique<PaletteSlots>(renderer_->palette_pages(), std::vector<std::uint32_t>{doll_joints});
+  camera.position = {0.0F, 1.6F, 4.2F};
+  camera.pitch = -0.12F;
+}
+
+void DollCrowd::stand(std::size_t count) {
+  for (std::size_t agent = 0; agent < count; ++agent) {
+    instances.push_back(record_of(agent));
+    from.push_back(doll_pose(0.2F + 0.1F * static_cast<float>(agent % 7)));
+    to.push_back(doll_pose(1.3F - 0.1F * static_cast<float>(agent % 9)));
+  }
+}
+
+std::uint32_t DollCrowd::write(const DollPalette& palette) {
+  const PaletteSlot slot = slots_->acquire(0);
+  std::memcpy(slots_->memory(slot), palette.data(), palette.size() * sizeof(PaletteRows));
+  return slot.first_entry;
+}
+
+void DollCrowd::write_palettes() {
+  for (std::size_t agent = 0; agent < instances.size(); ++agent) {
+    instances[agent].palette_from = write(from[agent]);
+    instances[agent].palette_to = write(to[agent]);
+  }
+}
+
+CrowdFrame DollCrowd::frame() {
+  // Two runs, so that the second starts at an instance other than the first.
+  const auto count = static_cast<std::uint32_t>(instances.size());
+  const std::uint32_t half = count / 2;
+  batches_ = {{0, 0, 0, 0, half}, {0, 0, 0, half, count - half}};
+  CrowdFrame frame;
+  frame.camera = view_of(camera, static_cast<float>(width) / height);
+  frame.instances = instances;
+  frame.batches = batches_;
+  frame.now = now;
+  return frame;
+}
+
+Image DollCrowd::picture() {
+  renderer_->draw(frame());
+  return renderer_->read_image();
+}
+
+}  // namespace throng::render::test

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/render/camera.h"
+#include "engine/render/renderer.h"
+#include "tests/gl/doll.h"
+
+namespace throng::render::test {
+
+/// A small crowd of dolls and the renderer that draws it. What is drawn is open, so that tests can plant faults in it
+/// before it goes to the device.
+class DollCrowd {
+ public:
+  static constexpr int width = 320;
+  static constexpr int height = 180;
+  static constexpr std::uint32_t now = 5'000'000;  ///< microseconds
+
+  explicit DollCrowd(gl::Context& context, int samples = 0);
+
+  /// `count` dolls in rows before the camera, no two posed, turned and coloured alike, each at rest between two
+  /// poses.
+  void stand(std::size_t count);
+
+  /// Gives every agent its slots and fills them.
+  void write_palettes();
+
+  CrowdFrame frame();
+  Image picture();
+
+  Renderer& renderer() { return *renderer_; }
+  const Doll& doll() const { return doll_; }
+
+  std::vector<InstanceRecord> instances;
+  std::vector<DollPalette> from;  ///< one an agent
+  std::vector<DollPalette> to;    ///< one an agent
+  Camera camera;
+
+ private:
+  std::uint32_t write(const DollPalette& palette);
+
+  Doll doll_;
+  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<PaletteSlots> slots_;
+  std::vector<CrowdBatch> batches_;
+};
+
+}  // namespace throng::render::test

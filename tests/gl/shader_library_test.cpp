@@ -1,0 +1,77 @@
+#include "engine/render/shader_library.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/gl/gl_test.h"
+
+namespace throng::render::test {
+namespace {
+
+class ShaderLibraryFolder : public SoftwareGlTest {
+ protected:
+  ShaderLibraryFolder() {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("throng_library_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+    write("any.vert", "#version 450 core\nvoid main() { gl_Position = vec4(0.0); }\n");
+    write("good.frag", "#version 450 core\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n");
+  }
+  void TearDown() override {
+    // The driver reports mistakes that are meant twice, and its own way.
+    context().messages().clear();
+    SoftwareGlTest::TearDown();
+  }
+  ~ShaderLibraryFolder() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(ShaderLibraryFolder, NamesFileAndLineOfAMistakeInAnIncludedFile) {
+  write("light.glsl", "float sun() {\n  return moon;\n}\n");
+  write("bad.frag",
+        "#version 450 core\nout vec4 color;\n#include \"light.glsl\"\nvoid main() { color = vec4(sun()); }\n");
+  ShaderLibrary shaders(folder_);
+  const Result<ProgramHandle> program = shaders.load({"any.vert", "bad.frag", {}});
+  ASSERT_FALSE(program);
+  EXPECT_NE(program.error().message.find("light.glsl:2: "), std::string::npos) << program.error().message;
+  EXPECT_EQ(program.error().message.find('\n'), std::string::npos);
+}
+
+TEST_F(ShaderLibraryFolder, SaysInOneSentenceWhatDoesNotLink) {
+  write("lonely.frag",
+        "#version 450 core\nin vec3 nowhere;\nout vec4 color;\nvoid main() { color = vec4(nowhere, 1.0); }\n");
+  ShaderLibrary shaders(folder_);
+  const Result<ProgramHandle> program = shaders.load({"any.vert", "lonely.frag", {}});
+  ASSERT_FALSE(program);
+  EXPECT_NE(program.error().message.find("lonely.frag"), std::string::npos);
+  EXPECT_EQ(program.error().message.find('\n'), std::string::npos);
+}
+
+TEST_F(ShaderLibraryFolder, KeepsTheLastGoodProgramWhenAReloadFails) {
+  ShaderLibrary shaders(folder_);
+  const Result<ProgramHandle> program = shaders.load({"any.vert", "good.frag", {}});
+  ASSERT_TRUE(program) << program.error().message;
+  const auto good = shaders.id(*program);
+  write("good.frag", "#version 450 core\nnonsense\n");
+  EXPECT_FALSE(shaders.reload());
+  EXPECT_EQ(shaders.id(*program), good);
+  write("good.frag", "#version 450 core\nout vec4 color;\nvoid main() { color = vec4(0.5); }\n");
+  EXPECT_TRUE(shaders.reload());
+  EXPECT_NE(shaders.id(*program), good);
+}
+
+TEST_F(ShaderLibraryFolder, NamesTheFolderThatHasNoShaders) {
+  ShaderLibrary shaders(folder_ / "absent");
+  const Result<ProgramHandle> program = shaders.load({"any.vert", "good.frag", {}});
+  ASSERT_FALSE(program);
+  EXPECT_NE(program.error().message.find("absent/any.vert"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace throng::render::test

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "assets/mannequin/occlusion.h"
@@ -16,9 +17,8 @@ namespace {
 using glm::dvec3;
 using Triangle = std::array<std::size_t, 3>;
 
-dvec3 rounded(dvec3 value, double step) {
-  return {std::round(value.x / step) * step, std::round(value.y / step) * step, std::round(value.z / step) * step};
-}
+/// The nearest multiple of `step`; never the negative zero, whose sign depends on the last bit of what was rounded.
+dvec3 rounded(dvec3 value, double step) { return glm::round(value / step) * step + dvec3(0); }
 
 /// Cut along the shorter diagonal; on a tie along the first, so that both halves of the body agree.
 std::array<Triangle, 2> split(const Quad& quad, const std::vector<dvec3>& positions) {

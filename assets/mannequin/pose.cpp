@@ -114,11 +114,12 @@ void place_arm(Pose& pose, Side side, const ArmAngles& angles) {
 }
 
 void curl_fingers(Pose& pose, Side side, double curl) {
+  const dvec3 across_palm = glm::normalize(left_arm().thumbwards * -0.8 - left_arm().backwards * 0.6);
   for (const Finger& finger : left_fingers()) {
     const bool thumb = finger.name == "thumb";
-    const dvec3 axis = thumb ? glm::normalize(glm::cross(finger.directions[1], -left_arm().backwards)) : -axis_z;
+    const dvec3 axis = thumb ? glm::normalize(glm::cross(finger.directions[1], across_palm)) : -axis_z;
     for (int bone = 1; bone <= 3; ++bone) {
-      const double share = thumb ? (bone == 1 ? 0.15 : 0.4) : (bone == 3 ? 0.7 : 1.0);
+      const double share = thumb ? (bone == 1 ? 0.3 : 0.6) : (bone == 3 ? 0.7 : 1.0);
       pose[on_side(std::string(finger.name) + "." + std::to_string(bone), side)] =
           sided(about(axis, curl * share), side);
     }

@@ -6,6 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 namespace throng::app {
 namespace {
 
@@ -142,6 +145,16 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
     if (now_ >= next_changes_[agent]) change_clip(agent);
   }
   return requests_;
+}
+
+CrowdSphere bounding_sphere(const Crowd& crowd) {
+  glm::vec3 lowest(0.0F);
+  glm::vec3 highest(0.0F);
+  for (const glm::vec3& position : crowd.positions()) {
+    lowest = glm::min(lowest, position);
+    highest = glm::max(highest, position);
+  }
+  return {(lowest + highest) * 0.5F, glm::distance(lowest, highest) * 0.5F};
 }
 
 }  // namespace throng::app

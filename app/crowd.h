@@ -77,4 +77,11 @@ class Crowd {
   std::vector<ClipRequest> requests_;
 };
 
+/// A sphere around all agents' feet.
+struct CrowdSphere {
+  glm::vec3 centre{0.0F};
+  float radius = 0.0F;  ///< metres
+};
+CrowdSphere bounding_sphere(const Crowd& crowd);
+
 }  // namespace throng::app

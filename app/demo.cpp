@@ -2,14 +2,42 @@
 
 #include <memory>
 
+#include "app/data_folder.h"
 #include "app/exit_status.h"
+#include "app/fly_camera.h"
+#include "app/frame_reporter.h"
+#include "app/overlay/overlay.h"
 #include "app/show.h"
+#include "app/window_loop.h"
 
 namespace throng::app {
 namespace {
 
 DrawWhich drawn_frames(const DemoOptions& options) {
   return options.draw.value_or(options.screenshot.empty() ? DrawWhich::none : DrawWhich::last);
+}
+
+// The overlay in a picture: nobody moves a mouse, so one frame of it is all there is.
+anim::Status draw_overlay(Show& show, const DemoOptions& options) {
+  const auto fonts = find_data(data_folders(options.data), "assets/fonts");
+  Tuning tuning = show.stage().tuning();
+  FrameReporter reporter(show);
+  reporter.update(show, place_of(show.camera), show.last_update_ms() + show.last_draw_ms(), show.notice);
+  if (options.ui_fixed) {
+    const auto figures = find_data(data_folders(options.data), "assets/fixed_report.json");
+    if (!figures) return figures.error();
+    if (const anim::Status fixed = reporter.fix_measured(*figures); !fixed) return fixed;
+  }
+  Overlay overlay(fonts ? *fonts : std::filesystem::path(), 1.0F, tuning);
+  const render::Status prepared = show.renderer().prepare_overlay();
+  if (!prepared) return anim::Error{prepared.error().message};
+  constexpr int frames_until_laid_out = 3;
+  for (int frame = 0; frame < frames_until_laid_out; ++frame) {
+    overlay.begin_frame(show.width, show.height, 1.0 / 60.0, {});
+    overlay.build(reporter.report(), tuning);
+  }
+  show.renderer().draw_overlay(*overlay.draw_data());
+  return anim::Done{};
 }
 
 int write_results(Show& show, const DemoOptions& options) {
@@ -24,7 +52,7 @@ int write_results(Show& show, const DemoOptions& options) {
   return exit_done;
 }
 
-int run_headless(Show& show, const DemoOptions& options) {
+anim::Status run_headless(Show& show, const DemoOptions& options) {
   const anim::Ticks step = anim::to_ticks(options.dt.value_or(1.0 / 60.0));
   const DrawWhich which = drawn_frames(options);
   for (int frame = 1; frame <= options.frames; ++frame) {
@@ -32,7 +60,8 @@ int run_headless(Show& show, const DemoOptions& options) {
     const bool last = frame == options.frames;
     if (show.draws() && (which == DrawWhich::all || (which == DrawWhich::last && last))) show.draw();
   }
-  return write_results(show, options);
+  if (options.ui && show.draws() && which != DrawWhich::none) return draw_overlay(show, options);
+  return anim::Done{};
 }
 
 }  // namespace
@@ -41,7 +70,10 @@ int run_demo(const DemoOptions& options) {
   Failure failure;
   const std::unique_ptr<Show> show = Show::create(options, failure);
   if (show == nullptr) return end_with(static_cast<ExitStatus>(failure.status), failure.message);
-  return run_headless(*show, options);
+  const bool window = options.context == ContextKind::window;
+  const anim::Status run = window ? run_window(*show, options) : run_headless(*show, options);
+  if (!run) return end_with(exit_job_failed, run.error().message);
+  return write_results(*show, options);
 }
 
 }  // namespace throng::app

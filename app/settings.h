@@ -51,6 +51,8 @@ struct Tuning {
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
+
+  friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
 /// What the command line of the demo says (DESIGN section 9); Tuning are its starting values.
@@ -73,7 +75,7 @@ struct DemoOptions {
   bool shadows_given = false;  ///< a software renderer draws none unless given
   std::optional<CameraPlace> camera;
   std::string camera_name;  ///< named camera of the scene, empty: the scene's first
-  std::string screenshot, stats, trace, preset, ui_map, data;
+  std::string screenshot, stats, ui_map, data;
 };
 
 }  // namespace throng::app

@@ -1,17 +1,16 @@
 #include "app/show.h"
 
 #include <chrono>
-#include <numbers>
 #include <utility>
 
 #include "app/data_folder.h"
 #include "app/exit_status.h"
+#include "app/fly_camera.h"
 #include "app/scenes.h"
 
 namespace throng::app {
 namespace {
 
-constexpr float degrees = std::numbers::pi_v<float> / 180.0F;
 constexpr int software_window_agents = 300;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 
@@ -39,22 +38,6 @@ bool draws_live(const DemoOptions& options) {
 }
 
 }  // namespace
-
-render::Camera to_camera(const CameraPlace& place) {
-  return {.position = {place.x, place.y, place.z},
-          .yaw = place.yaw * degrees,
-          .pitch = place.pitch * degrees,
-          .vertical_view = place.field_of_view * degrees};
-}
-
-CameraPlace to_place(const render::Camera& camera) {
-  return {.x = camera.position.x,
-          .y = camera.position.y,
-          .z = camera.position.z,
-          .yaw = camera.yaw / degrees,
-          .pitch = camera.pitch / degrees,
-          .field_of_view = camera.vertical_view / degrees};
-}
 
 Show::~Show() {
   stage_.reset();
@@ -127,7 +110,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
     fail(failure, exit_usage, "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
     return nullptr;
   }
-  show->camera = to_camera(options.camera.value_or(named->place));
+  show->camera = camera_at(options.camera.value_or(named->place));
   return show;
 }
 

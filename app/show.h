@@ -72,7 +72,4 @@ class Show {
   double draw_ms_ = 0;
 };
 
-render::Camera to_camera(const CameraPlace& place);
-CameraPlace to_place(const render::Camera& camera);
-
 }  // namespace throng::app

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/anim/run/local_store.h"
+#include "engine/anim/run/trace.h"
 
 namespace throng::anim {
 
@@ -21,46 +22,48 @@ enum class DoubleBuffering : std::uint8_t { off, inline_copy, interleaved };
 ///   compute(task, buffer, engine)
 ///   write_back(task, buffer, engine) queues what it changed
 template <typename Tasks>
-void run_single_buffered(Tasks& tasks, CopyEngine& engine) {
+void run_single_buffered(Tasks& tasks, CopyEngine& engine, Trace& trace) {
   while (auto task = tasks.next()) {
     tasks.fetch(*task, 0, engine);
-    engine.finish();
-    tasks.compute(*task, 0, engine);
+    trace.record(TraceSpan::Kind::fetch, [&] { engine.finish(); });
+    trace.record(TraceSpan::Kind::compute, [&] { tasks.compute(*task, 0, engine); });
     tasks.write_back(*task, 0, engine);
-    engine.finish();
+    trace.record(TraceSpan::Kind::write_back, [&] { engine.finish(); });
   }
 }
 
 template <typename Tasks>
-void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode) {
+void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode, Trace& trace) {
   auto current = tasks.next();
   if (!current) return;
   int buffer = 0;
   tasks.fetch(*current, buffer, engine);
-  engine.finish();
+  trace.record(TraceSpan::Kind::fetch, [&] { engine.finish(); });
   decltype(current) previous;
   while (current) {
     auto next = tasks.next();
     if (previous) tasks.write_back(*previous, 1 - buffer, engine);
     if (next) tasks.fetch(*next, 1 - buffer, engine);
-    if (mode == DoubleBuffering::inline_copy) engine.finish();
+    if (mode == DoubleBuffering::inline_copy) trace.record(TraceSpan::Kind::fetch, [&] { engine.finish(); });
     engine.spread_over(tasks.copy_points(*current));
-    tasks.compute(*current, buffer, engine);
-    engine.finish();
+    trace.record(TraceSpan::Kind::compute, [&] {
+      tasks.compute(*current, buffer, engine);
+      engine.finish();
+    });
     previous = current;
     current = next;
     buffer = 1 - buffer;
   }
   tasks.write_back(*previous, 1 - buffer, engine);
-  engine.finish();
+  trace.record(TraceSpan::Kind::write_back, [&] { engine.finish(); });
 }
 
 template <typename Tasks>
-void run_tasks(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode) {
+void run_tasks(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode, Trace& trace) {
   if (mode == DoubleBuffering::off) {
-    run_single_buffered(tasks, engine);
+    run_single_buffered(tasks, engine, trace);
   } else {
-    run_double_buffered(tasks, engine, mode);
+    run_double_buffered(tasks, engine, mode, trace);
   }
 }
 

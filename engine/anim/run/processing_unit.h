@@ -1,12 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <vector>
 
 #include "engine/anim/run/double_buffer.h"
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/local_store_plan.h"
+#include "engine/anim/run/trace.h"
 
 namespace throng::anim {
 
@@ -33,16 +33,20 @@ class ProcessingUnit {
 
   template <typename Tasks>
   void run(Tasks& tasks, DoubleBuffering mode) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    run_tasks(tasks, engine_, mode);
-    activity_.busy_ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const Trace::Clock::time_point start = Trace::Clock::now();
+    run_tasks(tasks, engine_, mode, trace_);
+    activity_.busy_ms += std::chrono::duration<double, std::milli>(Trace::Clock::now() - start).count();
     const CopyCounts copies = engine_.take_counts();
     activity_.copies.bytes_in += copies.bytes_in;
     activity_.copies.bytes_out += copies.bytes_out;
     activity_.copies.transfers += copies.transfers;
   }
 
+  void begin_update(Trace::Clock::time_point start) {
+    activity_ = {};
+    trace_.begin(start);
+  }
+  const Trace& trace() const { return trace_; }
   PuActivity& activity() { return activity_; }
   const PuActivity& activity() const { return activity_; }
 
@@ -54,6 +58,7 @@ class ProcessingUnit {
   AlignedBytes unseen_;
   CopyEngine engine_;
   PuActivity activity_;
+  Trace trace_;
 };
 
 }  // namespace throng::anim

@@ -35,7 +35,8 @@ void Scheduler::reserve(std::size_t agents) {
 }
 
 void Scheduler::update(const UpdateContext& context, std::span<AgentWork> work, Executor& executor) {
-  for (ProcessingUnit& unit : units_) unit.activity() = {};
+  const Trace::Clock::time_point start = Trace::Clock::now();
+  for (ProcessingUnit& unit : units_) unit.begin_update(start);
   if (work.empty()) return;
   sort_into_tiles(work);
   cut_tiles(work);

@@ -1,0 +1,165 @@
+#include "app/frame_reporter.h"
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+namespace throng::app {
+namespace {
+
+constexpr std::size_t history_frames = 240;
+
+void remember(std::vector<float>& history, double milliseconds) {
+  if (history.size() == history_frames) history.erase(history.begin());
+  history.push_back(static_cast<float>(milliseconds));
+}
+
+int depth_of(const anim::Skeleton& skeleton, int bone) {
+  int depth = 0;
+  for (int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent; parent >= 0;
+       parent = skeleton.bones[static_cast<std::size_t>(parent)].parent) {
+    ++depth;
+  }
+  return depth;
+}
+
+int last_level_with(const anim::Skeleton& skeleton, int bone) {
+  int level = 0;
+  for (std::size_t i = 0; i < skeleton.level_bone_counts.size(); ++i) {
+    if (bone < skeleton.level_bone_counts[i]) level = static_cast<int>(i);
+  }
+  return level;
+}
+
+PuSpan::Kind kind_of(anim::TraceSpan::Kind kind) {
+  switch (kind) {
+    case anim::TraceSpan::Kind::fetch:
+      return PuSpan::Kind::fetch;
+    case anim::TraceSpan::Kind::compute:
+      return PuSpan::Kind::compute;
+    case anim::TraceSpan::Kind::write_back:
+      break;
+  }
+  return PuSpan::Kind::write_back;
+}
+
+PuReport report_of(const anim::ProcessingUnit& unit, double update_ms) {
+  const anim::PuActivity& activity = unit.activity();
+  PuReport report{.tiles = activity.tasks,
+                  .agents = activity.agents,
+                  .busy_ms = static_cast<float>(activity.busy_ms),
+                  .wait_ms = static_cast<float>(std::max(0.0, update_ms - activity.busy_ms)),
+                  .dma_in_bytes = activity.copies.bytes_in,
+                  .dma_out_bytes = activity.copies.bytes_out,
+                  .dma_transfers = activity.copies.transfers,
+                  .local_store_peak_bytes = static_cast<std::uint32_t>(unit.store().bytes_used()),
+                  .spans = {}};
+  for (const anim::TraceSpan& span : unit.trace().spans()) {
+    report.spans.push_back({kind_of(span.kind), span.begin_ms, span.end_ms});
+  }
+  return report;
+}
+
+void count(std::vector<int>& counts, std::size_t place) {
+  if (counts.size() <= place) counts.resize(place + 1, 0);
+  ++counts[place];
+}
+
+}  // namespace
+
+FrameReporter::FrameReporter(const Show& show) { describe_character(show); }
+
+void FrameReporter::describe_character(const Show& show) {
+  const anim::Skeleton& skeleton = show.stage().character().character->skeleton;
+  const DrawnBy drawn_by = show.drawn_by();
+  report_.model = show.stage().character().name;
+  report_.context = drawn_by.context;
+  report_.gl_version = drawn_by.gl_version;
+  report_.gl_renderer = drawn_by.gl_renderer;
+  report_.software_renderer = show.on_software();
+  report_.level_bone_counts = skeleton.level_bone_counts;
+  report_.hardware_threads = static_cast<int>(std::thread::hardware_concurrency());
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    report_.bones.push_back({.name = skeleton.bones[static_cast<std::size_t>(bone)].name,
+                             .depth = depth_of(skeleton, bone),
+                             .level = last_level_with(skeleton, bone)});
+  }
+}
+
+void FrameReporter::update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice) {
+  const anim::AnimationSystem& system = show.stage().system();
+  ++report_.frame;
+  report_.notice = notice;
+  report_.camera = camera;
+  report_.frame_ms = static_cast<float>(frame_ms);
+  report_.update_ms = static_cast<float>(show.last_update_ms());
+  report_.draw_ms = static_cast<float>(show.last_draw_ms());
+  remember(report_.frame_ms_history, frame_ms);
+  remember(report_.update_ms_history, show.last_update_ms());
+  report_.agents = static_cast<int>(system.agent_count());
+  report_.drawn = static_cast<int>(show.picture().instances().size());
+  report_.agents_updated = static_cast<int>(system.report().agents_updated);
+  report_.bones_evaluated = system.report().bones_evaluated;
+  report_.pose_hash = system.pose_hash();
+  report_.draw_calls = show.draw_counts().draw_calls;
+  report_.triangles = show.draw_counts().triangles;
+  add_level_of_detail(show.stage());
+  add_units(system, show.last_update_ms());
+}
+
+void FrameReporter::add_level_of_detail(const Stage& stage) {
+  report_.visible = static_cast<int>(stage.selection().visible.size());
+  report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().largest_interval), 0);
+  report_.agents_by_bone_level.assign(report_.level_bone_counts.size(), 0);
+  for (const anim::VisibleAgent& agent : stage.selection().visible) {
+    count(report_.agents_by_interval, agent.interval - 1U);
+    count(report_.agents_by_bone_level, agent.bone_level);
+  }
+}
+
+void FrameReporter::add_units(const anim::AnimationSystem& system, double update_ms) {
+  const anim::ScheduleOptions& schedule = system.schedule();
+  report_.pus = schedule.pus;
+  report_.local_store_kib = static_cast<int>(schedule.local_store_bytes / 1024);
+  report_.tile = schedule.plan.width;
+  report_.simd_target = system.kernels().target;
+  report_.dma_in_bytes = system.report().copies.bytes_in;
+  report_.dma_out_bytes = system.report().copies.bytes_out;
+  report_.dma_transfers = system.report().copies.transfers;
+  report_.palette_bytes = system.report().palette_bytes;
+  report_.pu.clear();
+  report_.local_store_peak_bytes = 0;
+  for (const anim::ProcessingUnit& unit : system.units()) {
+    report_.pu.push_back(report_of(unit, update_ms));
+    report_.local_store_peak_bytes = std::max(report_.local_store_peak_bytes, report_.pu.back().local_store_peak_bytes);
+  }
+}
+
+anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_file) {
+  std::ifstream stream(report_file);
+  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+  if (!json.is_object()) {
+    return anim::Error{report_file.string() + ": not the JSON object of measured figures that --ui=fixed shows"};
+  }
+  report_.frame_ms = json.value("frame_ms", 0.0F);
+  report_.update_ms = json.value("update_ms", 0.0F);
+  report_.draw_ms = json.value("draw_ms", 0.0F);
+  report_.frame_ms_history = json.value("frame_ms_history", std::vector<float>{});
+  report_.update_ms_history = json.value("update_ms_history", std::vector<float>{});
+  report_.context = json.value("context", "");
+  report_.gl_version = json.value("gl_version", "");
+  report_.gl_renderer = json.value("gl_renderer", "");
+  report_.simd_target = json.value("simd_target", "");
+  report_.hardware_threads = json.value("hardware_threads", 0);
+  const float busy_ms = json.value("pu_busy_ms", 0.0F);
+  for (PuReport& pu : report_.pu) {
+    pu.busy_ms = busy_ms;
+    pu.wait_ms = 0;
+    pu.spans.clear();
+  }
+  return anim::Done{};
+}
+
+}  // namespace throng::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+
+#include "app/frame_report.h"
+#include "app/show.h"
+
+namespace throng::app {
+
+/// Fills the overlay's view of the show, frame by frame.
+class FrameReporter {
+ public:
+  explicit FrameReporter(const Show& show);
+
+  /// After a frame was animated and drawn; `frame_ms` from its start to its end.
+  void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
+
+  /// Puts the measured figures of a committed report in place of this machine's, so that pictures can be compared.
+  anim::Status fix_measured(const std::filesystem::path& report_file);
+
+  const FrameReport& report() const { return report_; }
+
+ private:
+  void describe_character(const Show& show);
+  void add_level_of_detail(const Stage& stage);
+  void add_units(const anim::AnimationSystem& system, double update_ms);
+
+  FrameReport report_;
+};
+
+}  // namespace throng::app

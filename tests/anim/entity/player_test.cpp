@@ -1,0 +1,135 @@
+#include "engine/anim/entity/player.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/entity/entity_layout.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr Ticks second = ticks_per_second;
+
+Player player_at(Ticks position, double speed, std::uint32_t flags) {
+  Player player{};
+  player.position = position * fine_ticks_per_tick;
+  player.speed = static_cast<std::int32_t>(speed * 65536.0);
+  player.flags = flags;
+  return player;
+}
+
+void advance(Player& player, const ClipStreams& clip, Ticks delta) {
+  player.state.delta_time = delta;
+  advance_player(player, clip);
+}
+
+Ticks position(const Player& player) { return player.position / fine_ticks_per_tick; }
+
+TEST(Player, UsesUpItsDeltaTime) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(0, 1.0, Player::looping);
+  advance(player, clip, second / 4);
+  EXPECT_EQ(position(player), second / 4);
+  EXPECT_EQ(player.state.delta_time, 0);
+}
+
+TEST(Player, MovesAtItsSpeed) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(0, 0.5, Player::looping);
+  advance(player, clip, second);
+  EXPECT_EQ(position(player), second / 2);
+}
+
+TEST(Player, LoopsAndSaysSoOnce) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(0, 1.0, Player::looping);
+  advance(player, clip, 2 * second + second / 4);
+  EXPECT_EQ(position(player), second / 4);
+  EXPECT_EQ(player.loop_count, 2);
+  EXPECT_TRUE(player.flags & Player::reached_end);
+  advance(player, clip, second / 4);
+  EXPECT_FALSE(player.flags & Player::reached_end);
+}
+
+TEST(Player, LoopsBackwardsAlike) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(0, -1.0, Player::looping);
+  advance(player, clip, second / 4);
+  EXPECT_EQ(position(player), second * 3 / 4);
+  EXPECT_EQ(player.loop_count, -1);
+}
+
+TEST(Player, HoldsAtTheEndOfAClipThatDoesNotLoop) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(0, 1.0, 0);
+  advance(player, clip, 3 * second);
+  EXPECT_EQ(position(player), second);
+  EXPECT_TRUE(player.flags & Player::reached_end);
+}
+
+TEST(Player, StandsInAClipWithoutDuration) {
+  const ClipStreams clip{.duration = 0};
+  Player player = player_at(0, 1.0, Player::looping);
+  advance(player, clip, second);
+  EXPECT_EQ(position(player), 0);
+}
+
+TEST(Player, WhereItStandsDoesNotDependOnHowTimeWasCutIntoSteps) {
+  const ClipStreams clip{.duration = second * 7 / 5 + 3};
+  Player in_one_step = player_at(1234, 1.2345, Player::looping);
+  Player in_many = in_one_step;
+  std::mt19937 random(7);
+  Ticks total = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    const auto step = static_cast<Ticks>(random() % static_cast<std::uint32_t>(second / 20));
+    advance(in_many, clip, step);
+    total += step;
+  }
+  advance(in_one_step, clip, total);
+  EXPECT_EQ(in_many.position, in_one_step.position);
+  EXPECT_EQ(in_many.loop_count, in_one_step.loop_count);
+}
+
+TEST(Player, CarriesTheVelocityOfItsClip) {
+  const ClipStreams clip{.duration = second, .linear_velocity = {0.0F, 0.0F, 1.4F}};
+  Player player = player_at(0, 0.5, Player::looping);
+  advance(player, clip, second / 60);
+  EXPECT_FLOAT_EQ(player.state.linear_velocity[2], 0.7F);
+}
+
+TEST(EntityLayout, ATransientPlayerIsTwoCacheLines) {
+  const EntityLayout layout = entity_layout(EntityType::sampled_player, Residency::transient, 62, rigid_components);
+  EXPECT_EQ(layout.total_size, 128U);
+  EXPECT_EQ(layout.transforms_offset, 0U);
+  EXPECT_EQ(layout.changed_bytes(), 64U)
+      << "DESIGN section 4: at most 64 bytes of a transient entity change in a frame";
+}
+
+TEST(EntityLayout, AResidentKeyframePlayerOf62BonesFitsTheFetchBufferOf8KiBThatThePaperHas) {
+  const EntityLayout layout = entity_layout(EntityType::keyframe_player, Residency::resident, 62, rigid_components);
+  EXPECT_EQ(layout.transforms_offset, 128U);
+  EXPECT_EQ(layout.source_bytes(), 128U + 1792U);
+  EXPECT_LE(layout.total_size, 8192U);
+  EXPECT_LE(layout.private_bytes(), 64U * 80U);
+}
+
+TEST(EntityLayout, ConversionKeepsAllButTheTransforms) {
+  const EntityLayout transient = entity_layout(EntityType::keyframe_player, Residency::transient, 62, rigid_components);
+  const EntityLayout resident = entity_layout(EntityType::keyframe_player, Residency::resident, 62, rigid_components);
+  const AlignedBytes from = allocate_aligned(transient.total_size);
+  const AlignedBytes to = allocate_aligned(resident.total_size);
+  auto& player = *reinterpret_cast<Player*>(from.get());
+  initialise_state(player.state, EntityType::keyframe_player, transient, 62, rigid_components);
+  player.position = 42;
+  from[transient.private_offset + 5] = std::byte{9};
+  convert_residency(from.get(), to.get(), transient, resident);
+  const auto& converted = *reinterpret_cast<const Player*>(to.get());
+  EXPECT_EQ(converted.position, 42);
+  EXPECT_EQ(converted.state.transforms_offset, resident.transforms_offset);
+  EXPECT_EQ(converted.state.total_size, resident.total_size);
+  EXPECT_EQ(to[resident.private_offset + 5], std::byte{9});
+}
+
+}  // namespace
+}  // namespace throng::anim

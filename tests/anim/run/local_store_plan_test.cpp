@@ -1,0 +1,78 @@
+#include "engine/anim/run/local_store_plan.h"
+
+#include <memory>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/asset/synthetic_model.h"
+
+namespace throng::anim {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr std::size_t kib = 1024;
+
+std::shared_ptr<const Character> character(int bones) {
+  return std::make_shared<const Character>(bake_character(synthetic_model(bones, 2)));
+}
+
+std::string error_of(int bones, const SystemOptions& options) {
+  const auto system = AnimationSystem::create(character(bones), options);
+  return system ? "" : system.error().message;
+}
+
+int tile_of(const SystemOptions& options) {
+  const auto system = AnimationSystem::create(character(62), options);
+  EXPECT_TRUE(system.has_value()) << (system ? "" : system.error().message);
+  return system ? (*system)->schedule().plan.width : 0;
+}
+
+TEST(LocalStorePlan, ALargerStoreHoldsAWiderTile) {
+  EXPECT_EQ(tile_of({.local_store_bytes = 64 * kib}), 16);
+  const int in_16_kib = tile_of({.local_store_bytes = 16 * kib});
+  EXPECT_LT(in_16_kib, 16);
+  EXPECT_GE(in_16_kib, 1);
+}
+
+TEST(LocalStorePlan, ThePapersStoreOf16KiBHolds62BonesInEverySchedule) {
+  EXPECT_EQ(error_of(62, {.local_store_bytes = 16 * kib}), "");
+  EXPECT_EQ(error_of(62, {.local_store_bytes = 16 * kib, .schedule = Schedule::levels}), "");
+  EXPECT_EQ(error_of(62, {.local_store_bytes = 16 * kib, .schedule = Schedule::levels, .stream = StreamKind::keyframe}),
+            "");
+}
+
+TEST(LocalStorePlan, ASkeletonThatDoesNotFitIsNamedWithTheSmallestStoreThatWorks) {
+  const std::string error =
+      error_of(300, {.local_store_bytes = 16 * kib, .schedule = Schedule::levels, .stream = StreamKind::keyframe});
+  EXPECT_THAT(error, AllOf(HasSubstr("skeleton"), HasSubstr("levels"), HasSubstr("keyframe"),
+                           HasSubstr("smallest --local-store that works is")));
+  const std::size_t works = std::stoul(error.substr(error.rfind(' ') + 1));
+  const SystemOptions larger{
+      .local_store_bytes = works * kib, .schedule = Schedule::levels, .stream = StreamKind::keyframe};
+  SystemOptions smaller = larger;
+  smaller.local_store_bytes -= kib;
+  EXPECT_EQ(error_of(300, larger), "");
+  EXPECT_NE(error_of(300, smaller), "");
+}
+
+TEST(LocalStorePlan, ATileThatDoesNotFitIsRefusedWithTheLargestThatDoes) {
+  const int fits = tile_of({.local_store_bytes = 16 * kib});
+  const std::string error = error_of(62, {.local_store_bytes = 16 * kib, .tile = 16});
+  EXPECT_THAT(error, HasSubstr("the largest --tile that fits is " + std::to_string(fits)));
+  EXPECT_EQ(tile_of({.local_store_bytes = 16 * kib, .tile = fits}), fits);
+}
+
+TEST(LocalStorePlan, AutomaticIs64KiBUntilACharacterNeedsMore) {
+  const auto small = AnimationSystem::create(character(62), {});
+  EXPECT_EQ((*small)->schedule().local_store_bytes, 64 * kib);
+  const auto large = AnimationSystem::create(character(600), {.stream = StreamKind::keyframe});
+  ASSERT_TRUE(large.has_value());
+  EXPECT_GT((*large)->schedule().local_store_bytes, 64 * kib);
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <variant>
@@ -19,37 +20,31 @@ struct Output {
   std::string file;
 };
 
-/// Whether each file that was asked for can be written; known before the first frame, not after the last.
-anim::Status check_outputs(std::initializer_list<Output> outputs) {
+/// Runs a command whose files can all be written; that is known before its first frame, not after its last.
+int run_if_writable(std::initializer_list<Output> outputs, const std::function<int()>& run) {
   for (const auto& [option, file] : outputs) {
     if (file.empty() || file == "-") continue;
-    if (anim::Status writable = check_can_be_written(option, file); !writable) return writable;
+    const anim::Status writable = check_can_be_written(option, file);
+    if (!writable) return end_with(exit_job_failed, writable.error().message);
   }
-  return anim::Done{};
+  return run();
 }
 
 struct Run {
   int operator()(const DemoOptions& options) const {
-    const anim::Status writable = check_outputs({{"--screenshot", options.screenshot},
-                                                 {"--stats", options.stats},
-                                                 {"--trace", options.trace},
-                                                 {"--ui-map", options.ui_map}});
-    if (!writable) return end_with(exit_job_failed, writable.error().message);
-    return run_demo(options);
+    return run_if_writable(
+        {{"--screenshot", options.screenshot}, {"--stats", options.stats}, {"--ui-map", options.ui_map}},
+        [&] { return run_demo(options); });
   }
 
   int operator()(const PoseOptions& options) const {
-    const anim::Status writable = check_outputs({{"--json", options.json}});
-    if (!writable) return end_with(exit_job_failed, writable.error().message);
-    return run_pose(options);
+    return run_if_writable({{"--json", options.json}}, [&] { return run_pose(options); });
   }
 
   int operator()(const InspectOptions& options) const { return run_inspect(options); }
 
   int operator()(const BenchOptions& options) const {
-    const anim::Status writable = check_outputs({{"--json", options.json}});
-    if (!writable) return end_with(exit_job_failed, writable.error().message);
-    return run_bench(options);
+    return run_if_writable({{"--json", options.json}}, [&] { return run_bench(options); });
   }
 
   int operator()(const ShowText& shown) const {

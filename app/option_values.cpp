@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <system_error>
 
@@ -148,6 +149,15 @@ ValueReader camera(DemoOptions& options) {
 ValueReader any_text(std::string& target) {
   return [&target](const std::string& text) -> Complaint {
     if (text.empty()) return "must not be empty";
+    target = text;
+    return {};
+  };
+}
+
+ValueReader existing_folder(std::string& target) {
+  return [&target](const std::string& text) -> Complaint {
+    std::error_code error;
+    if (!std::filesystem::is_directory(text, error)) return "must be a folder that is there";
     target = text;
     return {};
   };

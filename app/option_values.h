@@ -27,6 +27,7 @@ ValueReader auto_or_kibibytes(int& target);           ///< auto is 0
 ValueReader mesh_lod(int& target);                    ///< on is -1, off is 0, else 0 to 3
 ValueReader camera(DemoOptions& options);             ///< a name, or x,y,z,yaw,pitch[,fov]
 ValueReader any_text(std::string& target);
+ValueReader existing_folder(std::string& target);
 ValueReader png_file(std::string& target);
 
 /// Says of texts that `reader` refuses and a later release takes that they are not built yet.

@@ -66,11 +66,9 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.heading("Files");
   reader.value("--screenshot", "FILE.png", "Write the last frame", png_file(options.screenshot));
   reader.value("--stats", "FILE.json", "Write what the run did and how long it took", any_text(options.stats));
-  reader.value("--trace", "FILE.json", "Write what each PU did when", any_text(options.trace));
-  reader.value("--preset", "FILE.json", "Start from a saved preset", any_text(options.preset));
   reader.value("--ui-map", "FILE.json", "Write where every widget of the overlay is", any_text(options.ui_map));
-  reader.value("--data", "DIR", "Folder of shaders and assets", any_text(options.data));
-  reader.later("--record");
+  reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
+  for (const char* const name : {"--trace", "--preset", "--record"}) reader.later(name);
 }
 
 /// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly.
@@ -91,6 +89,7 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
     return "--draw: --headless=none draws nothing; use --headless";
   }
   if (draws_nothing && options.ui) return "--ui: --headless=none draws nothing; use --headless";
+  if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
   if (!options.screenshot.empty() && options.draw == DrawWhich::none) return "--screenshot: --draw none draws nothing";
   if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";
   if (options.ui && options.hide_ui) return "--ui: contradicts --hide-ui; give one of them";

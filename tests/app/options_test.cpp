@@ -56,8 +56,7 @@ TEST(DemoDefaults, AreThoseOfTheHelp) {
   EXPECT_TRUE(options.shadows);
   EXPECT_FALSE(options.agents_given || options.shadows_given);
   EXPECT_FALSE(options.camera.has_value());
-  EXPECT_EQ(options.camera_name + options.screenshot + options.stats + options.trace + options.preset + options.ui_map,
-            "");
+  EXPECT_EQ(options.camera_name + options.screenshot + options.stats + options.ui_map, "");
 }
 
 TEST(DemoDefaults, TuneTheCrowd) {
@@ -100,7 +99,7 @@ TEST(DemoOptions, TuneTheCrowd) {
 TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
   const DemoOptions options = demo(
       "model.glb --headless=osmesa --draw all --frames 5 --dt 0.5 --size 640x360 --ui=fixed --msaa 4 --shadows off "
-      "--screenshot a.png --stats b.json --trace c.json --preset d.json --ui-map e.json --data folder");
+      "--screenshot a.png --stats b.json --ui-map c.json --data .");
   EXPECT_EQ(options.model, "model.glb");
   EXPECT_EQ(options.context, ContextKind::osmesa);
   EXPECT_EQ(options.draw, DrawWhich::all);
@@ -113,9 +112,8 @@ TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
   EXPECT_EQ(options.msaa, 4);
   EXPECT_FALSE(options.shadows);
   EXPECT_TRUE(options.shadows_given);
-  EXPECT_THAT(
-      (std::vector{options.screenshot, options.stats, options.trace, options.preset, options.ui_map, options.data}),
-      ElementsAre("a.png", "b.json", "c.json", "d.json", "e.json", "folder"));
+  EXPECT_THAT((std::vector{options.screenshot, options.stats, options.ui_map, options.data}),
+              ElementsAre("a.png", "b.json", "c.json", "."));
 }
 
 TEST(OptionalValue, IsTakenOnlyAfterAnEqualsSign) {
@@ -338,6 +336,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "--screenshot: --draw none draws nothing"},
         Refused{"WindowThatDrawsOnce", "--draw last", "--draw: a window draws all; use --headless"},
         Refused{"OverlayShownAndHidden", "--ui --hide-ui", "--ui: contradicts --hide-ui; give one of them"},
+        Refused{"MapOfNoOverlay", "--headless --ui-map a.json", "--ui-map: no overlay is drawn; add --ui"},
+        Refused{"DataThatIsNotThere", "--data no/such/folder", "--data no/such/folder: must be a folder that is there"},
         Refused{"PictureThatIsNoPng", "--headless --screenshot a.jpg",
                 "--screenshot a.jpg: must be a file name that ends in .png"},
         Refused{"BonesOfAModel", "bench a.glb --bones 5", "--bones: a model brings its own; give one or the other"}),
@@ -351,6 +351,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"Milliseconds", "--budget-ms 4", "--budget-ms 4: is not built yet"},
                     Refused{"Pixels", "--error-px 2", "--error-px 2: is not built yet"},
                     Refused{"Recording", "--record run", "--record run: is not built yet"},
+                    Refused{"Trace", "--trace a.json", "--trace a.json: is not built yet"},
+                    Refused{"Preset", "--preset a.json", "--preset a.json: is not built yet"},
                     Refused{"Replay", "--replay run", "--replay run: is not built yet"},
                     Refused{"Machine", "bench --machine box", "--machine box: is not built yet"},
                     Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),

@@ -1,0 +1,116 @@
+// The real program, given what it must refuse: one line on stderr, the right exit status, nothing left behind.
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/program_run.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A folder of the test's own, gone after it.
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine() { fs::create_directories(folder_); }
+  ~CommandLine() override { fs::remove_all(folder_); }
+
+  fs::path noise_named_glb() const {
+    const fs::path file = folder_ / "noise.glb";
+    std::ofstream stream(file, std::ios::binary);
+    for (unsigned i = 0, bits = 1; i < 4096; ++i)
+      stream.put(static_cast<char>((bits = bits * 1664525U + 1013904223U) >> 24));
+    return file;
+  }
+
+  bool is_empty() const { return fs::is_empty(folder_); }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) /
+                           (std::string("throng_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+MATCHER(IsOneLine, "is one line that names the program") {
+  return arg.starts_with("throng: ") && arg.find('\n') == arg.size() - 1;
+}
+
+void expect_refusal(const std::vector<std::string>& arguments, int exit_status, const std::string& part) {
+  const ProgramRun run = run_program(arguments);
+  EXPECT_EQ(run.exit_status, exit_status) << run.errors;
+  EXPECT_THAT(run.errors, IsOneLine());
+  EXPECT_THAT(run.errors, HasSubstr(part));
+  EXPECT_EQ(run.output, "");
+}
+
+TEST_F(CommandLine, RefusesWrongUsage) {
+  expect_refusal({"--pus", "0"}, 2, "--pus 0");
+  expect_refusal({"--agents", "-1"}, 2, "--agents -1");
+  expect_refusal({"--size", "0x0"}, 2, "--size 0x0");
+  expect_refusal({"--colour", "red"}, 2, "--colour");
+  expect_refusal({"--headless", "--scene", "stadium"}, 2, "--scene stadium");
+  expect_refusal({"--headless", "--camera", "nowhere"}, 2, "nowhere");
+  expect_refusal({"bake", "model.glb"}, 2, "bake");
+}
+
+TEST_F(CommandLine, RefusesAWordWithALineBreakInOneLine) { expect_refusal({"--scene", "a\nb"}, 2, "--scene a b"); }
+
+TEST_F(CommandLine, SaysThatThereIsNoDisplayAndNamesHeadless) { expect_refusal({}, 1, "--headless"); }
+
+TEST_F(CommandLine, RefusesAnAbsentFile) {
+  const std::string file = (folder_ / "absent.glb").string();
+  expect_refusal({file, "--headless=none"}, 1, "absent.glb");
+  expect_refusal({"inspect", file}, 1, "absent.glb");
+  expect_refusal({"bench", file}, 1, "absent.glb");
+}
+
+TEST_F(CommandLine, RefusesAFolderAsAModel) {
+  expect_refusal({folder_.string(), "--headless=none"}, 1, folder_.string());
+  expect_refusal({"inspect", folder_.string()}, 1, folder_.string());
+}
+
+TEST_F(CommandLine, RefusesNoiseNamedGlb) {
+  const std::string file = noise_named_glb().string();
+  expect_refusal({file, "--headless=none"}, 1, "noise.glb");
+  expect_refusal({"inspect", file}, 1, "noise.glb");
+}
+
+TEST_F(CommandLine, WritesNothingWhenTheModelIsRefused) {
+  expect_refusal({"absent.glb", "--headless=none", "--stats", (folder_ / "a.json").string()}, 1, "absent.glb");
+  expect_refusal({"pose", "absent.glb", "--clip", "0", "--time", "0", "--json", (folder_ / "b.json").string()}, 1,
+                 "absent.glb");
+  EXPECT_TRUE(is_empty());
+}
+
+TEST_F(CommandLine, RefusesAPictureInAFolderThatIsNotThere) {
+  expect_refusal({"--headless", "--screenshot", (folder_ / "absent" / "a.png").string()}, 1, "--screenshot");
+  EXPECT_TRUE(is_empty());
+}
+
+TEST_F(CommandLine, RefusesAFolderAsAFile) {
+  expect_refusal({"--headless=none", "--stats", folder_.string()}, 1, "--stats");
+  EXPECT_TRUE(is_empty());
+}
+
+TEST_F(CommandLine, RefusesALocalStoreTooSmallForOneCharacter) {
+  expect_refusal({"--headless=none", "--agents", "2", "--frames", "1", "--local-store", "1"}, 2, "--local-store");
+}
+
+TEST_F(CommandLine, ShowsHelpOnStandardOutput) {
+  const ProgramRun run = run_program({"--help"});
+  EXPECT_EQ(run.exit_status, 0);
+  EXPECT_EQ(run.errors, "");
+  EXPECT_THAT(run.output, testing::StartsWith("Throng: a crowd"));
+}
+
+TEST_F(CommandLine, WritesStatisticsWithoutGl) {
+  const fs::path file = folder_ / "stats.json";
+  const ProgramRun run = run_program({"--headless=none", "--agents", "3", "--frames", "2", "--stats", file.string()});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_TRUE(fs::exists(file));
+}
+
+}  // namespace
+}  // namespace throng::app

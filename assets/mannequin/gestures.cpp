@@ -48,6 +48,8 @@ Pose stand_at_ease(double phase, int breaths) {
   pose["upper_chest"] =
       turned(1.2 - 0.8 * wave(phase, 0.23, breaths), -0.5 * wave(phase, 0.40), -0.4 * wave(phase, 0.31));
   steady_head(pose, turned(1.5 + 0.9 * wave(phase, 0.70), 4.0 * wave(phase, 0.15), 1.2 * wave(phase, 0.45)));
+  // The eyes arrive before the head does.
+  pose["eye.L"] = pose["eye.R"] = turned(1.5 * wave(phase, 0.55), 7 * wave(phase, 0.06) + 3 * wave(phase, 0.40, 2), 0);
   for (const Side side : {Side::left, Side::right}) {
     place_arm(pose, side, hanging(side == Side::left ? phase : phase + 0.5, side == Side::left ? 0.0 : 0.06));
     curl_fingers(pose, side, 7 + 2.5 * wave(phase, side == Side::left ? 0.3 : 0.7));

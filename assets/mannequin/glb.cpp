@@ -10,64 +10,12 @@
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
+#include "assets/mannequin/buffer_writer.h"
+
 namespace throng::mannequin {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF buffers are little-endian");
-
-using Json = nlohmann::ordered_json;
-
-enum ComponentType { unsigned_byte = 5121, unsigned_short = 5123, float32 = 5126 };
-enum Target { none = 0, vertex_data = 34962, index_data = 34963 };
-
-/// Collects the buffer's bytes and the accessors that describe them.
-class BufferWriter {
- public:
-  template <typename Element>
-  std::size_t add(std::span<const Element> elements, const char* type, ComponentType component, Target target,
-                  bool normalized = false) {
-    const std::size_t offset = bytes_.size();
-    const auto raw = std::as_bytes(elements);
-    bytes_.insert(bytes_.end(), raw.begin(), raw.end());
-    while (bytes_.size() % 4 != 0) bytes_.push_back(std::byte{0});
-    Json view{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", raw.size()}};
-    if (target != none) view["target"] = static_cast<int>(target);
-    views_.push_back(view);
-    Json accessor{{"bufferView", views_.size() - 1},
-                  {"componentType", static_cast<int>(component)},
-                  {"count", elements.size()},
-                  {"type", type}};
-    if (normalized) accessor["normalized"] = true;
-    accessors_.push_back(accessor);
-    return accessors_.size() - 1;
-  }
-
-  template <std::size_t N>
-  void set_bounds(std::size_t accessor, std::span<const std::array<float, N>> elements) {
-    std::array<float, N> low = elements[0];
-    std::array<float, N> high = elements[0];
-    for (const auto& element : elements) {
-      for (std::size_t i = 0; i < N; ++i) {
-        low[i] = std::min(low[i], element[i]);
-        high[i] = std::max(high[i], element[i]);
-      }
-    }
-    accessors_[accessor]["min"] = low;
-    accessors_[accessor]["max"] = high;
-  }
-
-  void finish(Json& document) {
-    document["accessors"] = accessors_;
-    document["bufferViews"] = views_;
-    document["buffers"] = Json::array({{{"byteLength", bytes_.size()}}});
-  }
-  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
-
- private:
-  std::vector<std::byte> bytes_;
-  Json accessors_ = Json::array();
-  Json views_ = Json::array();
-};
 
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
@@ -96,17 +44,18 @@ Json add_mesh(BufferWriter& buffer, const Mesh& mesh) {
   const auto regions = column<float>(mesh, [](const MeshVertex& v) { return v.region; });
 
   Json attributes;
-  attributes["POSITION"] = buffer.add<Float3>(positions, "VEC3", float32, vertex_data);
+  attributes["POSITION"] = buffer.add<Float3>(positions, "VEC3", ComponentType::float32, Target::vertex_data);
   buffer.set_bounds<3>(attributes["POSITION"], positions);
-  attributes["NORMAL"] = buffer.add<Float3>(normals, "VEC3", float32, vertex_data);
-  attributes["JOINTS_0"] = buffer.add<Byte4>(joints, "VEC4", unsigned_byte, vertex_data);
-  attributes["WEIGHTS_0"] = buffer.add<Float4>(weights, "VEC4", float32, vertex_data);
-  attributes["COLOR_0"] = buffer.add<Byte4>(colours, "VEC4", unsigned_byte, vertex_data, true);
-  attributes["_REGION"] = buffer.add<float>(regions, "SCALAR", float32, vertex_data);
+  attributes["NORMAL"] = buffer.add<Float3>(normals, "VEC3", ComponentType::float32, Target::vertex_data);
+  attributes["JOINTS_0"] = buffer.add<Byte4>(joints, "VEC4", ComponentType::unsigned_byte, Target::vertex_data);
+  attributes["WEIGHTS_0"] = buffer.add<Float4>(weights, "VEC4", ComponentType::float32, Target::vertex_data);
+  attributes["COLOR_0"] = buffer.add<Byte4>(colours, "VEC4", ComponentType::unsigned_byte, Target::vertex_data, true);
+  attributes["_REGION"] = buffer.add<float>(regions, "SCALAR", ComponentType::float32, Target::vertex_data);
 
   std::vector<std::uint16_t> indices;
   for (const auto& triangle : mesh.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
-  const std::size_t index_accessor = buffer.add<std::uint16_t>(indices, "SCALAR", unsigned_short, index_data);
+  const std::size_t index_accessor =
+      buffer.add<std::uint16_t>(indices, "SCALAR", ComponentType::unsigned_short, Target::index_data);
   const Json primitive{{"attributes", attributes}, {"indices", index_accessor}, {"material", 0}};
   return {{"name", "mannequin"}, {"primitives", Json::array({primitive})}};
 }
@@ -164,7 +113,7 @@ class AnimationWriter {
     for (std::size_t key = 0; key < clip.keys.size(); ++key) {
       times.push_back({static_cast<float>(static_cast<double>(key) / key_rate)});
     }
-    times_ = buffer.add<std::array<float, 1>>(times, "SCALAR", float32, none);
+    times_ = buffer.add<std::array<float, 1>>(times, "SCALAR", ComponentType::float32, Target::none);
     buffer.set_bounds<1>(times_, times);
   }
 
@@ -190,7 +139,7 @@ class AnimationWriter {
   void add_track(std::size_t joint, const char* path, const char* type, const std::vector<std::array<float, N>>& keys,
                  const std::array<float, N>& rest) {
     if (std::all_of(keys.begin(), keys.end(), [&](const auto& key) { return key == rest; })) return;
-    const std::size_t output = buffer_.add<std::array<float, N>>(keys, type, float32, none);
+    const std::size_t output = buffer_.add<std::array<float, N>>(keys, type, ComponentType::float32, Target::none);
     channels_.push_back({{"sampler", samplers_.size()}, {"target", {{"node", joint}, {"path", path}}}});
     samplers_.push_back({{"input", times_}, {"interpolation", "LINEAR"}, {"output", output}});
   }
@@ -220,11 +169,11 @@ Json document(BufferWriter& buffer, const Mesh& mesh, std::span<const Clip> clip
   const std::vector<std::array<float, 16>> binds = inverse_binds();
   Json joints = Json::array();
   for (std::size_t j = 0; j < joint_count; ++j) joints.push_back(j);
-  file["skins"] =
-      Json::array({{{"name", "mannequin"},
-                    {"inverseBindMatrices", buffer.add<std::array<float, 16>>(binds, "MAT4", float32, none)},
-                    {"skeleton", 0},
-                    {"joints", joints}}});
+  file["skins"] = Json::array(
+      {{{"name", "mannequin"},
+        {"inverseBindMatrices", buffer.add<std::array<float, 16>>(binds, "MAT4", ComponentType::float32, Target::none)},
+        {"skeleton", 0},
+        {"joints", joints}}});
   file["animations"] = Json::array();
   for (const Clip& clip : clips) file["animations"].push_back(AnimationWriter(buffer, clip).write());
   buffer.finish(file);

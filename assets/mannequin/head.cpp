@@ -3,14 +3,13 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 
 #include "assets/mannequin/body_parts.h"
+#include "assets/mannequin/face_features.h"
 
 namespace throng::mannequin {
 namespace {
 
-using glm::dvec2;
 using glm::dvec3;
 
 /// The face is denser than the back of the head: rows at its front and side columns, some of which go around.
@@ -145,68 +144,6 @@ void add_crown(Cage& cage, const Grid& grid) {
   }
 }
 
-std::array<std::size_t, 4> add_quad(Cage& cage, const std::array<dvec3, 4>& corners, const Weights& weights) {
-  std::array<std::size_t, 4> quad{};
-  for (std::size_t i = 0; i < 4; ++i) quad[i] = cage.add(corners[i], weights);
-  return quad;
-}
-
-/// An almond with a dark iris in it, and the eyebrow above.
-void sculpt_eye(Cage& cage, std::size_t socket) {
-  constexpr dvec3 socket_paint{1.0, 0.97, 0.97};
-  constexpr dvec3 lash_paint{0.22, 0.17, 0.17};
-  constexpr dvec3 iris_paint{0.08, 0.06, 0.06};
-  const Weights head = bind({{"head", 1}});
-  const auto almond = add_quad(
-      cage, {{{0.0215, 1.6680, 0.0828}, {0.0430, 1.6682, 0.0768}, {0.0450, 1.6820, 0.0780}, {0.0200, 1.6815, 0.0846}}},
-      head);
-  const auto iris = add_quad(
-      cage, {{{0.0265, 1.6685, 0.0836}, {0.0380, 1.6685, 0.0806}, {0.0380, 1.6800, 0.0812}, {0.0265, 1.6800, 0.0842}}},
-      head);
-  cage.faces[socket].paint.assign(4, socket_paint);
-  cage.inset(socket, almond);
-  const std::size_t lid = cage.faces.size() - 2;  // the third of the four sides: above the eye
-  cage.faces[socket].paint.assign(4, paint::plain);
-  cage.inset(socket, iris, true);
-  cage.faces[cage.faces.size() - 2].paint.assign(4, lash_paint);
-  cage.faces[socket].paint.assign(4, iris_paint);
-  const auto eyebrow = add_quad(
-      cage, {{{0.0480, 1.6972, 0.0792}, {0.0225, 1.6980, 0.0920}, {0.0225, 1.6932, 0.0895}, {0.0475, 1.6930, 0.0785}}},
-      head);
-  const std::size_t hair = cage.inset(lid, eyebrow);
-  cage.faces[hair].region = Region::hair;
-}
-
-/// A flat ring that keeps the cheek out of it, then a rim that stands off towards the back.
-void sculpt_ear(Cage& cage, std::size_t patch) {
-  constexpr dvec3 hollow_paint{0.80, 0.66, 0.64};
-  const std::vector<std::size_t> corners = cage.faces[patch].corners;
-  dvec3 centre(0);
-  for (const std::size_t corner : corners) centre += cage.vertices[corner].position;
-  centre /= static_cast<double>(corners.size());
-  centre.z -= 0.006;
-  const Weights head = bind({{"head", 1}});
-  std::vector<std::size_t> root;
-  std::vector<std::size_t> rim;
-  for (const std::size_t corner : corners) {
-    const dvec3 out = cage.vertices[corner].position - centre;
-    const dvec2 around = glm::normalize(dvec2(out.z, out.y));
-    root.push_back(cage.add({centre.x, centre.y + 0.018 * around.y, centre.z + 0.009 * around.x}, head));
-    rim.push_back(cage.add({centre.x + 0.014 - 0.005 * around.x + 0.003 * around.y, centre.y + 0.004 + 0.029 * around.y,
-                            centre.z - 0.006 + 0.0165 * around.x},
-                           head));
-  }
-  cage.inset(patch, root, true);
-  cage.inset(patch, rim, true);
-  cage.faces[patch].paint.assign(rim.size(), hollow_paint);
-}
-
-void paint_lips(Cage& cage, std::size_t lips) {
-  constexpr dvec3 lower(0.92, 0.70, 0.68);
-  constexpr dvec3 upper(0.78, 0.55, 0.53);
-  cage.faces[lips].paint = {lower, lower, upper, upper};
-}
-
 /// Short hair, fuller at the crown and the brow than in the nape.
 dvec3 comb(dvec3 position, dvec3 normal) {
   const double height = glm::clamp((position.y - 1.62) / 0.16, 0.0, 1.0);
@@ -222,9 +159,9 @@ void add_head(Cage& cage, const HalfRing& neck) {
   const FacePatches patches = bridge_grid(cage, grid);
   add_crown(cage, grid);
   paint_lips(cage, patches.lips);
-  sculpt_ear(cage, patches.ear);
+  add_ear(cage, patches.ear);
   cage.lift(Region::hair, comb);
-  sculpt_eye(cage, patches.eye);
+  add_eye_and_brow(cage, patches.eye);
 }
 
 }  // namespace throng::mannequin

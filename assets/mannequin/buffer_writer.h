@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace throng::mannequin {
+
+using Json = nlohmann::ordered_json;
+
+/// glTF 2.0 section 3.6.2.2.
+enum class ComponentType { unsigned_byte = 5121, unsigned_short = 5123, float32 = 5126 };
+/// glTF 2.0 section 3.6.1.1.
+enum class Target { none = 0, vertex_data = 34962, index_data = 34963 };
+
+/// Collects the buffer's bytes and the accessors that describe them.
+class BufferWriter {
+ public:
+  /// Appends the elements in a view of their own; returns the accessor's index.
+  template <typename Element>
+  std::size_t add(std::span<const Element> elements, const char* type, ComponentType component, Target target,
+                  bool normalized = false) {
+    const std::size_t offset = bytes_.size();
+    const auto raw = std::as_bytes(elements);
+    bytes_.insert(bytes_.end(), raw.begin(), raw.end());
+    while (bytes_.size() % 4 != 0) bytes_.push_back(std::byte{0});
+    Json view{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", raw.size()}};
+    if (target != Target::none) view["target"] = static_cast<int>(target);
+    views_.push_back(view);
+    Json accessor{{"bufferView", views_.size() - 1},
+                  {"componentType", static_cast<int>(component)},
+                  {"count", elements.size()},
+                  {"type", type}};
+    if (normalized) accessor["normalized"] = true;
+    accessors_.push_back(accessor);
+    return accessors_.size() - 1;
+  }
+
+  /// Gives an accessor the least and the greatest value of every component; `elements` is not empty.
+  template <std::size_t N>
+  void set_bounds(std::size_t accessor, std::span<const std::array<float, N>> elements) {
+    std::array<float, N> low = elements[0];
+    std::array<float, N> high = elements[0];
+    for (const auto& element : elements) {
+      for (std::size_t i = 0; i < N; ++i) {
+        low[i] = std::min(low[i], element[i]);
+        high[i] = std::max(high[i], element[i]);
+      }
+    }
+    accessors_[accessor]["min"] = low;
+    accessors_[accessor]["max"] = high;
+  }
+
+  /// Puts the arrays of accessors, views and the one buffer into the file's JSON.
+  void finish(Json& document) const {
+    document["accessors"] = accessors_;
+    document["bufferViews"] = views_;
+    document["buffers"] = Json::array({{{"byteLength", bytes_.size()}}});
+  }
+  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+  Json accessors_ = Json::array();
+  Json views_ = Json::array();
+};
+
+}  // namespace throng::mannequin

@@ -8,6 +8,12 @@ namespace {
 
 constexpr std::byte guard{0x5A};
 
+std::size_t index_of(const SampledRows& rows, int row, int packet, int component, int lane) {
+  const int packet_index = row * packets_for(rows.bone_count) + packet;
+  const int component_index = packet_index * rows.components + component;
+  return static_cast<std::size_t>(component_index) * packet_bones + static_cast<std::size_t>(lane);
+}
+
 SampledRows identity_rows(int bones, int components, int row_count) {
   SampledRows rows;
   rows.bone_count = bones;
@@ -15,7 +21,7 @@ SampledRows identity_rows(int bones, int components, int row_count) {
   rows.row_step = ticks_per_second / 30;
   rows.first_row = -rows.row_step / 2;
   rows.row_count = row_count;
-  rows.rows.resize(static_cast<std::size_t>(row_count * packets_for(bones) * components * packet_bones), 0.0F);
+  rows.rows.resize(index_of(rows, row_count, 0, 0, 0), 0.0F);
   for (int row = 0; row < row_count; ++row) {
     for (int packet = 0; packet < packets_for(bones); ++packet) {
       for (int lane = 0; lane < packet_bones; ++lane) {
@@ -39,13 +45,11 @@ void turn(SampledRows& rows, int row, int packet, int lane, double radians) {
 }  // namespace
 
 float& row_value(SampledRows& rows, int row, int packet, int component, int lane) {
-  return rows.rows[static_cast<std::size_t>(
-      ((row * packets_for(rows.bone_count) + packet) * rows.components + component) * packet_bones + lane)];
+  return rows.rows[index_of(rows, row, packet, component, lane)];
 }
 
 float row_value(const SampledRows& rows, int row, int packet, int component, int lane) {
-  return rows.rows[static_cast<std::size_t>(
-      ((row * packets_for(rows.bone_count) + packet) * rows.components + component) * packet_bones + lane)];
+  return rows.rows[index_of(rows, row, packet, component, lane)];
 }
 
 SampledRows wavy_rows(int bones, int components, int row_count) {

@@ -1,5 +1,7 @@
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <random>
 
 #include <glm/gtc/quaternion.hpp>
@@ -13,6 +15,9 @@ namespace {
 struct alignas(64) Packet {
   float lanes[general_components][packet_bones];
 };
+
+using Bits = std::array<std::uint32_t, sizeof(Packet) / 4>;
+Bits bits(const Packet& packet) { return std::bit_cast<Bits>(packet); }
 
 glm::dquat rotation_of(const Packet& packet, int bone) {
   const auto& q = packet.lanes;
@@ -118,7 +123,7 @@ TEST(Blend, MayWriteOverEitherSource) {
       job.components = general_components;
       job.out = out.lanes[0];
       kernels.blend(job);
-      EXPECT_EQ(std::memcmp(&out, &expected, sizeof(Packet)), 0) << kernels.target << " " << over_from;
+      EXPECT_EQ(bits(out), bits(expected)) << kernels.target << " " << over_from;
     }
   }
 }
@@ -139,7 +144,7 @@ TEST(Blend, IsTheSameToTheBitAmongTargetsThatFuse) {
   for (const Kernels& kernels : runnable_kernels()) {
     if (kernels.fused_multiply_add != best_kernels().fused_multiply_add) continue;
     const Packet out = blend(kernels, from, to, 0.7F);
-    EXPECT_EQ(std::memcmp(&out, &best, sizeof(Packet)), 0) << kernels.target;
+    EXPECT_EQ(bits(out), bits(best)) << kernels.target;
   }
 }
 

@@ -1,8 +1,11 @@
 #include "tests/anim/kernel/kernel_rig.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
 #include <memory>
+#include <numeric>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -144,8 +147,8 @@ struct Tile {
 }  // namespace
 
 std::vector<int> chain_parents(int bones) {
-  std::vector<int> parents;
-  for (int bone = 0; bone < bones; ++bone) parents.push_back(bone - 1);
+  std::vector<int> parents(static_cast<std::size_t>(bones));
+  std::iota(parents.begin(), parents.end(), -1);
   return parents;
 }
 
@@ -292,16 +295,16 @@ CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& pro
     job.local = tile.local.front().floats;
     job.carry = tile.carry.front().floats;
     job.branch_slots = tile.slots_.front().floats;
-    std::vector<PaletteMatrix*> destinations;
-    for (int lane = 0; lane < job.characters; ++lane) {
-      destinations.push_back(palettes[first + static_cast<std::size_t>(lane)].entries());
+    std::array<PaletteMatrix*, widest_tile> destinations{};
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(job.characters); ++lane) {
+      destinations[lane] = palettes[first + lane].entries();
     }
     job.palettes = destinations.data();
     job.hashes = result.hashes.data() + first;
     for (job.packet = 0; job.packet < packets_for(bone_count); ++job.packet) {
       for (int lane = 0; lane < width; ++lane) {
         const std::size_t character = std::min(first + static_cast<std::size_t>(lane), characters.size() - 1);
-        std::memcpy(tile.local[static_cast<std::size_t>(lane * components)].floats,
+        std::memcpy(tile.local[static_cast<std::size_t>(lane) * static_cast<std::size_t>(components)].floats,
                     characters[character].packet(job.packet), packet_bytes(components));
       }
       kernels.model_palette(job);
@@ -315,8 +318,9 @@ CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& pro
 }
 
 bool same_bits(const std::vector<PaletteMatrix>& a, const std::vector<PaletteMatrix>& b) {
+  using Bits = std::array<std::uint32_t, sizeof(PaletteMatrix) / 4>;
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PaletteMatrix& left, const PaletteMatrix& right) {
-    return std::memcmp(&left, &right, sizeof(PaletteMatrix)) == 0;
+    return std::bit_cast<Bits>(left) == std::bit_cast<Bits>(right);
   });
 }
 

@@ -176,7 +176,7 @@ Clip make_jog() {
                      .lean = 8,
                      .arm_swing = 28,
                      .arm_forward = -8,
-                     .arm_spread = 10,
+                     .arm_spread = 13,
                      .elbow = 80,
                      .elbow_swing = 12,
                      .curl = 32};
@@ -202,7 +202,7 @@ Clip make_run() {
                      .lean = 13,
                      .arm_swing = 42,
                      .arm_forward = -8,
-                     .arm_spread = 11,
+                     .arm_spread = 12,
                      .elbow = 92,
                      .elbow_swing = 16,
                      .curl = 38};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include <meshoptimizer.h>
 
@@ -10,11 +11,11 @@ namespace throng::render {
 namespace {
 
 struct Step {
-  double share;     ///< of the full mesh's triangles
-  float tolerance;  ///< of the mesh's extent: collapses stop here
+  double share;      ///< of the full mesh's triangles
+  double tolerance;  ///< of the mesh's extent: merging stops here
 };
 
-constexpr std::array<Step, largest_mesh_lod_count - 1> steps = {{{0.30, 0.01F}, {0.10, 0.03F}, {0.03, 0.08F}}};
+constexpr std::array<Step, largest_mesh_lod_count - 1> steps = {{{0.30, 0.01}, {0.10, 0.03}, {0.03, 0.08}}};
 
 // A LOD that misses its target by more than this is worth trying with clustering.
 constexpr double missed_by = 1.5;
@@ -23,52 +24,39 @@ constexpr double worth_keeping = 0.8;
 
 constexpr std::size_t position_bytes = 3 * sizeof(float);
 
-struct Surface {
-  std::span<const float> positions;
-  std::span<const std::uint32_t> indices;
-  std::size_t vertex_count() const { return positions.size() / 3; }
-};
+double share_of(std::size_t count, double share) { return static_cast<double>(count) * share; }
 
-MeshLod collapse_edges(const Surface& surface, std::size_t target, float tolerance) {
-  MeshLod lod;
-  lod.indices.resize(surface.indices.size());
-  lod.indices.resize(meshopt_simplify(lod.indices.data(), surface.indices.data(), surface.indices.size(),
-                                      surface.positions.data(), surface.vertex_count(), position_bytes, target,
-                                      tolerance, 0, &lod.error));
-  return lod;
-}
-
-MeshLod cluster(const Surface& surface, std::size_t target, float tolerance) {
+/// Clusters vertices by cells of space; keeps no topology and few shapes, but always gets there.
+MeshLod cluster(const SkinnedSurfaceView& surface, std::size_t triangles, const Step& step) {
+  const std::size_t vertices = surface.positions.size() / 3;
   MeshLod lod;
   lod.indices.resize(surface.indices.size());
   lod.indices.resize(meshopt_simplifySloppy(lod.indices.data(), surface.indices.data(), surface.indices.size(),
-                                            surface.positions.data(), surface.vertex_count(), position_bytes, target,
-                                            tolerance, &lod.error));
-  return lod;
-}
-
-MeshLod simplify(const Surface& surface, const Step& step) {
-  const auto target = static_cast<std::size_t>(static_cast<double>(surface.indices.size() / 3) * step.share) * 3;
-  MeshLod lod = collapse_edges(surface, target, step.tolerance);
-  if (static_cast<double>(lod.indices.size()) > static_cast<double>(target) * missed_by) {
-    MeshLod clustered = cluster(surface, target, step.tolerance);
-    if (!clustered.indices.empty() && clustered.indices.size() < lod.indices.size()) lod = std::move(clustered);
-  }
-  lod.error *= meshopt_simplifyScale(surface.positions.data(), surface.vertex_count(), position_bytes);
+                                            surface.positions.data(), vertices, position_bytes, triangles * 3,
+                                            static_cast<float>(step.tolerance), &lod.error));
+  lod.error *= meshopt_simplifyScale(surface.positions.data(), vertices, position_bytes);
   return lod;
 }
 
 }  // namespace
 
-std::vector<MeshLod> build_mesh_lods(std::span<const float> positions, std::span<const std::uint32_t> indices) {
+std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface) {
   std::vector<MeshLod> lods;
-  lods.push_back({{indices.begin(), indices.end()}, 0.0F});
-  if (indices.empty()) return lods;
+  lods.push_back({{surface.indices.begin(), surface.indices.end()}, 0.0F});
+  if (surface.indices.empty()) return lods;
+  const double extent = static_cast<double>(
+      meshopt_simplifyScale(surface.positions.data(), surface.positions.size() / 3, position_bytes));
+  SurfaceSimplifier simplifier(surface);
   for (const Step& step : steps) {
-    MeshLod lod = simplify({positions, indices}, step);
-    const auto most = static_cast<std::size_t>(static_cast<double>(lods.back().indices.size()) * worth_keeping);
-    if (lod.indices.empty() || lod.indices.size() > most) continue;
-    lods.push_back(std::move(lod));
+    const auto target = static_cast<std::size_t>(share_of(surface.indices.size() / 3, step.share));
+    simplifier.reduce_to(target, step.tolerance * extent);
+    MeshLod lod{simplifier.indices(), static_cast<float>(simplifier.error())};
+    if (static_cast<double>(simplifier.triangle_count()) > share_of(target, missed_by)) {
+      MeshLod clustered = cluster(surface, target, step);
+      if (!clustered.indices.empty() && clustered.indices.size() < lod.indices.size()) lod = std::move(clustered);
+    }
+    const double most = share_of(lods.back().indices.size(), worth_keeping);
+    if (!lod.indices.empty() && static_cast<double>(lod.indices.size()) <= most) lods.push_back(std::move(lod));
   }
   return lods;
 }

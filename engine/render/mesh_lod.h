@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/render/surface_simplifier.h"
+
 namespace throng::render {
 
 /// At most this many mesh LODs, at about 100%, 30%, 10% and 3% of the triangles.
@@ -16,10 +18,10 @@ struct MeshLod {
   float error = 0.0F;  ///< metres (the unit of the positions), the largest distance moved
 };
 
-/// Simplifies a surface of x y z `positions` step by step (meshoptimizer: edge collapses that keep the topology; where
-/// they do not reach the step, clustering). [0] is the surface itself; each further LOD has clearly fewer triangles
+/// Simplifies a surface step by step (SurfaceSimplifier; where it does not reach a step, because a character has many
+/// loose pieces, meshoptimizer's clustering). [0] is the surface itself; each further LOD has clearly fewer triangles
 /// than the one before, so a small mesh has fewer LODs. Never empty.
-std::vector<MeshLod> build_mesh_lods(std::span<const float> positions, std::span<const std::uint32_t> indices);
+std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface);
 
 /// The coarsest mesh LOD, not finer than `at_least`, whose triangles are still in proportion to the pixels that they
 /// cover. `triangles_by_lod` descends. `detail` scales the number wanted: 1 gives a triangle to about every 12 pixels

@@ -48,7 +48,9 @@ struct Merged {
   std::vector<float> positions;
   std::vector<std::uint32_t> indices;
   std::vector<int> materials;                   ///< one a vertex
-  std::vector<PaletteEntries> palette_entries;  ///< at level 0
+  std::vector<std::uint32_t> belongs_to;        ///< material and tint region, one a vertex
+  std::vector<SkinInfluences> influences;       ///< one a vertex
+  std::vector<PaletteEntries> palette_entries;  ///< at level 0; of bone ends too
 };
 
 void append_part(const MeshPartData& part, Surface& surface, Merged& merged) {
@@ -58,9 +60,12 @@ void append_part(const MeshPartData& part, Surface& surface, Merged& merged) {
   const auto first = static_cast<std::uint32_t>(surface.vertices.size());
   for (std::size_t i = 0; i < count; ++i) {
     surface.vertices.push_back(vertex_of(part, i));
-    PaletteEntries entries{};
-    std::copy_n(&part.palette_entries[i * 4], 4, entries.begin());
-    merged.palette_entries.push_back(entries);
+    SkinInfluences influences{};
+    std::copy_n(&part.palette_entries[i * 4], 4, influences.entries.begin());
+    std::copy_n(&part.weights[i * 4], 4, influences.weights.begin());
+    merged.influences.push_back(influences);
+    merged.palette_entries.push_back(influences.entries);
+    merged.belongs_to.push_back(static_cast<std::uint32_t>(part.material) << 8U | surface.vertices.back().region);
   }
   merged.positions.insert(merged.positions.end(), part.positions.begin(), part.positions.end());
   merged.materials.insert(merged.materials.end(), count, part.material);
@@ -127,7 +132,9 @@ Surface build_surface(const CrowdMeshData& data) {
   for (const MeshPartData& part : data.parts) append_part(part, surface, merged);
   append_bone_ends(data.bone_ends, surface, merged);
   const auto material_count = static_cast<int>(data.materials.size());
-  for (const MeshLod& lod : build_mesh_lods(merged.positions, merged.indices)) {
+  const bool has_texture = std::ranges::any_of(data.materials, [](const MaterialData& m) { return m.image >= 0; });
+  for (const MeshLod& lod :
+       build_mesh_lods({merged.positions, merged.influences, merged.belongs_to, merged.indices, has_texture})) {
     append_lod(lod.indices, merged.materials, material_count, surface);
     surface.error_by_lod.push_back(lod.error);
   }

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <new>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -34,8 +34,8 @@ Lines floats(int count) { return Lines(static_cast<std::size_t>((count + 15) / 1
 
 /// A trunk of 12 bones, four limbs of 5 and digits of 3 on them.
 std::vector<int> parents() {
-  std::vector<int> parents;
-  for (int bone = 0; bone < 12; ++bone) parents.push_back(bone - 1);
+  std::vector<int> parents(12);
+  std::iota(parents.begin(), parents.end(), -1);
   for (int limb = 0; limb < 4; ++limb) {
     const int shoulder = static_cast<int>(parents.size());
     for (int bone = 0; bone < 5; ++bone) parents.push_back(bone == 0 ? 3 + 2 * limb : shoulder + bone - 1);
@@ -68,7 +68,7 @@ SampledRows turning_rows(double pace) {
   rows.bone_count = bones;
   rows.row_step = ticks_per_second / 30;
   rows.row_count = 31;
-  rows.rows.assign(static_cast<std::size_t>(rows.row_count * packets * packet_floats), 0.0F);
+  rows.rows.assign(static_cast<std::size_t>(rows.row_count) * packets * packet_floats, 0.0F);
   for (int row = 0; row < rows.row_count; ++row) {
     for (int bone = 0; bone < packets * packet_bones; ++bone) {
       float* lanes = rows.rows.data() + (row * packets + bone / packet_bones) * packet_floats + bone % packet_bones;

@@ -240,6 +240,7 @@ void encode_sampled_stream(const SampledRows& rows, Ticks duration, std::span<st
   std::memcpy(block.data(), &stream, sizeof(stream));
 
   std::vector<SampledPacket> packets;
+  packets.reserve(static_cast<std::size_t>(source.packets()));
   for (int packet = 0; packet < source.packets(); ++packet) {
     packets.push_back(describe_packet(rows, source, layout, packet));
   }

@@ -27,22 +27,27 @@ std::string bones_of(const FrameReport& report, int level) {
   return index < report.level_bone_counts.size() ? std::to_string(report.level_bone_counts[index]) : "-";
 }
 
-int nearest_divider(const Tuning& tuning, float metres) {
+/// Four, unless the character has fewer.
+int level_count(const FrameReport& report) {
+  return report.level_bone_counts.empty() ? 4 : std::min(4, static_cast<int>(report.level_bone_counts.size()));
+}
+
+int nearest_divider(const Tuning& tuning, int dividers, float metres) {
   int nearest = 0;
-  for (int i = 1; i < 3; ++i) {
+  for (int i = 1; i < dividers; ++i) {
     const float now = std::abs(tuning.bone_level_distance[i] - metres);
     if (now < std::abs(tuning.bone_level_distance[nearest] - metres)) nearest = i;
   }
   return nearest;
 }
 
-void drag_dividers(const Area& band, Tuning& tuning) {
+void drag_dividers(const Area& band, int dividers, Tuning& tuning) {
   const float metres =
       std::clamp((ImGui::GetIO().MousePos.x - band.from.x) / band.width(), 0.0F, 1.0F) * longest_distance;
   ImGuiStorage& memory = *ImGui::GetStateStorage();
   const ImGuiID held = ImGui::GetID("held divider");
-  if (ImGui::IsItemActivated()) memory.SetInt(held, nearest_divider(tuning, metres));
-  if (!ImGui::IsItemActive()) return;
+  if (ImGui::IsItemActivated()) memory.SetInt(held, nearest_divider(tuning, dividers, metres));
+  if (!ImGui::IsItemActive() || dividers == 0) return;
   const int divider = memory.GetInt(held);
   tuning.bone_level_distance[divider] = std::round(2 * metres) / 2;
   keep_in_order(tuning, divider);
@@ -53,15 +58,16 @@ void show_band(const TabContext& context) {
   const Theme& theme = context.widgets.theme();
   Tuning& tuning = context.tuning;
   const Area band = context.widgets.area("Level band", 26);
-  drag_dividers(band, tuning);
+  const int levels = level_count(context.report);
+  drag_dividers(band, levels - 1, tuning);
   if (band.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const auto x_of = [&band](float metres) {
     return band.from.x + band.width() * std::min(1.0F, metres / longest_distance);
   };
-  for (int level = 0; level < 4; ++level) {
+  for (int level = 0; level < levels; ++level) {
     const float from = level == 0 ? band.from.x : x_of(tuning.bone_level_distance[level - 1]) + theme.px(1);
-    const float to = level == 3 ? band.to.x : x_of(tuning.bone_level_distance[level]) - theme.px(1);
+    const float to = level == levels - 1 ? band.to.x : x_of(tuning.bone_level_distance[level]) - theme.px(1);
     if (to <= from) continue;
     draw.AddRectFilled({from, band.from.y}, {to, band.to.y},
                        ImGui::GetColorU32(colour::with_alpha(level_colour(level), 0.85F)), theme.px(3));
@@ -81,7 +87,7 @@ void show_levels(const TabContext& context) {
                "list below, and a dropped bone follows its nearest kept ancestor.",
        .cost = "off evaluates all bones of every agent."});
   ImGui::BeginDisabled(!tuning.bone_lod);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i + 1 < level_count(report); ++i) {
     const std::string what =
         "Agents beyond it keep " + bones_of(report, i + 1) + " bones. The next level moves with it.";
     if (widgets.number(level_distance_labels.at(static_cast<std::size_t>(i)), tuning.bone_level_distance[i],
@@ -114,17 +120,17 @@ void show_agents_by_level(const TabContext& context) {
              .name_of = [&report](int i) { return "level " + std::to_string(i) + ": " + bones_of(report, i); }});
 }
 
-void draw_bone(const Theme& theme, const BoneRow& bone, std::size_t place) {
+void draw_bone(const Theme& theme, const BoneRow& bone, std::size_t place, int levels) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x, middle = at.y + theme.px(9);
   const int level = std::clamp(bone.level, 0, 3);
   draw_text(theme.small, {at.x + theme.px(22), at.y + theme.px(1)}, colour::faint, std::to_string(place + 1), 1);
   const float indent = theme.px(30) + std::min(static_cast<float>(bone.depth) * theme.px(7), theme.px(110));
   draw_text(theme.small, {at.x + indent, at.y + theme.px(1)}, colour::text, bone.name);
-  for (int kept = 0; kept < 4; ++kept) {
+  for (int kept = 0; kept < levels; ++kept) {
     const ImU32 ink = kept <= level ? level_colour(kept) : colour::well_hovered;
     ImGui::GetWindowDrawList()->AddCircleFilled(
-        {right - theme.px(12) - theme.px(11) * static_cast<float>(3 - kept), middle}, theme.px(3),
+        {right - theme.px(12) - theme.px(11) * static_cast<float>(levels - 1 - kept), middle}, theme.px(3),
         ImGui::GetColorU32(ink));
   }
   ImGui::Dummy({0, theme.px(18)});
@@ -156,7 +162,7 @@ void show_bones(const TabContext& context) {
                                               ImGui::GetWindowPos().y + ImGui::GetWindowHeight()}});
   ImGui::Dummy({0, theme.px(4)});
   for (std::size_t i = 0; i < bones.size(); ++i) {
-    draw_bone(theme, bones[i], i);
+    draw_bone(theme, bones[i], i, level_count(context.report));
     const int below = i + 1 < bones.size() ? bones[i + 1].level : 0;
     for (int level = std::min(bones[i].level, 3); level > below; --level) draw_divider(theme, level, i + 1);
   }

@@ -9,6 +9,7 @@ namespace throng::app {
 namespace {
 
 constexpr float display_interval_ms = 16.7F;
+constexpr std::size_t frames_shown = 240;
 constexpr float numbers_width = 232;
 
 std::string milliseconds(float value) { return fixed(static_cast<double>(value), value < 9.995F ? 2 : 1); }
@@ -56,15 +57,19 @@ void draw_scale(const Theme& theme, const Area& graph, float top) {
   }
   draw_text(theme.small, {graph.to.x + theme.px(6), graph.from.y - theme.px(8)}, colour::faint,
             fixed(static_cast<double>(top), 0) + " ms");
+  // The limit's own words take the place of 0 where it lies at the bottom.
+  if (display_interval_ms / top * graph.height() < theme.px(16)) return;
   draw_text(theme.small, {graph.to.x + theme.px(6), graph.to.y - theme.px(12)}, colour::faint, "0");
 }
 
 void show_frame_under_pointer(const Area& graph, const FrameReport& report) {
   const std::size_t count = std::min(report.frame_ms_history.size(), report.update_ms_history.size());
-  if (!graph.hovered || count < 2) return;
-  const float share = std::clamp((ImGui::GetIO().MousePos.x - graph.from.x) / graph.width(), 0.0F, 1.0F);
-  const auto index = static_cast<std::size_t>(std::lround(share * static_cast<float>(count - 1)));
-  const float x = graph.from.x + graph.width() * static_cast<float>(index) / static_cast<float>(count - 1);
+  const float step = graph.width() / static_cast<float>(frames_shown - 1);
+  const auto frames_ago =
+      static_cast<std::size_t>(std::max(0.0F, (graph.to.x - ImGui::GetIO().MousePos.x) / step + 0.5F));
+  if (!graph.hovered || frames_ago >= count) return;
+  const std::size_t index = count - 1 - frames_ago;
+  const float x = graph.to.x - step * static_cast<float>(frames_ago);
   ImGui::GetWindowDrawList()->AddLine({x, graph.from.y}, {x, graph.to.y}, colour::faint);
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(("frame " + milliseconds(report.frame_ms_history[index]) + " ms, animation " +
@@ -86,8 +91,8 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
   draw_well(theme, graph);
   const float top = graph_top(report);
   draw_scale(theme, graph, top);
-  draw_line(graph, report.frame_ms_history, top, colour::frame, theme.px(1.5F));
-  draw_line(graph, report.update_ms_history, top, colour::accent, theme.px(1.5F));
+  draw_line(graph, report.frame_ms_history, top, frames_shown, colour::frame, theme.px(1.5F));
+  draw_line(graph, report.update_ms_history, top, frames_shown, colour::accent, theme.px(1.5F));
   draw_limit(theme, graph, display_interval_ms, top, "16.7 ms");
   show_frame_under_pointer(graph, report);
   ImGui::End();

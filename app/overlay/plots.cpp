@@ -39,12 +39,14 @@ void draw_well(const Theme& theme, const Area& area) {
   draw_list().AddRectFilled(area.from, area.to, ImGui::GetColorU32(colour::well), theme.px(4));
 }
 
-void draw_line(const Area& area, std::span<const float> values, float highest, ImU32 colour, float thickness) {
+void draw_line(const Area& area, std::span<const float> values, float highest, std::size_t capacity, ImU32 colour,
+               float thickness) {
   if (values.size() < 2) return;
-  const float step = area.width() / static_cast<float>(values.size() - 1);
+  const float step = area.width() / static_cast<float>(capacity - 1);
+  const float first = area.to.x - step * static_cast<float>(values.size() - 1);
   draw_list().PushClipRect(area.from, area.to, true);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    draw_list().PathLineTo({area.from.x + step * static_cast<float>(i), y_of(area, values[i], highest)});
+    draw_list().PathLineTo({first + step * static_cast<float>(i), y_of(area, values[i], highest)});
   }
   draw_list().PathStroke(ImGui::GetColorU32(colour), ImDrawFlags_None, thickness);
   draw_list().PopClipRect();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -9,8 +10,10 @@
 
 namespace throng::app {
 
-/// A line over an area, one point a value, 0 at the bottom and `highest` at the top.
-void draw_line(const Area& area, std::span<const float> values, float highest, ImU32 colour, float thickness);
+/// A line over an area, 0 at the bottom and `highest` at the top: the last value at the right edge, one step of
+/// `1 / (capacity - 1)` of the width a value.
+void draw_line(const Area& area, std::span<const float> values, float highest, std::size_t capacity, ImU32 colour,
+               float thickness);
 
 /// A level line across the area with its words beside its right end.
 void draw_limit(const Theme& theme, const Area& area, float value, float highest, const std::string& words);

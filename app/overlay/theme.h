@@ -9,7 +9,7 @@ namespace throng::app {
 
 /// Colours of the overlay, packed as Dear ImGui wants them. Few of them: the crowd is what should be looked at.
 namespace colour {
-inline constexpr ImU32 panel = IM_COL32(16, 19, 24, 232);
+inline constexpr ImU32 panel = IM_COL32(16, 19, 24, 241);
 inline constexpr ImU32 panel_edge = IM_COL32(255, 255, 255, 18);
 inline constexpr ImU32 well = IM_COL32(255, 255, 255, 13);
 inline constexpr ImU32 well_hovered = IM_COL32(255, 255, 255, 28);

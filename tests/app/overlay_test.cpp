@@ -164,6 +164,16 @@ TEST(Overlay, BoneLevelsFollowEachOther) {
   EXPECT_EQ(distance[0], 0);
 }
 
+TEST(Overlay, ShowsNoMoreBoneLevelsThanTheCharacterHas) {
+  OverlayDriver driver;
+  driver.click("tab:Per-bone LOD");
+  EXPECT_TRUE(driver.sees("Level 3 from"));
+  driver.report.level_bone_counts = {62, 20};
+  driver.frames();
+  EXPECT_TRUE(driver.sees("Level 1 from"));
+  EXPECT_FALSE(driver.sees("Level 2 from"));
+}
+
 TEST(Overlay, ABorderOfTheLevelBandCanBeDragged) {
   OverlayDriver driver;
   driver.click("tab:Per-bone LOD");

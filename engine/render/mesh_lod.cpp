@@ -51,7 +51,9 @@ std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface) {
     const auto target = static_cast<std::size_t>(share_of(surface.indices.size() / 3, step.share));
     simplifier.reduce_to(target, step.tolerance * extent);
     MeshLod lod{simplifier.indices(), static_cast<float>(simplifier.error())};
-    if (static_cast<double>(simplifier.triangle_count()) > share_of(target, missed_by)) {
+    // Clusters do not know what belongs to which part of a texture.
+    if (surface.texture_coords.empty() &&
+        static_cast<double>(simplifier.triangle_count()) > share_of(target, missed_by)) {
       MeshLod clustered = cluster(surface, target, step);
       if (!clustered.indices.empty() && clustered.indices.size() < lod.indices.size()) lod = std::move(clustered);
     }

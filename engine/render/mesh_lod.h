@@ -19,8 +19,8 @@ struct MeshLod {
 };
 
 /// Simplifies a surface step by step (SurfaceSimplifier; where it does not reach a step, because a character has many
-/// loose pieces, meshoptimizer's clustering). [0] is the surface itself; each further LOD has clearly fewer triangles
-/// than the one before, so a small mesh has fewer LODs. Never empty.
+/// loose pieces and no texture, meshoptimizer's clustering). [0] is the surface itself; each further LOD has clearly
+/// fewer triangles than the one before, so a small mesh has fewer LODs. Never empty.
 std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface);
 
 /// The coarsest mesh LOD, not finer than `at_least`, whose triangles are still in proportion to the pixels that they

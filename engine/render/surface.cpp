@@ -48,6 +48,7 @@ struct Merged {
   std::vector<float> positions;
   std::vector<std::uint32_t> indices;
   std::vector<int> materials;                   ///< one a vertex
+  std::vector<float> texture_coords;            ///< one a vertex, or empty: no part shows a texture
   std::vector<std::uint32_t> belongs_to;        ///< material and tint region, one a vertex
   std::vector<SkinInfluences> influences;       ///< one a vertex
   std::vector<PaletteEntries> palette_entries;  ///< at level 0; of bone ends too
@@ -87,6 +88,14 @@ void append_bone_ends(std::span<const BoneEndData> ends, Surface& surface, Merge
     surface.vertices.push_back(vertex);
     merged.palette_entries.push_back({end.palette_entry, 0, 0, 0});
   }
+}
+
+std::vector<float> texture_coords_of(std::span<const SurfaceVertex> vertices) {
+  std::vector<float> coords;
+  coords.reserve(vertices.size() * 2);
+  for (const SurfaceVertex& vertex : vertices)
+    coords.insert(coords.end(), vertex.texture_coord, vertex.texture_coord + 2);
+  return coords;
 }
 
 /// Appends one mesh LOD to the surface's indices, sorted by the material of each triangle's first vertex: parts share
@@ -132,9 +141,12 @@ Surface build_surface(const CrowdMeshData& data) {
   for (const MeshPartData& part : data.parts) append_part(part, surface, merged);
   append_bone_ends(data.bone_ends, surface, merged);
   const auto material_count = static_cast<int>(data.materials.size());
-  const bool has_texture = std::ranges::any_of(data.materials, [](const MaterialData& m) { return m.image >= 0; });
-  for (const MeshLod& lod :
-       build_mesh_lods({merged.positions, merged.influences, merged.belongs_to, merged.indices, has_texture})) {
+  if (std::ranges::any_of(data.materials, [](const MaterialData& material) { return material.image >= 0; })) {
+    merged.texture_coords = texture_coords_of(surface.vertices);
+  }
+  const SkinnedSurfaceView view{merged.positions, merged.influences, merged.belongs_to, merged.indices,
+                                merged.texture_coords};
+  for (const MeshLod& lod : build_mesh_lods(view)) {
     append_lod(lod.indices, merged.materials, material_count, surface);
     surface.error_by_lod.push_back(lod.error);
   }

@@ -23,6 +23,10 @@ constexpr double length_cost = 1e-3;
 // How firmly open edges are held, against surfaces of the same size.
 constexpr double open_edge_weight = 4.0;
 
+// Vertices whose texture coordinates are this close show the same colour: two sides of a hard edge, or two places of a
+// patch in an atlas of plain colours.
+constexpr float like_texture = 1.0F / 64.0F;
+
 // A triangle may tilt by up to about 75 degrees in one merge.
 constexpr double least_cosine = 0.25;
 
@@ -191,10 +195,17 @@ bool SurfaceSimplifier::find_stand_ins(std::uint32_t from, std::uint32_t into, S
 }
 
 std::uint32_t SurfaceSimplifier::stand_in_elsewhere(std::uint32_t vertex, const Point& into) const {
-  if (surface_.has_texture) return no_vertex;
-  const auto found = std::ranges::find_if(
-      into.vertices, [&](std::uint32_t other) { return surface_.belongs_to[other] == surface_.belongs_to[vertex]; });
+  const auto found = std::ranges::find_if(into.vertices, [&](std::uint32_t other) {
+    return surface_.belongs_to[other] == surface_.belongs_to[vertex] && has_like_texture(other, vertex);
+  });
   return found == into.vertices.end() ? no_vertex : *found;
+}
+
+bool SurfaceSimplifier::has_like_texture(std::uint32_t a, std::uint32_t b) const {
+  if (surface_.texture_coords.empty()) return true;
+  const float* at_a = &surface_.texture_coords[a * 2UL];
+  const float* at_b = &surface_.texture_coords[b * 2UL];
+  return std::abs(at_a[0] - at_b[0]) <= like_texture && std::abs(at_a[1] - at_b[1]) <= like_texture;
 }
 
 void SurfaceSimplifier::merge(std::uint32_t from, std::uint32_t into, const StandIns& stand_ins) {

@@ -23,7 +23,7 @@ struct SkinnedSurfaceView {
   std::span<const SkinInfluences> influences;  ///< one a vertex
   std::span<const std::uint32_t> belongs_to;   ///< material and tint region, one a vertex: never blurred over an edge
   std::span<const std::uint32_t> indices;
-  bool has_texture = false;  ///< then seams of the texture are kept too
+  std::span<const float> texture_coords;  ///< u v a vertex, or empty where there is no texture to keep in place
 };
 
 /// Merges points of a skinned surface along its edges, cheapest first (CollapseCost), always into a point that exists,
@@ -78,6 +78,7 @@ class SurfaceSimplifier {
   bool turns_a_triangle_over(std::uint32_t from, std::uint32_t into) const;
   bool find_stand_ins(std::uint32_t from, std::uint32_t into, StandIns& stand_ins) const;
   std::uint32_t stand_in_elsewhere(std::uint32_t vertex, const Point& into) const;
+  bool has_like_texture(std::uint32_t a, std::uint32_t b) const;
   void merge(std::uint32_t from, std::uint32_t into, const StandIns& stand_ins);
 
   bool has_point(const Triangle& triangle, std::uint32_t point) const;

@@ -7,7 +7,7 @@ namespace throng::app {
 namespace {
 
 // 0xRRGGBB, sRGB, as a painter writes them.
-constexpr std::uint32_t skins[]{0xF2D3BC, 0xE8BE9E, 0xD9A47E, 0xC68863, 0xA56B46, 0x8A5635, 0x6B4128, 0x4E2F1E};
+constexpr std::uint32_t skins[]{0xE6BFA3, 0xDDAF8C, 0xD09A74, 0xC68863, 0xA56B46, 0x8A5635, 0x6B4128, 0x4E2F1E};
 constexpr std::uint32_t hairs[]{0x17120F, 0x241A14, 0x3A281C, 0x4F3522, 0x6B4A2B,
                                 0x8C6239, 0xB08D57, 0x8E8A86, 0x7A3B1F};
 constexpr std::uint32_t muted_shirts[]{0x2F4A63, 0x46617A, 0x7C93A6, 0xE6E0D4, 0xD8CDB8, 0x8C8B86, 0x4B4F54,
@@ -23,9 +23,9 @@ std::uint32_t one_of(std::span<const std::uint32_t> colours, Random& random) {
   return colours[random.below(static_cast<std::uint32_t>(colours.size()))];
 }
 
-// Cloth of one colour is never quite the same twice.
+// No two of one colour are quite alike; not much lighter, or pale ones would burn out in the sun.
 std::uint32_t faded(std::uint32_t colour, Random& random) {
-  const float lightness = random.between(0.88F, 1.10F);
+  const float lightness = random.between(0.85F, 1.04F);
   std::uint32_t result = 0xFF;
   for (const unsigned shift : {0U, 8U, 16U}) {  // blue, green, red: red ends lowest
     const float channel = static_cast<float>((colour >> shift) & 0xFFU) * lightness;

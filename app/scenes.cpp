@@ -14,13 +14,13 @@ std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
   const auto unit = static_cast<float>(spacing);
   const auto side = static_cast<float>(plaza_side(agents, spacing));
   const auto corner = static_cast<float>(plaza_viewpoint(agents, spacing).x);
-  const float above = 0.75F * side + 8.0F * unit;
-  const float beyond = 0.3F * side + 6.0F * unit;
+  const float above = 0.9F * side + 8.0F * unit;
+  const float beyond = 0.06F * side + 3.0F * unit;
   return {
       {"front", {corner, 2.7F * unit, corner, to_the_middle, -8.5F, 42.0F}},
-      {"above", {0.0F, above, 0.5F * above, 0.0F, -64.0F, 50.0F}},
-      {"close", {corner - 1.2F * unit, 1.6F * unit, corner - 1.2F * unit, to_the_middle, -4.0F, 40.0F}},
-      {"far", {corner + beyond, 0.25F * side + 6.0F * unit, corner + beyond, to_the_middle, -18.0F, 45.0F}},
+      {"above", {0.0F, above, 0.55F * above, 0.0F, -64.0F, 50.0F}},
+      {"close", {corner - 1.2F * unit, 1.6F * unit, corner - 1.2F * unit, to_the_middle, -6.0F, 40.0F}},
+      {"far", {corner + beyond, 0.16F * side + 5.0F * unit, corner + beyond, to_the_middle, -19.0F, 45.0F}},
   };
 }
 

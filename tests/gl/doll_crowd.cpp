@@ -76,7 +76,8 @@ CrowdFrame DollCrowd::frame() {
   // Two runs, so that the second starts at an instance other than the first.
   const auto count = static_cast<std::uint32_t>(instances.size());
   const std::uint32_t half = count / 2;
-  batches_ = {{0, 0, 0, 0, half}, {0, 0, 0, half, count - half}};
+  batches_.clear();
+  if (count > 0) batches_ = {{0, 0, 0, 0, half}, {0, 0, 0, half, count - half}};
   CrowdFrame frame;
   frame.camera = view_of(camera, static_cast<float>(width) / height);
   frame.instances = instances;

@@ -1,0 +1,153 @@
+#include "engine/render/mesh_lod.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace throng::render {
+namespace {
+
+constexpr double full_turn = 6.283185307179586;
+
+/// A closed tube along x from 0 to 2, radius 0.1, whose two joints take over from one another around x = 1: an arm with
+/// its elbow.
+struct Arm {
+  static constexpr int rings = 41;
+  static constexpr int sides = 16;
+
+  Arm() {
+    for (int ring = 0; ring < rings; ++ring) {
+      for (int side = 0; side < sides; ++side) add_vertex(2.0 * ring / (rings - 1), side);
+    }
+    for (int ring = 0; ring + 1 < rings; ++ring) {
+      for (int side = 0; side < sides; ++side) add_quad(ring, side);
+    }
+    add_cap(0, false);
+    add_cap(rings - 1, true);
+  }
+
+  void add_vertex(double x, int side) {
+    const double angle = full_turn * side / sides;
+    for (const double value : {x, 0.1 * std::cos(angle), 0.1 * std::sin(angle)}) {
+      positions.push_back(static_cast<float>(value));
+    }
+    const auto lower = static_cast<float>(std::clamp((x - 0.9) / 0.2, 0.0, 1.0));
+    influences.push_back({{0, 1, 0, 0}, {1.0F - lower, lower, 0.0F, 0.0F}});
+    belongs_to.push_back(x < 0.5 ? 1 : 0);
+  }
+
+  static std::uint32_t at(int ring, int side) { return static_cast<std::uint32_t>(ring * sides + side % sides); }
+
+  void add_quad(int ring, int side) {
+    const std::uint32_t a = at(ring, side), b = at(ring + 1, side), c = at(ring + 1, side + 1), d = at(ring, side + 1);
+    indices.insert(indices.end(), {a, c, b, a, d, c});
+  }
+
+  void add_cap(int ring, bool far) {
+    for (int side = 1; side + 1 < sides; ++side) {
+      const std::uint32_t a = at(ring, 0), b = at(ring, side), c = at(ring, side + 1);
+      indices.insert(indices.end(), {a, far ? b : c, far ? c : b});
+    }
+  }
+
+  SkinnedSurfaceView view() const { return {positions, influences, belongs_to, indices, {}}; }
+  float x(std::uint32_t vertex) const { return positions[vertex * 3UL]; }
+
+  std::vector<float> positions;
+  std::vector<SkinInfluences> influences;
+  std::vector<std::uint32_t> belongs_to;
+  std::vector<std::uint32_t> indices;
+};
+
+TEST(MeshLods, HaveAboutTheShareOfTrianglesPromised) {
+  const Arm arm;
+  const std::vector<MeshLod> lods = build_mesh_lods(arm.view());
+  ASSERT_EQ(lods.size(), 4U);
+  EXPECT_EQ(lods[0].indices, arm.indices);
+  const auto all = static_cast<double>(arm.indices.size());
+  constexpr std::array<double, 4> shares = {1.0, 0.3, 0.1, 0.03};
+  for (std::size_t lod = 1; lod < lods.size(); ++lod) {
+    EXPECT_NEAR(static_cast<double>(lods[lod].indices.size()) / all, shares.at(lod), shares.at(lod) * 0.1) << lod;
+    EXPECT_GE(lods[lod].error, lods[lod - 1].error);
+  }
+}
+
+TEST(MeshLods, StayClosed) {
+  const Arm arm;
+  for (const MeshLod& lod : build_mesh_lods(arm.view())) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges;
+    for (std::size_t i = 0; i < lod.indices.size(); ++i) {
+      const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+      ++directed_edges[{lod.indices[i], lod.indices[next]}];
+    }
+    for (const auto& [edge, count] : directed_edges) {
+      EXPECT_EQ(count, 1);
+      EXPECT_EQ(directed_edges.count({edge.second, edge.first}), 1U);
+    }
+  }
+}
+
+TEST(MeshLods, KeepVerticesInsideAnElbow) {
+  // A straight tube needs no vertex between its ends, but a bent one folds flat without a ring at the elbow.
+  const Arm arm;
+  const std::vector<MeshLod> lods = build_mesh_lods(arm.view());
+  const std::vector<std::uint32_t>& coarse = lods.back().indices;
+  const auto at_elbow = std::ranges::count_if(
+      coarse, [&](std::uint32_t vertex) { return arm.x(vertex) > 0.85F && arm.x(vertex) < 1.15F; });
+  EXPECT_GE(at_elbow, 3);
+}
+
+TEST(MeshLods, OfAMeshTooSmallToSimplifyAreFewer) {
+  const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const std::vector<SkinInfluences> influences(4, SkinInfluences{{0, 0, 0, 0}, {1, 0, 0, 0}});
+  const std::vector<std::uint32_t> belongs_to(4, 0);
+  const std::vector<std::uint32_t> indices = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  EXPECT_EQ(build_mesh_lods({positions, influences, belongs_to, indices, {}}).size(), 1U);
+}
+
+TEST(MeshLods, OfNothingAreOneEmptyOne) {
+  const std::vector<MeshLod> lods = build_mesh_lods({});
+  ASSERT_EQ(lods.size(), 1U);
+  EXPECT_TRUE(lods[0].indices.empty());
+}
+
+TEST(MeshLods, SurviveTrianglesWithoutArea) {
+  Arm arm;
+  arm.indices.insert(arm.indices.end(), {0, 0, 0, 1, 2, 1});
+  EXPECT_EQ(build_mesh_lods(arm.view()).size(), 4U);
+}
+
+TEST(PickMeshLod, GivesFewerTrianglesToFewerPixels) {
+  constexpr std::array<std::uint32_t, 4> triangles = {5500, 1650, 550, 164};
+  EXPECT_EQ(pick_mesh_lod(triangles, 600.0F, 0, 1.0F), 0);
+  EXPECT_EQ(pick_mesh_lod(triangles, 250.0F, 0, 1.0F), 1);
+  EXPECT_EQ(pick_mesh_lod(triangles, 140.0F, 0, 1.0F), 2);
+  EXPECT_EQ(pick_mesh_lod(triangles, 40.0F, 0, 1.0F), 3);
+  int coarsest = 3;
+  for (float pixels = 1.0F; pixels < 1000.0F; pixels *= 1.1F) {
+    const int lod = pick_mesh_lod(triangles, pixels, 0, 1.0F);
+    EXPECT_LE(lod, coarsest);
+    coarsest = lod;
+  }
+}
+
+TEST(PickMeshLod, IsNeverFinerThanAskedNorCoarserThanThereIs) {
+  constexpr std::array<std::uint32_t, 3> triangles = {1000, 300, 100};
+  EXPECT_EQ(pick_mesh_lod(triangles, 2000.0F, 1, 1.0F), 1);
+  EXPECT_EQ(pick_mesh_lod(triangles, 2000.0F, 7, 1.0F), 2);
+  EXPECT_EQ(pick_mesh_lod(triangles, 0.0F, 0, 1.0F), 2);
+}
+
+TEST(PickMeshLod, WantsLessDetailOnASoftwareRenderer) {
+  constexpr std::array<std::uint32_t, 4> triangles = {5500, 1650, 550, 164};
+  EXPECT_GT(pick_mesh_lod(triangles, 120.0F, 0, 0.25F), pick_mesh_lod(triangles, 120.0F, 0, 1.0F));
+}
+
+}  // namespace
+}  // namespace throng::render

@@ -1,0 +1,83 @@
+#include "engine/render/surface.h"
+
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace throng::render {
+namespace {
+
+/// Two parts of one quad each, of two materials.
+struct TwoQuads {
+  TwoQuads() {
+    for (int material : {1, 0}) {
+      MeshPartData part;
+      part.positions = positions;
+      part.normals = normals;
+      part.palette_entries = entries;
+      part.weights = weights;
+      part.indices = indices;
+      part.material = material;
+      data.parts.push_back(part);
+    }
+    data.parts[1].regions = regions;
+    data.materials.resize(2);
+    data.entry_at_level = {{0, 1, 2}, {0, 0, 2}};
+    data.bone_ends = {{{0, 1, 0}, 1}, {{0, 0, 0}, 0}};
+  }
+
+  std::vector<float> positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  std::vector<float> normals = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+  std::vector<std::uint16_t> entries = {0, 1, 2, 0, 1, 0, 0, 0, 2, 1, 0, 0, 1, 2, 0, 0};
+  std::vector<float> weights = {0.7F, 0.2F, 0.1F, 0, 1, 0, 0, 0, 0.33333F, 0.33333F, 0.33334F, 0, 0.5F, 0.5F, 0, 0};
+  std::vector<std::uint8_t> regions = {0, 1, 2, 4};
+  std::vector<std::uint32_t> indices = {0, 1, 2, 0, 2, 3};
+  CrowdMeshData data;
+};
+
+TEST(Surface, HasOneRunAMaterialWithItsTriangles) {
+  const Surface surface = build_surface(TwoQuads().data);
+  ASSERT_EQ(surface.runs_by_lod.size(), surface.triangles_by_lod.size());
+  const std::vector<MaterialRun>& runs = surface.runs_by_lod[0];
+  ASSERT_EQ(runs.size(), 2U);
+  for (const MaterialRun& run : runs) {
+    ASSERT_EQ(run.index_count, 6U);
+    for (std::uint32_t i = run.first_index; i < run.first_index + run.index_count; ++i) {
+      EXPECT_EQ(surface.indices[i] < 4, run.material == 1);
+    }
+  }
+  EXPECT_EQ(surface.triangles_by_lod[0], 4U);
+}
+
+TEST(Surface, StoresWeightsThatSumToOneExactly) {
+  const Surface surface = build_surface(TwoQuads().data);
+  for (const SurfaceVertex& vertex : surface.vertices) {
+    EXPECT_EQ(std::accumulate(std::begin(vertex.weights), std::end(vertex.weights), 0), 65535);
+  }
+}
+
+TEST(Surface, SendsDroppedJointsToTheirKeptAncestorAtEachLevel) {
+  const Surface surface = build_surface(TwoQuads().data);
+  ASSERT_EQ(surface.entries_by_level.size(), 2U);
+  EXPECT_EQ(surface.entries_by_level[0][0], (PaletteEntries{0, 1, 2, 0}));
+  EXPECT_EQ(surface.entries_by_level[1][0], (PaletteEntries{0, 0, 2, 0}));
+}
+
+TEST(Surface, MarksVerticesWithoutRegionAsUntinted) {
+  const Surface surface = build_surface(TwoQuads().data);
+  EXPECT_EQ(surface.vertices[0].region, untinted_region);
+  EXPECT_EQ(surface.vertices[4 + 3].region, 4);
+}
+
+TEST(Surface, PutsEndsOfBonesBehindItsVerticesMovedByTheirEntryAlone) {
+  const Surface surface = build_surface(TwoQuads().data);
+  EXPECT_EQ(surface.first_bone_end, 8U);
+  EXPECT_EQ(surface.bone_end_count, 2U);
+  EXPECT_EQ(surface.vertices[8].weights[0], 65535);
+  EXPECT_EQ(surface.entries_by_level[0][8][0], 1);
+  EXPECT_EQ(surface.entries_by_level[1][8][0], 0);
+}
+
+}  // namespace
+}  // namespace throng::render

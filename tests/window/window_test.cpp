@@ -61,6 +61,16 @@ TEST_F(Window, ScheduleDoubleBufferAndTileChangeWhileItRuns) {
   next_map();
 }
 
+TEST_F(Window, AValueThatCannotBeIsRefusedInWordsAndNothingChanges) {
+  click("tab:Scheduling");
+  click("Stream:keyframe");
+  wait_for("the stream", [](const Json& map) { return map["tuning"]["stream"] == "keyframe"; });
+  type_into("Local store.field", "16");  // a fused keyframe character needs more
+  const Json map = wait_for("a notice", [](const Json& now) { return now["report"]["notice"] != ""; });
+  EXPECT_EQ(map["tuning"]["local_store_kib"], 0) << map["report"]["notice"];
+  next_map();
+}
+
 TEST_F(Window, WFliesAndARightDragLooksAround) {
   const Json before = next_map()["camera"];
   point_at(450, 300);

@@ -62,10 +62,26 @@ TEST(Crowd, AnotherSeedIsAnotherCrowd) {
   EXPECT_FALSE(std::ranges::equal(one.start_phases(), two.start_phases()));
 }
 
+TEST(Crowd, StandersKeepTheirDistance) {
+  for (const std::uint32_t seed : {1U, 2U, 3U}) {
+    const Crowd crowd(Scene::plaza, 5000, seed, person());
+    EXPECT_GE(least_distance(crowd, crowd.walkers(), crowd.size()), 0.7F);
+  }
+}
+
+TEST(Crowd, SomeRestAndSomeActFromTheStart) {
+  for (const Scene scene : {Scene::plaza, Scene::grid}) {
+    const Crowd crowd(scene, 300, 1, person());
+    const auto standing = crowd.roles().subspan(crowd.walkers());
+    const auto resting = static_cast<std::size_t>(std::ranges::count(standing, Role::idle));
+    EXPECT_GT(resting, standing.size() / 2);
+    EXPECT_LT(resting, standing.size() * 9 / 10);
+  }
+}
+
 TEST(Crowd, NobodyEverRunsIntoAnother) {
   Crowd crowd(Scene::plaza, 400, 3, person());
   ASSERT_GT(crowd.walkers(), 100U);
-  EXPECT_GE(least_distance(crowd, crowd.walkers(), crowd.size()), 0.7F);
   for (int half_second = 0; half_second < 120; ++half_second) {
     ASSERT_GE(least_distance(crowd, 0, crowd.walkers()), 0.89F) << half_second / 2 << " s";
     crowd.advance(30 * frame);

@@ -1,4 +1,5 @@
-#include <cmath>
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,16 +24,14 @@ constexpr double least_travel = 0.05;     // metres of root motion
 void add_note(BakedClip& baked, const std::string& note) { baked.note += (baked.note.empty() ? "" : "; ") + note; }
 
 bool has_step_tracks(const StateClip& clip) {
-  for (const StateTrack& track : clip.tracks) {
-    if (track.interpolation == Interpolation::step) return true;
-  }
-  return false;
+  return std::ranges::any_of(clip.tracks,
+                             [](const StateTrack& track) { return track.interpolation == Interpolation::step; });
 }
 
 /// Poses of one clip, compared on the surface.
 class PoseDistance {
  public:
-  PoseDistance(const SampleSource& source) : source_(source), poses_(source.exact) {}
+  explicit PoseDistance(const SampleSource& source) : source_(source), poses_(source.exact) {}
   double between(Ticks a, Ticks b) {
     const std::vector<BoneFrame> first = frames(a);
     return largest_distance(source_.proxy, first, frames(b));

@@ -52,8 +52,8 @@ std::optional<KeyGrid> find_grid(std::span<const Ticks> times) {
   assert(!times.empty());
   const std::vector<double> distances = distances_from_first(times);
   const double first = to_seconds(times.front());
-  for (double rate = 1.0; rate <= highest_sample_rate; rate += 1.0) {
-    if (all_on_grid(distances, first, rate)) return KeyGrid{times.front(), rate};
+  for (int hertz = 1; hertz <= static_cast<int>(highest_sample_rate); ++hertz) {
+    if (all_on_grid(distances, first, hertz)) return KeyGrid{times.front(), static_cast<double>(hertz)};
   }
   double rate = divisor_rate(distances, first);
   if (rate <= 0.0) return std::nullopt;

@@ -22,7 +22,8 @@ constexpr double worthwhile = 0.9;
 constexpr double probes[] = {0.0, 0.21, 0.5, 0.79};
 
 Ticks floats_in_pose(const KeyframeStream& stream) {
-  return static_cast<Ticks>(pose_bytes(stream.bone_count, stream.components) / sizeof(float));
+  const std::size_t floats = pose_bytes(stream.bone_count, stream.components) / sizeof(float);
+  return static_cast<Ticks>(floats);
 }
 
 SampledRows lay_out_rows(const SampleSource& source, const KeyGrid& grid, Ticks row_step, Ticks last_key) {
@@ -48,7 +49,8 @@ void extend_drift(const SampleSource& source, double seconds_outside, std::span<
     const glm::dvec3 drift = drift_of_root(source.skeleton, bone, per_second * seconds_outside);
     const int first = (bone / packet_bones * source.exact.components + 4) * packet_bones + bone % packet_bones;
     for (int axis = 0; axis < 3; ++axis) {
-      pose[static_cast<std::size_t>(first + axis * packet_bones)] -= static_cast<float>(drift[axis]);
+      float& component = pose[static_cast<std::size_t>(first + axis * packet_bones)];
+      component -= static_cast<float>(drift[axis]);
     }
   }
 }

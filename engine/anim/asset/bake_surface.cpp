@@ -63,6 +63,7 @@ void for_each_vertex(const Model& model, const Visit& visit) {
 
 std::vector<SurfacePoint> farthest_vertices(const Model& model) {
   std::vector<SurfacePoint> farthest;
+  farthest.reserve(model.skeleton.bones.size());
   for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) farthest.push_back({.bone = bone});
   for_each_vertex(model, [&](const SkinnedMesh& mesh, std::size_t v) {
     const PaletteEntry& entry = model.skeleton.palette[mesh.palette_entries[v][0]];

@@ -180,6 +180,7 @@ AlignedBytes pack_keyframe_stream(const StateClip& clip) {
   const auto tracks = static_cast<std::uint32_t>(clip.tracks.size());
   const std::uint32_t interval = std::max(least_seek_interval, 2 * tracks);
   std::vector<KeyEvent> events;
+  events.reserve(pending.size());
   for (const PendingEvent& p : pending) events.push_back(p.event);
   const std::vector<float> constants = constant_pose(clip);
   const std::vector<std::uint16_t> lanes = cubic_lanes(clip);

@@ -1,0 +1,150 @@
+#include "engine/anim/import/import.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/import/test_files.h"
+
+namespace throng::import::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::HasSubstr;
+
+/// The only model of a feature file.
+anim::Model feature(const std::string& name) {
+  anim::ImportedFile file = import_good(data_path("features/" + name));
+  return file.models.empty() ? anim::Model{} : std::move(file.models.front());
+}
+
+/// A feature whose buffer is a data URI, to be changed and written again.
+json editable_document() { return read_json(data_path("features/data-uri.gltf")); }
+
+std::string message_of(const std::filesystem::path& path) {
+  const auto file = import_file(path.string());
+  return file ? "" : file.error().message;
+}
+
+TEST(Import, TakesTheRigidPathForACharacterWithoutMovingScales) {
+  const anim::Skeleton skeleton = feature("plain.glb").skeleton;
+  EXPECT_TRUE(skeleton.rigid);
+  ASSERT_EQ(skeleton.palette_count(), skeleton.bone_count());
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    EXPECT_EQ(skeleton.palette[static_cast<std::size_t>(bone)].bone, bone);
+  }
+}
+
+TEST(Import, TakesTheGeneralPathForMovingScalesShearAndMirrors) {
+  EXPECT_FALSE(feature("linear-trs.glb").skeleton.rigid);
+  EXPECT_FALSE(feature("negative-scale-joint.glb").skeleton.rigid);
+  EXPECT_FALSE(feature("matrix-joints.glb").skeleton.rigid);
+}
+
+TEST(Import, PutsParentsBeforeChildren) {
+  for (const char* name : {"plain.glb", "shuffled-joints.glb", "joints-8-influences.glb", "animated-ancestor.glb"}) {
+    const anim::Skeleton skeleton = feature(name).skeleton;
+    for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+      EXPECT_LT(skeleton.bones[static_cast<std::size_t>(bone)].parent, bone) << name;
+    }
+  }
+}
+
+TEST(Import, MakesOneModelOfSkinsThatShareJoints) {
+  const anim::ImportedFile file = import_good(data_path("features/two-skins-one-skeleton.glb"));
+  ASSERT_EQ(file.models.size(), 1U);
+  EXPECT_EQ(file.models.front().skins.size(), 2U);
+}
+
+TEST(Import, MakesABoneOfAnAnimatedAncestorThatIsNoJoint) {
+  const anim::Model model = feature("animated-ancestor.glb");
+  EXPECT_GT(model.skeleton.bones.size(), model.skins.front().bones.size());
+}
+
+TEST(Import, KeepsTheStrongestFourInfluencesAndSaysSo) {
+  const anim::ImportedFile file = import_good(data_path("features/joints-8-influences.glb"));
+  EXPECT_THAT(file.repairs, Contains(HasSubstr("the strongest four kept")));
+  for (const glm::vec4& weights : file.models.front().meshes.front().weights) {
+    EXPECT_NEAR(weights.x + weights.y + weights.z + weights.w, 1.0F, 1e-6F);
+    EXPECT_GE(weights.x, weights.y);
+    EXPECT_GE(weights.z, weights.w);
+  }
+}
+
+TEST(Import, BindsAMeshBelowAJointToThatJoint) {
+  json document = editable_document();
+  const int joint = document["skins"][0]["joints"].back();
+  json& nodes = document["nodes"];
+  nodes[static_cast<std::size_t>(joint)]["children"].push_back(nodes.size());
+  nodes.push_back({{"mesh", 0}, {"translation", {0.0, 1.0, 0.0}}});
+  const TemporaryFolder folder;
+  const anim::ImportedFile file = import_good(folder.write("attached.gltf", document.dump()));
+  ASSERT_EQ(file.models.size(), 1U);
+  const anim::Model& model = file.models.front();
+  ASSERT_EQ(model.meshes.size(), 2U);
+  const auto bone = static_cast<std::uint16_t>(model.skins.front().bones.back());
+  EXPECT_THAT(model.meshes.back().palette_entries, Each(glm::u16vec4(bone)));
+  EXPECT_THAT(model.meshes.back().weights, Each(glm::vec4(1.0F, 0.0F, 0.0F, 0.0F)));
+}
+
+TEST(Import, ReportsAMorphTargetThatItIgnores) {
+  json document = editable_document();
+  json& primitive = document["meshes"][0]["primitives"][0];
+  primitive["targets"] = json::array({{{"POSITION", primitive["attributes"]["POSITION"]}}});
+  const TemporaryFolder folder;
+  EXPECT_THAT(import_good(folder.write("morph.gltf", document.dump())).repairs, Contains(HasSubstr("morph targets")));
+}
+
+TEST(Import, ReadsABufferBesideTheModelButNotThroughALinkOutOfItsFolder) {
+  const TemporaryFolder outside;
+  const TemporaryFolder folder;
+  json document = editable_document();
+  std::string bytes(document["buffers"][0]["byteLength"].get<std::size_t>(), '\0');
+  const auto elsewhere = outside.write("data.bin", bytes);
+  folder.write("parts/data.bin", bytes);
+  document["buffers"][0]["uri"] = "parts/data.bin";
+  EXPECT_THAT(message_of(folder.write("beside.gltf", document.dump())), ::testing::Not(HasSubstr("buffer 0")));
+
+  document["buffers"][0]["uri"] = "link.bin";
+  const auto model = folder.write("link.gltf", document.dump());
+  std::filesystem::create_symlink(elsewhere, model.parent_path() / "link.bin");
+  EXPECT_THAT(message_of(model), HasSubstr("buffer 0: its uri leaves the model's folder"));
+}
+
+TEST(Import, NamesTheFileTheObjectAndWhatToDo) {
+  json document = editable_document();
+  document["animations"][0]["name"] = "Walk";
+  document["animations"][0]["channels"][0]["sampler"] = 77;
+  const TemporaryFolder folder;
+  const auto path = folder.write("walk.gltf", document.dump());
+  EXPECT_EQ(message_of(path),
+            path.string() + ": animation 0 \"Walk\", channel 0: there is no sampler 77; export the file again");
+}
+
+TEST(Import, KeepsItsErrorOnOneLineWhateverTheFileCallsThings) {
+  json document = editable_document();
+  document["animations"][0]["name"] = "two\nlines";
+  document["animations"][0]["channels"][0]["sampler"] = 77;
+  const TemporaryFolder folder;
+  EXPECT_THAT(message_of(folder.write("name.gltf", document.dump())), ::testing::Not(HasSubstr("\n")));
+}
+
+TEST(Import, RefusesWhatHasNoSkinOrIsNoFile) {
+  json document = editable_document();
+  document.erase("skins");
+  for (json& node : document["nodes"]) node.erase("skin");
+  const TemporaryFolder folder;
+  EXPECT_THAT(message_of(folder.write("prop.gltf", document.dump())), HasSubstr("holds no skin"));
+  EXPECT_THAT(message_of(folder.write("x.gltf", std::string("{}")).parent_path()), HasSubstr("not a regular file"));
+  EXPECT_EQ(message_of("no/such.glb"), "no/such.glb: there is no such file; check the path");
+}
+
+}  // namespace
+}  // namespace throng::import::testing

@@ -71,8 +71,9 @@ struct DemoOptions {
   bool hide_ui = false;
   int msaa = -1;  ///< -1: what the device affords; 0 or 4
   bool shadows = true;
-  bool agents_given = false;   ///< a software renderer shows fewer in a window unless given
-  bool shadows_given = false;  ///< a software renderer draws none unless given
+  bool agents_given = false;    ///< a software renderer shows fewer in a window unless given
+  bool shadows_given = false;   ///< a software renderer draws none unless given
+  bool force_software = false;  ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   std::string camera_name;  ///< named camera of the scene, empty: the scene's first
   std::string screenshot, stats, ui_map, data;

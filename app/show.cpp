@@ -55,7 +55,7 @@ bool Show::open_context(const DemoOptions& options, Failure& failure) {
       case ContextKind::window:
         return render::gl::make_window_context({.width = options.width, .height = options.height});
       default:
-        return make_egl_context();
+        return make_egl_context({.force_software = options.force_software});
     }
   }();
   if (!context && options.context == ContextKind::headless_default) context = make_osmesa_context();

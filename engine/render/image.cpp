@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
-#include <memory>
 #include <string>
 #include <system_error>
 
-#include <stb_image.h>
-#include <stb_image_write.h>
+#include <png.h>
 
 namespace throng::render {
 namespace {
@@ -41,22 +39,26 @@ Image Image::blank(int width, int height) {
 }
 
 Result<Image> read_png(const std::filesystem::path& file) {
-  int width = 0, height = 0, found_channels = 0;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load(file.c_str(), &width, &height, &found_channels, channels), &stbi_image_free);
-  if (!pixels) return Error{"cannot read image " + file.string() + ": " + stbi_failure_reason()};
-  Image image{width, height, {}};
-  image.rgba.assign(pixels.get(),
-                    pixels.get() + static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels);
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const auto failed = [&] { return Error{"cannot read image " + file.string() + ": " + png.message}; };
+  if (png_image_begin_read_from_file(&png, file.c_str()) == 0) return failed();
+  png.format = PNG_FORMAT_RGBA;
+  Image image = Image::blank(static_cast<int>(png.width), static_cast<int>(png.height));
+  if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) return failed();
   return image;
 }
 
 Status write_png(const Image& image, const std::filesystem::path& file) {
   std::filesystem::path unfinished = file;
   unfinished += ".unfinished";
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_RGBA;
   std::error_code failure;
-  if (stbi_write_png(unfinished.c_str(), image.width, image.height, channels, image.rgba.data(),
-                     image.width * channels) == 0) {
+  if (png_image_write_to_file(&png, unfinished.c_str(), 0, image.rgba.data(), 0, nullptr) == 0) {
     std::filesystem::remove(unfinished, failure);
     return Error{"cannot write image " + file.string() + "; check that its folder exists and is writable"};
   }

@@ -99,7 +99,8 @@ const std::vector<Part>& parts() {
       {"GL/osmesa", {"engine/render/gl/osmesa_context.cpp"}},
       {"glad/", {"engine/render/"}},
       {"hwy/", {"engine/anim/kernel/"}},
-      {"stb_image", {"engine/anim/import/images.cpp", "engine/render/image.cpp"}},
+      {"stb_image", {"engine/anim/import/images.cpp"}},
+      {"png.h", {"engine/render/image.cpp"}},
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
   };
   return all;

@@ -1,0 +1,61 @@
+// One picture a scene, shared by both headless contexts: EGL and OSMesa draw the same to the eye.
+
+#include <gtest/gtest.h>
+
+#include "tests/golden/golden_picture.h"
+
+namespace throng::app::test {
+namespace {
+
+class GoldenPicture : public testing::TestWithParam<ContextKind> {};
+
+TEST_P(GoldenPicture, Plaza) { expect_golden_picture("plaza", golden_options(GetParam())); }
+
+TEST_P(GoldenPicture, GridCloseUp) {
+  DemoOptions options = golden_options(GetParam());
+  options.tuning.scene = Scene::grid;
+  options.tuning.agents = 9;
+  options.camera_name = "close";
+  expect_golden_picture("grid-close", options);
+}
+
+TEST_P(GoldenPicture, SmoothSkippingBetweenUpdates) {
+  DemoOptions options = golden_options(GetParam());
+  options.tuning.full_rate_distance = 1.0F;
+  options.tuning.interval_growth = 1.0F;
+  options.frames = 13;
+  expect_golden_picture("smooth-skipping", options);
+}
+
+TEST_P(GoldenPicture, IntervalsAsColors) {
+  DemoOptions options = golden_options(GetParam());
+  options.tuning.debug_view = DebugView::interval;
+  options.tuning.full_rate_distance = 6.0F;
+  options.tuning.interval_growth = 3.0F;
+  expect_golden_picture("intervals", options);
+}
+
+TEST_P(GoldenPicture, FewestBonesAndTriangles) {
+  DemoOptions options = golden_options(GetParam());
+  options.tuning.bone_level_distance[0] = 1.0F;
+  options.tuning.bone_level_distance[1] = 2.0F;
+  options.tuning.bone_level_distance[2] = 3.0F;
+  options.tuning.mesh_lod = 1;
+  expect_golden_picture("fewest-bones", options);
+}
+
+TEST_P(GoldenPicture, OverlayWithFixedFigures) {
+  DemoOptions options = golden_options(GetParam());
+  options.width = 1280;
+  options.height = 720;
+  options.camera = CameraPlace{.y = 2, .z = 5, .pitch = 35};  // nothing but sky behind the panel, so that it compresses
+  options.ui = true;
+  options.ui_fixed = true;
+  expect_golden_picture("overlay", options);
+}
+
+INSTANTIATE_TEST_SUITE_P(Headless, GoldenPicture, testing::Values(ContextKind::egl, ContextKind::osmesa),
+                         [](const auto& run) { return run.param == ContextKind::egl ? "Egl" : "OSMesa"; });
+
+}  // namespace
+}  // namespace throng::app::test

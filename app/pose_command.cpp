@@ -10,8 +10,8 @@
 
 #include "app/atomic_file.h"
 #include "app/exit_status.h"
-#include "app/pose_pipe.h"
 #include "app/pose_dump.h"
+#include "app/pose_pipe.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/import.h"
 

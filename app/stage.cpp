@@ -71,6 +71,7 @@ anim::Status Stage::apply(const Tuning& tuning) {
   }
   const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;
+  if (!moving_) lod_.make_all_due();  // nobody's turn comes while time stands still, but tuning shows at once
   if (!keeps_crowd) populate();
   return anim::Done{};
 }
@@ -99,6 +100,8 @@ void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double
 }
 
 void Stage::move(anim::Ticks delta) {
+  moving_ = delta > 0;
+  if (moving_) ++frames_moved_;
   system_->advance(delta);
   for (const ClipRequest& request : crowd_->advance(delta)) {
     request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
@@ -119,7 +122,7 @@ anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int hei
                      .frustum = render::frustum_planes(view),
                      .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F)},
           .rules = lod_rules(tuning_, static_cast<int>(character.skeleton.level_bone_counts.size())),
-          .number = frame_};
+          .number = frames_moved_};
 }
 
 void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,

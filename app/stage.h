@@ -62,6 +62,8 @@ class Stage {
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;
   std::uint64_t frame_ = 0;
+  std::uint64_t frames_moved_ = 0;  // those in which time passed
+  bool moving_ = true;
 };
 
 /// What the command line and the overlay call a thing, as the animation system does.

@@ -132,6 +132,8 @@ const InputFrame& WindowInput::next_frame() {
   return queue_.next_frame();
 }
 
+bool WindowInput::asked_to_close() const { return glfwWindowShouldClose(window_) != 0; }
+
 Clipboard WindowInput::clipboard() const {
   GLFWwindow* const window = window_;
   return {.get =

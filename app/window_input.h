@@ -18,6 +18,9 @@ class WindowInput {
   /// Polls the window's events and gives what this frame knows; valid until the next call.
   const InputFrame& next_frame();
 
+  /// The window's close button was pressed.
+  bool asked_to_close() const;
+
   /// The text clipboard of the window; usable as long as the window lives.
   Clipboard clipboard() const;
 

@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <string>
 
-#include <GLFW/glfw3.h>
-
 #include "app/atomic_file.h"
 #include "app/data_folder.h"
 #include "app/fly_camera.h"
@@ -75,7 +73,7 @@ class WindowLoop {
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
     write_ui_map();
-    done_ = commands.quit || glfwWindowShouldClose(show_.context().window()) != 0;
+    done_ = commands.quit || input_.asked_to_close();
   }
 
   anim::Ticks step(double seconds, bool single) const {

@@ -79,7 +79,7 @@ Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState
   const bool fresh = state.was_visible[agent] == 0;
   const int shown = fresh ? 0 : state.bone_level[agent];
   const int interval = interval_at(squared_distance, frame.rules, squares);
-  return {interval, frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval)),
+  return {interval, fresh ? 1 : frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval)),
           bone_level_at(squared_distance, shown, fresh, frame.rules, squares)};
 }
 
@@ -100,6 +100,8 @@ void check(const LodFrame& frame, const LodState& state) {
 }
 
 }  // namespace
+
+void LodState::make_all_due() { std::ranges::fill(was_visible, std::uint8_t{0}); }
 
 void LodState::resize(std::size_t agents, LodSelection& selection) {
   next_update.assign(agents, 0);

@@ -21,7 +21,8 @@ enum class LodRule : std::uint8_t {
 inline constexpr int most_bone_levels = 4;
 inline constexpr int longest_interval = 16;  ///< frames
 
-/// The knobs of the rule; a change takes effect for each agent at its next update. Distances are from the camera to the
+/// The knobs of the rule; a change takes effect for each agent at its next update, or at once after
+/// `LodState::make_all_due`. Distances are from the camera to the
 /// centre of the agent's bounds; one that is exactly at a distance is beyond it.
 struct LodRules {
   LodRule rule = LodRule::distance;
@@ -77,6 +78,8 @@ struct LodState {
 
   /// Sizes state and `selection` for `agents` and forgets everything: whoever is visible next is due at once.
   void resize(std::size_t agents, LodSelection& selection);
+  /// Whoever is visible next is due at once.
+  void make_all_due();
 };
 
 /// Everything about one frame of a crowd; spans are parallel, one element an agent.
@@ -86,10 +89,11 @@ struct LodFrame {
   LodBounds bounds;
   LodCamera camera;
   LodRules rules;
-  std::uint64_t number = 0;  ///< grows by one a frame
+  std::uint64_t number = 0;  ///< grows by one each frame in which time passes
 };
 
-/// Decides for every agent. An agent that comes into view is due at once; interval and bone level change only at an
+/// Decides for every agent. An agent that comes into view is due at once, for the pose of this very frame, and again in
+/// the next, from where it looks ahead; interval and bone level change only at an
 /// update, and the first update after a change is moved forward to a frame where `number % interval` equals
 /// `agent % interval`, so that the work of each frame is even. Allocates nothing, and each agent is decided alone.
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection);

@@ -43,6 +43,10 @@ struct LodTest : testing::Test {
     select();
   }
 
+  bool is_due(std::uint32_t agent) const {
+    return std::ranges::any_of(selection.due, [agent](const DueAgent& due) { return due.agent == agent; });
+  }
+
   VisibleAgent decide_afresh(float distance) {
     spawn(1, distance);
     select();
@@ -94,7 +98,10 @@ TEST_F(LodTest, TheWorkOfEachFrameIsEvenAfterEveryoneAppearedAtOnce) {
   spawn(1000, 40.0F);  // interval 4
   select();
   EXPECT_EQ(selection.due.size(), 1000U);
-  for (int i = 0; i < 3; ++i) select_next();  // the first updates are shortened, so that each agent meets its own turn
+  select_next();
+  EXPECT_EQ(selection.due.size(), 1000U);
+  for (int i = 0; i < 3; ++i)
+    select_next();  // the first look ahead is shortened, so that each agent meets its own turn
   for (int i = 0; i < 40; ++i) {
     select_next();
     EXPECT_EQ(selection.due.size(), 250U) << "frame " << frame.number;
@@ -145,7 +152,30 @@ TEST_F(LodTest, AnAgentThatReappearsIsDueAtOnce) {
   select_next();
   positions[5].z = -100.0F;
   select_next();
-  EXPECT_TRUE(std::ranges::any_of(selection.due, [](const DueAgent& due) { return due.agent == 5; }));
+  EXPECT_TRUE(is_due(5));
+}
+
+TEST_F(LodTest, AnAgentThatReappearsLooksAheadFromTheNextFrame) {
+  spawn(1, 100.0F);
+  select();
+  ASSERT_TRUE(is_due(0));
+  EXPECT_EQ(selection.due[0].look_ahead, 1);
+  select_next();
+  ASSERT_TRUE(is_due(0));
+  EXPECT_EQ(selection.due[0].look_ahead, 8 - static_cast<int>(frame.number % 8));
+}
+
+TEST_F(LodTest, WhileTimeStandsStillNobodyIsDueTwiceUnlessAllAreMadeDue) {
+  spawn(8, 100.0F);
+  select();
+  EXPECT_EQ(selection.due.size(), 8U);
+  select();
+  EXPECT_TRUE(selection.due.empty());
+  frame.rules.largest_interval = 2;
+  state.make_all_due();
+  select();
+  EXPECT_EQ(selection.due.size(), 8U);
+  EXPECT_EQ(selection.visible[0].interval, 2);
 }
 
 TEST_F(LodTest, WithLodOffEveryoneIsPosedWithAllBonesAndOnlyTheVisibleAreReportedSo) {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -11,8 +10,7 @@ namespace throng::render::test {
 namespace {
 
 constexpr double third = 1.0 / 3.0;
-constexpr double tolerance = 1e-4;     // metres
-constexpr double seen_at_once = 1e-2;  // metres: what a planted fault moves at least
+constexpr double tolerance = 1e-4;  // metres
 
 glm::dvec3 turned(const InstanceRecord& record, const glm::dvec3& v) {
   const auto cosine = static_cast<double>(record.heading_cosine), sine = static_cast<double>(record.heading_sine);
@@ -109,38 +107,6 @@ TEST_F(Skinning, LowerBoneLevelFollowsTheNearestKeptJoint) {
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     EXPECT_LT(glm::distance(drawn[i].position, expected[i].position), 1e-5F) << i;
   }
-}
-
-TEST_F(Skinning, PaletteOffByOneBoneIsFound) {
-  DollPalette& palette = crowd().to[16];
-  const DollPalette meant = palette;
-  std::rotate(palette.begin(), palette.begin() + 1, palette.end());
-  crowd().write_palettes();
-  EXPECT_GT(largest_error(crowd(), 16, crowd().from[16], meant, third), seen_at_once);
-}
-
-TEST_F(Skinning, TransposedMatrixIsFound) {
-  PaletteRows& joint = crowd().to[16][left_arm];
-  const DollPalette meant = crowd().to[16];
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < row; ++column) std::swap(joint.rows[row][column], joint.rows[column][row]);
-  }
-  crowd().write_palettes();
-  EXPECT_GT(largest_error(crowd(), 16, crowd().from[16], meant, third), seen_at_once);
-}
-
-TEST_F(Skinning, InstanceOffByOneSlotIsFound) {
-  crowd().write_palettes();
-  crowd().instances[16].palette_to = crowd().instances[17].palette_to;
-  EXPECT_GT(error_of(16), seen_at_once);
-}
-
-TEST_F(Skinning, OneBoneOffByACentimetreIsFound) {
-  const DollPalette meant = crowd().to[16];
-  crowd().to[16][head].rows[1][3] += 0.01F;
-  crowd().write_palettes();
-  const double error = largest_error(crowd(), 16, crowd().from[16], meant, 1.0 / 3.0);
-  EXPECT_NEAR(error, 0.01 / 3.0 * static_cast<double>(crowd().instances[16].scale), tolerance);
 }
 
 }  // namespace

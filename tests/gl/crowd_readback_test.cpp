@@ -1,0 +1,241 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/gl/gl_test.h"
+#include "tests/gl/staged_crowd.h"
+
+namespace throng::app::test {
+namespace {
+
+constexpr std::array<std::uint32_t, 3> watched{0, 16, 39};  // a walker, the first who stands, the last
+
+// Metres, of a stream that is exact; 8e-6 were measured. Floats and 16-bit weights leave 1.5e-6; what a clip's fade
+// blends is unit only to 1e-6, which a chain of bones adds up; and the shader's clock counts whole microseconds, in
+// each of which a walking foot makes 3e-6.
+constexpr double exact_tolerance = 2e-5;
+
+/// A crowd in which the watched agents differ in interval and bone level, and cross to the next level as the camera is
+/// drawn back.
+Tuning tuning_of(LodRule lod, Stream stream) {
+  Tuning tuning;
+  tuning.agents = 40;
+  tuning.pus = 2;
+  tuning.lod = lod;
+  tuning.stream = stream;
+  tuning.full_rate_distance = 6.0F;
+  tuning.interval_growth = 6.0F;
+  std::ranges::copy(std::array{20.0F, 23.0F, 60.0F}, tuning.bone_level_distance);  // the camera is about 20 m away
+  return tuning;
+}
+
+/// A sampled stream is off by what its baking measured, seen at the largest scale; a blend of two by no more.
+double tolerance_of(const Stage& stage) {
+  if (stage.tuning().stream == Stream::keyframe) return exact_tolerance;
+  const auto& clips = stage.character().character->clips;
+  const double worst = std::ranges::max_element(clips, {}, &anim::BakedClip::sampled_error)->sampled_error;
+  return exact_tolerance + worst * static_cast<double>(std::ranges::max(stage.crowd().scales()));
+}
+
+class StagedCrowdTest : public render::test::SoftwareGlTest {
+ protected:
+  void TearDown() override {
+    crowd_.reset();
+    SoftwareGlTest::TearDown();
+  }
+
+  void stage(const Tuning& tuning) {
+    crowd_ = std::make_unique<StagedCrowd>(context(), tuning);
+    tolerance_ = tolerance_of(crowd_->stage());
+  }
+  StagedCrowd& crowd() { return *crowd_; }
+  double tolerance() const { return tolerance_; }
+
+ private:
+  std::unique_ptr<StagedCrowd> crowd_;
+  double tolerance_ = 0.0;
+};
+
+struct Mode {
+  const char* name;
+  LodRule lod;
+  Stream stream;
+};
+
+class CrowdReadBack : public StagedCrowdTest, public testing::WithParamInterface<Mode> {
+ protected:
+  void SetUp() override {
+    StagedCrowdTest::SetUp();
+    stage(tuning_of(GetParam().lod, GetParam().stream));
+  }
+  bool skips() const { return GetParam().lod != LodRule::off; }
+
+  void expect_where_the_reference_is(std::uint32_t agent) {
+    EXPECT_LT(crowd().largest_error(agent), tolerance())
+        << "agent " << agent << " at frame " << crowd().stage().frame();
+    const ShownPose& pose = crowd().stage().shown().pose(agent);
+    levels_.insert(pose.level());
+    blended_ = blended_ || crowd().blends(agent);
+    blended_levels_ = blended_levels_ || (crowd().blends(agent) && pose.from_level != pose.to_level);
+  }
+
+  // Of what was compared:
+  std::set<int> levels_;
+  bool blended_ = false;         // something lay between two slots
+  bool blended_levels_ = false;  // of different bone levels
+};
+
+// Mesh LODs are triangles over the same vertices, so all of them are compared.
+TEST_P(CrowdReadBack, HasFirstSeventeenthAndLastAgentWhereTheReferenceHasThem) {
+  for (int frame = 0; frame < 48; ++frame) {
+    crowd().pass_frame();
+    crowd().draw_camera_back(0.15F);
+    for (const std::uint32_t agent : watched) expect_where_the_reference_is(agent);
+  }
+  EXPECT_EQ(blended_, skips());
+  EXPECT_EQ(blended_levels_, skips());
+  EXPECT_EQ(levels_, skips() ? std::set({0, 1, 2}) : std::set({0}));
+}
+
+TEST_P(CrowdReadBack, HasThemThereWhileTheyFadeFromClipToClip) {
+  constexpr int longest_wait = 15 * 60;  // frames, for one who rests
+  constexpr int enough = 8;
+  for (const std::uint32_t agent : {16U, 39U}) {
+    int compared = 0;
+    for (int frame = 0; frame < longest_wait && compared < enough; ++frame) {
+      crowd().pass_frame();
+      if (!crowd().reference().fades(agent)) continue;
+      expect_where_the_reference_is(agent);
+      ++compared;
+    }
+    EXPECT_EQ(compared, enough) << agent;
+  }
+  EXPECT_EQ(blended_, skips());
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, CrowdReadBack,
+                         testing::Values(Mode{"SampledStreamsUpdatedEachFrame", LodRule::off, Stream::sampled},
+                                         Mode{"SampledStreamsSkippedSmoothly", LodRule::distance, Stream::sampled},
+                                         Mode{"KeyframeStreamsUpdatedEachFrame", LodRule::off, Stream::keyframe},
+                                         Mode{"KeyframeStreamsSkippedSmoothly", LodRule::distance, Stream::keyframe}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+/// A crowd at a moment when every watched agent is shown between two slots, of exact streams: little hides a fault.
+class BlendedCrowd : public StagedCrowdTest {
+ protected:
+  void SetUp() override {
+    StagedCrowdTest::SetUp();
+    stage(tuning_of(LodRule::distance, Stream::keyframe));
+    const auto blends = [this](std::uint32_t agent) { return crowd().blends(agent); };
+    int frames = 0;
+    do {
+      crowd().pass_frame();
+      ASSERT_LT(++frames, 60);
+    } while (!std::ranges::all_of(watched, blends));
+    for (const std::uint32_t agent : watched) ASSERT_LT(crowd().largest_error(agent), tolerance()) << agent;
+  }
+};
+
+using Palette = std::vector<anim::PaletteMatrix>;
+
+Palette as_meant(const std::vector<glm::dmat4>& matrices) {
+  Palette palette;
+  for (const glm::dmat4& matrix : matrices) palette.push_back(rows_of(matrix));
+  return palette;
+}
+
+Palette off_by_one_bone(const std::vector<glm::dmat4>& matrices) {
+  Palette palette = as_meant(matrices);
+  std::rotate(palette.begin(), palette.begin() + 1, palette.end());
+  return palette;
+}
+
+// Columns where rows belong.
+Palette transposed(const std::vector<glm::dmat4>& matrices) {
+  Palette palette;
+  for (const glm::dmat4& matrix : matrices) {
+    anim::PaletteMatrix& entry = palette.emplace_back();
+    for (int i = 0; i < 12; ++i) entry.rows[i / 4][i % 4] = static_cast<float>(matrix[i / 3][i % 3]);
+  }
+  return palette;
+}
+
+void take_slots_of_neighbour(StagedCrowd& crowd, std::uint32_t agent) {
+  const render::InstanceRecord& neighbour = crowd.record(agent == 0 ? 1 : agent - 1);
+  crowd.record(agent).palette_from = neighbour.palette_from;
+  crowd.record(agent).palette_to = neighbour.palette_to;
+}
+
+void turn_by_a_degree(StagedCrowd& crowd, std::uint32_t agent) {
+  render::InstanceRecord& record = crowd.record(agent);
+  const float angle = std::atan2(record.heading_sine, record.heading_cosine) + 0.01745F;
+  record.heading_cosine = std::cos(angle);
+  record.heading_sine = std::sin(angle);
+}
+
+void start_blend_a_frame_late(StagedCrowd& crowd, std::uint32_t agent) {
+  constexpr std::uint32_t frame_microseconds = 1'000'000 / 60;
+  crowd.record(agent).blend_start += frame_microseconds;
+}
+
+struct Fault {
+  const char* name;
+  void (*plant)(StagedCrowd& crowd, std::uint32_t agent);
+};
+
+class PlantedFault : public BlendedCrowd, public testing::WithParamInterface<Fault> {};
+
+TEST_P(PlantedFault, IsReportedOfFirstSeventeenthAndLastAgent) {
+  for (const std::uint32_t agent : watched) {
+    GetParam().plant(crowd(), agent);
+    EXPECT_GT(crowd().largest_error(agent), tolerance()) << agent;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Where, PlantedFault,
+                         testing::Values(Fault{"PaletteIsOffByOneBone",
+                                               [](StagedCrowd& crowd, std::uint32_t agent) {
+                                                 crowd.rewrite_palettes(agent, off_by_one_bone);
+                                               }},
+                                         Fault{"MatricesAreTransposed",
+                                               [](StagedCrowd& crowd, std::uint32_t agent) {
+                                                 crowd.rewrite_palettes(agent, transposed);
+                                               }},
+                                         Fault{"InstanceIsOffByOneSlot", take_slots_of_neighbour},
+                                         Fault{"HeadingIsOffByADegree", turn_by_a_degree},
+                                         Fault{"BlendStartsAFrameLate", start_blend_a_frame_late}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST_F(BlendedCrowd, IsReportedToBeOffByAsMuchAsOneBoneIs) {
+  constexpr double distance = 0.05;
+  const auto& bones = crowd().stage().character().model.skeleton.bones;
+  // Some vertices follow a shin wholly, at every bone level.
+  const auto found = std::ranges::find(bones, "shin.L", &anim::Bone::name);
+  ASSERT_NE(found, bones.end());
+  const auto shin = static_cast<std::size_t>(found - bones.begin());
+  for (const std::uint32_t agent : watched) {
+    crowd().rewrite_palettes(agent, [shin](const std::vector<glm::dmat4>& matrices) {
+      Palette palette = as_meant(matrices);
+      palette[shin].rows[1][3] += static_cast<float>(distance);
+      return palette;
+    });
+    EXPECT_NEAR(crowd().largest_error(agent), distance * crowd().reference().scale(agent), tolerance()) << agent;
+  }
+}
+
+// What the faults are written with is none itself.
+TEST_F(BlendedCrowd, IsReportedAsRightWithPalettesWrittenAnewAsMeant) {
+  for (const std::uint32_t agent : watched) {
+    crowd().rewrite_palettes(agent, as_meant);
+    EXPECT_LT(crowd().largest_error(agent), tolerance()) << agent;
+  }
+}
+
+}  // namespace
+}  // namespace throng::app::test

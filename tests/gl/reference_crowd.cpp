@@ -1,0 +1,115 @@
+#include "tests/gl/reference_crowd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+
+namespace throng::app::test {
+namespace {
+
+// A player counts its speed in 65536ths; seconds later, another speed would be another pose.
+double counted_speed(float speed) { return std::round(static_cast<double>(speed) * 65536.0) / 65536.0; }
+
+double eased(double x) { return x * x * (3.0 - 2.0 * x); }
+
+// What EaseBlender is specified to do: normalised linear interpolation over the shorter arc.
+anim::StateTransform blended(const anim::StateTransform& from, const anim::StateTransform& to, double weight) {
+  const double side = glm::dot(from.rotation, to.rotation) < 0.0 ? -1.0 : 1.0;
+  return {.rotation = glm::normalize(from.rotation * (1.0 - weight) + to.rotation * (side * weight)),
+          .position = glm::mix(from.position, to.position, weight),
+          .scale = glm::mix(from.scale, to.scale, weight)};
+}
+
+}  // namespace
+
+ReferenceCrowd::ReferenceCrowd(const CharacterSource& character, const Tuning& tuning)
+    : character_(character),
+      crowd_(tuning.scene, static_cast<std::size_t>(tuning.agents), tuning.seed, character.roles),
+      plays_(crowd_.size()) {
+  for (std::size_t agent = 0; agent < crowd_.size(); ++agent) {
+    const auto clip = static_cast<std::size_t>(crowd_.clips()[agent]);
+    const double seconds = anim::to_seconds(character.character->clips[clip].duration);
+    plays_[agent].push_back({.clip = clip, .start = static_cast<double>(crowd_.start_phases()[agent]) * seconds});
+  }
+}
+
+void ReferenceCrowd::advance(anim::Ticks delta) {
+  clock_ += delta;
+  for (const ClipRequest& request : crowd_.advance(delta)) {
+    plays_[request.agent].push_back({.asked = clock_,
+                                     .clip = static_cast<std::size_t>(request.clip),
+                                     .fade = anim::to_ticks(static_cast<double>(request.fade_seconds)),
+                                     .start = 0.0});
+  }
+}
+
+bool ReferenceCrowd::fades(std::uint32_t agent) const {
+  const Play& last = plays_[agent].back();
+  return clock_ > last.asked && clock_ < last.asked + last.fade;
+}
+
+std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, double speed, anim::Ticks time) const {
+  const anim::BakedClip& clip = character_.character->clips[play.clip];
+  const anim::Skeleton& skeleton = character_.model.skeleton;
+  const double duration = anim::to_seconds(clip.duration);
+  const double seconds = std::fmod(play.start + anim::to_seconds(time - play.asked) * speed, duration);
+  auto locals = anim::reference_pose(skeleton, &character_.model.clips[play.clip], seconds).locals;
+  // The crowd moves its agents itself: what the clip travels is not part of the pose.
+  const glm::dvec3 travelled = clip.loop_displacement * (seconds / duration);
+  for (std::size_t bone = 0; bone < locals.size(); ++bone) {
+    if (skeleton.bones[bone].parent >= 0) continue;
+    locals[bone].position -= glm::inverse(glm::dmat3(skeleton.bones[bone].prefix)) * travelled;
+  }
+  return locals;
+}
+
+std::vector<glm::dmat4> ReferenceCrowd::palette(std::uint32_t agent, const PoseMoment& moment) const {
+  const double speed = counted_speed(crowd_.playback_speeds()[agent]);
+  std::vector<anim::StateTransform> locals;
+  for (const Play& play : plays_[agent]) {
+    if (play.asked > moment.evaluated) break;
+    std::vector<anim::StateTransform> next = locals_of(play, speed, moment.time);
+    const double faded =
+        play.fade == 0 ? 1.0 : anim::to_seconds(moment.time - play.asked) / anim::to_seconds(play.fade);
+    if (faded < 1.0) {
+      for (std::size_t bone = 0; bone < next.size(); ++bone) {
+        next[bone] = blended(locals[bone], next[bone], eased(faded));
+      }
+    }
+    locals = std::move(next);
+  }
+  return anim::pose_from_locals(character_.model.skeleton, std::move(locals)).palette;
+}
+
+std::vector<glm::dvec3> ReferenceCrowd::surface(std::uint32_t agent, const PoseMoment& moment,
+                                                std::size_t level) const {
+  const anim::Skeleton& skeleton = character_.model.skeleton;
+  const std::vector<glm::dmat4> matrices = palette(agent, moment);
+  std::vector<glm::dvec3> positions;
+  for (const anim::SkinnedMesh& mesh : character_.model.meshes) {
+    for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+      glm::dvec4 sum(0.0);
+      for (int influence = 0; influence < 4; ++influence) {
+        // The skeleton is rigid: its palette has one entry a bone.
+        const int bone = anim::nearest_kept_bone(skeleton, mesh.palette_entries[vertex][influence],
+                                                 skeleton.level_bone_counts[level]);
+        sum += static_cast<double>(mesh.weights[vertex][influence]) *
+               (matrices[static_cast<std::size_t>(bone)] * glm::dvec4(mesh.positions[vertex], 1.0));
+      }
+      positions.emplace_back(sum);
+    }
+  }
+  return positions;
+}
+
+glm::dvec3 ReferenceCrowd::to_world(std::uint32_t agent, const glm::dvec3& position) const {
+  const auto cosine = static_cast<double>(crowd_.headings()[agent].cosine);
+  const auto sine = static_cast<double>(crowd_.headings()[agent].sine);
+  const glm::dvec3 turned(cosine * position.x + sine * position.z, position.y, cosine * position.z - sine * position.x);
+  return glm::dvec3(crowd_.positions()[agent]) + scale(agent) * turned;
+}
+
+}  // namespace throng::app::test

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "app/character_source.h"
+#include "app/crowd.h"
+#include "app/settings.h"
+#include "engine/anim/asset/reference_pose.h"
+
+namespace throng::app::test {
+
+/// When a palette was evaluated, and the time that it is the pose of. What an agent is asked for in between does not
+/// show in it.
+struct PoseMoment {
+  anim::Ticks evaluated = 0;
+  anim::Ticks time = 0;  ///< from `evaluated` on
+};
+
+/// Where the surface of each agent belongs, in double, from the definitions alone: a crowd of its own says who is asked
+/// for what and stands where, and poses come from the file's clips. No stream, kernel, player, schedule or slot.
+class ReferenceCrowd {
+ public:
+  /// `character` must outlive it.
+  ReferenceCrowd(const CharacterSource& character, const Tuning& tuning);
+
+  void advance(anim::Ticks delta);
+
+  anim::Ticks clock() const { return clock_; }
+  bool fades(std::uint32_t agent) const;
+
+  /// Every vertex of the surface at a bone level, model space, in the order of Model::meshes.
+  std::vector<glm::dvec3> surface(std::uint32_t agent, const PoseMoment& moment, std::size_t level) const;
+  std::vector<glm::dmat4> palette(std::uint32_t agent, const PoseMoment& moment) const;
+  glm::dvec3 to_world(std::uint32_t agent, const glm::dvec3& position) const;
+  double scale(std::uint32_t agent) const { return static_cast<double>(crowd_.scales()[agent]); }
+
+ private:
+  struct Play {
+    anim::Ticks asked = 0;
+    std::size_t clip = 0;
+    anim::Ticks fade = 0;
+    double start = 0.0;  ///< seconds
+  };
+
+  std::vector<anim::StateTransform> locals_of(const Play& play, double speed, anim::Ticks time) const;
+
+  const CharacterSource& character_;
+  Crowd crowd_;
+  anim::Ticks clock_ = 0;
+  std::vector<std::vector<Play>> plays_;  // by agent, oldest first
+};
+
+}  // namespace throng::app::test

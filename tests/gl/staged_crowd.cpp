@@ -1,0 +1,128 @@
+#include "tests/gl/staged_crowd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "app/fly_camera.h"
+#include "app/scenes.h"
+
+namespace throng::app::test {
+namespace {
+
+constexpr int width = 64, height = 36;
+
+template <typename Value>
+Value value_of(anim::Result<Value> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+std::unique_ptr<render::Renderer> create_renderer(render::gl::Context& context, const anim::Model& model) {
+  auto renderer = render::Renderer::create(
+      context, {.data = THRONG_SOURCE_DIR, .size = {width, height}, .samples = 0, .shadows = false});
+  if (!renderer) throw std::runtime_error(renderer.error().message);
+  const render::Status loaded = (*renderer)->load_character(mesh_data(model));
+  if (!loaded) throw std::runtime_error(loaded.error().message);
+  return std::move(*renderer);
+}
+
+}  // namespace
+
+anim::PaletteMatrix rows_of(const glm::dmat4& matrix) {
+  anim::PaletteMatrix rows{};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) rows.rows[row][column] = static_cast<float>(matrix[column][row]);
+  }
+  return rows;
+}
+
+StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
+  CharacterSource character = value_of(load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
+  renderer_ = create_renderer(context, character.model);
+  pages_ = std::make_unique<RememberedPages>(renderer_->palette_pages());
+  stage_ = value_of(Stage::create(std::move(character), tuning, *pages_));
+  reference_ = std::make_unique<ReferenceCrowd>(stage_->character(), tuning);
+  moments_.resize(stage_->crowd().size());
+  const auto cameras = scene_cameras(tuning.scene, stage_->crowd().size(), stage_->character().roles);
+  camera_ = camera_at(find_camera(cameras, "above")->place);
+}
+
+void StagedCrowd::pass_frame() {
+  if (stage_->frame() > 0) renderer_->fences().insert(stage_->frame());
+  stage_->move(frame_step);
+  reference_->advance(frame_step);
+  stage_->pose(camera_, width, height, frame_step, renderer_->fences().poll());
+  note_moments();
+  const int coarsest = static_cast<int>(renderer_->mesh().lod_count()) - 1;
+  picture_.compose(*stage_, [coarsest](float, int) { return coarsest; });
+  instances_.assign(picture_.instances().begin(), picture_.instances().end());
+}
+
+// Smooth skipping: an update looks ahead, and the pose that was reached until now is left behind.
+void StagedCrowd::note_moments() {
+  const anim::Ticks now = reference_->clock();
+  for (const anim::DueAgent& due : stage_->selection().due) {
+    const ShownPose& pose = stage_->shown().pose(due.agent);
+    const bool looks_ahead = pose.from_time != pose.to_time;
+    Slots& slots = moments_[due.agent];
+    const PoseMoment to{now, looks_ahead ? now + due.look_ahead * frame_step : now};
+    slots = {looks_ahead ? slots.to : to, to};
+  }
+}
+
+render::CrowdFrame StagedCrowd::frame() const {
+  return {.camera = render::view_of(camera_, static_cast<float>(width) / height),
+          .instances = instances_,
+          .batches = picture_.batches(),
+          .now = stage_->now(),
+          .bones_as_lines = false};
+}
+
+std::uint32_t StagedCrowd::instance_of(std::uint32_t agent) const {
+  const auto found = std::ranges::find(instances_, agent, &render::InstanceRecord::agent);
+  if (found == instances_.end()) throw std::runtime_error("agent " + std::to_string(agent) + " is not drawn");
+  return static_cast<std::uint32_t>(found - instances_.begin());
+}
+
+double StagedCrowd::blend_of(std::uint32_t agent) const {
+  const auto& [from, to] = moments_[agent];
+  if (from.time == to.time) return 1.0;
+  return anim::to_seconds(reference_->clock() - from.time) / anim::to_seconds(to.time - from.time);
+}
+
+bool StagedCrowd::blends(std::uint32_t agent) const { return blend_of(agent) > 0.0 && blend_of(agent) < 1.0; }
+
+double StagedCrowd::largest_error(std::uint32_t agent) {
+  const std::uint32_t instance = instance_of(agent);
+  const auto batch = std::ranges::find_if(picture_.batches(), [instance](const render::CrowdBatch& candidate) {
+    return instance - candidate.first_instance < candidate.instance_count;
+  });
+  const std::vector<render::ReadBackVertex> drawn =
+      renderer_->read_back(frame(), {instance, batch->page, batch->bone_level});
+  const std::vector<glm::dvec3> from = reference_->surface(agent, moments_[agent].from, batch->bone_level);
+  const std::vector<glm::dvec3> to = reference_->surface(agent, moments_[agent].to, batch->bone_level);
+  if (drawn.size() != to.size()) throw std::runtime_error("the device has another number of vertices");
+  double largest = 0.0;
+  for (std::size_t vertex = 0; vertex < drawn.size(); ++vertex) {
+    const glm::dvec3 place = reference_->to_world(agent, glm::mix(from[vertex], to[vertex], blend_of(agent)));
+    const double distance = glm::distance(place, glm::dvec3(drawn[vertex].position));
+    if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, distance);
+  }
+  return largest;
+}
+
+void StagedCrowd::write(const render::PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette) {
+  std::byte* memory = pages_->page(slot.page).memory + slot.first_entry * render::palette_entry_bytes;
+  const std::size_t entries = std::min<std::size_t>(palette.size(), slot.entries);
+  std::memcpy(memory, palette.data(), entries * sizeof(anim::PaletteMatrix));
+}
+
+}  // namespace throng::app::test

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "app/picture.h"
+#include "app/stage.h"
+#include "engine/render/renderer.h"
+#include "tests/gl/reference_crowd.h"
+
+namespace throng::app::test {
+
+/// Hands a renderer's pages on and remembers where they are, so that a fault can be written into one.
+class RememberedPages final : public render::PalettePageSource {
+ public:
+  explicit RememberedPages(render::PalettePageSource& source) : source_(&source) {}
+  render::PalettePage add_page() override { return pages_.emplace_back(source_->add_page()); }
+  render::PalettePage page(std::uint32_t index) const { return pages_[index]; }
+
+ private:
+  render::PalettePageSource* source_;
+  std::vector<render::PalettePage> pages_;
+};
+
+/// A stage that poses the built-in character into a renderer's palette pages, and beside it the reference of what it
+/// should show. What the device is given is open, so that tests can plant faults in it.
+class StagedCrowd {
+ public:
+  static constexpr anim::Ticks frame_step = anim::ticks_per_second / 60;
+
+  StagedCrowd(render::gl::Context& context, const Tuning& tuning);
+
+  /// Fences what was read of the last frame; then the crowd walks on, is posed and composed.
+  void pass_frame();
+  void draw_camera_back(float metres) { camera_.position -= metres * render::forward(camera_); }
+
+  /// Whether the device shows `agent` strictly between two poses.
+  bool blends(std::uint32_t agent) const;
+  /// Metres by which the device's surface of `agent` is away from the reference's at its worst vertex.
+  double largest_error(std::uint32_t agent);
+
+  /// Faults. Both slots of `agent` are written anew with what `change` makes of the palettes that belong there.
+  template <typename Change>
+  void rewrite_palettes(std::uint32_t agent, const Change& change) {
+    const ShownPose& pose = stage_->shown().pose(agent);
+    const Slots& moments = moments_[agent];
+    write(pose.from, change(reference_->palette(agent, moments.from)));
+    write(pose.to, change(reference_->palette(agent, moments.to)));
+  }
+  render::InstanceRecord& record(std::uint32_t agent) { return instances_[instance_of(agent)]; }
+
+  const Stage& stage() const { return *stage_; }
+  const ReferenceCrowd& reference() const { return *reference_; }
+
+ private:
+  struct Slots {
+    PoseMoment from, to;
+  };
+
+  void note_moments();
+  std::uint32_t instance_of(std::uint32_t agent) const;
+  double blend_of(std::uint32_t agent) const;
+  render::CrowdFrame frame() const;
+  void write(const render::PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette);
+
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<RememberedPages> pages_;
+  std::unique_ptr<Stage> stage_;
+  std::unique_ptr<ReferenceCrowd> reference_;
+  render::Camera camera_;
+  Picture picture_;
+  std::vector<render::InstanceRecord> instances_;
+  std::vector<Slots> moments_;  // by agent
+};
+
+/// The matrix as animation writes it.
+anim::PaletteMatrix rows_of(const glm::dmat4& matrix);
+
+}  // namespace throng::app::test

@@ -75,12 +75,13 @@ struct Decision {
 
 Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState& state, std::size_t agent,
                 float squared_distance) {
-  if (frame.rules.rule == LodRule::off) return {1, 1, 0};
   const bool fresh = state.was_visible[agent] == 0;
   const int shown = fresh ? 0 : state.bone_level[agent];
+  const int bone_level = bone_level_at(squared_distance, shown, fresh, frame.rules, squares);
+  if (frame.rules.rule == LodRule::off) return {1, 1, bone_level};
   const int interval = interval_at(squared_distance, frame.rules, squares);
-  return {interval, fresh ? 1 : frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval)),
-          bone_level_at(squared_distance, shown, fresh, frame.rules, squares)};
+  const int own_turn = frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval));
+  return {interval, fresh ? 1 : own_turn, bone_level};
 }
 
 void update(LodState& state, std::size_t agent, std::uint64_t frame, const Decision& decision) {

@@ -14,7 +14,7 @@
 namespace throng::anim {
 
 enum class LodRule : std::uint8_t {
-  off,       ///< every agent, seen or not, is posed every frame with all its bones
+  off,       ///< every agent, seen or not, is posed every frame
   distance,  ///< the farther from the camera, the longer the interval between updates
 };
 
@@ -29,7 +29,7 @@ struct LodRules {
   float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
   float interval_growth = 12.0F;     ///< metres for each further frame of the interval; above 0
   int largest_interval = 8;          ///< frames, 1 to longest_interval
-  bool bone_lod = true;
+  bool bone_lod = true;              ///< fewer bones by distance, whatever the rule
   std::array<float, most_bone_levels - 1> level_distances{15.0F, 30.0F, 60.0F};  ///< metres, ascending
   int level_count = most_bone_levels;  ///< levels that the character has, 1 to most_bone_levels
 };

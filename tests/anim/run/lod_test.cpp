@@ -1,6 +1,7 @@
 #include "engine/anim/run/lod.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -180,6 +181,7 @@ TEST_F(LodTest, WhileTimeStandsStillNobodyIsDueTwiceUnlessAllAreMadeDue) {
 
 TEST_F(LodTest, WithLodOffEveryoneIsPosedWithAllBonesAndOnlyTheVisibleAreReportedSo) {
   frame.rules.rule = LodRule::off;
+  frame.rules.bone_lod = false;
   spawn(20, 500.0F);
   positions[7].z = 500.0F;
   for (int i = 0; i < 5; ++i) {
@@ -190,6 +192,26 @@ TEST_F(LodTest, WithLodOffEveryoneIsPosedWithAllBonesAndOnlyTheVisibleAreReporte
       EXPECT_EQ(due.bone_level, 0);
     }
     EXPECT_EQ(selection.visible.size(), 19U);
+  }
+}
+
+TEST_F(LodTest, WithTheRuleOffBoneLevelsStillFollowDistanceAndEveryoneIsPosedEachFrame) {
+  frame.rules.rule = LodRule::off;
+  spawn(4, 5.0F);
+  positions[1].z = -20.0F;
+  positions[2].z = -100.0F;
+  positions[3].z = 100.0F;  // behind the camera
+  for (int i = 0; i < 5; ++i) {
+    select_next();
+    ASSERT_EQ(selection.due.size(), 4U);
+    const std::array expected = {0, 1, 3, 3};
+    for (const DueAgent& due : selection.due) {
+      EXPECT_EQ(due.look_ahead, 1);
+      EXPECT_EQ(due.bone_level, expected[due.agent]) << "agent " << due.agent;
+    }
+    ASSERT_EQ(selection.visible.size(), 3U);
+    EXPECT_EQ(selection.visible[2].interval, 1);
+    EXPECT_EQ(selection.visible[2].bone_level, 3);
   }
 }
 

@@ -69,7 +69,7 @@ bool Show::open_renderer(const DemoOptions& options, const CharacterSource& char
   const auto data = find_data(data_folders(options.data), "shaders");
   if (!data) return fail(failure, exit_job_failed, data.error().message);
   const bool modest = on_software() && draws_live(options);
-  mesh_detail_ = modest ? 0.25F : 1.0F;
+  mesh_detail_ = modest ? 0.1F : 1.0F;
   auto renderer =
       render::Renderer::create(*context_, {.data = data->parent_path(),
                                            .size = {options.width, options.height},

@@ -67,7 +67,7 @@ int pick_mesh_lod(std::span<const std::uint32_t> triangles_by_lod, float pixels_
   assert(!triangles_by_lod.empty());
   // A standing figure covers about a quarter of the square of its height.
   constexpr float covered_share = 0.25F;
-  constexpr float pixels_a_triangle = 12.0F;
+  constexpr float pixels_a_triangle = 5.0F;
   const float wanted = detail * pixels_tall * pixels_tall * covered_share / pixels_a_triangle;
   const int coarsest = static_cast<int>(triangles_by_lod.size()) - 1;
   int lod = coarsest;

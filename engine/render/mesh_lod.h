@@ -24,7 +24,7 @@ struct MeshLod {
 std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface);
 
 /// The coarsest mesh LOD, not finer than `at_least`, whose triangles are still in proportion to the pixels that they
-/// cover. `triangles_by_lod` descends. `detail` scales the number wanted: 1 gives a triangle to about every 12 pixels
+/// cover. `triangles_by_lod` descends. `detail` scales the number wanted: 1 gives a triangle to about every 5 pixels
 /// covered.
 int pick_mesh_lod(std::span<const std::uint32_t> triangles_by_lod, float pixels_tall, int at_least, float detail);
 

@@ -126,8 +126,8 @@ TEST(MeshLods, SurviveTrianglesWithoutArea) {
 TEST(PickMeshLod, GivesFewerTrianglesToFewerPixels) {
   constexpr std::array<std::uint32_t, 4> triangles = {5500, 1650, 550, 164};
   EXPECT_EQ(pick_mesh_lod(triangles, 600.0F, 0, 1.0F), 0);
-  EXPECT_EQ(pick_mesh_lod(triangles, 250.0F, 0, 1.0F), 1);
-  EXPECT_EQ(pick_mesh_lod(triangles, 140.0F, 0, 1.0F), 2);
+  EXPECT_EQ(pick_mesh_lod(triangles, 150.0F, 0, 1.0F), 1);
+  EXPECT_EQ(pick_mesh_lod(triangles, 80.0F, 0, 1.0F), 2);
   EXPECT_EQ(pick_mesh_lod(triangles, 40.0F, 0, 1.0F), 3);
   int coarsest = 3;
   for (float pixels = 1.0F; pixels < 1000.0F; pixels *= 1.1F) {
@@ -146,7 +146,7 @@ TEST(PickMeshLod, IsNeverFinerThanAskedNorCoarserThanThereIs) {
 
 TEST(PickMeshLod, WantsLessDetailOnASoftwareRenderer) {
   constexpr std::array<std::uint32_t, 4> triangles = {5500, 1650, 550, 164};
-  EXPECT_GT(pick_mesh_lod(triangles, 120.0F, 0, 0.25F), pick_mesh_lod(triangles, 120.0F, 0, 1.0F));
+  EXPECT_GT(pick_mesh_lod(triangles, 120.0F, 0, 0.1F), pick_mesh_lod(triangles, 120.0F, 0, 1.0F));
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 #include "engine/anim/agent/animation_system.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+#include <utility>
 
 #include "engine/anim/base/hash.h"
 
@@ -14,6 +18,13 @@ ClipStreams streams_of(const BakedClip& clip) {
     streams.linear_velocity[axis] = static_cast<float>(clip.loop_displacement[axis] / seconds);
   }
   return streams;
+}
+
+// Blenders are set aside by the trees.
+void reserve_fades(EntityPools& pools, StreamKind stream, std::size_t agents) {
+  constexpr std::size_t players_of_a_fade = 2;
+  const bool sampled = stream == StreamKind::sampled;
+  pools.pool(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players).reserve(players_of_a_fade * agents);
 }
 
 Residency residency_for(Schedule schedule) {
@@ -69,6 +80,7 @@ Status AnimationSystem::configure(const SystemOptions& options) {
     pools_.set_residency(before);
     return plan.error();
   }
+  reserve_fades(pools_, options.stream, agent_count());
   trees_.set_stream(options.stream);
   context_.kernels = options.kernels == nullptr ? &best_kernels() : options.kernels;
   scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options.schedule,
@@ -84,9 +96,7 @@ Status AnimationSystem::configure(const SystemOptions& options) {
 }
 
 void AnimationSystem::set_agent_count(std::uint32_t agents) {
-  const auto kind =
-      options_.stream == StreamKind::sampled ? EntityPools::sampled_players : EntityPools::keyframe_players;
-  pools_.pool(kind).reserve(agents);
+  reserve_fades(pools_, options_.stream, agents);
   trees_.resize(agents);
   posed_at_.resize(agents, clock_);
   agent_hashes_.resize(agents, 0);
@@ -94,7 +104,18 @@ void AnimationSystem::set_agent_count(std::uint32_t agents) {
   scheduler_->reserve(agents);
 }
 
+int AnimationSystem::add_mask(BoneMask mask) {
+  assert(mask.packets() == packets_for(character_->skeleton.bone_count()) && "a mask of another skeleton");
+  assert(masks_.size() < std::numeric_limits<std::int16_t>::max());
+  mask_weights_.push_back(mask.packet(0));
+  masks_.push_back(std::move(mask));
+  context_.masks = mask_weights_;
+  return static_cast<int>(masks_.size()) - 1;
+}
+
 bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
+  assert(request.mask >= PlayRequest::no_mask && request.mask < static_cast<int>(masks_.size()) &&
+         "PlayRequest::mask is not one that add_mask returned");
   trees_.end_fades(agent, clock_);
   return trees_.play(agent, request, options_.stream, clock_, posed_at_[agent]);
 }
@@ -109,22 +130,28 @@ void AnimationSystem::update(std::span<const AgentUpdate> agents) {
 
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   work_.clear();
+  std::array<std::uint64_t, max_bone_levels> agents_by_level{};
   for (const AgentUpdate& update : agents) {
     const Ticks time = std::max(clock_ + update.look_ahead, posed_at_[update.agent]);
     trees_.end_fades(update.agent, clock_);
-    work_.push_back({.tree = trees_.tree(update.agent),
-                     .level = update.level,
-                     .agent = update.agent,
+    const BlendTree& tree = trees_.tree(update.agent);
+    work_.push_back({.tree = &tree,
                      .delta = time - posed_at_[update.agent],
                      .palette = update.palette,
-                     .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr});
+                     .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
+                     .agent = update.agent,
+                     .level = update.level,
+                     .entity_count = tree.count});
     posed_at_[update.agent] = time;
-    const int bones = context_.level_bone_counts[update.level];
-    report_.bones_evaluated += static_cast<std::uint64_t>(bones);
-    report_.palette_bytes +=
-        static_cast<std::uint64_t>(palette_count_for_bones(character_->skeleton, bones)) * sizeof(PaletteMatrix);
+    ++agents_by_level[update.level];
   }
   report_.agents_updated = static_cast<std::uint32_t>(agents.size());
+  for (std::size_t level = 0; level < context_.level_bone_counts.size(); ++level) {
+    const int bones = context_.level_bone_counts[level];
+    const int entries = palette_count_for_bones(character_->skeleton, bones);
+    report_.bones_evaluated += agents_by_level[level] * static_cast<std::uint64_t>(bones);
+    report_.palette_bytes += agents_by_level[level] * static_cast<std::uint64_t>(entries) * sizeof(PaletteMatrix);
+  }
 }
 
 void AnimationSystem::end_work() {

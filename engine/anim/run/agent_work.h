@@ -29,14 +29,15 @@ struct BlendTree {
   Handle root() const { return entities[count - 1U]; }
 };
 
-/// One agent to be posed in this frame. Read-only while PUs run.
+/// One agent to be posed in this frame. Read-only while PUs run; small, since it is sorted.
 struct AgentWork {
-  BlendTree tree;
-  std::uint8_t level = 0;  ///< bone level
-  std::uint32_t agent = 0;
+  const BlendTree* tree = nullptr;   ///< stays where it is until the update is over
   Ticks delta = 0;                   ///< since its last update
   PaletteMatrix* palette = nullptr;  ///< written once; null: posed, but nobody draws it
   std::uint64_t* hash = nullptr;     ///< out: sum of the palette's entry hashes; or null
+  std::uint32_t agent = 0;
+  std::uint8_t level = 0;         ///< bone level
+  std::uint8_t entity_count = 0;  ///< of the tree
 };
 
 /// All that PUs share for the length of an update: read-only, but for the pools' blocks, which only copies reach.

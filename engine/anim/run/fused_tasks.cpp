@@ -47,7 +47,7 @@ std::span<const AgentWork> FusedTasks::agents(int task) const {
 void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
   std::byte* local = store_->fetch_buffer(buffer).data();
   for (const AgentWork& work : agents(task)) {
-    for (const Handle handle : work.tree.all()) {
+    for (const Handle handle : work.tree->all()) {
       const std::uint32_t size = context_->pools->layout(handle).total_size;
       engine.fetch(context_->pools->block(handle), local, size);
       local += size;
@@ -58,7 +58,7 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
   const std::byte* local = store_->fetch_buffer(buffer).data();
   for (const AgentWork& work : agents(task)) {
-    for (const Handle handle : work.tree.all()) {
+    for (const Handle handle : work.tree->all()) {
       const EntityLayout layout = context_->pools->layout(handle);
       engine.write_back(local + identity_bytes, context_->pools->block(handle) + identity_bytes,
                         layout.changed_bytes());
@@ -73,7 +73,7 @@ void FusedTasks::advance_entities(std::span<const AgentWork> tile, std::byte* bl
   PlayerPose* poses = scratch_.player_poses.data();
   for (const AgentWork& work : tile) {
     PlayerPose* pose = poses;
-    for (const Handle handle : work.tree.all()) {
+    for (const Handle handle : work.tree->all()) {
       const EntityLayout layout = context_->pools->layout(handle);
       reinterpret_cast<AnimationStateHeader*>(block)->delta_time += work.delta;
       if (handle.pool() == EntityPools::ease_blenders) {
@@ -95,8 +95,8 @@ void FusedTasks::pose_character(const AgentWork& work, const std::byte* block, c
   const std::size_t stride = packet_floats(*context_);
   float* const stack = scratch_.stack.data();
   std::size_t depth = 0;
-  for (const Handle handle : work.tree.all()) {
-    const bool last = handle == work.tree.root();
+  for (const Handle handle : work.tree->all()) {
+    const bool last = handle == work.tree->root();
     if (handle.pool() == EntityPools::ease_blenders) {
       const auto& blender = *reinterpret_cast<const EaseBlender*>(block);
       float* const from = stack + (depth - 2) * stride;
@@ -122,7 +122,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
     for (std::size_t i = 0; i < tile.size(); ++i) {
       pose_character(tile[i], block, &scratch_.player_poses[i * BlendTree::max_players], packet,
                      scratch_.model.local.data() + i * stride);
-      for (const Handle handle : tile[i].tree.all()) block += context_->pools->layout(handle).total_size;
+      for (const Handle handle : tile[i].tree->all()) block += context_->pools->layout(handle).total_size;
     }
     model_palette_packet(*context_, scratch_.model, scratch_.model.local.data(), tile, width_, packet);
     engine.advance();

@@ -111,8 +111,8 @@ void PaletteTasks::fetch(const Task& task, int buffer, CopyEngine& engine) const
   const std::size_t size = packet_bytes(context_->components);
   std::byte* local = store_->fetch_buffer(buffer).data();
   for (const AgentWork& work : agents(task)) {
-    const std::byte* state = context_->pools->block(work.tree.root());
-    const std::size_t offset = context_->pools->layout(work.tree.root()).transforms_offset;
+    const std::byte* state = context_->pools->block(work.tree->root());
+    const std::size_t offset = context_->pools->layout(work.tree->root()).transforms_offset;
     engine.fetch(state + offset + static_cast<std::size_t>(task.packet) * size, local, size);
     local += size;
   }

@@ -11,7 +11,7 @@ constexpr std::size_t cost_classes = std::size_t{max_bone_levels} * (BlendTree::
 // Tiles of more bones and larger trees cost more; agents of one class are equal enough to share a tile.
 std::size_t cost_class(const AgentWork& work) {
   return std::size_t{work.level} * (BlendTree::max_entities + 1) +
-         static_cast<std::size_t>(BlendTree::max_entities - work.tree.count);
+         static_cast<std::size_t>(BlendTree::max_entities - work.entity_count);
 }
 
 }  // namespace
@@ -34,11 +34,11 @@ void Scheduler::reserve(std::size_t agents) {
   for (std::size_t i = 1; i < priorities_.size(); ++i) priorities_[i].reserve(agents * 2);
 }
 
-void Scheduler::update(const UpdateContext& context, std::span<AgentWork> work, Executor& executor) {
+void Scheduler::update(const UpdateContext& context, std::span<const AgentWork> agents, Executor& executor) {
   const Trace::Clock::time_point start = Trace::Clock::now();
   for (ProcessingUnit& unit : units_) unit.begin_update(start);
-  if (work.empty()) return;
-  sort_into_tiles(work);
+  if (agents.empty()) return;
+  const std::span<const AgentWork> work = sorted(agents);
   cut_tiles(work);
   context.pools->guard_blocks();
   if (options_.schedule == Schedule::fused) {
@@ -49,14 +49,15 @@ void Scheduler::update(const UpdateContext& context, std::span<AgentWork> work, 
   context.pools->release_blocks();
 }
 
-// A stable counting sort: dearest class first.
-void Scheduler::sort_into_tiles(std::span<AgentWork> work) {
+// A stable counting sort: dearest class first. A crowd of one class, which is common, stays where it is.
+std::span<const AgentWork> Scheduler::sorted(std::span<const AgentWork> work) {
+  if (std::ranges::is_sorted(work, {}, cost_class)) return work;
   std::array<std::uint32_t, cost_classes + 1> starts{};
   for (const AgentWork& agent : work) ++starts[cost_class(agent) + 1];
   for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
   sorted_.resize(work.size());
   for (const AgentWork& agent : work) sorted_[starts[cost_class(agent)]++] = agent;
-  std::ranges::copy(sorted_, work.begin());
+  return sorted_;
 }
 
 void Scheduler::cut_tiles(std::span<const AgentWork> work) {
@@ -121,7 +122,7 @@ void Scheduler::collect_entities(std::span<const AgentWork> work) {
   for (const AgentWork& agent : work) {
     std::array<Source, BlendTree::max_players> stack;
     std::size_t top = 0;
-    for (const Handle entity : agent.tree.all()) {
+    for (const Handle entity : agent.tree->all()) {
       EntityUpdate update{.entity = entity, .from = {}, .to = {}, .delta = agent.delta, .level = agent.level};
       std::size_t depth = 0;
       if (entity.pool() == EntityPools::ease_blenders) {

@@ -29,14 +29,14 @@ class Scheduler {
   /// Room for so many agents, so that update() does not allocate.
   void reserve(std::size_t agents);
 
-  /// Poses `work`, which it sorts into tiles. The executor runs one job a PU.
-  void update(const UpdateContext& context, std::span<AgentWork> work, Executor& executor);
+  /// Poses `agents`, sorted into tiles. The executor runs one job a PU.
+  void update(const UpdateContext& context, std::span<const AgentWork> agents, Executor& executor);
 
   std::span<const ProcessingUnit> units() const { return units_; }
   const ScheduleOptions& options() const { return options_; }
 
  private:
-  void sort_into_tiles(std::span<AgentWork> work);
+  std::span<const AgentWork> sorted(std::span<const AgentWork> work);
   void cut_tiles(std::span<const AgentWork> work);
   void collect_entities(std::span<const AgentWork> work);
   void run_fused(const UpdateContext& context, std::span<const AgentWork> work, Executor& executor);

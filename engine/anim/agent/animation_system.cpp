@@ -24,7 +24,8 @@ ClipStreams streams_of(const BakedClip& clip) {
 void reserve_fades(EntityPools& pools, StreamKind stream, std::size_t agents) {
   constexpr std::size_t players_of_a_fade = 2;
   const bool sampled = stream == StreamKind::sampled;
-  pools.pool(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players).reserve(players_of_a_fade * agents);
+  pools.pool(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players)
+      .reserve(players_of_a_fade * agents);
 }
 
 Residency residency_for(Schedule schedule) {

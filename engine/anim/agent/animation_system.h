@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/anim/agent/blend_trees.h"
+#include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/asset/character.h"
 #include "engine/anim/base/result.h"
 #include "engine/anim/run/pu_threads.h"
@@ -60,7 +61,12 @@ class AnimationSystem {
   void set_agent_count(std::uint32_t agents);
   std::uint32_t agent_count() const { return trees_.agent_count(); }
 
-  /// False: too many fades run already; ask again later.
+  /// Per-bone weights for requests, to be added at load time; the index for `PlayRequest::mask`. The mask was made for
+  /// this character's skeleton.
+  int add_mask(BoneMask mask);
+
+  /// False: too many fades run already; ask again later. Blends that stay (masked or held) count until they are
+  /// replaced. Room for one fade of every agent is set aside; where more run at once, this adds a slab of blocks.
   bool play(std::uint32_t agent, const PlayRequest& request);
 
   void advance(Ticks delta) { clock_ += delta; }
@@ -73,7 +79,7 @@ class AnimationSystem {
   const SystemOptions& options() const { return options_; }
   const Kernels& kernels() const { return *context_.kernels; }
   const Character& character() const { return *character_; }
-  /// Chained over all updates so far (DESIGN section 9, `pose_hash`).
+  /// Over the palettes of all updates so far: an agent's is seeded by agent and frame, summed over agents, chained.
   std::uint64_t pose_hash() const { return pose_hash_; }
   /// Main memory of an agent, without palettes: blocks and bookkeeping.
   double bytes_per_agent() const;
@@ -90,6 +96,8 @@ class AnimationSystem {
   std::shared_ptr<const Character> character_;
   SystemOptions options_;
   std::vector<ClipStreams> clips_;
+  std::vector<BoneMask> masks_;
+  std::vector<const float*> mask_weights_;  // of masks_, as the context lists them
   EntityPools pools_;
   BlendTrees trees_;
   UpdateContext context_;

@@ -34,7 +34,8 @@ bool BlendTrees::play(std::uint32_t agent_index, const PlayRequest& request, Str
   Agent& agent = agents_[agent_index];
   BlendTree& tree = agent.tree;
   const Ticks lead = posed_at - now;  // the new entities start as far from now as the old ones stand
-  if (tree.count == 0 || (request.fade <= 0 && !request.held_fraction)) {
+  const bool stays = request.held_fraction.has_value() || request.mask != PlayRequest::no_mask;
+  if (tree.count == 0 || (request.fade <= 0 && !stays)) {
     for (const Handle entity : tree.all()) pools_->destroy(entity);
     tree.entities[0] = make_player(agent_index, request, stream, lead);
     tree.count = 1;
@@ -43,7 +44,7 @@ bool BlendTrees::play(std::uint32_t agent_index, const PlayRequest& request, Str
   if (player_count(tree) == BlendTree::max_players) return false;
   const Handle from = tree.root();
   const Handle to = make_player(agent_index, request, stream, lead);
-  agent.fade_end[player_count(tree)] = request.held_fraction ? never : now + request.fade;
+  agent.fade_end[player_count(tree)] = stays ? never : now + request.fade;
   tree.entities[tree.count++] = to;
   tree.entities[tree.count++] = make_blender(agent_index, request, from, to, lead);
   return true;
@@ -71,7 +72,7 @@ Handle BlendTrees::make_blender(std::uint32_t agent, const PlayRequest& request,
   blender.to = to;
   blender.elapsed = lead;
   blender.total = request.fade;
-  blender.mask = request.mask;
+  blender.mask = static_cast<std::int16_t>(request.mask);
   blender.flags = request.held_fraction ? EaseBlender::held : 0;
   blender.fraction = request.held_fraction.value_or(0.0F);
   return handle;

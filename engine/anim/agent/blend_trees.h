@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/anim/asset/character.h"
+#include "engine/anim/entity/ease_blender.h"
 #include "engine/anim/entity/entity_pools.h"
 #include "engine/anim/entity/player.h"
 #include "engine/anim/run/agent_work.h"
@@ -16,12 +17,16 @@ namespace throng::anim {
 /// "Play this clip", as a user of the system says it (paper 2.1.2).
 struct PlayRequest {
   int clip = 0;        ///< index into the character's clips
-  Ticks fade = 0;      ///< eases in from what plays now; 0 replaces it at once
+  Ticks fade = 0;      ///< eases in from what plays now; 0 replaces it at once (on the masked bones)
   double speed = 1.0;  ///< of the clip's own
   Ticks start = 0;     ///< position in the clip, 0 to its duration
   bool loop = true;
   std::optional<float> held_fraction = std::nullopt;  ///< instead of fading: blend for good, this much of the new clip
-  std::int16_t mask = -1;                             ///< bone weights of the blend, or none
+  /// What `AnimationSystem::add_mask` returned: the clip is laid over what plays now, on the masked bones, and stays
+  /// there until a request without a mask takes the place of all. no_mask: on all bones.
+  int mask = no_mask;
+
+  static constexpr int no_mask = EaseBlender::no_mask;
 };
 
 /// The blend trees of all agents: which players and blenders each one has, and until when its fades run.
@@ -35,7 +40,7 @@ class BlendTrees {
   const BlendTree& tree(std::uint32_t agent) const { return agents_[agent].tree; }
 
   /// `now` is when the request is made, `posed_at` the time that the agent's entities stand at. False: all player
-  /// places of the tree are taken by fades that still run; ask again later.
+  /// places of the tree are taken by fades that still run and by blends that stay.
   bool play(std::uint32_t agent, const PlayRequest& request, StreamKind stream, Ticks now, Ticks posed_at);
 
   /// Replaces every fade that is over at `time` by its target, so that trees stay shallow.

@@ -25,19 +25,57 @@ HWY_INLINE Quaternions<V> blend_rotations(D d, const Quaternions<V>& from, const
   return scaled(q, inverse_square_root(d, dot(q, q)));
 }
 
+/// A bone of weight 0 keeps the bits of `from`, one of weight 1 takes those of `to`: what a mask leaves out is
+/// untouched.
+template <class V, class M>
+struct MaskedLanes {
+  M all_from, all_to;
+
+  HWY_INLINE V choose(V from, V to, V blended) const {
+    return hn::IfThenElse(all_from, from, hn::IfThenElse(all_to, to, blended));
+  }
+  HWY_INLINE Quaternions<V> choose(const Quaternions<V>& from, const Quaternions<V>& to,
+                                   const Quaternions<V>& blended) const {
+    return {choose(from.x, to.x, blended.x), choose(from.y, to.y, blended.y), choose(from.z, to.z, blended.z),
+            choose(from.w, to.w, blended.w)};
+  }
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void blend_masked_lanes(D d, const BlendJob& job, int bone) {
+  const V weight = hn::Mul(hn::Set(d, job.fraction), hn::Load(d, job.bone_weights + bone));
+  const MaskedLanes<V, hn::Mask<D>> lanes{hn::Eq(weight, hn::Zero(d)), hn::Eq(weight, hn::Set(d, 1.0F))};
+  const auto from = load_quaternions(d, job.from + bone, packet_bones);
+  const auto to = load_quaternions(d, job.to + bone, packet_bones);
+  store(d, lanes.choose(from, to, blend_rotations(d, from, to, weight)), job.out + bone, packet_bones);
+  for (int component = 4; component < job.components; ++component) {
+    const V start = hn::Load(d, job.from + component * packet_bones + bone);
+    const V end = hn::Load(d, job.to + component * packet_bones + bone);
+    const V between = hn::MulAdd(hn::Sub(end, start), weight, start);
+    hn::Store(lanes.choose(start, end, between), d, job.out + component * packet_bones + bone);
+  }
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void blend_lanes(D d, const BlendJob& job, int bone) {
+  const V weight = hn::Set(d, job.fraction);
+  const auto from = load_quaternions(d, job.from + bone, packet_bones);
+  const auto to = load_quaternions(d, job.to + bone, packet_bones);
+  store(d, blend_rotations(d, from, to, weight), job.out + bone, packet_bones);
+  for (int component = 4; component < job.components; ++component) {
+    const V start = hn::Load(d, job.from + component * packet_bones + bone);
+    const V end = hn::Load(d, job.to + component * packet_bones + bone);
+    hn::Store(hn::MulAdd(hn::Sub(end, start), weight, start), d, job.out + component * packet_bones + bone);
+  }
+}
+
 inline void blend(const BlendJob& job) {
   const BoneLanes d;
-  for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
-    auto weight = hn::Set(d, job.fraction);
-    if (job.bone_weights != nullptr) weight = hn::Mul(weight, hn::Load(d, job.bone_weights + bone));
-    const auto from = load_quaternions(d, job.from + bone, packet_bones);
-    const auto to = load_quaternions(d, job.to + bone, packet_bones);
-    store(d, blend_rotations(d, from, to, weight), job.out + bone, packet_bones);
-    for (int component = 4; component < job.components; ++component) {
-      const auto start = hn::Load(d, job.from + component * packet_bones + bone);
-      const auto end = hn::Load(d, job.to + component * packet_bones + bone);
-      hn::Store(hn::MulAdd(hn::Sub(end, start), weight, start), d, job.out + component * packet_bones + bone);
-    }
+  constexpr int step = lane_count<BoneLanes>;
+  if (job.bone_weights != nullptr) {
+    for (int bone = 0; bone < packet_bones; bone += step) blend_masked_lanes(d, job, bone);
+  } else {
+    for (int bone = 0; bone < packet_bones; bone += step) blend_lanes(d, job, bone);
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace throng::anim {
 
-/// Pure functions over shaped spans (DESIGN section 5): across bones up to the local pose, across characters from
+/// Pure functions over shaped spans: across bones up to the local pose, across characters from
 /// there. Inside: no allocation, no lock, no global. All pointers are 64-byte aligned unless said.
 
 /// Sample: 16 bones of one character at one time. Rotations come out unit.
@@ -23,7 +23,8 @@ struct SampleJob {
 };
 
 /// Blend: out = normalise(from * (1 - w) + (to on from's hemisphere) * w), w = fraction * bone weight; positions and
-/// scales linear. `out` may be `from` or `to`.
+/// scales linear. Under bone weights, a bone of w = 0 keeps the bits of `from` and one of w = 1 takes those of `to`.
+/// `out` may be `from` or `to`.
 struct BlendJob {
   const float* from = nullptr;          ///< [components][16]
   const float* to = nullptr;            ///< [components][16]

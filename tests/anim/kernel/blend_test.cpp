@@ -109,6 +109,22 @@ TEST(Blend, WeighsEveryBoneByItsOwnWeight) {
   }
 }
 
+TEST(Blend, KeepsTheBitsOfABoneThatWeighsNothingAndTakesThoseOfOneThatWeighsAll) {
+  alignas(64) float weights[packet_bones];
+  for (int bone = 0; bone < packet_bones; ++bone) weights[bone] = bone % 2 == 0 ? 0.0F : 1.0F;
+  for (const Kernels& kernels : runnable_kernels()) {
+    for (unsigned seed = 0; seed < 50; ++seed) {
+      const Packet from = random_packet(seed);
+      const Packet to = random_packet(seed + 1000);
+      Packet expected = from;
+      for (int component = 0; component < general_components; ++component) {
+        for (int bone = 1; bone < packet_bones; bone += 2) expected.lanes[component][bone] = to.lanes[component][bone];
+      }
+      EXPECT_EQ(bits(blend(kernels, from, to, 1.0F, weights)), bits(expected)) << kernels.target << " " << seed;
+    }
+  }
+}
+
 TEST(Blend, MayWriteOverEitherSource) {
   for (const Kernels& kernels : runnable_kernels()) {
     const Packet expected = blend(kernels, random_packet(5), random_packet(6), 0.3F);

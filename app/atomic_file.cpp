@@ -1,6 +1,7 @@
 #include "app/atomic_file.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <string>
 #include <system_error>
 
@@ -92,6 +93,13 @@ anim::Status write_whole_file(const fs::path& file, std::string_view contents) {
   const int why = errno;
   unlink(beside.c_str());
   return cannot_write(file, why);
+}
+
+anim::Status write_output(const std::string& file, std::string_view contents) {
+  if (file != "-") return write_whole_file(file, contents);
+  const bool written = std::fwrite(contents.data(), 1, contents.size(), stdout) == contents.size();
+  if (!written || std::fflush(stdout) != 0) return cannot_write("standard output", errno);
+  return anim::Done{};
 }
 
 anim::Status check_can_be_written(std::string_view option, const fs::path& file) {

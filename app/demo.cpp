@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "app/atomic_file.h"
 #include "app/data_folder.h"
 #include "app/exit_status.h"
 #include "app/fly_camera.h"
@@ -12,10 +13,6 @@
 
 namespace throng::app {
 namespace {
-
-DrawWhich drawn_frames(const DemoOptions& options) {
-  return options.draw.value_or(options.screenshot.empty() ? DrawWhich::none : DrawWhich::last);
-}
 
 // The overlay in a picture: nobody moves a mouse, so one frame of it is all there is.
 anim::Status draw_overlay(Show& show, const DemoOptions& options) {
@@ -37,7 +34,8 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
     overlay.build(reporter.report(), tuning);
   }
   show.renderer().draw_overlay(*overlay.draw_data());
-  return anim::Done{};
+  if (options.ui_map.empty()) return anim::Done{};
+  return write_whole_file(options.ui_map, to_json(overlay.ui_map(), tuning, reporter.report()));
 }
 
 int write_results(Show& show, const DemoOptions& options) {

@@ -163,6 +163,13 @@ ValueReader existing_folder(std::string& target) {
   };
 }
 
+ValueReader file_name(std::string& target) {
+  return [&target](const std::string& text) -> Complaint {
+    if (text == "-") return "must be a file; it is not written to standard output";
+    return any_text(target)(text);
+  };
+}
+
 ValueReader png_file(std::string& target) {
   return [&target](const std::string& text) -> Complaint {
     if (!text.ends_with(".png")) return "must be a file name that ends in .png";

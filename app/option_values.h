@@ -28,6 +28,7 @@ ValueReader mesh_lod(int& target);                    ///< on is -1, off is 0, e
 ValueReader camera(DemoOptions& options);             ///< a name, or x,y,z,yaw,pitch[,fov]
 ValueReader any_text(std::string& target);
 ValueReader existing_folder(std::string& target);
+ValueReader file_name(std::string& target);  ///< anything but `-`, which elsewhere means standard output
 ValueReader png_file(std::string& target);
 
 /// Says of texts that `reader` refuses and a later release takes that they are not built yet.

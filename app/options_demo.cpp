@@ -54,7 +54,7 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
                                                               {"osmesa", ContextKind::osmesa},
                                                               {"none", ContextKind::none}}));
   reader.value(
-      "--draw", "WHICH", "Headless: last, all or none of the frames (last with --screenshot, else none)",
+      "--draw", "WHICH", "Headless: last, all or none of the frames (last with --screenshot or --ui-map, else none)",
       choice<DrawWhich>(options.draw, {{"last", DrawWhich::last}, {"all", DrawWhich::all}, {"none", DrawWhich::none}}));
   reader.value("--frames", "N", "Frames (headless: 60; a window: until it is closed)",
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
@@ -65,8 +65,8 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
 void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.heading("Files");
   reader.value("--screenshot", "FILE.png", "Write the last frame", png_file(options.screenshot));
-  reader.value("--stats", "FILE.json", "Write what the run did and how long it took", any_text(options.stats));
-  reader.value("--ui-map", "FILE.json", "Write where every widget of the overlay is", any_text(options.ui_map));
+  reader.value("--stats", "FILE|-", "Write what the run did and how long it took, as JSON", any_text(options.stats));
+  reader.value("--ui-map", "FILE", "Write where every widget of the overlay is, as JSON", file_name(options.ui_map));
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
   for (const char* const name : {"--trace", "--preset", "--record"}) reader.later(name);
 }
@@ -89,6 +89,10 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
     return "--draw: --headless=none draws nothing; use --headless";
   }
   if (draws_nothing && options.ui) return "--ui: --headless=none draws nothing; use --headless";
+  if (!window && options.ui && options.draw == DrawWhich::none) return "--ui: --draw none draws nothing";
+  if (!window && options.ui && drawn_frames(options) == DrawWhich::none) {
+    return "--ui: no frame is drawn; add --screenshot, --ui-map or --draw last";
+  }
   if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
   if (!options.screenshot.empty() && options.draw == DrawWhich::none) return "--screenshot: --draw none draws nothing";
   if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";

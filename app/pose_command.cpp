@@ -72,14 +72,6 @@ anim::Result<json> sample_json(const anim::ImportedFile& file, std::optional<int
   return json{{"time", seconds}, {"skins", std::move(skins)}};
 }
 
-anim::Status write_text(const std::string& file, const std::string& text) {
-  if (file != "-") return write_whole_file(file, text);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    return anim::Error{"standard output cannot be written"};
-  }
-  return anim::Done{};
-}
-
 anim::Result<std::string> import_and_pose(const PoseOptions& options, PoseSource& source) {
   const auto file = import::import_file(options.model);
   if (!file) return file.error();
@@ -135,7 +127,7 @@ anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optiona
 int run_pose(const PoseOptions& options, PoseSource& source) {
   const auto text = import_and_pose(options, source);
   if (!text) return end_with(exit_job_failed, text.error().message);
-  if (const auto written = write_text(options.json, *text); !written) {
+  if (const auto written = write_output(options.json, *text); !written) {
     return end_with(exit_job_failed, written.error().message);
   }
   return exit_done;

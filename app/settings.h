@@ -55,12 +55,12 @@ struct Tuning {
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
-/// What the command line of the demo says (DESIGN section 9); Tuning are its starting values.
+/// What the command line of the demo says (README "Options"); Tuning are its starting values.
 struct DemoOptions {
   std::string model;  ///< empty: the built-in character
   Tuning tuning;
   ContextKind context = ContextKind::window;
-  std::optional<DrawWhich> draw;  ///< unset: last with a screenshot, else none; a window draws all
+  std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all
   int frames = 60;
   bool frames_given = false;  ///< a window runs until closed unless given
   std::optional<double> dt;   ///< seconds; unset: 1/60 headless, the clock in a window
@@ -75,8 +75,14 @@ struct DemoOptions {
   bool shadows_given = false;   ///< a software renderer draws none unless given
   bool force_software = false;  ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
-  std::string camera_name;  ///< named camera of the scene, empty: the scene's first
-  std::string screenshot, stats, ui_map, data;
+  std::string camera_name;                      ///< named camera of the scene, empty: the scene's first
+  std::string screenshot, stats, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
+
+/// Of a headless run: what was asked for, else the last where something of it is written, else none.
+inline DrawWhich drawn_frames(const DemoOptions& options) {
+  const bool is_seen = !options.screenshot.empty() || !options.ui_map.empty();
+  return options.draw.value_or(is_seen ? DrawWhich::last : DrawWhich::none);
+}
 
 }  // namespace throng::app

@@ -86,7 +86,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["gl_version"] = null_if_empty(drawn_by.gl_version);
   json["gl_renderer"] = null_if_empty(drawn_by.gl_renderer);
   json["context"] = drawn_by.context;
-  return write_whole_file(path, json.dump(2) + "\n");
+  return write_output(path, json.dump(2) + "\n");
 }
 
 }  // namespace throng::app

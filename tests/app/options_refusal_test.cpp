@@ -121,10 +121,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "--screenshot: --draw none draws nothing"},
         Refused{"WindowThatDrawsOnce", "--draw last", "--draw: a window draws all; use --headless"},
         Refused{"OverlayShownAndHidden", "--ui --hide-ui", "--ui: contradicts --hide-ui; give one of them"},
+        Refused{"OverlayThatNobodySees", "--headless --ui",
+                "--ui: no frame is drawn; add --screenshot, --ui-map or --draw last"},
+        Refused{"OverlayOfNoFrame", "--headless --ui --draw none", "--ui: --draw none draws nothing"},
+        Refused{"MapOfNoFrame", "--headless --ui --ui-map a.json --draw none", "--ui: --draw none draws nothing"},
         Refused{"MapOfNoOverlay", "--headless --ui-map a.json", "--ui-map: no overlay is drawn; add --ui"},
         Refused{"DataThatIsNotThere", "--data no/such/folder", "--data no/such/folder: must be a folder that is there"},
         Refused{"PictureThatIsNoPng", "--headless --screenshot a.jpg",
                 "--screenshot a.jpg: must be a file name that ends in .png"},
+        Refused{"PictureToStandardOutput", "--headless --screenshot -",
+                "--screenshot -: must be a file name that ends in .png"},
+        Refused{"MapToStandardOutput", "--headless --ui --ui-map -",
+                "--ui-map -: must be a file; it is not written to standard output"},
         Refused{"BonesOfAModel", "bench a.glb --bones 5", "--bones: a model brings its own; give one or the other"}),
     name_of);
 

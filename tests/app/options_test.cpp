@@ -45,6 +45,14 @@ TEST(DemoDefaults, AreThoseOfTheHelp) {
   EXPECT_EQ(options.camera_name + options.screenshot + options.stats + options.ui_map, "");
 }
 
+TEST(DemoDefaults, DrawTheLastFrameWhereItIsSeenAndNoneElse) {
+  EXPECT_EQ(drawn_frames(demo("--headless")), DrawWhich::none);
+  EXPECT_EQ(drawn_frames(demo("--headless --screenshot a.png")), DrawWhich::last);
+  EXPECT_EQ(drawn_frames(demo("--headless --ui --ui-map a.json")), DrawWhich::last);
+  EXPECT_EQ(drawn_frames(demo("--headless --screenshot a.png --draw all")), DrawWhich::all);
+  EXPECT_EQ(drawn_frames(demo("--headless --ui --draw last")), DrawWhich::last);
+}
+
 TEST(DemoDefaults, TuneTheCrowd) {
   const Tuning tuning = demo("").tuning;
   EXPECT_EQ(tuning.scene, Scene::plaza);
@@ -109,8 +117,8 @@ TEST(OptionalValue, IsTakenOnlyAfterAnEqualsSign) {
   EXPECT_EQ(demo("--headless egl").model, "egl");
   EXPECT_EQ(demo("--headless=egl").context, ContextKind::egl);
   EXPECT_EQ(demo("--headless=none").context, ContextKind::none);
-  EXPECT_EQ(demo("--headless --ui fixed").model, "fixed");
-  EXPECT_FALSE(demo("--headless --ui").ui_fixed);
+  EXPECT_EQ(demo("--headless --draw last --ui fixed").model, "fixed");
+  EXPECT_FALSE(demo("--headless --draw last --ui").ui_fixed);
 }
 
 TEST(RequiredValue, IsTakenAfterASpaceOrAnEqualsSign) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "app/atomic_file.h"
 #include "app/bench_crowd.h"
@@ -41,6 +42,16 @@ struct Subject {
   }
 };
 
+// Rewrites its own line, so it is for a person at a terminal only.
+void show_progress(int round, int rounds) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  if (round < rounds) {
+    std::fprintf(stderr, "\rround %d of %d ", std::max(round + 1, 0), rounds);
+  } else {
+    std::fprintf(stderr, "\r%*s\r", 32, "");
+  }
+}
+
 // Interleaved, so that a drift of the machine's speed meets all subjects alike.
 void run_rounds(std::vector<Subject>& subjects, int rounds) {
   for (int round = -warm_up_rounds; round < rounds; ++round) {
@@ -48,9 +59,9 @@ void run_rounds(std::vector<Subject>& subjects, int rounds) {
     if (round < 0) {
       for (Subject& subject : subjects) subject.nanoseconds.clear();
     }
-    std::fprintf(stderr, "\rround %d of %d ", std::max(round + 1, 0), rounds);
+    show_progress(round, rounds);
   }
-  std::fprintf(stderr, "\r%*s\r", 32, "");
+  show_progress(rounds, rounds);
 }
 
 anim::Result<std::shared_ptr<const anim::Character>> bench_character(const BenchOptions& options) {
@@ -124,10 +135,8 @@ void add_write_floors(Bench& bench) {
   }
 }
 
+/// Everything that can be refused is refused here, before the first round.
 anim::Status prepare(Bench& bench, const BenchOptions& options) {
-  auto character = bench_character(options);
-  if (!character) return character.error();
-  bench.character = std::move(*character);
   bench.agents = bench_agents(*bench.character, options.agents);
   bench.palettes = std::make_unique<BenchPalettes>(options.agents, bench.character->skeleton.palette_count());
 
@@ -207,19 +216,18 @@ nlohmann::ordered_json report(const Bench& bench, const BenchOptions& options) {
 
 int run_bench(const BenchOptions& options) {
   Bench bench;
+  auto character = bench_character(options);
+  if (!character) return end_with(exit_job_failed, character.error().message);
+  bench.character = std::move(*character);
   const anim::Status prepared = prepare(bench, options);
-  if (!prepared) return end_with(options.model.empty() ? exit_usage : exit_job_failed, prepared.error().message);
+  if (!prepared) return end_with(exit_usage, prepared.error().message);
   run_rounds(bench.subjects, options.frames);
   const nlohmann::ordered_json json = report(bench, options);
   if (options.json.empty()) {
     for (const auto& [key, value] : json.items()) std::printf("%-34s %s\n", key.c_str(), value.dump().c_str());
     return exit_done;
   }
-  if (options.json == "-") {
-    std::printf("%s\n", json.dump(2).c_str());
-    return exit_done;
-  }
-  const anim::Status written = write_whole_file(options.json, json.dump(2) + "\n");
+  const anim::Status written = write_output(options.json, json.dump(2) + "\n");
   return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
 }
 

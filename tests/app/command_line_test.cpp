@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/app/program_run.h"
 
@@ -98,6 +99,20 @@ TEST_F(CommandLine, RefusesALocalStoreTooSmallForOneCharacter) {
   expect_refusal({"--headless=none", "--agents", "2", "--frames", "1", "--local-store", "1"}, 2, "--local-store");
 }
 
+TEST_F(CommandLine, RefusesABenchThatDoesNotFitBeforeItsFirstRound) {
+  const std::string model = THRONG_SOURCE_DIR "/assets/mannequin.glb";
+  expect_refusal({"bench", model, "--agents", "2", "--local-store", "1"}, 2, "--local-store");
+  expect_refusal({"bench", model, "--agents", "2", "--local-store", "16", "--tile", "16"}, 2, "--tile");
+  expect_refusal({"bench", "--agents", "2", "--local-store", "1"}, 2, "--local-store");
+}
+
+TEST_F(CommandLine, SaysNothingButFiguresWhenABenchSucceeds) {
+  const ProgramRun run = run_program({"bench", "--agents", "2", "--frames", "1", "--json", "-"});
+  EXPECT_EQ(run.exit_status, 0);
+  EXPECT_EQ(run.errors, "") << "rounds are counted at a terminal only";
+  EXPECT_TRUE(nlohmann::json::accept(run.output)) << run.output;
+}
+
 TEST_F(CommandLine, ShowsHelpOnStandardOutput) {
   const ProgramRun run = run_program({"--help"});
   EXPECT_EQ(run.exit_status, 0);
@@ -110,6 +125,15 @@ TEST_F(CommandLine, WritesStatisticsWithoutGl) {
   const ProgramRun run = run_program({"--headless=none", "--agents", "3", "--frames", "2", "--stats", file.string()});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   EXPECT_TRUE(fs::exists(file));
+}
+
+TEST_F(CommandLine, WritesStatisticsToStandardOutput) {
+  const ProgramRun run = run_program({"--headless=none", "--agents", "3", "--frames", "2", "--stats", "-"});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  const nlohmann::json statistics = nlohmann::json::parse(run.output, nullptr, false);
+  ASSERT_TRUE(statistics.is_object()) << run.output;
+  EXPECT_EQ(statistics["agents"], 3);
+  EXPECT_FALSE(fs::exists("-"));
 }
 
 }  // namespace

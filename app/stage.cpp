@@ -84,16 +84,18 @@ void Stage::populate() {
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     request_clip(agent, crowd_->clips()[agent], 0, static_cast<double>(crowd_->start_phases()[agent]));
   }
+  clip_requests_.reset(agents);
   lod_.resize(agents, selection_);
   shown_.reset(agents, frame_);
   updates_.reserve(agents);
 }
 
-void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
+bool Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
   const int index = clip == no_clip ? 0 : clip;
   const anim::Ticks duration = character_.character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
-  system_->play(agent, {.clip = index,
+  return system_->play(agent,
+                       {.clip = index,
                         .fade = fade,
                         .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,
                         .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
@@ -103,9 +105,9 @@ void Stage::move(anim::Ticks delta) {
   moving_ = delta > 0;
   if (moving_) ++frames_moved_;
   system_->advance(delta);
-  for (const ClipRequest& request : crowd_->advance(delta)) {
-    request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
-  }
+  clip_requests_.submit(crowd_->advance(delta), [this](const ClipRequest& request) {
+    return request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
+  });
 }
 
 std::uint32_t Stage::now() const { return microseconds(system_->clock()); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/character_source.h"
+#include "app/clip_requests.h"
 #include "app/crowd.h"
 #include "app/settings.h"
 #include "app/shown_poses.h"
@@ -49,7 +50,7 @@ class Stage {
  private:
   Stage(CharacterSource character, render::PalettePageSource& pages);
   void populate();
-  void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
+  bool request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
 
   CharacterSource character_;
@@ -58,6 +59,7 @@ class Stage {
   ShownPoses shown_;
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<Crowd> crowd_;
+  ClipRequests clip_requests_;
   anim::LodState lod_;
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;

@@ -28,6 +28,12 @@ bool is_code(const std::string& path) {
   return code.contains(fs::path(path).extension().string());
 }
 
+SourceFile read_file(const fs::path& project, const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(project / path, std::ios::binary).rdbuf();
+  return source_file(path, text.str());
+}
+
 std::string finding(const std::string& path, std::size_t line, const std::string& what) {
   return path + ":" + std::to_string(line) + ": " + what;
 }
@@ -128,12 +134,10 @@ Tree read_project(const fs::path& project) {
     for (const auto& entry : fs::recursive_directory_iterator(project / top)) {
       const std::string path = entry.path().lexically_relative(project).generic_string();
       const bool is_page = pages.contains(entry.path().extension().string()) && !path.starts_with("tests/data/");
-      if (!entry.is_regular_file() || !(is_code(path) || is_page)) continue;
-      std::ostringstream text;
-      text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-      tree.push_back(source_file(path, text.str()));
+      if (entry.is_regular_file() && (is_code(path) || is_page)) tree.push_back(read_file(project, path));
     }
   }
+  for (const char* const top : {"README.md", "CHANGELOG.md", "CMakeLists.txt"}) tree.push_back(read_file(project, top));
   return tree;
 }
 
@@ -216,6 +220,22 @@ Findings machine_paths(const Tree& tree) {
     }
   }
   return findings;
+}
+
+Findings readme_program_that_differs(const Tree& tree) {
+  const auto lines_of = [&tree](const std::string& path) {
+    const auto file = std::ranges::find(tree, path, &SourceFile::path);
+    return file == tree.end() ? std::vector<std::string>{} : file->lines;
+  };
+  const std::string program = "tests/library/readme_program.cpp";
+  const std::vector<std::string> readme = lines_of("README.md");
+  const std::vector<std::string> built = lines_of(program);
+  const auto fence = std::ranges::find(readme, "```cpp");
+  const auto first = fence == readme.end() ? fence : fence + 1;
+  const auto last = std::find(first, readme.end(), "```");
+  const auto [here, there] = std::mismatch(first, last, built.begin(), built.end());
+  if (first != last && here == last && there == built.end()) return {};
+  return {finding("README.md", static_cast<std::size_t>(here - readme.begin()) + 1, "differs from " + program)};
 }
 
 Findings folders_without_readme(const Tree& tree) {

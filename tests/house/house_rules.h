@@ -40,6 +40,9 @@ Findings files_too_long(const Tree& tree);
 /// No path that only one machine has.
 Findings machine_paths(const Tree& tree);
 
+/// The C++ of the README is, line by line, the program that tests/library builds and runs.
+Findings readme_program_that_differs(const Tree& tree);
+
 /// Every folder of engine/ with files in it says in a README what it is.
 Findings folders_without_readme(const Tree& tree);
 

@@ -110,5 +110,18 @@ TEST(Readme, IsMissedInAFolderThatHasNone) {
   EXPECT_THAT(folders_without_readme(tree), ElementsAre("engine/anim/run"));
 }
 
+TEST(ReadmeProgram, IsRefusedFromTheFirstLineThatDiffers) {
+  const auto readme = [](const std::string& code) {
+    return source_file("README.md", "# Ours\n\n```cpp\n" + code + "```\n");
+  };
+  const SourceFile program = source_file("tests/library/readme_program.cpp", "int main() {\n}\n");
+  EXPECT_THAT(readme_program_that_differs({readme("int main() {\n}\n"), program}), IsEmpty());
+  EXPECT_THAT(readme_program_that_differs({readme("int main() {\n  return 0;\n}\n"), program}),
+              ElementsAre(StartsWith("README.md:5: differs")));
+  EXPECT_THAT(readme_program_that_differs({readme("int main() {\n"), program}), testing::SizeIs(1));
+  EXPECT_THAT(readme_program_that_differs({readme(""), program}), testing::SizeIs(1));
+  EXPECT_THAT(readme_program_that_differs({readme("int main() {\n}\n")}), testing::SizeIs(1));
+}
+
 }  // namespace
 }  // namespace throng::house

@@ -46,6 +46,10 @@ TEST(House, NoFileIsTooLong) { EXPECT_THAT(files_too_long(project()), IsEmpty())
 
 TEST(House, NoFileNamesAPathOfOneMachine) { EXPECT_THAT(machine_paths(project()), IsEmpty()); }
 
+TEST(House, TheProgramOfTheReadmeIsTheOneThatIsBuilt) {
+  EXPECT_THAT(readme_program_that_differs(project()), IsEmpty());
+}
+
 TEST(House, EveryFolderOfTheEngineSaysWhatItIs) { EXPECT_THAT(folders_without_readme(project()), IsEmpty()); }
 
 }  // namespace

@@ -58,6 +58,21 @@ std::vector<std::uint16_t> entries_at_level(const anim::Skeleton& skeleton, int 
   return kept;
 }
 
+std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
+  std::vector<render::BoneEndData> ends;
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    const anim::JointPlace places[] = {anim::joint_place(skeleton, bone),
+                                       anim::joint_place(skeleton, std::max(parent, 0))};
+    if (parent < 0 || places[0].entry < 0 || places[1].entry < 0) continue;
+    for (const anim::JointPlace& place : places) {
+      const glm::vec3 position(place.position);
+      ends.push_back({{position.x, position.y, position.z}, static_cast<std::uint16_t>(place.entry)});
+    }
+  }
+  return ends;
+}
+
 }  // namespace
 
 anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name) {
@@ -83,6 +98,7 @@ render::CrowdMeshData mesh_data(const anim::Model& model) {
   for (const int bones : model.skeleton.level_bone_counts) {
     data.entry_at_level.push_back(entries_at_level(model.skeleton, bones));
   }
+  data.bone_ends = bone_ends(model.skeleton);
   return data;
 }
 

@@ -8,11 +8,8 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint32_t lods = 4;
-constexpr std::uint32_t levels = anim::most_bone_levels;
 
-std::uint32_t run_of(std::uint32_t page, int mesh_lod, int bone_level) {
-  return (page * lods + static_cast<std::uint32_t>(mesh_lod)) * levels + static_cast<std::uint32_t>(bone_level);
-}
+std::uint32_t run_of(std::uint32_t page, int mesh_lod) { return page * lods + static_cast<std::uint32_t>(mesh_lod); }
 
 }  // namespace
 
@@ -24,7 +21,7 @@ void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod) {
     if (!stage.record(agent, entry.record)) continue;
     const ShownPose& pose = stage.shown().pose(agent.agent);
     const int lod = mesh_lod(agent.pixels_tall, pose.level());
-    entry.run = run_of(pose.to.page, lod, pose.level());
+    entry.run = run_of(pose.to.page, lod);
     if (lod_as_color) entry.record.debug_color = step_color(lod, static_cast<int>(lods));
     entries_.push_back(entry);
   }
@@ -42,9 +39,8 @@ void Picture::sort_into_runs() {
     const std::uint32_t count = run_starts_[run + 1];
     run_starts_[run + 1] += run_starts_[run];
     if (count == 0) continue;
-    batches_.push_back({.page = run / (lods * levels),
-                        .mesh_lod = static_cast<std::uint8_t>(run / levels % lods),
-                        .bone_level = static_cast<std::uint8_t>(run % levels),
+    batches_.push_back({.page = run / lods,
+                        .mesh_lod = static_cast<std::uint8_t>(run % lods),
                         .first_instance = run_starts_[run],
                         .instance_count = count});
   }

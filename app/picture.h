@@ -10,8 +10,8 @@
 
 namespace throng::app {
 
-/// Sorts the visible agents of a stage into runs that one instanced draw each can show: same palette page, mesh LOD and
-/// bone level. Memory is kept from frame to frame.
+/// Sorts the visible agents of a stage into runs that one instanced draw each can show: same palette page and mesh LOD,
+/// in ascending order of page. Memory is kept from frame to frame.
 class Picture {
  public:
   /// `mesh_lod(pixels_tall, at_least)` says which mesh LOD an agent of that size gets.
@@ -24,7 +24,7 @@ class Picture {
 
  private:
   struct Entry {
-    std::uint32_t run;  // page, mesh LOD, bone level
+    std::uint32_t run;  // page, mesh LOD
     render::InstanceRecord record;
   };
 

@@ -1,4 +1,5 @@
 #version 450 core
+#extension GL_ARB_shader_draw_parameters : require
 
 #include "frame_uniforms.glsl"
 #include "instance_record.glsl"
@@ -20,7 +21,7 @@ vec4 tinted(const InstanceRecord instance) {
 }
 
 void main() {
-  InstanceRecord instance = instances[first_instance + uint(gl_InstanceID)];
+  InstanceRecord instance = drawn_instance();
   SkinnedVertex vertex = skinned(instance);
   world_position = to_world(instance, vertex.position);
   world_normal = turned(instance, vertex.normal);

@@ -5,10 +5,19 @@ layout(location = 2) in vec2 texture_coord;
 layout(location = 3) in vec4 color;
 layout(location = 4) in vec4 weights;
 layout(location = 5) in uint region;
-layout(location = 6) in uvec4 palette_entries;
 
-layout(location = 0) uniform uint first_instance;
+layout(location = 0) uniform uint vertex_count;
+
+// Four 16-bit entries a vertex, [bone level][vertex]: what is dropped at a level follows its nearest kept ancestor.
+layout(std430, binding = 2) readonly buffer PaletteEntries { uvec2 palette_entries[]; };
+
+uvec4 entries_at(uint bone_level) {
+  uvec2 pairs = palette_entries[bone_level * vertex_count + uint(gl_VertexID)];
+  return uvec4(pairs.x & 0xFFFFu, pairs.x >> 16, pairs.y & 0xFFFFu, pairs.y >> 16);
+}
+
+InstanceRecord drawn_instance() { return instances[gl_BaseInstanceARB + gl_InstanceID]; }
 
 SkinnedVertex skinned(const InstanceRecord instance) {
-  return skin_vertex(instance, now, position, normal, palette_entries, weights);
+  return skin_vertex(instance, now, position, normal, entries_at(instance.bone_level), weights);
 }

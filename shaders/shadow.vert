@@ -1,4 +1,5 @@
 #version 450 core
+#extension GL_ARB_shader_draw_parameters : require
 
 #include "frame_uniforms.glsl"
 #include "instance_record.glsl"
@@ -9,7 +10,7 @@
 out vec3 ground_position;
 
 void main() {
-  InstanceRecord instance = instances[first_instance + uint(gl_InstanceID)];
+  InstanceRecord instance = drawn_instance();
   vec3 point = to_world(instance, skinned(instance).position);
   // Along the sun's rays onto y = 0.
   ground_position = vec3(point.xz - to_sun.xz * (max(point.y, 0.0) / to_sun.y), 0.0).xzy;

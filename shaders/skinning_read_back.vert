@@ -1,4 +1,5 @@
 #version 450 core
+#extension GL_ARB_shader_draw_parameters : require
 
 // The crowd's own skinning, its results captured instead of drawn.
 #include "frame_uniforms.glsl"
@@ -10,7 +11,7 @@ out vec3 world_position;
 out vec3 world_normal;
 
 void main() {
-  InstanceRecord instance = instances[first_instance];
+  InstanceRecord instance = drawn_instance();
   SkinnedVertex vertex = skinned(instance);
   world_position = to_world(instance, vertex.position);
   world_normal = turned(instance, vertex.normal);

@@ -10,11 +10,10 @@
 
 namespace throng::render {
 
-/// One run of instances that share mesh, palette page, mesh LOD and bone level: one instanced draw a material.
+/// One run of instances that share palette page and mesh LOD.
 struct CrowdBatch {
   std::uint32_t page = 0;
-  std::uint8_t mesh_lod = 0;    ///< 0 is the full mesh
-  std::uint8_t bone_level = 0;  ///< which joints the vertices read
+  std::uint8_t mesh_lod = 0;  ///< 0 is the full mesh
   std::uint32_t first_instance = 0;
   std::uint32_t instance_count = 0;
 };
@@ -29,13 +28,13 @@ struct CameraView {
 struct CrowdFrame {
   CameraView camera;
   std::span<const InstanceRecord> instances;
-  std::span<const CrowdBatch> batches;
-  std::uint32_t now = 0;  ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
+  std::span<const CrowdBatch> batches;  ///< in ascending order of page
+  std::uint32_t now = 0;                ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
   bool bones_as_lines = false;
 };
 
 struct DrawCounts {
-  std::uint32_t draw_calls = 0;
+  std::uint32_t draw_calls = 0;  ///< calls of the device; a multi-draw is one
   std::uint64_t triangles = 0;
 };
 

@@ -7,24 +7,44 @@
 namespace throng::render {
 namespace {
 
-/// Uniform locations, the same in every program of the crowd.
-enum Location : GLint { first_instance_location = 0, base_color_location = 1, alpha_cutoff_location = 2 };
+/// Uniform locations, the same in every program of the crowd; 0 is CrowdMesh::bind's.
+enum Location : GLint { base_color_location = 1, alpha_cutoff_location = 2 };
 
-const void* index_offset(std::uint32_t first_index) {
-  return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first_index) * sizeof(std::uint32_t));
+/// Calls `do_page` with the batches of each page.
+void for_each_page(std::span<const CrowdBatch> batches, const auto& do_page) {
+  while (!batches.empty()) {
+    const auto other =
+        std::ranges::find_if(batches, [&](const CrowdBatch& batch) { return batch.page != batches[0].page; });
+    const auto count = static_cast<std::size_t>(other - batches.begin());
+    do_page(batches.first(count));
+    batches = batches.subspan(count);
+  }
 }
 
-void bind_batch(const CrowdBatch& batch, const CrowdMesh& mesh, const PaletteBuffer& palettes) {
-  palettes.bind(batch.page, palette_binding);
-  glBindVertexArray(mesh.vertex_array(batch.bone_level));
+void compose_surfaces(std::span<const CrowdBatch> batches, const CrowdMesh& mesh, IndirectDraws& draws) {
+  draws.clear();
+  for_each_page(batches, [&](std::span<const CrowdBatch> page) {
+    for (std::size_t material = 0; material < mesh.material_count(); ++material) {
+      draws.begin_group(page[0].page, static_cast<int>(material));
+      for (const CrowdBatch& batch : page) {
+        for (const MaterialRun& run : mesh.runs(batch.mesh_lod)) {
+          if (run.material == static_cast<int>(material)) draws.add(run, batch);
+        }
+      }
+    }
+  });
 }
 
-void draw_run(const MaterialRun& run, const CrowdBatch& batch, DrawCounts& counts) {
-  glUniform1ui(first_instance_location, batch.first_instance);
-  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(run.index_count), GL_UNSIGNED_INT,
-                          index_offset(run.first_index), static_cast<GLsizei>(batch.instance_count));
-  ++counts.draw_calls;
-  counts.triangles += std::uint64_t{run.index_count / 3} * batch.instance_count;
+void compose_outlines(std::span<const CrowdBatch> batches, const CrowdMesh& mesh, IndirectDraws& draws) {
+  draws.clear();
+  for_each_page(batches, [&](std::span<const CrowdBatch> page) {
+    draws.begin_group(page[0].page, 0);
+    for (const CrowdBatch& batch : page) {
+      // An outline needs no more triangles than the next coarser mesh LOD has.
+      const std::size_t lod = std::min<std::size_t>(batch.mesh_lod + 1UL, mesh.lod_count() - 1);
+      for (const MaterialRun& run : mesh.runs(lod)) draws.add(run, batch);
+    }
+  });
 }
 
 void test_depth() {
@@ -56,23 +76,22 @@ Result<CrowdPass> CrowdPass::create(ShaderLibrary& shaders) {
   return pass;
 }
 
-DrawCounts CrowdPass::draw(const CrowdFrame& frame, const CrowdMesh& mesh, const PaletteBuffer& palettes) const {
+DrawCounts CrowdPass::draw(const CrowdFrame& frame, const CrowdMesh& mesh, const PaletteBuffer& palettes) {
   test_depth();
   return frame.bones_as_lines ? draw_bones(frame, mesh, palettes) : draw_surfaces(frame, mesh, palettes);
 }
 
-DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, const CrowdMesh& mesh,
-                                    const PaletteBuffer& palettes) const {
-  DrawCounts counts;
-  for (const CrowdBatch& batch : frame.batches) {
-    bind_batch(batch, mesh, palettes);
-    for (const MaterialRun& run : mesh.runs(batch.mesh_lod)) {
-      use_material(mesh.material(run.material));
-      draw_run(run, batch, counts);
-    }
+DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, const CrowdMesh& mesh, const PaletteBuffer& palettes) {
+  compose_surfaces(frame.batches, mesh, surfaces_);
+  surfaces_.upload();
+  for (const IndirectDraws::Group& group : surfaces_.groups()) {
+    use_material(mesh.material(group.material));
+    mesh.bind();
+    palettes.bind(group.page, palette_binding);
+    surfaces_.draw(group);
   }
   glDisable(GL_CULL_FACE);
-  return counts;
+  return surfaces_.counts();
 }
 
 void CrowdPass::use_material(const CrowdMaterial& material) const {
@@ -92,19 +111,20 @@ DrawCounts CrowdPass::draw_bones(const CrowdFrame& frame, const CrowdMesh& mesh,
   DrawCounts counts;
   if (mesh.bone_end_count() == 0) return counts;
   glUseProgram(shaders_->id(bones_));
-  for (const CrowdBatch& batch : frame.batches) {
-    bind_batch(batch, mesh, palettes);
-    glUniform1ui(first_instance_location, batch.first_instance);
-    glDrawArraysInstanced(GL_LINES, static_cast<GLint>(mesh.first_bone_end()),
-                          static_cast<GLsizei>(mesh.bone_end_count()), static_cast<GLsizei>(batch.instance_count));
+  mesh.bind();
+  for_each_page(frame.batches, [&](std::span<const CrowdBatch> page) {
+    palettes.bind(page.front().page, palette_binding);
+    const std::uint32_t first = page.front().first_instance;
+    const std::uint32_t end = page.back().first_instance + page.back().instance_count;
+    glDrawArraysInstancedBaseInstance(GL_LINES, static_cast<GLint>(mesh.first_bone_end()),
+                                      static_cast<GLsizei>(mesh.bone_end_count()), static_cast<GLsizei>(end - first),
+                                      first);
     ++counts.draw_calls;
-  }
+  });
   return counts;
 }
 
-DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, const CrowdMesh& mesh,
-                                   const PaletteBuffer& palettes) const {
-  DrawCounts counts;
+DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, const CrowdMesh& mesh, const PaletteBuffer& palettes) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
@@ -113,15 +133,16 @@ DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, const CrowdMesh& mes
   glStencilFunc(GL_EQUAL, 0, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
   glUseProgram(shaders_->id(shadow_));
-  for (const CrowdBatch& batch : frame.batches) {
-    bind_batch(batch, mesh, palettes);
-    // An outline needs no more triangles than the next coarser mesh LOD has.
-    const std::size_t lod = std::min<std::size_t>(batch.mesh_lod + 1UL, mesh.lod_count() - 1);
-    for (const MaterialRun& run : mesh.runs(lod)) draw_run(run, batch, counts);
+  mesh.bind();
+  compose_outlines(frame.batches, mesh, outlines_);
+  outlines_.upload();
+  for (const IndirectDraws::Group& group : outlines_.groups()) {
+    palettes.bind(group.page, palette_binding);
+    outlines_.draw(group);
   }
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_BLEND);
-  return counts;
+  return outlines_.counts();
 }
 
 }  // namespace throng::render

@@ -5,13 +5,14 @@
 #include <bit>
 #include <string>
 
+#include "engine/render/frame_uniforms.h"
 #include "engine/render/mesh_lod.h"
 
 namespace throng::render {
 namespace {
 
 constexpr GLuint vertex_binding = 0;
-constexpr GLuint entries_binding = 1;
+constexpr GLint vertex_count_location = 0;  // the same in every program of the crowd
 
 gl::Texture create_texture(const ImageData& image) {
   gl::Texture texture = gl::create_texture(GL_TEXTURE_2D);
@@ -66,10 +67,12 @@ void describe_vertex(GLuint array) {
   glVertexArrayAttribIFormat(array, region, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, region));
   glVertexArrayAttribBinding(array, region, vertex_binding);
   glEnableVertexArrayAttrib(array, region);
-  constexpr auto entries = static_cast<GLuint>(SurfaceAttribute::palette_entries);
-  glVertexArrayAttribIFormat(array, entries, 4, GL_UNSIGNED_SHORT, 0);
-  glVertexArrayAttribBinding(array, entries, entries_binding);
-  glEnableVertexArrayAttrib(array, entries);
+}
+
+gl::Buffer create_entries(std::span<const std::vector<PaletteEntries>> by_level) {
+  std::vector<PaletteEntries> all;
+  for (const std::vector<PaletteEntries>& level : by_level) all.insert(all.end(), level.begin(), level.end());
+  return gl::create_buffer(all.data(), all.size() * sizeof(PaletteEntries));
 }
 
 }  // namespace
@@ -91,7 +94,12 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   Surface surface = build_surface(data);
   mesh.vertices_ = gl::create_buffer(surface.vertices.data(), surface.vertices.size() * sizeof(SurfaceVertex));
   mesh.indices_ = gl::create_buffer(surface.indices.data(), surface.indices.size() * sizeof(std::uint32_t));
-  for (const auto& entries : surface.entries_by_level) mesh.by_level_.push_back(mesh.create_level(entries));
+  mesh.palette_entries_ = create_entries(surface.entries_by_level);
+  mesh.array_ = gl::create_vertex_array();
+  const GLuint array = mesh.array_.id();
+  describe_vertex(array);
+  glVertexArrayVertexBuffer(array, vertex_binding, mesh.vertices_.id(), 0, sizeof(SurfaceVertex));
+  glVertexArrayElementBuffer(array, mesh.indices_.id());
   mesh.runs_by_lod_ = std::move(surface.runs_by_lod);
   mesh.triangles_by_lod_ = std::move(surface.triangles_by_lod);
   mesh.error_by_lod_ = std::move(surface.error_by_lod);
@@ -100,14 +108,10 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   return mesh;
 }
 
-CrowdMesh::Level CrowdMesh::create_level(std::span<const PaletteEntries> entries) const {
-  Level level{gl::create_buffer(entries.data(), entries.size_bytes()), gl::create_vertex_array()};
-  const GLuint array = level.array.id();
-  describe_vertex(array);
-  glVertexArrayVertexBuffer(array, vertex_binding, vertices_.id(), 0, sizeof(SurfaceVertex));
-  glVertexArrayVertexBuffer(array, entries_binding, level.palette_entries.id(), 0, sizeof(PaletteEntries));
-  glVertexArrayElementBuffer(array, indices_.id());
-  return level;
+void CrowdMesh::bind() const {
+  glBindVertexArray(array_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_entries_binding, palette_entries_.id());
+  glUniform1ui(vertex_count_location, first_bone_end_ + bone_end_count_);
 }
 
 int pick_mesh_lod(const CrowdMesh& mesh, float pixels_tall, int at_least, float detail) {

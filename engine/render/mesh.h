@@ -20,16 +20,17 @@ struct CrowdMaterial {
 };
 
 /// Vertex attributes as `shaders/crowd_vertex.glsl` reads them.
-enum class SurfaceAttribute : GLuint { position, normal, texture_coord, color, weights, region, palette_entries };
+enum class SurfaceAttribute : GLuint { position, normal, texture_coord, color, weights, region };
 
-/// A character's surface on the device: vertices, a stream of palette entries a bone level, mesh LODs, materials.
+/// A character's surface on the device: vertices, the palette entries they read at each bone level, mesh LODs,
+/// materials.
 class CrowdMesh {
  public:
   /// Fails where an image is larger than the device takes.
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
   std::size_t lod_count() const { return runs_by_lod_.size(); }
-  std::size_t level_count() const { return by_level_.size(); }
+  std::size_t material_count() const { return materials_.size(); }
   std::span<const std::uint32_t> triangles_by_lod() const { return triangles_by_lod_; }
   std::span<const float> error_by_lod() const { return error_by_lod_; }  ///< metres
 
@@ -37,8 +38,8 @@ class CrowdMesh {
   std::span<const MaterialRun> runs(std::size_t lod) const { return runs_by_lod_[lod]; }
   const CrowdMaterial& material(int index) const { return materials_[static_cast<std::size_t>(index)]; }
 
-  /// Vertices reading the entries of that bone level; indices are 32 bits wide.
-  GLuint vertex_array(std::size_t level) const { return by_level_[level].array.id(); }
+  /// Binds vertices, 32-bit indices and, for the program in use, the palette entries of all bone levels.
+  void bind() const;
 
   /// Vertices of the surface, the first ones in the vertex array.
   std::uint32_t vertex_count() const { return first_bone_end_; }
@@ -48,17 +49,12 @@ class CrowdMesh {
   std::uint32_t bone_end_count() const { return bone_end_count_; }
 
  private:
-  struct Level {
-    gl::Buffer palette_entries;
-    gl::VertexArray array;
-  };
-
   CrowdMesh() = default;
-  Level create_level(std::span<const PaletteEntries> entries) const;
 
   gl::Buffer vertices_;
   gl::Buffer indices_;
-  std::vector<Level> by_level_;
+  gl::Buffer palette_entries_;  // [bone level][vertex]
+  gl::VertexArray array_;
   std::vector<std::vector<MaterialRun>> runs_by_lod_;
   std::vector<std::uint32_t> triangles_by_lod_;
   std::vector<float> error_by_lod_;

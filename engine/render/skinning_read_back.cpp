@@ -5,8 +5,6 @@
 namespace throng::render {
 namespace {
 
-constexpr GLint first_instance_location = 0;
-
 static_assert(sizeof(ReadBackVertex) == 24);
 
 }  // namespace
@@ -26,12 +24,11 @@ std::vector<ReadBackVertex> SkinningReadBack::read(const ReadBackAgent& agent, c
   glNamedBufferStorage(captured.id(), bytes, nullptr, 0);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured.id());
   palettes.bind(agent.page, palette_binding);
-  glBindVertexArray(mesh.vertex_array(agent.bone_level));
   glUseProgram(shaders_->id(program_));
-  glUniform1ui(first_instance_location, agent.instance);
+  mesh.bind();
   glEnable(GL_RASTERIZER_DISCARD);
   glBeginTransformFeedback(GL_POINTS);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices.size()));
+  glDrawArraysInstancedBaseInstance(GL_POINTS, 0, static_cast<GLsizei>(vertices.size()), 1, agent.instance);
   glEndTransformFeedback();
   glDisable(GL_RASTERIZER_DISCARD);
   glGetNamedBufferSubData(captured.id(), 0, bytes, vertices.data());

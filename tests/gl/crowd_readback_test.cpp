@@ -28,6 +28,7 @@ Tuning tuning_of(LodRule lod, Stream stream) {
   tuning.agents = 40;
   tuning.pus = 2;
   tuning.lod = lod;
+  tuning.bone_lod = lod != LodRule::off;
   tuning.stream = stream;
   tuning.full_rate_distance = 6.0F;
   tuning.interval_growth = 6.0F;

@@ -77,7 +77,7 @@ CrowdFrame DollCrowd::frame() {
   const auto count = static_cast<std::uint32_t>(instances.size());
   const std::uint32_t half = count / 2;
   batches_.clear();
-  if (count > 0) batches_ = {{0, 0, 0, 0, half}, {0, 0, 0, half, count - half}};
+  if (count > 0) batches_ = {{0, 0, 0, half}, {0, 0, half, count - half}};
   CrowdFrame frame;
   frame.camera = view_of(camera, static_cast<float>(width) / height);
   frame.instances = instances;

@@ -104,10 +104,10 @@ double StagedCrowd::largest_error(std::uint32_t agent) {
   const auto batch = std::ranges::find_if(picture_.batches(), [instance](const render::CrowdBatch& candidate) {
     return instance - candidate.first_instance < candidate.instance_count;
   });
-  const std::vector<render::ReadBackVertex> drawn =
-      renderer_->read_back(frame(), {instance, batch->page, batch->bone_level});
-  const std::vector<glm::dvec3> from = reference_->surface(agent, moments_[agent].from, batch->bone_level);
-  const std::vector<glm::dvec3> to = reference_->surface(agent, moments_[agent].to, batch->bone_level);
+  const std::vector<render::ReadBackVertex> drawn = renderer_->read_back(frame(), {instance, batch->page});
+  const std::size_t bone_level = stage_->shown().pose(agent).level();
+  const std::vector<glm::dvec3> from = reference_->surface(agent, moments_[agent].from, bone_level);
+  const std::vector<glm::dvec3> to = reference_->surface(agent, moments_[agent].to, bone_level);
   if (drawn.size() != to.size()) throw std::runtime_error("the device has another number of vertices");
   double largest = 0.0;
   for (std::size_t vertex = 0; vertex < drawn.size(); ++vertex) {

@@ -32,6 +32,14 @@ int nearest_kept_bone(const Skeleton& skeleton, int bone, int bone_count) {
   return bone;
 }
 
+JointPlace joint_place(const Skeleton& skeleton, int bone) {
+  const auto entry = std::ranges::find(skeleton.palette, bone, &PaletteEntry::bone);
+  if (entry == skeleton.palette.end()) return {};
+  const int index = static_cast<int>(entry - skeleton.palette.begin());
+  if (skeleton.rigid) return {index, skeleton.references[static_cast<std::size_t>(bone)].origin};
+  return {index, glm::dvec3(glm::inverse(entry->post)[3])};
+}
+
 StateTransform to_state(const Skeleton& skeleton, int bone, const StateTransform& local) {
   if (!skeleton.rigid) return local;
   const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];

@@ -74,6 +74,14 @@ int palette_count_for_bones(const Skeleton& skeleton, int bone_count);
 /// The bone itself, or its nearest ancestor below `bone_count`: what a dropped bone follows.
 int nearest_kept_bone(const Skeleton& skeleton, int bone, int bone_count);
 
+/// Where a joint is in the space of its first palette entry: palette[entry] carries `position` to where the joint is
+/// posed. `entry` is -1 for a bone that no skin uses.
+struct JointPlace {
+  int entry = -1;
+  glm::dvec3 position{0.0};
+};
+JointPlace joint_place(const Skeleton& skeleton, int bone);
+
 /// Local transform -> what a state stores for `bone` (see ReferenceFrame), in double; and back.
 struct StateTransform {
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};

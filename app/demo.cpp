@@ -1,6 +1,8 @@
 #include "app/demo.h"
 
 #include <memory>
+#include <sstream>
+#include <string>
 
 #include "app/atomic_file.h"
 #include "app/data_folder.h"
@@ -62,6 +64,12 @@ anim::Status run_headless(Show& show, const DemoOptions& options) {
   return anim::Done{};
 }
 
+// What a window shows over the crowd.
+void say_on_stderr(const std::string& notice) {
+  std::istringstream lines(notice);
+  for (std::string line; std::getline(lines, line);) end_with(exit_done, line);
+}
+
 }  // namespace
 
 int run_demo(const DemoOptions& options) {
@@ -71,7 +79,9 @@ int run_demo(const DemoOptions& options) {
   const bool window = options.context == ContextKind::window;
   const anim::Status run = window ? run_window(*show, options) : run_headless(*show, options);
   if (!run) return end_with(exit_job_failed, run.error().message);
-  return write_results(*show, options);
+  const int written = write_results(*show, options);
+  if (!window && written == exit_done) say_on_stderr(show->notice);
+  return written;
 }
 
 }  // namespace throng::app

@@ -39,10 +39,10 @@ struct BoneRow {
 /// A const view of all that the overlay shows; filled by the demo once a frame.
 struct FrameReport {
   std::string model;    ///< name shown: the file's, or "mannequin (built in)"
-  std::string context;  ///< "GLFW", "EGL", "OSMesa"
+  std::string context;  ///< "window", "egl", "osmesa"
   std::string gl_version, gl_renderer;
   bool software_renderer = false;
-  std::string notice;  ///< one line worth showing, such as what a software renderer turns down; may be empty
+  std::string notice;  ///< lines worth showing, such as what a software renderer turns down; may be empty
   int frame = 0;
   float frame_ms = 0, update_ms = 0, draw_ms = 0;
   std::vector<float> frame_ms_history, update_ms_history;  ///< oldest first, up to 240

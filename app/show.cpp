@@ -70,11 +70,14 @@ bool Show::open_renderer(const DemoOptions& options, const CharacterSource& char
   if (!data) return fail(failure, exit_job_failed, data.error().message);
   const bool modest = on_software() && draws_live(options);
   mesh_detail_ = modest ? 0.1F : 1.0F;
-  auto renderer =
-      render::Renderer::create(*context_, {.data = data->parent_path(),
-                                           .size = {options.width, options.height},
-                                           .samples = options.msaa >= 0 ? options.msaa : (modest ? 0 : 4),
-                                           .shadows = options.shadows && (!modest || options.shadows_given)});
+  spared_ = {.multisampling = modest && options.msaa < 0,
+             .shadows = modest && options.shadows && !options.shadows_given,
+             .mesh_detail = modest && options.tuning.mesh_lod < 0};
+  auto renderer = render::Renderer::create(
+      *context_, {.data = data->parent_path(),
+                  .size = {options.width, options.height},
+                  .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
+                  .shadows = options.shadows && !spared_.shadows});
   if (!renderer) return fail(failure, exit_job_failed, renderer.error().message);
   renderer_ = std::move(*renderer);
   const render::Status loaded = renderer_->load_character(mesh_data(character.model));
@@ -92,8 +95,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   Tuning tuning = options.tuning;
   if (options.context == ContextKind::window && show->on_software() && !options.agents_given) {
     tuning.agents = software_window_agents;
-    show->notice = "Drawn on the processor (" + show->context_->renderer() +
-                   "): 300 agents, no multisampling, no shadows, coarse meshes unless asked otherwise.";
+    show->spared_.agents = software_window_agents;
   }
   if (show->renderer_ == nullptr) show->heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
   render::PalettePageSource& pages = show->renderer_ != nullptr ? show->renderer_->palette_pages() : *show->heap_pages_;
@@ -111,10 +113,22 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
     return nullptr;
   }
   show->camera = camera_at(options.camera.value_or(named->place));
+  show->update_notice();
   return show;
 }
 
-anim::Status Show::apply(const Tuning& tuning) { return stage_->apply(tuning); }
+anim::Status Show::apply(const Tuning& tuning) {
+  const anim::Status applied = stage_->apply(tuning);
+  if (applied) update_notice();
+  return applied;
+}
+
+void Show::update_notice() {
+  notice.clear();
+  if (context_ != nullptr) add_line(notice, software_notice(context_->renderer(), spared_));
+  add_line(notice, local_store_notice(stage_->system()));
+  add_line(notice, palette_notice(stage_->shown()));
+}
 
 std::uint64_t Show::completed_frame() {
   if (renderer_ == nullptr) return stage_->frame();
@@ -124,10 +138,12 @@ std::uint64_t Show::completed_frame() {
 
 void Show::animate(anim::Ticks delta) {
   const std::uint64_t completed = completed_frame();
+  const bool had_memory = !stage_->shown().out_of_memory();
   update_ms_ = milliseconds_of([&] {
     stage_->move(delta);
     stage_->pose(camera, width, height, delta, completed);
   });
+  if (had_memory && stage_->shown().out_of_memory()) update_notice();
   statistics_.add_update(update_ms_);
   statistics_.add_report(*stage_);
 }

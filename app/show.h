@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/notices.h"
 #include "app/picture.h"
 #include "app/settings.h"
 #include "app/stage.h"
@@ -50,13 +51,14 @@ class Show {
   render::Camera camera;
   int width = 0;
   int height = 0;
-  /// One sentence for people: what a software renderer turns down, a local store that grew; may be empty.
+  /// Lines for people, of what is otherwise than they would expect (app/notices.h); may be empty.
   std::string notice;
 
  private:
   Show() = default;
   bool open_context(const DemoOptions& options, Failure& failure);
   bool open_renderer(const DemoOptions& options, const CharacterSource& character, Failure& failure);
+  void update_notice();
   std::uint64_t completed_frame();
   int pick_mesh_lod(float pixels_tall, int at_least) const;
 
@@ -66,6 +68,7 @@ class Show {
   std::unique_ptr<Stage> stage_;
   Picture picture_;
   Statistics statistics_;
+  Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;
   double update_ms_ = 0;

@@ -33,7 +33,8 @@ void ShownPoses::hide_unseen(std::span<const anim::VisibleAgent> visible, std::u
 anim::PaletteMatrix* ShownPoses::show(std::uint32_t agent, int level, std::uint32_t now, std::uint32_t pose_time,
                                       std::uint64_t last_frame) {
   ShownPose& pose = poses_[agent];
-  const render::PaletteSlot slot = slots_->acquire(level, pose.to.page);
+  render::PaletteSlot slot = slots_->acquire(level, pose.to.page);
+  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(level);  // its page is full: the agent moves to another
   if (!slot.valid()) {
     out_of_memory_ = true;
     hide(pose, last_frame);

@@ -34,12 +34,14 @@ class ShownPoses {
   /// Gives back the slots of agents that went out of view. `visible` is ascending by agent.
   void hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame);
 
-  /// A slot for a new pose of a visible agent, shown from `now` on after `duration` of blending from the pose shown so
-  /// far. Null where no memory is left: the agent is posed but not drawn.
-  anim::PaletteMatrix* show(std::uint32_t agent, int level, std::uint32_t now, std::uint32_t duration,
+  /// A slot for a new pose of a visible agent, that of the moment `pose_time`, reached by blending from the pose shown
+  /// so far; equal to `now`, it is shown at once. Microseconds modulo 2^32. Null where no memory is left: the agent is
+  /// posed but not drawn.
+  anim::PaletteMatrix* show(std::uint32_t agent, int level, std::uint32_t now, std::uint32_t pose_time,
                             std::uint64_t last_frame);
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
+  /// Whether any agent since the last reset found no slot.
   bool out_of_memory() const { return out_of_memory_; }
 
  private:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -96,7 +98,8 @@ Layout lay_out(const Theme& theme, ImVec2 size) {
 
 std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, const Theme& theme) {
   std::vector<Notice> notices;
-  if (!report.notice.empty()) notices.push_back({colour::changed, report.notice});
+  std::istringstream lines(report.notice);
+  for (std::string line; std::getline(lines, line);) notices.push_back({colour::changed, line});
   if (theme.fonts_missing)
     notices.push_back({colour::changed, "The overlay's fonts were not found in the data folder."});
   if (tuning.paused) notices.push_back({colour::frame, "Paused. Space goes on."});

@@ -293,6 +293,16 @@ TEST(Overlay, ShowsTheNoticeOfTheReport) {
   EXPECT_LT(driver.overlay.vertex_count(), with_notice);
 }
 
+TEST(Overlay, ShowsEachLineOfTheNoticeByItself) {
+  OverlayDriver driver;
+  driver.report.notice = "one two";
+  driver.frames();
+  const int on_one_line = driver.overlay.vertex_count();
+  driver.report.notice = "one\ntwo";
+  driver.frames();
+  EXPECT_GT(driver.overlay.vertex_count(), on_one_line);
+}
+
 TEST(UiMap, SaysWhereWidgetsAreAndWhatIsSet) {
   OverlayDriver driver;
   driver.click("Scene:grid");

@@ -66,7 +66,9 @@ TEST_F(Window, AValueThatCannotBeIsRefusedInWordsAndNothingChanges) {
   click("Stream:keyframe");
   wait_for("the stream", [](const Json& map) { return map["tuning"]["stream"] == "keyframe"; });
   type_into("Local store.field", "16");  // a fused keyframe character needs more
-  const Json map = wait_for("a notice", [](const Json& now) { return now["report"]["notice"] != ""; });
+  const Json map = wait_for("a refusal", [](const Json& now) {
+    return now["report"]["notice"].get<std::string>().find("--local-store") != std::string::npos;
+  });
   EXPECT_EQ(map["tuning"]["local_store_kib"], 0) << map["report"]["notice"];
   next_map();
 }

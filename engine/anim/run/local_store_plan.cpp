@@ -76,7 +76,7 @@ Result<LocalStorePlan> plan_local_store(const UpdateContext& context, const Loca
 }
 
 std::size_t automatic_local_store(const UpdateContext& context, const LocalStoreDemand& demand) {
-  return std::max(64 * kib, std::bit_ceil(local_store_bytes(context, demand, 1)));
+  return std::max(usual_local_store_bytes, std::bit_ceil(local_store_bytes(context, demand, 1)));
 }
 
 }  // namespace throng::anim

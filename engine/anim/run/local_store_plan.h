@@ -38,7 +38,9 @@ std::size_t local_store_bytes(const UpdateContext& context, const LocalStoreDema
 Result<LocalStorePlan> plan_local_store(const UpdateContext& context, const LocalStoreDemand& demand, std::size_t size,
                                         int tile);
 
-/// 64 KiB, or the next power of two that holds one character's largest task.
+inline constexpr std::size_t usual_local_store_bytes = 64 * 1024;
+
+/// The usual size, or the next power of two that holds one character's largest task.
 std::size_t automatic_local_store(const UpdateContext& context, const LocalStoreDemand& demand);
 
 }  // namespace throng::anim

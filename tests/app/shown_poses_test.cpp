@@ -1,0 +1,75 @@
+#include "app/shown_poses.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/notices.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::uint32_t entries = 64;
+constexpr std::uint32_t frame_time = 16'667;  // microseconds
+
+/// Gives `pages` pages of a few slots each and then no more.
+class FewPages final : public render::PalettePageSource {
+ public:
+  FewPages(std::size_t slots, int pages) : heap_(slots * entries * render::palette_entry_bytes), left_(pages) {}
+  render::PalettePage add_page() override { return left_-- > 0 ? heap_.add_page() : render::PalettePage{}; }
+
+ private:
+  render::HeapPageSource heap_;
+  int left_;
+};
+
+struct ShownPosesTest : testing::Test {
+  FewPages pages{3, 2};
+  render::PaletteSlots slots{pages, {entries}};
+  ShownPoses shown{slots};
+
+  ShownPosesTest() { shown.reset(8, 0); }
+  anim::PaletteMatrix* show(std::uint32_t agent, std::uint32_t now, std::uint32_t pose_time) {
+    return shown.show(agent, 0, now, pose_time, 0);
+  }
+};
+
+TEST_F(ShownPosesTest, BlendFromThePoseShownSoFarToTheNewOne) {
+  ASSERT_NE(show(0, 0, 0), nullptr);
+  EXPECT_EQ(shown.pose(0).from_time, shown.pose(0).to_time) << "the first pose is shown at once";
+  ASSERT_NE(show(0, 0, 4 * frame_time), nullptr);
+  EXPECT_EQ(shown.pose(0).from_time, 0U);
+  EXPECT_EQ(shown.pose(0).to_time, 4 * frame_time);
+  EXPECT_NE(shown.pose(0).from.first_entry, shown.pose(0).to.first_entry);
+}
+
+TEST_F(ShownPosesTest, MoveToAnotherPageWhenTheirsIsFull) {
+  ASSERT_NE(show(0, 0, 0), nullptr);
+  for (std::uint32_t frame = 0; frame < 4; ++frame) {  // nothing is reclaimed, so each pose takes a slot of its own
+    ASSERT_NE(show(0, frame * frame_time, (frame + 1) * frame_time), nullptr) << frame;
+  }
+  EXPECT_EQ(shown.pose(0).to.page, 1U);
+  EXPECT_EQ(shown.pose(0).from.page, 1U) << "a draw reads both from one page";
+  EXPECT_FALSE(shown.out_of_memory());
+}
+
+TEST_F(ShownPosesTest, SayWhenNoMemoryIsLeft) {
+  for (std::uint32_t agent = 0; agent < 6; ++agent) EXPECT_NE(show(agent, 0, 0), nullptr) << agent;
+  EXPECT_EQ(palette_notice(shown), "");
+  EXPECT_EQ(show(6, 0, 0), nullptr);
+  EXPECT_FALSE(shown.pose(6).shown());
+  EXPECT_TRUE(shown.out_of_memory());
+  EXPECT_THAT(palette_notice(shown), testing::HasSubstr("Palette memory ran out"));
+}
+
+TEST_F(ShownPosesTest, StartAnewWithANewCrowd) {
+  for (std::uint32_t agent = 0; agent < 7; ++agent) show(agent, 0, 0);
+  ASSERT_TRUE(shown.out_of_memory());
+  shown.reset(8, 1);
+  slots.reclaim(1);
+  EXPECT_FALSE(shown.out_of_memory());
+  EXPECT_EQ(slots.slots_in_use(), 0U);
+  EXPECT_NE(show(0, 0, 0), nullptr);
+}
+
+}  // namespace
+}  // namespace throng::app

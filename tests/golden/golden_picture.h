@@ -21,8 +21,8 @@ inline constexpr double largest_block_difference = 9.0;
 DemoOptions golden_options(ContextKind context);
 
 /// Draws what `options` ask for and holds it against `tests/golden/pictures/NAME.png`. On failure the expected and the
-/// actual picture and their difference lie beside the test program. With THRONG_UPDATE_GOLDEN set, the picture is
-/// replaced.
+/// actual picture and their difference lie in the system's temporary folder, and the message names them. With
+/// THRONG_UPDATE_GOLDEN set, the picture is replaced.
 void expect_golden_picture(const std::string& name, const DemoOptions& options);
 
 }  // namespace throng::app::test

@@ -35,17 +35,16 @@ struct KeyEvent {
 };
 static_assert(sizeof(KeyEvent) == 20);
 
-/// The clip's own keys (paper 2.2.2, DESIGN section 4): one relocatable read-only block, rotation, position and scale
-/// keys split, in state space, sorted in the order in which a player that moves forward needs them, with LINEAR, STEP
-/// and CUBICSPLINE kept, and seek points for other moves. Exact: the reference that errors are measured against.
+/// The clip's own keys (paper 2.2.2): one relocatable read-only block, rotation, position and scale keys split, in
+/// state space, sorted in the order in which a player that moves forward needs them, with LINEAR, STEP and CUBICSPLINE
+/// kept, and seek points for other moves. Exact: the reference that errors are measured against.
 ///
-///     KeyframeStream                                              64 bytes
-///     constants    float [packet][component][16]                  the pose of what does not move; padding lanes:
-///     identity cubic_lanes  uint16 [packet][3]                             a bit for each lane whose track is
-///     CUBICSPLINE events       KeyEvent [track_count] then the others         first what opens each track, then by
-///     start, bone, channel seek points  uint32 [seek_count][track_count]               each track's latest event,
-///     every seek_interval events rotations, positions, scales   float                        values in the order of
-///     the events
+///     KeyframeStream                              64 bytes
+///     constants    float [packet][component][16]  the pose of what does not move; padding lanes: identity
+///     cubic_lanes  uint16 [packet][3]             a bit for each lane whose track is CUBICSPLINE
+///     events       KeyEvent [event_count]         one a track that opens it, then others by start, bone, channel
+///     seek points  uint32 [seek_count][tracks]    each track's latest event, every seek_interval events
+///     values       float                          rotations, positions, scales, each in the order of the events
 ///
 /// A LINEAR or STEP key is its value: 4 floats (unit, each on the hemisphere of the one before) or 3. A CUBICSPLINE key
 /// is three of them: value, out-tangent of the key before and in-tangent of this key, both times the span between them.

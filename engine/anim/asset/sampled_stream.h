@@ -20,11 +20,11 @@ struct SampledRows {
   std::vector<float> rows;  ///< [row][packet][component][16]; quaternions of neighbouring rows on one hemisphere
 };
 
-/// The crowd's stream (DESIGN section 4): one relocatable read-only block (paper 1.3), loadable with one read.
+/// The crowd's stream: one relocatable read-only block (paper 1.3), loadable with one read.
 ///
-///     SampledStream | SampledPacket x packets | row 0 | row 1 | ... | last row     (a loop's last row repeats its
-///     first)
+///     SampledStream | SampledPacket x packets | row 0 | row 1 | ... | last row
 ///
+/// A loop's last row repeats its first.
 /// A row holds what moves, as int16: the rotations of every packet that has moving ones (128 bytes each), then their
 /// positions (96), then scales (96); what is constant over the clip lies in the packet's header and takes no bytes.
 /// Two components lie side by side by fours, so that interleaving two rows by 16-bit lanes inside 128-bit blocks gives

@@ -12,7 +12,7 @@
 
 namespace throng::anim {
 
-/// At most this many per-bone levels of detail (DESIGN "Level of detail"); level 0 has every bone.
+/// At most this many per-bone levels of detail (paper 3.2); level 0 has every bone.
 inline constexpr int max_bone_levels = 4;
 
 struct Bone {

@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// An order of bones whose prefixes are levels of detail (DESIGN section 7 "Per-bone LOD").
+/// An order of bones whose prefixes are levels of detail (paper 3.2).
 struct BoneOrder {
   std::vector<int> bones;         ///< a permutation: place in the order -> index of the bone as given
   std::vector<int> level_counts;  ///< 1 to max_bone_levels prefixes, descending; [0] is the number of bones

@@ -7,7 +7,7 @@
 namespace throng::import {
 
 /// Decides between the rigid and the general path and sets references, palette, Skin::palette_entries and
-/// Skin::bind_to_model (see anim::Skeleton and DESIGN section 5 "Reference frames").
+/// Skin::bind_to_model (see anim::Skeleton).
 ///
 /// Rigid: no clip changes a scale, every static scale is uniform and positive, and every inverse bind is a rotation, a
 /// translation and one uniform scale a skin, so that all skins agree on one frame a joint. Real files are so up to the

@@ -14,7 +14,7 @@ struct Tile {
   std::uint32_t count = 0;
 };
 
-/// The `fused` schedule (DESIGN section 6): a task runs the whole trees of a tile's characters, players to palette, in
+/// The `fused` schedule: a task runs the whole trees of a tile's characters, players to palette, in
 /// one stay in the local store. Blocks are transient: fetched whole, their changed bytes written back.
 class FusedTasks {
  public:

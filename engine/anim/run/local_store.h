@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// A PU's own memory of fixed size (paper 1.1, 3; DESIGN section 4):
+/// A PU's own memory of fixed size (paper 1.1, 3):
 ///
 ///     0                 fetch bytes         2 x fetch bytes               size
 ///     +-----------------+-------------------+------------------------------+

@@ -20,7 +20,7 @@ struct ScheduleOptions {
   int pus = 1;
 };
 
-/// Hands tiles to PUs (paper 2.2.3, 2.2.5, 3.2; DESIGN section 6). Tasks are never equal units: big ones go first, and
+/// Hands tiles to PUs (paper 2.2.3, 2.2.5, 3.2). Tasks are never equal units: big ones go first, and
 /// whoever is free takes the next. The result does not depend on who took what.
 class Scheduler {
  public:

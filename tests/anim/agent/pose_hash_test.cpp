@@ -1,4 +1,4 @@
-// One pose hash whatever the PUs, the schedule, the local store, the tile or the double buffering (DESIGN section 5).
+// One pose hash whatever the PUs, the schedule, the local store, the tile or the double buffering.
 
 #include <memory>
 #include <vector>

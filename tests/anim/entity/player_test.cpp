@@ -102,8 +102,7 @@ TEST(EntityLayout, ATransientPlayerIsTwoCacheLines) {
   const EntityLayout layout = entity_layout(EntityType::sampled_player, Residency::transient, 62, rigid_components);
   EXPECT_EQ(layout.total_size, 128U);
   EXPECT_EQ(layout.transforms_offset, 0U);
-  EXPECT_EQ(layout.changed_bytes(), 64U)
-      << "DESIGN section 4: at most 64 bytes of a transient entity change in a frame";
+  EXPECT_EQ(layout.changed_bytes(), 64U) << "at most 64 bytes of a transient entity change in a frame";
 }
 
 TEST(EntityLayout, AResidentKeyframePlayerOf62BonesFitsTheFetchBufferOf8KiBThatThePaperHas) {

@@ -1,4 +1,4 @@
-// Bytes and transfers are a closed form of the schedule, equal in every mode of double buffering (DESIGN section 4).
+// Bytes and transfers are a closed form of the schedule, equal in every mode of double buffering.
 
 #include <memory>
 #include <vector>

@@ -67,13 +67,13 @@ anim::Result<json> sample_json(const anim::ImportedFile& file, std::optional<int
   json skins = json::array();
   for (const PosedSkin& posed : skins_of(file)) {
     const auto model = static_cast<std::size_t>(posed.model - file.models.data());
-    skins.push_back(dump_skin(*posed.model, *posed.skin, poses[model]));
+    skins.push_back(dump_skin(*posed.model, *posed.skin, find_clip(*posed.model, animation), poses[model]));
   }
   return json{{"time", seconds}, {"skins", std::move(skins)}};
 }
 
 anim::Result<std::string> import_and_pose(const PoseOptions& options, PoseSource& source) {
-  const auto file = import::import_file(options.model);
+  const auto file = import::import_skins(options.model);
   if (!file) return file.error();
   const auto animation = find_animation(*file, options.clip);
   if (!animation) return animation.error();

@@ -1,5 +1,7 @@
 #include "app/pose_dump.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -40,6 +42,16 @@ std::vector<glm::dmat4> find_globals(const anim::Skeleton& skeleton, const BoneP
   return globals;
 }
 
+constexpr float unit_within = 5e-5F;
+
+bool has_unit_keys(const anim::Clip* clip, int bone) {
+  if (clip == nullptr) return true;
+  const auto tracks = std::ranges::find(clip->tracks, bone, &anim::BoneTracks::bone);
+  if (tracks == clip->tracks.end() || tracks->rotation.interpolation == anim::Interpolation::cubic_spline) return true;
+  return std::ranges::all_of(tracks->rotation.values,
+                             [](const glm::quat& key) { return std::abs(glm::length(key) - 1.0F) <= unit_within; });
+}
+
 }  // namespace
 
 nlohmann::json describe_skin(const anim::Model& model, const anim::Skin& skin) {
@@ -56,7 +68,8 @@ nlohmann::json describe_skin(const anim::Model& model, const anim::Skin& skin) {
           {"meshNodes", skin.mesh_nodes}};
 }
 
-nlohmann::json dump_skin(const anim::Model& model, const anim::Skin& skin, const BonePose& pose) {
+nlohmann::json dump_skin(const anim::Model& model, const anim::Skin& skin, const anim::Clip* clip,
+                         const BonePose& pose) {
   const anim::Skeleton& skeleton = model.skeleton;
   std::vector<anim::StateTransform> locals;
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
@@ -71,7 +84,7 @@ nlohmann::json dump_skin(const anim::Model& model, const anim::Skin& skin, const
     json dumped = {{"node", skeleton.bones[bone].node}, {"global", to_json(globals[bone])}};
     if (!skeleton.bones[bone].prefix_holds_matrix) {
       dumped["t"] = to_json(locals[bone].position);
-      dumped["r"] = to_json(locals[bone].rotation);
+      if (has_unit_keys(clip, skin.bones[joint])) dumped["r"] = to_json(locals[bone].rotation);
       dumped["s"] = to_json(locals[bone].scale);
     }
     joints.push_back(std::move(dumped));

@@ -141,7 +141,12 @@ TEST(Import, RefusesWhatHasNoSkinOrIsNoFile) {
   document.erase("skins");
   for (json& node : document["nodes"]) node.erase("skin");
   const TemporaryFolder folder;
-  EXPECT_THAT(message_of(folder.write("prop.gltf", document.dump())), HasSubstr("holds no skin"));
+  const std::string prop = folder.write("prop.gltf", document.dump());
+  EXPECT_THAT(message_of(prop), HasSubstr("holds no skin"));
+  const auto skins = import_skins(prop);
+  ASSERT_TRUE(skins) << "who asks for every skin there is, gets none";
+  EXPECT_TRUE(skins->models.empty());
+  EXPECT_FALSE(skins->animations.empty());
   EXPECT_THAT(message_of(folder.write("x.gltf", std::string("{}")).parent_path()), HasSubstr("not a regular file"));
   EXPECT_EQ(message_of("no/such.glb"), "no/such.glb: there is no such file; check the path");
 }

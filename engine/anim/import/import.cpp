@@ -52,7 +52,6 @@ anim::ImportedFile import_checked(const std::string& path) {
   const NodeTree tree = build_node_tree(document);
   const std::vector<Animation> animations = read_animations(document, tree);
   const std::vector<FileSkin> skins = read_skins(document, tree);
-  if (skins.empty()) throw Refusal("it holds no skin, so there is no skeleton to pose; export a rigged character");
 
   anim::ImportedFile file{.file = path, .models = {}, .animations = {}, .repairs = {}};
   for (const Animation& animation : animations) file.animations.push_back(animation.name);
@@ -77,6 +76,12 @@ anim::Error error_of(const std::string& path, const std::string& reason) {
 }  // namespace
 
 anim::Result<anim::ImportedFile> import_file(const std::string& path) {
+  anim::Result<anim::ImportedFile> file = import_skins(path);
+  if (!file || !file->models.empty()) return file;
+  return error_of(path, "it holds no skin, so there is no skeleton to pose; export a rigged character");
+}
+
+anim::Result<anim::ImportedFile> import_skins(const std::string& path) {
   try {
     return import_checked(path);
   } catch (const Refusal& refusal) {

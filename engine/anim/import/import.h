@@ -12,4 +12,7 @@ namespace throng::import {
 /// any input; memory is bounded by the size of the files.
 anim::Result<anim::ImportedFile> import_file(const std::string& path);
 
+/// The same, but a file without skins is not refused: it has animations and no models.
+anim::Result<anim::ImportedFile> import_skins(const std::string& path);
+
 }  // namespace throng::import

@@ -26,8 +26,8 @@ struct PuReport {
   std::uint64_t dma_in_bytes = 0;
   std::uint64_t dma_out_bytes = 0;
   std::uint64_t dma_transfers = 0;
-  std::uint32_t local_store_peak_bytes = 0;
-  std::vector<PuSpan> spans;  ///< may be empty
+  std::uint32_t local_store_laid_out_bytes = 0;  ///< by plan: fetch buffers and scratch
+  std::vector<PuSpan> spans;                     ///< may be empty
 };
 
 struct BoneRow {
@@ -63,7 +63,7 @@ struct FrameReport {
   int local_store_kib = 0;
   int tile = 0;  ///< characters a tile, of the widest group
   std::string simd_target;
-  std::uint32_t local_store_peak_bytes = 0;
+  std::uint32_t local_store_laid_out_bytes = 0;  ///< of each PU
   std::uint64_t dma_in_bytes = 0, dma_out_bytes = 0, dma_transfers = 0, palette_bytes = 0;
   std::vector<PuReport> pu;
   CameraPlace camera;

@@ -54,7 +54,7 @@ PuReport report_of(const anim::ProcessingUnit& unit, double update_ms) {
                   .dma_in_bytes = activity.copies.bytes_in,
                   .dma_out_bytes = activity.copies.bytes_out,
                   .dma_transfers = activity.copies.transfers,
-                  .local_store_peak_bytes = static_cast<std::uint32_t>(unit.store().bytes_used()),
+                  .local_store_laid_out_bytes = static_cast<std::uint32_t>(unit.store().bytes_used()),
                   .spans = {}};
   for (const anim::TraceSpan& span : unit.trace().spans()) {
     report.spans.push_back({kind_of(span.kind), span.begin_ms, span.end_ms});
@@ -130,10 +130,11 @@ void FrameReporter::add_units(const anim::AnimationSystem& system, double update
   report_.dma_transfers = system.report().copies.transfers;
   report_.palette_bytes = system.report().palette_bytes;
   report_.pu.clear();
-  report_.local_store_peak_bytes = 0;
+  report_.local_store_laid_out_bytes = 0;
   for (const anim::ProcessingUnit& unit : system.units()) {
     report_.pu.push_back(report_of(unit, update_ms));
-    report_.local_store_peak_bytes = std::max(report_.local_store_peak_bytes, report_.pu.back().local_store_peak_bytes);
+    report_.local_store_laid_out_bytes =
+        std::max(report_.local_store_laid_out_bytes, report_.pu.back().local_store_laid_out_bytes);
   }
 }
 

@@ -27,8 +27,10 @@ Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr
 
 void add_scheduling(Json& json, const Stage& stage) {
   const anim::ScheduleOptions& schedule = stage.system().schedule();
-  std::size_t peak = 0;
-  for (const anim::ProcessingUnit& unit : stage.system().units()) peak = std::max(peak, unit.store().bytes_used());
+  std::size_t laid_out = 0;
+  for (const anim::ProcessingUnit& unit : stage.system().units()) {
+    laid_out = std::max(laid_out, unit.store().bytes_used());
+  }
   json["pus"] = schedule.pus;
   json["schedule"] = schedule.schedule == anim::Schedule::fused ? "fused" : "levels";
   json["local_store_kib"] = schedule.local_store_bytes / 1024;
@@ -36,7 +38,7 @@ void add_scheduling(Json& json, const Stage& stage) {
   json["stream"] = stage.system().options().stream == anim::StreamKind::sampled ? "sampled" : "keyframe";
   json["simd_target"] = stage.system().kernels().target;
   json["pose_hash"] = hex_string(stage.system().pose_hash());
-  json["local_store_peak_bytes"] = peak;
+  json["local_store_peak_bytes"] = laid_out;
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ void show_pu_table(const TabContext& context) {
     draw_cells(theme, row_at(i + 1), colour::text,
                Cells{std::to_string(i), with_thousands(pu.tiles), with_thousands(pu.agents),
                      fixed(static_cast<double>(pu.busy_ms), 2), as_kib(pu.dma_in_bytes), as_kib(pu.dma_out_bytes),
-                     with_thousands(pu.dma_transfers), as_kib(pu.local_store_peak_bytes)});
+                     with_thousands(pu.dma_transfers), as_kib(pu.local_store_laid_out_bytes)});
   }
 }
 
@@ -134,9 +134,9 @@ void show_totals(const TabContext& context) {
   const FrameReport& report = context.report;
   Widgets& widgets = context.widgets;
   widgets.section("In all");
-  widgets.fact("Local store used",
-               as_bytes(report.local_store_peak_bytes) + " of " + std::to_string(report.local_store_kib) + " KiB",
-               {.what = "The most that any PU had in its local store at once."});
+  widgets.fact("Local store laid out",
+               as_bytes(report.local_store_laid_out_bytes) + " of " + std::to_string(report.local_store_kib) + " KiB",
+               {.what = "Of each PU's local store: its fetch buffers and the scratch of a tile. The rest stays free."});
   widgets.fact("Tile width", std::to_string(report.tile) + (report.tile == 1 ? " character" : " characters"),
                {.what = "What the local store has room for, or what was asked for."});
   widgets.fact("Copied in, out", as_bytes(report.dma_in_bytes) + ", " + as_bytes(report.dma_out_bytes),

@@ -28,6 +28,7 @@ class LocalStore {
   std::span<std::byte> fetch_buffer(int index) const;
   std::span<std::byte> scratch() const;
   std::size_t size() const { return size_; }
+  /// Laid out by divide(); the most that a task can use.
   std::size_t bytes_used() const { return fetch_bytes_ * static_cast<std::size_t>(fetch_buffers_) + scratch_bytes_; }
 
  private:

@@ -81,10 +81,11 @@ Handle BlendTrees::make_blender(std::uint32_t agent, const PlayRequest& request,
 void BlendTrees::end_fades(std::uint32_t agent_index, Ticks time) {
   Agent& agent = agents_[agent_index];
   BlendTree& tree = agent.tree;
+  if (tree.count == 0) return;
   std::size_t over = player_count(tree);
   while (--over > 0 && agent.fade_end[over] > time) {
   }
-  if (over == 0 || tree.count == 0) return;
+  if (over == 0) return;
   const std::size_t kept = player_place(over);
   for (std::size_t i = 0; i < kept; ++i) pools_->destroy(tree.entities[i]);
   pools_->destroy(tree.entities[kept + 1]);

@@ -92,7 +92,8 @@ TEST(CopyEngineDeathTest, ABlockThatHasNotArrivedCannotBeRead) {
   engine.spread_over(2);
   engine.advance();
   const volatile std::byte* local = store.fetch_buffer(0).data();
-  EXPECT_EQ(local[127], main_memory.bytes[127]);
+  const std::byte last_that_arrived = local[127];
+  EXPECT_EQ(last_that_arrived, main_memory.bytes[127]);
   EXPECT_DEATH({ [[maybe_unused]] const std::byte read = local[128]; }, "use-after-poison");
   engine.finish();
 }

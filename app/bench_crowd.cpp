@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstring>
 #include <random>
 
@@ -74,6 +75,12 @@ anim::Result<SystemSubject> SystemSubject::create(std::shared_ptr<const anim::Ch
 void SystemSubject::run() {
   system_->advance(frame_step);
   system_->update(updates_);
+}
+
+void SystemSubject::configure(const anim::SystemOptions& options) {
+  const anim::Status configured = system_->configure(options);
+  assert(configured);
+  static_cast<void>(configured);
 }
 
 KernelSubject::KernelSubject(const anim::Character& character, const anim::Kernels& kernels,

@@ -40,6 +40,8 @@ class SystemSubject {
                                             const anim::SystemOptions& options, std::span<const BenchAgent> agents,
                                             const BenchPalettes& palettes);
   void run();
+  /// To other options that are known to fit.
+  void configure(const anim::SystemOptions& options);
   const anim::AnimationSystem& system() const { return *system_; }
 
  private:

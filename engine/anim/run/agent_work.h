@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "engine/anim/base/pool.h"
@@ -53,23 +51,6 @@ struct UpdateContext {
 
   int packets(int level) const { return packets_for(level_bone_counts[static_cast<std::size_t>(level)]); }
   const float* mask(std::int16_t index) const { return index < 0 ? nullptr : masks[static_cast<std::size_t>(index)]; }
-};
-
-/// Tasks handed out one by one to whichever PU is free.
-class TaskQueue {
- public:
-  void open(int count) {
-    count_ = count;
-    next_.store(0, std::memory_order_relaxed);
-  }
-  std::optional<int> take() {
-    const int task = next_.fetch_add(1, std::memory_order_relaxed);
-    return task < count_ ? std::optional(task) : std::nullopt;
-  }
-
- private:
-  int count_ = 0;
-  std::atomic<int> next_{0};
 };
 
 }  // namespace throng::anim

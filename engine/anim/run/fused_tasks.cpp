@@ -32,8 +32,8 @@ std::size_t FusedTasks::scratch_bytes(const UpdateContext& context, int width) {
 }
 
 FusedTasks::FusedTasks(const UpdateContext& context, std::span<const AgentWork> work, std::span<const Tile> tiles,
-                       TaskQueue& queue, const LocalStore& store, int width, PaletteMatrix* unseen)
-    : context_(&context), work_(work), tiles_(tiles), queue_(&queue), store_(&store), width_(width), unseen_(unseen) {
+                       TaskQueue::Taker queue, const LocalStore& store, int width, PaletteMatrix* unseen)
+    : context_(&context), work_(work), tiles_(tiles), queue_(queue), store_(&store), width_(width), unseen_(unseen) {
   ScratchCarver carver(store.scratch());
   scratch_ = Scratch::carve(carver, context, width);
   std::ranges::fill(scratch_.model.local, 0.0F);  // lanes beyond the last character compute on numbers, not on noise

@@ -4,6 +4,7 @@
 
 #include "engine/anim/run/agent_work.h"
 #include "engine/anim/run/local_store.h"
+#include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_scratch.h"
 
 namespace throng::anim {
@@ -19,12 +20,12 @@ struct Tile {
 class FusedTasks {
  public:
   FusedTasks(const UpdateContext& context, std::span<const AgentWork> work, std::span<const Tile> tiles,
-             TaskQueue& queue, const LocalStore& store, int width, PaletteMatrix* unseen);
+             TaskQueue::Taker queue, const LocalStore& store, int width, PaletteMatrix* unseen);
 
   static std::size_t fetch_bytes(const UpdateContext& context, int width, std::uint32_t largest_player);
   static std::size_t scratch_bytes(const UpdateContext& context, int width);
 
-  std::optional<int> next() { return queue_->take(); }
+  std::optional<int> next() { return queue_.take(); }
   void fetch(int task, int buffer, CopyEngine& engine) const;
   int copy_points(int task) const;
   void compute(int task, int buffer, CopyEngine& engine);
@@ -49,7 +50,7 @@ class FusedTasks {
   const UpdateContext* context_;
   std::span<const AgentWork> work_;
   std::span<const Tile> tiles_;
-  TaskQueue* queue_;
+  TaskQueue::Taker queue_;
   const LocalStore* store_;
   int width_;
   PaletteMatrix* unseen_;

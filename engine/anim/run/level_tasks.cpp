@@ -75,8 +75,8 @@ void EntityTasks::compute_blender(const EntityUpdate& entity, std::byte* block, 
 }
 
 PaletteTasks::PaletteTasks(const UpdateContext& context, std::span<const AgentWork> work, std::span<const Tile> tiles,
-                           TaskQueue& queue, const LocalStore& store, int width, PaletteMatrix* unseen)
-    : context_(&context), work_(work), tiles_(tiles), queue_(&queue), store_(&store), width_(width), unseen_(unseen) {
+                           TaskQueue::Taker queue, const LocalStore& store, int width, PaletteMatrix* unseen)
+    : context_(&context), work_(work), tiles_(tiles), queue_(queue), store_(&store), width_(width), unseen_(unseen) {
   ScratchCarver carver(store.scratch());
   scratch_ = ModelScratch::carve(carver, width, context.components, context.hierarchy->slot_count, false);
 }
@@ -94,7 +94,7 @@ std::size_t PaletteTasks::scratch_bytes(const UpdateContext& context, int width)
 std::optional<PaletteTasks::Task> PaletteTasks::next() {
   if (last_ && last_->packet + 1 < context_->packets(agents(*last_).front().level)) {
     ++last_->packet;
-  } else if (const auto tile = queue_->take()) {
+  } else if (const auto tile = queue_.take()) {
     last_ = Task{.tile = *tile, .packet = 0};
   } else {
     last_.reset();

@@ -6,6 +6,7 @@
 #include "engine/anim/run/agent_work.h"
 #include "engine/anim/run/fused_tasks.h"
 #include "engine/anim/run/local_store.h"
+#include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_scratch.h"
 
 namespace throng::anim {
@@ -23,14 +24,14 @@ struct EntityUpdate {
 /// copied back whole. A blender's sources come along, header and transforms, and are not written back.
 class EntityTasks {
  public:
-  EntityTasks(const UpdateContext& context, std::span<const EntityUpdate> updates, TaskQueue& queue,
+  EntityTasks(const UpdateContext& context, std::span<const EntityUpdate> updates, TaskQueue::Taker queue,
               const LocalStore& store)
-      : context_(&context), updates_(updates), queue_(&queue), store_(&store) {}
+      : context_(&context), updates_(updates), queue_(queue), store_(&store) {}
 
   static std::size_t fetch_bytes(const UpdateContext& context, std::uint32_t largest_player,
                                  std::uint32_t largest_source);
 
-  std::optional<int> next() { return queue_->take(); }
+  std::optional<int> next() { return queue_.take(); }
   void fetch(int task, int buffer, CopyEngine& engine) const;
   int copy_points(int task) const { return context_->packets(update(task).level); }
   void compute(int task, int buffer, CopyEngine& engine);
@@ -45,7 +46,7 @@ class EntityTasks {
 
   const UpdateContext* context_;
   std::span<const EntityUpdate> updates_;
-  TaskQueue* queue_;
+  TaskQueue::Taker queue_;
   const LocalStore* store_;
   std::uint32_t entities_done_ = 0;
 };
@@ -60,7 +61,7 @@ class PaletteTasks {
   };
 
   PaletteTasks(const UpdateContext& context, std::span<const AgentWork> work, std::span<const Tile> tiles,
-               TaskQueue& queue, const LocalStore& store, int width, PaletteMatrix* unseen);
+               TaskQueue::Taker queue, const LocalStore& store, int width, PaletteMatrix* unseen);
 
   static std::size_t fetch_bytes(const UpdateContext& context, int width);
   static std::size_t scratch_bytes(const UpdateContext& context, int width);
@@ -80,7 +81,7 @@ class PaletteTasks {
   const UpdateContext* context_;
   std::span<const AgentWork> work_;
   std::span<const Tile> tiles_;
-  TaskQueue* queue_;
+  TaskQueue::Taker queue_;
   const LocalStore* store_;
   int width_;
   PaletteMatrix* unseen_;

@@ -19,7 +19,7 @@ struct PuActivity {
 };
 
 /// A worker with a local memory of its own: runs tasks of any kind through it.
-class ProcessingUnit {
+class alignas(block_alignment) ProcessingUnit {
  public:
   /// `palette_entries`: of the skeleton, for palettes that nobody sees.
   ProcessingUnit(std::size_t local_store_bytes, std::size_t palette_entries)

@@ -16,7 +16,8 @@ std::size_t cost_class(const AgentWork& work) {
 
 }  // namespace
 
-Scheduler::Scheduler(const ScheduleOptions& options, std::size_t palette_entries) : options_(options) {
+Scheduler::Scheduler(const ScheduleOptions& options, std::size_t palette_entries)
+    : options_(options), queue_(options.pus) {
   units_.reserve(static_cast<std::size_t>(options.pus));
   for (int pu = 0; pu < options.pus; ++pu) {
     units_.emplace_back(options.local_store_bytes, palette_entries);
@@ -80,14 +81,14 @@ void Scheduler::on_all_units(int task_count, Executor& executor, RunUnit&& run_u
   queue_.open(task_count);
   const auto run = [](void* context, int pu) {
     const auto& job = *static_cast<Context*>(context);
-    (*job.run_unit)(job.scheduler->units_[static_cast<std::size_t>(pu)]);
+    (*job.run_unit)(job.scheduler->units_[static_cast<std::size_t>(pu)], TaskQueue::Taker(job.scheduler->queue_, pu));
   };
   executor.run(options_.pus, {run, &shared});
 }
 
 void Scheduler::run_fused(const UpdateContext& context, std::span<const AgentWork> work, Executor& executor) {
-  on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit) {
-    FusedTasks tasks(context, work, tiles_, queue_, unit.store(), options_.plan.width, unit.unseen());
+  on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
+    FusedTasks tasks(context, work, tiles_, queue, unit.store(), options_.plan.width, unit.unseen());
     unit.run(tasks, options_.double_buffering);
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
@@ -98,14 +99,14 @@ void Scheduler::run_levels(const UpdateContext& context, std::span<const AgentWo
   collect_entities(work);
   for (const std::vector<EntityUpdate>& updates : priorities_) {
     if (updates.empty()) continue;
-    on_all_units(static_cast<int>(updates.size()), executor, [&](ProcessingUnit& unit) {
-      EntityTasks tasks(context, updates, queue_, unit.store());
+    on_all_units(static_cast<int>(updates.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
+      EntityTasks tasks(context, updates, queue, unit.store());
       unit.run(tasks, options_.double_buffering);
       unit.activity().tasks += tasks.entities_done();
     });
   }
-  on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit) {
-    PaletteTasks tasks(context, work, tiles_, queue_, unit.store(), options_.plan.width, unit.unseen());
+  on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
+    PaletteTasks tasks(context, work, tiles_, queue, unit.store(), options_.plan.width, unit.unseen());
     unit.run(tasks, options_.double_buffering);
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();

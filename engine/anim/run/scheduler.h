@@ -9,6 +9,7 @@
 #include "engine/anim/run/fused_tasks.h"
 #include "engine/anim/run/level_tasks.h"
 #include "engine/anim/run/processing_unit.h"
+#include "engine/anim/run/task_queue.h"
 
 namespace throng::anim {
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "engine/anim/base/aligned_bytes.h"
+
+namespace throng::anim {
+
+/// Tasks 0, 1, 2, ... for a number of PUs. Each begins with a share of its own, the same tasks frame after frame, so
+/// that it finds in its caches what it left there, and then helps whoever is not done.
+class TaskQueue {
+ public:
+  explicit TaskQueue(int pus) : pus_(pus), shares_(std::make_unique<Share[]>(static_cast<std::size_t>(pus))) {}
+
+  /// Before the PUs run.
+  void open(int count) {
+    for (int pu = 0; pu < pus_; ++pu) {
+      Share& share = shares_[static_cast<std::size_t>(pu)];
+      share.next.store(first_of(pu, count), std::memory_order_relaxed);
+      share.end = first_of(pu + 1, count);
+    }
+  }
+
+  std::optional<int> take(int pu) {
+    for (int helped = 0; helped < pus_; ++helped) {
+      Share& share = shares_[static_cast<std::size_t>((pu + helped) % pus_)];
+      const int task = share.next.fetch_add(1, std::memory_order_relaxed);
+      if (task < share.end) return task;
+    }
+    return std::nullopt;
+  }
+
+  /// The queue as one PU sees it.
+  class Taker {
+   public:
+    Taker(TaskQueue& queue, int pu) : queue_(&queue), pu_(pu) {}
+    std::optional<int> take() const { return queue_->take(pu_); }
+
+   private:
+    TaskQueue* queue_;
+    int pu_;
+  };
+
+ private:
+  struct alignas(block_alignment) Share {
+    std::atomic<int> next{0};
+    int end = 0;
+  };
+
+  int first_of(int pu, int count) const { return static_cast<int>(static_cast<long long>(count) * pu / pus_); }
+
+  int pus_;
+  std::unique_ptr<Share[]> shares_;
+};
+
+}  // namespace throng::anim

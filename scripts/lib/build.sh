@@ -25,6 +25,6 @@ run_tests() {
   # The thread sanitizer of this compiler fails where the kernel spreads addresses wider than it knows.
   if [ "$preset" = tsan ] && setarch --addr-no-randomize true 2>/dev/null; then fixed_addresses=(setarch --addr-no-randomize); fi
   say "Testing $preset"
-  UBSAN_OPTIONS=print_stacktrace=1 "${fixed_addresses[@]}" \
+  LSAN_OPTIONS=suppressions=$PWD/scripts/lib/drivers-leaks.txt:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 "${fixed_addresses[@]}" \
     ctest --test-dir "build/$preset" --output-on-failure --no-tests=error --parallel "$(nproc)" "$@"
 }

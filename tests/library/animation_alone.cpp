@@ -24,7 +24,10 @@ int main() {
   state.resize(1, selection);
   const glm::vec3 position(0.0F);
   const float scale = 1.0F;
-  anim::select_for_update({.positions = {&position, 1}, .scales = {&scale, 1}, .number = 1}, state, selection);
+  anim::LodFrame frame;
+  frame.positions = {&position, 1};
+  frame.scales = {&scale, 1};
+  anim::select_for_update(frame, state, selection);
   if (selection.due.size() != 1) return 1;
 
   const anim::AgentUpdate update{.agent = selection.due[0].agent};

@@ -67,7 +67,7 @@ class EglContext final : public Context {
     if (display_ == EGL_NO_DISPLAY) return;
     egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) egl_.destroy_context(display_, context_);
-    egl_.terminate(display_);
+    if (!keeps_drivers_loaded) egl_.terminate(display_);  // EGL unloads its driver
   }
 
   Status open(const EglOptions& options) {

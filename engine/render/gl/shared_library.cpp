@@ -6,7 +6,8 @@
 
 namespace throng::render::gl {
 
-SharedLibrary::SharedLibrary(const char* name) : library_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {}
+SharedLibrary::SharedLibrary(const char* name)
+    : library_(dlopen(name, RTLD_NOW | RTLD_LOCAL | (keeps_drivers_loaded ? RTLD_NODELETE : 0))) {}
 
 SharedLibrary::SharedLibrary(SharedLibrary&& other) noexcept : library_(std::exchange(other.library_, nullptr)) {}
 

@@ -4,6 +4,13 @@
 
 namespace throng::render::gl {
 
+/// Where leaks are reported, what a driver keeps for good must stay reachable, and so the driver loaded.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool keeps_drivers_loaded = true;
+#else
+inline constexpr bool keeps_drivers_loaded = false;
+#endif
+
 /// A library opened by name at run time, its symbols kept out of everyone else's sight (RTLD_LOCAL): OSMesa exports
 /// its own gl* functions, which must never stand in for the system's.
 class SharedLibrary {

@@ -72,6 +72,7 @@ nlohmann::json dump_skin(const anim::Model& model, const anim::Skin& skin, const
                          const BonePose& pose) {
   const anim::Skeleton& skeleton = model.skeleton;
   std::vector<anim::StateTransform> locals;
+  locals.reserve(skeleton.bones.size());
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
     locals.push_back(anim::to_local(skeleton, bone, pose.states[static_cast<std::size_t>(bone)]));
   }

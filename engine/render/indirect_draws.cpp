@@ -34,8 +34,10 @@ void IndirectDraws::upload() {
 void IndirectDraws::draw(const Group& group) const {
   if (group.command_count == 0) return;
   const std::uintptr_t offset = std::uintptr_t{group.first_command} * sizeof(DrawCommand);
-  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                              static_cast<GLsizei>(group.command_count), sizeof(DrawCommand));
+  // OpenGL takes an offset into the bound buffer as a pointer.
+  const void* const commands = reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, commands, static_cast<GLsizei>(group.command_count),
+                              sizeof(DrawCommand));
 }
 
 DrawCounts IndirectDraws::counts() const {

@@ -41,13 +41,13 @@ AnimationSystem::AnimationSystem(std::shared_ptr<const Character> character)
   for (const BakedClip& clip : character_->clips) clips_.push_back(streams_of(clip));
   trees_ = BlendTrees(pools_, clips_);
   context_ = {.hierarchy = &character_->hierarchy,
-              .clips = clips_,
-              .masks = {},
+              .assets = {.clips = clips_,
+                         .masks = {},
+                         .kernels = &best_kernels(),
+                         .bone_count = character_->skeleton.bone_count(),
+                         .components = character_->skeleton.components()},
               .level_bone_counts = character_->skeleton.level_bone_counts,
-              .kernels = &best_kernels(),
-              .pools = &pools_,
-              .bone_count = character_->skeleton.bone_count(),
-              .components = character_->skeleton.components()};
+              .pools = &pools_};
 }
 
 AnimationSystem::~AnimationSystem() = default;
@@ -67,7 +67,8 @@ LocalStoreDemand AnimationSystem::demand(const SystemOptions& options) const {
           .schedule = options.schedule,
           .double_buffering = options.double_buffering,
           .any_sampled = sampled && std::ranges::any_of(clips_, has_sampled),
-          .any_keyframe = !sampled || !std::ranges::all_of(clips_, has_sampled)};
+          .any_keyframe = !sampled || !std::ranges::all_of(clips_, has_sampled),
+          .largest = {}};
 }
 
 Status AnimationSystem::configure(const SystemOptions& options) {
@@ -75,15 +76,15 @@ Status AnimationSystem::configure(const SystemOptions& options) {
   pools_.set_residency(residency_for(options.schedule));
   const LocalStoreDemand needs = demand(options);
   const std::size_t store_bytes =
-      options.local_store_bytes == 0 ? automatic_local_store(context_, needs) : options.local_store_bytes;
-  const Result<LocalStorePlan> plan = plan_local_store(context_, needs, store_bytes, options.tile);
+      options.local_store_bytes == 0 ? automatic_local_store({&context_, 1}, needs) : options.local_store_bytes;
+  const Result<LocalStorePlan> plan = plan_local_store({&context_, 1}, needs, store_bytes, options.tile);
   if (!plan) {
     pools_.set_residency(before);
     return plan.error();
   }
   reserve_fades(pools_, options.stream, agent_count());
   trees_.set_stream(options.stream);
-  context_.kernels = options.kernels == nullptr ? &best_kernels() : options.kernels;
+  context_.assets.kernels = options.kernels == nullptr ? &best_kernels() : options.kernels;
   scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options.schedule,
                                                            .double_buffering = options.double_buffering,
                                                            .plan = *plan,
@@ -110,7 +111,7 @@ int AnimationSystem::add_mask(BoneMask mask) {
   assert(masks_.size() < std::numeric_limits<std::int16_t>::max());
   mask_weights_.push_back(mask.packet(0));
   masks_.push_back(std::move(mask));
-  context_.masks = mask_weights_;
+  context_.assets.masks = mask_weights_;
   return static_cast<int>(masks_.size()) - 1;
 }
 
@@ -125,7 +126,7 @@ void AnimationSystem::update(std::span<const AgentUpdate> agents) {
   ++frame_;
   report_ = {};
   begin_work(agents);
-  scheduler_->update(context_, work_, *threads_);
+  scheduler_->update({&context_, 1}, {}, work_, *threads_);
   end_work();
 }
 
@@ -135,14 +136,15 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   for (const AgentUpdate& update : agents) {
     const Ticks time = std::max(clock_ + update.look_ahead, posed_at_[update.agent]);
     trees_.end_fades(update.agent, clock_);
-    const BlendTree& tree = trees_.tree(update.agent);
-    work_.push_back({.tree = &tree,
+    const PoseProgram& program = trees_.program(update.agent);
+    work_.push_back({.program = &program,
                      .delta = time - posed_at_[update.agent],
                      .palette = update.palette,
                      .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
                      .agent = update.agent,
                      .level = update.level,
-                     .entity_count = tree.count});
+                     .entity_count = program.own_count,
+                     .held = program.needs.held});
     posed_at_[update.agent] = time;
     ++agents_by_level[update.level];
   }
@@ -172,8 +174,8 @@ void AnimationSystem::end_work() {
 
 double AnimationSystem::bytes_per_agent() const {
   std::size_t bytes = 0;
-  for (std::uint32_t kind = 0; kind < EntityPools::kind_count; ++kind) {
-    const Pool& pool = pools_.pool(static_cast<EntityPools::Kind>(kind));
+  for (std::uint32_t kind = 0; kind < pools_.kind_count(); ++kind) {
+    const Pool& pool = pools_.pool(kind);
     bytes += pool.alive_count() * pool.block_size();
   }
   const std::size_t bookkeeping = BlendTrees::bytes_per_agent() + sizeof(Ticks) + sizeof(std::uint64_t);
@@ -181,8 +183,8 @@ double AnimationSystem::bytes_per_agent() const {
 }
 
 std::span<const float> AnimationSystem::pose(std::uint32_t agent) const {
-  const Handle root = trees_.tree(agent).root();
-  const std::size_t floats = pose_bytes(context_.bone_count, context_.components) / sizeof(float);
+  const Handle root = trees_.program(agent).root();
+  const std::size_t floats = pose_bytes(context_.assets.bone_count, context_.assets.components) / sizeof(float);
   return {transforms_of(pools_.as<AnimationStateHeader>(root)), floats};
 }
 

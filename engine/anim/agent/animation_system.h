@@ -77,7 +77,7 @@ class AnimationSystem {
   std::span<const ProcessingUnit> units() const { return scheduler_->units(); }
   const ScheduleOptions& schedule() const { return scheduler_->options(); }
   const SystemOptions& options() const { return options_; }
-  const Kernels& kernels() const { return *context_.kernels; }
+  const Kernels& kernels() const { return *context_.assets.kernels; }
   const Character& character() const { return *character_; }
   /// Over the palettes of all updates so far: an agent's is seeded by agent and frame, summed over agents, chained.
   std::uint64_t pose_hash() const { return pose_hash_; }

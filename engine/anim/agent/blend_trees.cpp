@@ -1,5 +1,6 @@
 #include "engine/anim/agent/blend_trees.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -10,7 +11,6 @@ namespace {
 
 constexpr Ticks never = std::numeric_limits<Ticks>::max();
 
-// Trees grow to one side: player 0, then for i = 1, 2, ... player i and the blender over it.
 constexpr std::size_t player_place(std::size_t player) { return player == 0 ? 0 : 2 * player - 1; }
 constexpr std::size_t player_count(const BlendTree& tree) { return (tree.count + 1U) / 2U; }
 
@@ -20,7 +20,9 @@ void BlendTrees::resize(std::uint32_t agents) {
   for (std::size_t i = agents; i < agents_.size(); ++i) {
     for (const Handle entity : agents_[i].tree.all()) pools_->destroy(entity);
   }
+  const std::size_t before = agents_.size();
   agents_.resize(agents);
+  for (std::size_t i = before; i < agents; ++i) agents_[i].program.steps.reserve(usual_steps);
   pools_->pool(EntityPools::ease_blenders).reserve(agents);
 }
 
@@ -39,6 +41,7 @@ bool BlendTrees::play(std::uint32_t agent_index, const PlayRequest& request, Str
     for (const Handle entity : tree.all()) pools_->destroy(entity);
     tree.entities[0] = make_player(agent_index, request, stream, lead);
     tree.count = 1;
+    compile(agent_index);
     return true;
   }
   if (player_count(tree) == BlendTree::max_players) return false;
@@ -47,7 +50,20 @@ bool BlendTrees::play(std::uint32_t agent_index, const PlayRequest& request, Str
   agent.fade_end[player_count(tree)] = stays ? never : now + request.fade;
   tree.entities[tree.count++] = to;
   tree.entities[tree.count++] = make_blender(agent_index, request, from, to, lead);
+  compile(agent_index);
   return true;
+}
+
+void BlendTrees::compile(std::uint32_t agent) {
+  [[maybe_unused]] const Status compiled =
+      compile_program(*pools_, agents_[agent].tree.root(), agent, agents_[agent].program);
+  assert(compiled && "a blend tree is a tree of its agent's own entities");
+}
+
+void BlendTrees::recompile() {
+  for (std::uint32_t agent = 0; agent < agent_count(); ++agent) {
+    if (agents_[agent].tree.count > 0) compile(agent);
+  }
 }
 
 Handle BlendTrees::make_player(std::uint32_t agent, const PlayRequest& request, StreamKind stream, Ticks lead) {
@@ -66,8 +82,6 @@ Handle BlendTrees::make_blender(std::uint32_t agent, const PlayRequest& request,
   const Handle handle = pools_->create(EntityPools::ease_blenders);
   auto& blender = pools_->as<EaseBlender>(handle);
   blender.state.owner = agent;
-  blender.state.priority =
-      blender_priority(pools_->as<AnimationStateHeader>(from).priority, pools_->as<AnimationStateHeader>(to).priority);
   blender.from = from;
   blender.to = to;
   blender.elapsed = lead;
@@ -95,6 +109,7 @@ void BlendTrees::end_fades(std::uint32_t agent_index, Ticks time) {
   for (std::size_t i = 1; i < player_count(shorter); ++i) agent.fade_end[i] = agent.fade_end[over + i];
   if (shorter.count > 1) pools_->as<EaseBlender>(shorter.entities[2]).from = shorter.entities[0];
   tree = shorter;
+  compile(agent_index);
 }
 
 void BlendTrees::set_stream(StreamKind stream) {
@@ -103,6 +118,7 @@ void BlendTrees::set_stream(StreamKind stream) {
       move_player(agent, player_place(i), stream);
     }
   }
+  recompile();
 }
 
 void BlendTrees::move_player(Agent& agent, std::size_t place, StreamKind stream) {

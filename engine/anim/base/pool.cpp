@@ -40,7 +40,7 @@ void Pool::destroy(Handle handle) {
   assert(alive(handle));
   const std::uint32_t index = handle.index();
   alive_[index] = false;
-  ++generations_[index];
+  generations_[index] = static_cast<std::uint8_t>((generations_[index] + 1) % (1U << Handle::generation_bits));
   --alive_count_;
   free_.push_back(index);
 }

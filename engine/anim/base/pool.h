@@ -12,10 +12,10 @@ namespace throng::anim {
 
 /// Names a block without an address, so that pools can be compacted, written to disk or put back as they were.
 ///
-///     31..28 pool   27..20 generation   19..0 index
+///     31..27 pool   26..20 generation   19..0 index
 struct Handle {
   static constexpr std::uint32_t index_bits = 20;
-  static constexpr std::uint32_t generation_bits = 8;
+  static constexpr std::uint32_t generation_bits = 7;
   static constexpr std::uint32_t max_blocks = 1U << index_bits;
   static constexpr std::uint32_t none = UINT32_MAX;
 
@@ -38,7 +38,7 @@ class Pool {
  public:
   static constexpr std::uint32_t blocks_per_slab = 1024;
 
-  /// `id` is the pool's number in its handles, 0 to 14; `block_size` a multiple of 64 bytes.
+  /// `id` is the pool's number in its handles, 0 to 30; `block_size` a multiple of 64 bytes.
   Pool(std::uint32_t id, std::size_t block_size);
 
   /// A zeroed block.

@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-enum class EntityType : std::uint32_t { state, sampled_player, keyframe_player, ease_blender };
+enum class EntityType : std::uint32_t { state, sampled_player, keyframe_player, ease_blender, user };
 
 /// Paper 2.2.1. Every low-level entity is one relocatable block that begins with this header:
 ///

@@ -1,8 +1,43 @@
 #include "engine/anim/entity/ease_blender.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace throng::anim {
+namespace {
+
+std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+  static_assert(offsetof(EaseBlender, to) == offsetof(EaseBlender, from) + sizeof(Handle));
+  return {&reinterpret_cast<EaseBlender*>(block)->from, 2};
+}
+
+void blend_velocities(EaseBlender& blender, const AnimationStateHeader& from, const AnimationStateHeader& to) {
+  for (int axis = 0; axis < 3; ++axis) {
+    blender.state.linear_velocity[axis] =
+        std::lerp(from.linear_velocity[axis], to.linear_velocity[axis], blender.fraction);
+    blender.state.angular_velocity[axis] =
+        std::lerp(from.angular_velocity[axis], to.angular_velocity[axis], blender.fraction);
+  }
+}
+
+void advance_entity(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+  auto& blender = entity.as<EaseBlender>();
+  advance_blender(blender);
+  blend_velocities(blender, *states[0], *states[1]);
+}
+
+void blend_packet(const EntityInStore& entity, const PacketJob& job) {
+  const auto& blender = entity.as<EaseBlender>();
+  const float* weights = entity.assets->mask(blender.mask);
+  entity.assets->kernels->blend({.from = job.sources[0],
+                                 .to = job.sources[1],
+                                 .bone_weights = weights == nullptr ? nullptr : weights + job.packet * packet_bones,
+                                 .fraction = blender.fraction,
+                                 .components = entity.assets->components,
+                                 .out = job.out});
+}
+
+}  // namespace
 
 void advance_blender(EaseBlender& blender) {
   blender.elapsed += blender.state.delta_time;
@@ -12,14 +47,10 @@ void advance_blender(EaseBlender& blender) {
   blender.fraction = blender.total > 0 ? ease(static_cast<float>(elapsed) / static_cast<float>(blender.total)) : 1.0F;
 }
 
-void blend_packet(const EaseBlender& blender, const float* weights, const Kernels& kernels, int packet,
-                  const float* from, const float* to, float* out) {
-  kernels.blend({.from = from,
-                 .to = to,
-                 .bone_weights = weights == nullptr ? nullptr : weights + packet * packet_bones,
-                 .fraction = blender.fraction,
-                 .components = static_cast<int>(blender.state.components),
-                 .out = out});
-}
+const EntityKind ease_blender_kind = {.name = "ease blender",
+                                      .type = EntityType::ease_blender,
+                                      .sources = sources,
+                                      .advance = advance_entity,
+                                      .pose_packet = blend_packet};
 
 }  // namespace throng::anim

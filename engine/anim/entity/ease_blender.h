@@ -3,9 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/anim/base/pool.h"
-#include "engine/anim/entity/animation_state.h"
-#include "engine/anim/kernel/kernels.h"
+#include "engine/anim/entity/entity_kind.h"
 
 namespace throng::anim {
 
@@ -29,19 +27,12 @@ static_assert(sizeof(EaseBlender) == entity_header_bytes);
 static_assert(offsetof(EaseBlender, from) == 96 && offsetof(EaseBlender, elapsed) == 104);
 static_assert(offsetof(EaseBlender, mask) == 120 && offsetof(EaseBlender, fraction) == 124);
 
-/// A blender's priority: the lowest of its sources' minus one (2.2.5), so that both are updated before it.
-constexpr std::int16_t blender_priority(std::int16_t from, std::int16_t to) {
-  return static_cast<std::int16_t>((from < to ? from : to) - 1);
-}
-
 /// Eases in and out: 0 at 0, 1 at 1, level at both ends.
 constexpr float ease(float x) { return x * x * (3.0F - 2.0F * x); }
 
 /// Update step: uses up `state.delta_time` and moves the fraction.
 void advance_blender(EaseBlender& blender);
 
-/// One packet of 16 bones. `weights` are the mask's [packet][16] floats, or null. `out` may be `from` or `to`.
-void blend_packet(const EaseBlender& blender, const float* weights, const Kernels& kernels, int packet,
-                  const float* from, const float* to, float* out);
+extern const EntityKind ease_blender_kind;
 
 }  // namespace throng::anim

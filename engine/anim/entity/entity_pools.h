@@ -1,86 +1,75 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "engine/anim/base/pool.h"
 #include "engine/anim/entity/entity_layout.h"
 
 namespace throng::anim {
 
-/// Lists by type and size (paper 2.2.7): one pool a kind of entity, for one skeleton. A handle's pool number is its
-/// kind, so that the scheduler knows a block's size without touching it.
+/// Lists by type and size (paper 2.2.7): a pool for each kind of entity, for one skeleton, and a second one for those
+/// that several agents read: these are resident whatever the schedule. A handle's pool number says kind and sharing, so
+/// that the scheduler knows a block's size without touching it.
 class EntityPools {
  public:
-  enum Kind : std::uint32_t { sampled_players, keyframe_players, ease_blenders, kind_count };
-  static constexpr std::array<EntityType, kind_count> types = {EntityType::sampled_player, EntityType::keyframe_player,
-                                                               EntityType::ease_blender};
+  using Kind = std::uint32_t;
+  /// The kinds that every skeleton has.
+  enum : Kind { sampled_players, keyframe_players, ease_blenders, usual_kinds };
+  static constexpr Kind most_kinds = 15;
 
-  EntityPools(int bone_count, int components, Residency residency)
-      : bone_count_(bone_count),
-        components_(components),
-        residency_(residency),
-        layouts_(all_layouts(residency)),
-        pools_{make(0), make(1), make(2)} {}
+  EntityPools(int bone_count, int components, Residency residency);
 
-  Handle create(Kind kind) {
-    const Handle handle = pools_[kind].create();
-    initialise_state(*reinterpret_cast<AnimationStateHeader*>(block(handle)), types[kind], layout(kind), bone_count_,
-                     components_);
-    return handle;
-  }
-  void destroy(Handle handle) { pools_[handle.pool()].destroy(handle); }
+  /// At load time. `kind` outlives the pools.
+  Kind add_kind(const EntityKind& kind);
+  Kind kind_count() const { return static_cast<Kind>(own_.size()); }
+  const EntityKind& kind(Handle handle) const { return *layout(handle).kind; }
 
-  std::byte* block(Handle handle) const { return pools_[handle.pool()].block(handle); }
+  /// A block with its system information filled in.
+  Handle create(Kind kind, bool shared = false);
+  void destroy(Handle handle) { pool_of(handle).destroy(handle); }
+  bool alive(Handle handle) const;
+
+  std::byte* block(Handle handle) const { return pool_of(handle).block(handle); }
   template <typename Entity>
   Entity& as(Handle handle) const {
     return *reinterpret_cast<Entity*>(block(handle));
   }
+  AnimationStateHeader& state(Handle handle) const { return as<AnimationStateHeader>(handle); }
+  std::span<Handle> sources(Handle handle) const;
 
-  const EntityLayout& layout(std::uint32_t kind) const { return layouts_[kind]; }
+  static constexpr bool is_shared(Handle handle) { return handle.pool() >= first_shared; }
   const EntityLayout& layout(Handle handle) const { return layouts_[handle.pool()]; }
+  /// Of an agent's own entities of a kind.
+  const EntityLayout& layout(Kind kind) const { return layouts_[kind]; }
 
-  Pool& pool(Kind kind) { return pools_[kind]; }
-  const Pool& pool(Kind kind) const { return pools_[kind]; }
+  Pool& pool(Kind kind) { return own_[kind]; }
+  const Pool& pool(Kind kind) const { return own_[kind]; }
+  const Pool& shared_pool(Kind kind) const { return shared_[kind]; }
   Residency residency() const { return residency_; }
 
   /// At a frame boundary. Handles stay valid; transforms are made anew by the next update.
-  void set_residency(Residency residency) {
-    if (residency == residency_) return;
-    const auto layouts = all_layouts(residency);
-    for (std::uint32_t kind = 0; kind < kind_count; ++kind) {
-      pools_[kind].resize_blocks(layouts[kind].total_size, [&](const std::byte* old_block, std::byte* new_block) {
-        convert_residency(old_block, new_block, layouts_[kind], layouts[kind]);
-      });
-    }
-    layouts_ = layouts;
-    residency_ = residency;
-  }
+  void set_residency(Residency residency);
 
-  void guard_blocks() const {
-    for (const Pool& pool : pools_) pool.guard_blocks();
-  }
-  void release_blocks() const {
-    for (const Pool& pool : pools_) pool.release_blocks();
-  }
+  void guard_blocks() const;
+  void release_blocks() const;
 
  private:
-  using Layouts = std::array<EntityLayout, kind_count>;
+  static constexpr std::uint32_t first_shared = 16;
 
-  Layouts all_layouts(Residency residency) const {
-    Layouts layouts;
-    for (std::uint32_t kind = 0; kind < kind_count; ++kind) {
-      layouts[kind] = entity_layout(types[kind], residency, bone_count_, components_);
-    }
-    return layouts;
+  const Pool& pool_of(Handle handle) const {
+    return is_shared(handle) ? shared_[handle.pool() - first_shared] : own_[handle.pool()];
   }
-  Pool make(std::uint32_t kind) const { return {kind, layouts_[kind].total_size}; }
+  Pool& pool_of(Handle handle) { return const_cast<Pool&>(std::as_const(*this).pool_of(handle)); }
 
   int bone_count_;
   int components_;
   Residency residency_;
-  Layouts layouts_;
-  std::array<Pool, kind_count> pools_;
+  std::vector<EntityLayout> layouts_;  // [kind] own, [first_shared + kind] shared
+  std::vector<Pool> own_;              // [kind]
+  std::vector<Pool> shared_;           // [kind]
 };
 
 }  // namespace throng::anim

@@ -3,6 +3,8 @@
 namespace throng::anim {
 namespace {
 
+constexpr std::size_t prepared_pose_bytes = 64;
+
 // Floor division, so that a player that moves backwards wraps as one that moves forwards does.
 FineTicks whole_loops(FineTicks position, FineTicks duration) {
   const FineTicks quotient = position / duration;
@@ -23,7 +25,40 @@ void hold_at_end(Player& player, FineTicks duration) {
   player.flags |= Player::reached_end;
 }
 
+void advance_entity(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
+  static_assert(sizeof(PlayerPose) <= prepared_pose_bytes);
+  auto& player = entity.as<Player>();
+  const ClipStreams& clip = entity.assets->clips[player.clip];
+  advance_player(player, clip);
+  entity.prepared_as<PlayerPose>() = begin_pose(player, clip, entity.private_part());
+}
+
+void pose_sampled_packet(const EntityInStore& entity, const PacketJob& job) {
+  const auto& pose = entity.prepared_as<PlayerPose>();
+  entity.assets->kernels->sample(
+      {.stream = pose.clip->sampled, .point = pose.point, .packet = job.packet, .pose = job.out});
+}
+
+void pose_keyframe_packet(const EntityInStore& entity, const PacketJob& job) {
+  const auto& pose = entity.prepared_as<PlayerPose>();
+  const auto floats = packet_bytes(entity.assets->components) / sizeof(float);
+  evaluate_keyframes(*pose.clip->keyframe, pose.time, pose.interpolations, job.packet, {job.out, floats});
+}
+
 }  // namespace
+
+const EntityKind sampled_player_kind = {.name = "sampled player",
+                                        .type = EntityType::sampled_player,
+                                        .prepared_bytes = prepared_pose_bytes,
+                                        .advance = advance_entity,
+                                        .pose_packet = pose_sampled_packet};
+
+const EntityKind keyframe_player_kind = {.name = "keyframe player",
+                                         .type = EntityType::keyframe_player,
+                                         .private_bytes = interpolation_bytes,
+                                         .prepared_bytes = prepared_pose_bytes,
+                                         .advance = advance_entity,
+                                         .pose_packet = pose_keyframe_packet};
 
 void advance_player(Player& player, const ClipStreams& clip) {
   const FineTicks duration = clip.duration * fine_ticks_per_tick;
@@ -48,15 +83,6 @@ PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::by
     pose.point = locate(*clip.sampled, pose.time);
   }
   return pose;
-}
-
-void pose_packet(const PlayerPose& pose, const Kernels& kernels, int components, int packet, float* out) {
-  if (!pose.interpolations.empty()) {
-    const auto floats = packet_bytes(components) / sizeof(float);
-    evaluate_keyframes(*pose.clip->keyframe, pose.time, pose.interpolations, packet, {out, floats});
-  } else {
-    kernels.sample({.stream = pose.clip->sampled, .point = pose.point, .packet = packet, .pose = out});
-  }
 }
 
 }  // namespace throng::anim

@@ -6,7 +6,7 @@
 
 #include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/sampled_stream.h"
-#include "engine/anim/entity/animation_state.h"
+#include "engine/anim/entity/entity_kind.h"
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/keyframe_player.h"
 
@@ -48,8 +48,8 @@ static_assert(offsetof(Player, position) == 96 && offsetof(Player, flags) == 112
 /// Update step, first half (2.2.3): uses up `state.delta_time` and moves the position, loop count, flags and velocity.
 void advance_player(Player& player, const ClipStreams& clip);
 
-/// Second half, a packet of 16 bones at a time. A player of a SampledStream keeps only its position; one of a
-/// KeyframeStream brings its interpolation structures along once, before its first packet.
+/// Second half: what its packets of 16 bones are made from. A player of a SampledStream keeps only its position; one of
+/// a KeyframeStream brings its interpolation structures along once, before its first packet.
 struct PlayerPose {
   const ClipStreams* clip = nullptr;
   Ticks time = 0;
@@ -57,6 +57,8 @@ struct PlayerPose {
   std::span<std::byte> interpolations;  ///< keyframe
 };
 PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations);
-void pose_packet(const PlayerPose& pose, const Kernels& kernels, int components, int packet, float* out);
+
+extern const EntityKind sampled_player_kind;
+extern const EntityKind keyframe_player_kind;
 
 }  // namespace throng::anim

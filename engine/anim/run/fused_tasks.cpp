@@ -1,43 +1,84 @@
 #include "engine/anim/run/fused_tasks.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
-#include "engine/anim/entity/ease_blender.h"
+#include "engine/anim/run/pose_entity.h"
+#include "engine/anim/run/shared_sources.h"
 
 namespace throng::anim {
+
+/// A tile in the local store.
+struct FusedTasks::Characters {
+  const UpdateContext* context;
+  std::span<const AgentWork> work;
+  std::byte* blocks;
+  SharedSources shared;
+  const std::byte* shared_blocks;
+  int width;
+  int packets;
+
+  const AnimationStateHeader& shared_state(Handle entity) const {
+    return *reinterpret_cast<const AnimationStateHeader*>(shared.block(*context->pools, entity, shared_blocks));
+  }
+};
+
 namespace {
 
-std::size_t packet_floats(const UpdateContext& context) { return packet_bytes(context.components) / sizeof(float); }
+/// What the steps of a program left behind, for those that read them.
+template <typename Left>
+struct LeftBySteps {
+  std::array<Left, PoseProgram::max_steps> left;
+
+  std::span<const Left> sources(const PoseStep& step, std::array<Left, max_sources>& gathered) const {
+    for (std::size_t k = 0; k < step.source_count; ++k) gathered[k] = left[step.sources[k]];
+    return {gathered.data(), step.source_count};
+  }
+};
+
+template <typename Visit>
+void for_each_shared(const PoseProgram& program, Visit&& visit) {
+  if (program.own_count == program.steps.size()) return;
+  for (std::size_t i = 0; i < program.steps.size(); ++i) {
+    if (program.steps[i].shared) visit(i, program.steps[i]);
+  }
+}
+
+/// Calls visit(step index, step, entity) for each entity that the character owns, sources first, and moves both
+/// pointers behind the character.
+template <typename Visit>
+void for_each_own(const UpdateContext& context, const PoseProgram& program, std::byte*& block, std::byte*& prepared,
+                  Visit&& visit) {
+  for (std::size_t i = 0; i < program.steps.size(); ++i) {
+    const PoseStep& step = program.steps[i];
+    if (step.shared) continue;
+    const EntityLayout& layout = context.pools->layout(step.entity);
+    visit(i, step, EntityInStore{.block = block, .prepared = prepared, .layout = &layout, .assets = &context.assets});
+    block += layout.total_size;
+    prepared += layout.kind->prepared_bytes;
+  }
+}
+
+bool is_resident(const EntityInStore& entity) { return entity.layout->transforms_offset != 0; }
+
+StoreNeeds widest_needs(std::span<const AgentWork> tile) {
+  StoreNeeds needs;
+  for (const AgentWork& work : tile) needs.widen(work.program->needs);
+  return needs;
+}
+
+std::size_t own_bytes(const EntityPools& pools, std::span<const AgentWork> tile) {
+  std::size_t bytes = 0;
+  for (const AgentWork& work : tile) {
+    for (const PoseStep& step : work.program->steps) {
+      if (!step.shared) bytes += pools.layout(step.entity).total_size;
+    }
+  }
+  return bytes;
+}
 
 }  // namespace
-
-FusedTasks::Scratch FusedTasks::Scratch::carve(ScratchCarver& carver, const UpdateContext& context, int width) {
-  Scratch scratch;
-  scratch.model = ModelScratch::carve(carver, width, context.components, context.hierarchy->slot_count, true);
-  scratch.stack = carver.carve<float>(packet_floats(context) * BlendTree::max_players);
-  scratch.player_poses = carver.carve<PlayerPose>(static_cast<std::size_t>(width) * BlendTree::max_players);
-  return scratch;
-}
-
-std::size_t FusedTasks::fetch_bytes(const UpdateContext& context, int width, std::uint32_t largest_player) {
-  const std::uint32_t blender = context.pools->layout(EntityPools::ease_blenders).total_size;
-  const std::uint32_t tree = largest_player * BlendTree::max_players + blender * (BlendTree::max_players - 1);
-  return static_cast<std::size_t>(width) * tree;
-}
-
-std::size_t FusedTasks::scratch_bytes(const UpdateContext& context, int width) {
-  ScratchCarver carver({});
-  Scratch::carve(carver, context, width);
-  return carver.used();
-}
-
-FusedTasks::FusedTasks(const UpdateContext& context, std::span<const AgentWork> work, std::span<const Tile> tiles,
-                       TaskQueue::Taker queue, const LocalStore& store, int width, PaletteMatrix* unseen)
-    : context_(&context), work_(work), tiles_(tiles), queue_(queue), store_(&store), width_(width), unseen_(unseen) {
-  ScratchCarver carver(store.scratch());
-  scratch_ = Scratch::carve(carver, context, width);
-  std::ranges::fill(scratch_.model.local, 0.0F);  // lanes beyond the last character compute on numbers, not on noise
-}
 
 std::span<const AgentWork> FusedTasks::agents(int task) const {
   const Tile& tile = tiles_[static_cast<std::size_t>(task)];
@@ -45,91 +86,162 @@ std::span<const AgentWork> FusedTasks::agents(int task) const {
 }
 
 void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
+  const EntityPools& pools = *context(task).pools;
   std::byte* local = store_->fetch_buffer(buffer).data();
+  const auto fetch_block = [&](Handle entity, std::uint32_t size) {
+    engine.fetch(pools.block(entity), local, size);
+    local += size;
+  };
   for (const AgentWork& work : agents(task)) {
-    for (const Handle handle : work.tree->all()) {
-      const std::uint32_t size = context_->pools->layout(handle).total_size;
-      engine.fetch(context_->pools->block(handle), local, size);
-      local += size;
+    for (const PoseStep& step : work.program->steps) {
+      if (!step.shared) fetch_block(step.entity, pools.layout(step.entity).total_size);
     }
   }
+  for (const Handle source : SharedSources(agents(task)).all())
+    fetch_block(source, pools.layout(source).source_bytes());
 }
 
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
+  const EntityPools& pools = *context(task).pools;
   const std::byte* local = store_->fetch_buffer(buffer).data();
   for (const AgentWork& work : agents(task)) {
-    for (const Handle handle : work.tree->all()) {
-      const EntityLayout layout = context_->pools->layout(handle);
-      engine.write_back(local + identity_bytes, context_->pools->block(handle) + identity_bytes,
-                        layout.changed_bytes());
+    for (const PoseStep& step : work.program->steps) {
+      if (step.shared) continue;
+      const EntityLayout& layout = pools.layout(step.entity);
+      engine.write_back(local + identity_bytes, pools.block(step.entity) + identity_bytes, layout.changed_bytes());
       local += layout.total_size;
     }
   }
 }
 
-int FusedTasks::copy_points(int task) const { return context_->packets(agents(task).front().level); }
+int FusedTasks::copy_points(int task) const {
+  const int packets = context(task).packets(agents(task).front().level);
+  return agents(task).front().held ? packets + static_cast<int>(agents(task).size()) : packets;
+}
 
-void FusedTasks::advance_entities(std::span<const AgentWork> tile, std::byte* block) {
-  PlayerPose* poses = scratch_.player_poses.data();
-  for (const AgentWork& work : tile) {
-    PlayerPose* pose = poses;
-    for (const Handle handle : work.tree->all()) {
-      const EntityLayout layout = context_->pools->layout(handle);
-      reinterpret_cast<AnimationStateHeader*>(block)->delta_time += work.delta;
-      if (handle.pool() == EntityPools::ease_blenders) {
-        advance_blender(*reinterpret_cast<EaseBlender*>(block));
-      } else {
-        auto& player = *reinterpret_cast<Player*>(block);
-        const ClipStreams& clip = context_->clips[player.clip];
-        advance_player(player, clip);
-        *pose++ = begin_pose(player, clip, {block + layout.private_offset, layout.private_bytes()});
-      }
-      block += layout.total_size;
-    }
-    poses += BlendTree::max_players;
+void FusedTasks::advance_entities(const Characters& characters) const {
+  std::byte* block = characters.blocks;
+  std::byte* prepared = scratch_.prepared.data();
+  for (const AgentWork& work : characters.work) {
+    LeftBySteps<const AnimationStateHeader*> states;
+    std::array<const AnimationStateHeader*, max_sources> sources;
+    for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
+      states.left[i] = &characters.shared_state(step.entity);
+    });
+    for_each_own(*characters.context, *work.program, block, prepared,
+                 [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+                   auto& state = entity.as<AnimationStateHeader>();
+                   state.delta_time += work.delta;
+                   entity.layout->kind->advance(entity, states.sources(step, sources));
+                   states.left[i] = &state;
+                 });
   }
 }
 
-void FusedTasks::pose_character(const AgentWork& work, const std::byte* block, const PlayerPose* players, int packet,
-                                float* local) const {
-  const std::size_t stride = packet_floats(*context_);
-  float* const stack = scratch_.stack.data();
-  std::size_t depth = 0;
-  for (const Handle handle : work.tree->all()) {
-    const bool last = handle == work.tree->root();
-    if (handle.pool() == EntityPools::ease_blenders) {
-      const auto& blender = *reinterpret_cast<const EaseBlender*>(block);
-      float* const from = stack + (depth - 2) * stride;
-      blend_packet(blender, context_->mask(blender.mask), *context_->kernels, packet, from, from + stride,
-                   last ? local : from);
-      --depth;
-    } else {
-      pose_packet(*players++, *context_->kernels, context_->components, packet, last ? local : stack + depth * stride);
-      ++depth;
-    }
-    block += context_->pools->layout(handle).total_size;
+void FusedTasks::stream_packet(const Characters& characters, int packet) const {
+  const std::size_t floats = characters.context->packet_floats();
+  const std::size_t offset = static_cast<std::size_t>(packet) * floats;
+  std::byte* block = characters.blocks;
+  std::byte* prepared = scratch_.prepared.data();
+  float* local = scratch_.model.local.data();
+  for (const AgentWork& work : characters.work) {
+    LeftBySteps<const float*> poses;
+    std::array<const float*, max_sources> sources;
+    const std::size_t root = work.program->steps.size() - 1;
+    for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
+      poses.left[i] = transforms_of(characters.shared_state(step.entity)) + offset;
+    });
+    for_each_own(*characters.context, *work.program, block, prepared,
+                 [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+                   float* out = i == root ? local : &scratch_.registers[step.target * floats];
+                   if (is_resident(entity)) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
+                   entity.layout->kind->pose_packet(
+                       entity, {.packet = packet, .sources = poses.sources(step, sources).data(), .out = out});
+                   poses.left[i] = out;
+                 });
+    if (poses.left[root] != local) std::memcpy(local, poses.left[root], floats * sizeof(float));
+    local += floats;
   }
+}
+
+/// The whole local pose of one character, entity after entity.
+void FusedTasks::hold_pose(const Characters& characters, const AgentWork& work, const PoseView& held, std::byte*& block,
+                           std::byte*& prepared) const {
+  const std::size_t floats = characters.context->packet_floats();
+  const auto view = [&](float* first) { return PoseView{first, floats, held.components, held.bone_count}; };
+  LeftBySteps<PoseView> poses;
+  std::array<PoseView, max_sources> source_poses;
+  for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
+    poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.entity))));
+  });
+  const std::size_t root = work.program->steps.size() - 1;
+  for_each_own(*characters.context, *work.program, block, prepared,
+               [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+                 PoseView out = i == root ? held : view(&scratch_.registers[step.target * scratch_.register_floats]);
+                 if (is_resident(entity)) out = view(transforms_of(entity.as<AnimationStateHeader>()));
+                 pose_entity(entity, poses.sources(step, source_poses), out, characters.packets, nullptr);
+                 poses.left[i] = out;
+               });
+  copy_pose(poses.left[root], held, characters.packets);
 }
 
 void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   const std::span<const AgentWork> tile = agents(task);
-  std::byte* const blocks = store_->fetch_buffer(buffer).data();
-  advance_entities(tile, blocks);
+  const UpdateContext& about = context(task);
+  const StoreNeeds needs = widest_needs(tile);
+  Characters characters{.context = &about,
+                        .work = tile,
+                        .blocks = store_->fetch_buffer(buffer).data(),
+                        .shared = SharedSources(tile),
+                        .shared_blocks = nullptr,
+                        .width = static_cast<int>(std::bit_ceil(tile.size())),
+                        .packets = about.packets(tile.front().level)};
+  ScratchCarver carver(store_->scratch());
+  scratch_ = FusedScratch::carve(carver, about, needs, characters.width);
+  scratch_peak_bytes_ = std::max(scratch_peak_bytes_, carver.used());
+  // Lanes beyond the last character compute on numbers, not on noise.
+  if (tile.size() < static_cast<std::size_t>(characters.width)) {
+    std::ranges::fill(needs.held ? scratch_.held : scratch_.model.local, 0.0F);
+  }
+  characters.shared_blocks = characters.blocks + own_bytes(*about.pools, tile);
+  advance_entities(characters);
   begin_palettes(scratch_.model, tile, unseen_);
-  const std::size_t stride = packet_floats(*context_);
-  for (int packet = 0; packet < context_->packets(tile.front().level); ++packet) {
-    const std::byte* block = blocks;
-    for (std::size_t i = 0; i < tile.size(); ++i) {
-      pose_character(tile[i], block, &scratch_.player_poses[i * BlendTree::max_players], packet,
-                     scratch_.model.local.data() + i * stride);
-      for (const Handle handle : tile[i].tree->all()) block += context_->pools->layout(handle).total_size;
-    }
-    model_palette_packet(*context_, scratch_.model, scratch_.model.local.data(), tile, width_, packet);
-    engine.advance();
+  if (needs.held) {
+    compute_held(characters, engine);
+  } else {
+    compute_streaming(characters, engine);
   }
   store_hashes(scratch_.model, tile);
   ++tiles_done_;
   agents_done_ += static_cast<std::uint32_t>(tile.size());
+}
+
+void FusedTasks::compute_streaming(const Characters& characters, CopyEngine& engine) const {
+  for (int packet = 0; packet < characters.packets; ++packet) {
+    stream_packet(characters, packet);
+    model_palette_packet(*characters.context, scratch_.model, scratch_.model.local.data(), characters.work,
+                         characters.width, packet);
+    engine.advance();
+  }
+}
+
+void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) const {
+  const std::size_t floats = characters.context->packet_floats();
+  const std::size_t stride = floats * static_cast<std::size_t>(characters.width);
+  std::byte* block = characters.blocks;
+  std::byte* prepared = scratch_.prepared.data();
+  PoseView held{scratch_.held.data(), stride, characters.context->assets.components,
+                characters.context->bones(characters.work.front().level)};
+  for (const AgentWork& work : characters.work) {
+    hold_pose(characters, work, held, block, prepared);
+    held.first += floats;
+    engine.advance();
+  }
+  for (int packet = 0; packet < characters.packets; ++packet) {
+    model_palette_packet(*characters.context, scratch_.model, &scratch_.held[static_cast<std::size_t>(packet) * stride],
+                         characters.work, characters.width, packet);
+    engine.advance();
+  }
 }
 
 }  // namespace throng::anim

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/anim/run/agent_work.h"
-#include "engine/anim/run/fused_tasks.h"
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_scratch.h"
@@ -13,27 +12,31 @@ namespace throng::anim {
 
 /// One entity to be updated in the `levels` schedule.
 struct EntityUpdate {
-  Handle entity;
-  Handle from;  ///< sources of a blender; invalid for a player
-  Handle to;
+  const PoseProgram* program = nullptr;
   Ticks delta = 0;
+  std::uint8_t step = 0;  ///< of the program
+  std::uint8_t skeleton = 0;
   std::uint8_t level = 0;
+
+  const PoseStep& entity() const { return program->steps[step]; }
+  std::span<const std::uint8_t> sources() const { return {entity().sources.data(), entity().source_count}; }
 };
 
 /// The paper's schedule, one priority of it (2.2.3, 2.2.5): entities in any order, each copied in whole, updated,
-/// copied back whole. A blender's sources come along, header and transforms, and are not written back.
+/// copied back whole. Its sources come along, header and transforms, and are not written back.
+///
+///     fetch buffer   [the entity | source 0, without its private part | source 1 | ...]
 class EntityTasks {
  public:
-  EntityTasks(const UpdateContext& context, std::span<const EntityUpdate> updates, TaskQueue::Taker queue,
+  EntityTasks(std::span<const UpdateContext> contexts, std::span<const EntityUpdate> updates, TaskQueue::Taker queue,
               const LocalStore& store)
-      : context_(&context), updates_(updates), queue_(queue), store_(&store) {}
+      : contexts_(contexts), updates_(updates), queue_(queue), store_(&store) {}
 
-  static std::size_t fetch_bytes(const UpdateContext& context, std::uint32_t largest_player,
-                                 std::uint32_t largest_source);
+  static constexpr std::size_t scratch_bytes = most_prepared_bytes;
 
   std::optional<int> next() { return queue_.take(); }
   void fetch(int task, int buffer, CopyEngine& engine) const;
-  int copy_points(int task) const { return context_->packets(update(task).level); }
+  int copy_points(int task) const { return context(task).packets(update(task).level); }
   void compute(int task, int buffer, CopyEngine& engine);
   void write_back(int task, int buffer, CopyEngine& engine) const;
 
@@ -41,10 +44,9 @@ class EntityTasks {
 
  private:
   const EntityUpdate& update(int task) const { return updates_[static_cast<std::size_t>(task)]; }
-  void compute_player(const EntityUpdate& update, std::byte* block, CopyEngine& engine) const;
-  void compute_blender(const EntityUpdate& update, std::byte* block, CopyEngine& engine) const;
+  const UpdateContext& context(int task) const { return contexts_[update(task).skeleton]; }
 
-  const UpdateContext* context_;
+  std::span<const UpdateContext> contexts_;
   std::span<const EntityUpdate> updates_;
   TaskQueue::Taker queue_;
   const LocalStore* store_;
@@ -60,8 +62,9 @@ class PaletteTasks {
     int packet;
   };
 
-  PaletteTasks(const UpdateContext& context, std::span<const AgentWork> work, std::span<const Tile> tiles,
-               TaskQueue::Taker queue, const LocalStore& store, int width, PaletteMatrix* unseen);
+  PaletteTasks(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, std::span<const Tile> tiles,
+               TaskQueue::Taker queue, const LocalStore& store, PaletteMatrix* unseen)
+      : contexts_(contexts), work_(work), tiles_(tiles), queue_(queue), store_(&store), unseen_(unseen) {}
 
   static std::size_t fetch_bytes(const UpdateContext& context, int width);
   static std::size_t scratch_bytes(const UpdateContext& context, int width);
@@ -77,15 +80,17 @@ class PaletteTasks {
 
  private:
   std::span<const AgentWork> agents(const Task& task) const;
+  const UpdateContext& context(const Task& task) const { return contexts_[agents(task).front().skeleton]; }
+  void begin_tile(const UpdateContext& context, std::span<const AgentWork> tile);
 
-  const UpdateContext* context_;
+  std::span<const UpdateContext> contexts_;
   std::span<const AgentWork> work_;
   std::span<const Tile> tiles_;
   TaskQueue::Taker queue_;
   const LocalStore* store_;
-  int width_;
   PaletteMatrix* unseen_;
   ModelScratch scratch_;
+  int width_ = 1;
   std::optional<Task> last_;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <bit>
 
-#include "engine/anim/run/fused_tasks.h"
+#include "engine/anim/run/fused_scratch.h"
 #include "engine/anim/run/level_tasks.h"
 
 namespace throng::anim {
 namespace {
 
 constexpr std::size_t kib = 1024;
+
+// Most graphs are no larger: clips that fade into each other.
+constexpr std::uint32_t usual_players = 4;
+constexpr std::uint32_t usual_blenders = usual_players - 1;
 
 std::uint32_t largest_player(const UpdateContext& context, const LocalStoreDemand& demand) {
   std::uint32_t size = 0;
@@ -18,27 +22,48 @@ std::uint32_t largest_player(const UpdateContext& context, const LocalStoreDeman
   return size;
 }
 
-LocalStorePlan plan_for_width(const UpdateContext& context, const LocalStoreDemand& demand, int width) {
+StoreNeeds usual_needs(const UpdateContext& context, const LocalStoreDemand& demand) {
   const std::uint32_t player = largest_player(context, demand);
+  const EntityLayout& blender = context.pools->layout(EntityPools::ease_blenders);
+  return {.fetch_bytes = usual_players * player + usual_blenders * blender.total_size,
+          .entity_bytes = std::max(player, blender.total_size + 2 * blender.source_bytes()),
+          .prepared_bytes = usual_players * static_cast<std::uint32_t>(sampled_player_kind.prepared_bytes),
+          .registers = usual_players};
+}
+
+LocalStorePlan plan_for_context(const UpdateContext& context, const LocalStoreDemand& demand, int width) {
+  const StoreNeeds usual = usual_needs(context, demand);
+  const auto lanes = static_cast<std::size_t>(width);
   if (demand.schedule == Schedule::fused) {
     return {.width = width,
-            .fetch_bytes = FusedTasks::fetch_bytes(context, width, player),
-            .scratch_bytes = FusedTasks::scratch_bytes(context, width)};
+            .fetch_bytes = std::max<std::size_t>(
+                {lanes * usual.fetch_bytes, demand.largest.fetch_bytes, demand.shared_entity_bytes}),
+            .scratch_bytes =
+                std::max(FusedScratch::bytes(context, usual, width), FusedScratch::bytes(context, demand.largest, 1))};
   }
-  const std::uint32_t source = context.pools->layout(EntityPools::ease_blenders).source_bytes();
   return {.width = width,
-          .fetch_bytes =
-              std::max(EntityTasks::fetch_bytes(context, player, source), PaletteTasks::fetch_bytes(context, width)),
-          .scratch_bytes = PaletteTasks::scratch_bytes(context, width)};
+          .fetch_bytes = std::max<std::size_t>({usual.entity_bytes, demand.largest.entity_bytes,
+                                                demand.shared_entity_bytes, PaletteTasks::fetch_bytes(context, width)}),
+          .scratch_bytes = std::max(EntityTasks::scratch_bytes, PaletteTasks::scratch_bytes(context, width))};
+}
+
+LocalStorePlan plan_for_width(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width) {
+  LocalStorePlan plan{.width = width};
+  for (const UpdateContext& context : contexts) {
+    const LocalStorePlan part = plan_for_context(context, demand, width);
+    plan.fetch_bytes = std::max(plan.fetch_bytes, part.fetch_bytes);
+    plan.scratch_bytes = std::max(plan.scratch_bytes, part.scratch_bytes);
+  }
+  return plan;
 }
 
 std::size_t plan_bytes(const LocalStorePlan& plan, DoubleBuffering mode) {
   return plan.fetch_bytes * (mode == DoubleBuffering::off ? 1 : 2) + plan.scratch_bytes;
 }
 
-int widest(const UpdateContext& context, const LocalStoreDemand& demand, std::size_t size) {
+int widest(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, std::size_t size) {
   int width = widest_tile;
-  while (width > 0 && local_store_bytes(context, demand, width) > size) width /= 2;
+  while (width > 0 && local_store_bytes(contexts, demand, width) > size) width /= 2;
   return width;
 }
 
@@ -48,8 +73,8 @@ std::string in_words(const LocalStoreDemand& demand) {
          (demand.any_keyframe ? "keyframe" : "sampled");
 }
 
-Error too_small(const UpdateContext& context, const LocalStoreDemand& demand, std::size_t size) {
-  const std::size_t needed = local_store_bytes(context, demand, 1);
+Error too_small(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, std::size_t size) {
+  const std::size_t needed = local_store_bytes(contexts, demand, 1);
   return {in_words(demand) + " needs " + std::to_string(needed) + " bytes of local store for one character, not " +
           std::to_string(size) + ": the smallest --local-store that works is " +
           std::to_string((needed + kib - 1) / kib)};
@@ -63,20 +88,25 @@ Error too_wide(const LocalStoreDemand& demand, std::size_t size, int tile, int f
 
 }  // namespace
 
-std::size_t local_store_bytes(const UpdateContext& context, const LocalStoreDemand& demand, int width) {
-  return plan_bytes(plan_for_width(context, demand, width), demand.double_buffering);
+std::size_t local_store_bytes(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width) {
+  return plan_bytes(plan_for_width(contexts, demand, width), demand.double_buffering);
 }
 
-Result<LocalStorePlan> plan_local_store(const UpdateContext& context, const LocalStoreDemand& demand, std::size_t size,
-                                        int tile) {
-  const int fits = widest(context, demand, size);
-  if (fits == 0) return too_small(context, demand, size);
+Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand,
+                                        std::size_t size, int tile) {
+  const int fits = widest(contexts, demand, size);
+  if (fits == 0) return too_small(contexts, demand, size);
   if (tile > fits) return too_wide(demand, size, tile, fits);
-  return plan_for_width(context, demand, tile == 0 ? fits : tile);
+  return plan_for_width(contexts, demand, tile == 0 ? fits : tile);
 }
 
-std::size_t automatic_local_store(const UpdateContext& context, const LocalStoreDemand& demand) {
-  return std::max(usual_local_store_bytes, std::bit_ceil(local_store_bytes(context, demand, 1)));
+std::size_t automatic_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand) {
+  return std::max(usual_local_store_bytes, std::bit_ceil(local_store_bytes(contexts, demand, 1)));
+}
+
+bool plan_holds(const LocalStorePlan& plan, const UpdateContext& context, Schedule schedule, const StoreNeeds& needs) {
+  if (schedule == Schedule::levels) return needs.entity_bytes <= plan.fetch_bytes;
+  return widest_fused_tile(context, needs, plan.fetch_bytes, plan.scratch_bytes) > 0;
 }
 
 }  // namespace throng::anim

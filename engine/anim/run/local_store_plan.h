@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "engine/anim/base/result.h"
@@ -22,25 +23,32 @@ struct LocalStorePlan {
   std::size_t scratch_bytes = 0;
 };
 
+/// What the store must hold: tiles of usual graphs, up to four players and the blenders over them, and at least one
+/// character of the largest.
 struct LocalStoreDemand {
   std::string skeleton;  ///< for the error
   Schedule schedule = Schedule::fused;
   DoubleBuffering double_buffering = DoubleBuffering::interleaved;
   bool any_sampled = true;  ///< kinds of players that the clips need
   bool any_keyframe = false;
+  StoreNeeds largest;                   ///< of all programs of agents
+  std::size_t shared_entity_bytes = 0;  ///< StoreNeeds::entity_bytes of all graphs of shared entities
 };
 
 /// Bytes that a tile of `width` characters takes of a store.
-std::size_t local_store_bytes(const UpdateContext& context, const LocalStoreDemand& demand, int width);
+std::size_t local_store_bytes(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width);
 
 /// The widest tile that fits `size` bytes, or exactly `tile` if that is not 0. The error names skeleton, schedule,
 /// stream, bytes needed and the smallest size that works, or the largest tile that fits.
-Result<LocalStorePlan> plan_local_store(const UpdateContext& context, const LocalStoreDemand& demand, std::size_t size,
-                                        int tile);
+Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand,
+                                        std::size_t size, int tile);
+
+/// True: a character of these needs fits the store as it is divided.
+bool plan_holds(const LocalStorePlan& plan, const UpdateContext& context, Schedule schedule, const StoreNeeds& needs);
 
 inline constexpr std::size_t usual_local_store_bytes = 64 * 1024;
 
 /// The usual size, or the next power of two that holds one character's largest task.
-std::size_t automatic_local_store(const UpdateContext& context, const LocalStoreDemand& demand);
+std::size_t automatic_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand);
 
 }  // namespace throng::anim

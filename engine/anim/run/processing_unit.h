@@ -23,8 +23,12 @@ class alignas(block_alignment) ProcessingUnit {
  public:
   /// `palette_entries`: of the skeleton, for palettes that nobody sees.
   ProcessingUnit(std::size_t local_store_bytes, std::size_t palette_entries)
-      : store_(local_store_bytes), unseen_(allocate_aligned((palette_entries + 3) / 4 * 4 * sizeof(PaletteMatrix))) {
-    engine_.reserve(most_transfers);
+      : store_(local_store_bytes), unseen_(allocate_aligned((palette_entries + 3) / 4 * 4 * sizeof(PaletteMatrix))) {}
+
+  /// At a frame boundary.
+  void divide_store(const LocalStorePlan& plan, int fetch_buffers) {
+    store_.divide(plan.fetch_bytes, fetch_buffers, plan.scratch_bytes);
+    engine_.reserve(2 * plan.fetch_bytes / entity_header_bytes + 2 * widest_tile);  // one tile out while one comes in
   }
 
   LocalStore& store() { return store_; }
@@ -51,9 +55,6 @@ class alignas(block_alignment) ProcessingUnit {
   const PuActivity& activity() const { return activity_; }
 
  private:
-  // A tile of 16 full trees goes out while the next one comes in.
-  static constexpr std::size_t most_transfers = std::size_t{2} * widest_tile * BlendTree::max_entities;
-
   LocalStore store_;
   AlignedBytes unseen_;
   CopyEngine engine_;

@@ -2,16 +2,24 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace throng::anim {
 namespace {
 
-constexpr std::size_t cost_classes = std::size_t{max_bone_levels} * (BlendTree::max_entities + 1);
+// Programs that are longer cost alike.
+constexpr std::size_t longest = 15;
+constexpr std::size_t most_skeletons = 16;
+constexpr std::size_t cost_classes = most_skeletons * 2 * max_bone_levels * (longest + 1);
 
-// Tiles of more bones and larger trees cost more; agents of one class are equal enough to share a tile.
+// Agents of one class are equal enough to share a tile; held tiles, more bones and larger graphs cost more.
 std::size_t cost_class(const AgentWork& work) {
-  return std::size_t{work.level} * (BlendTree::max_entities + 1) +
-         static_cast<std::size_t>(BlendTree::max_entities - work.entity_count);
+  const std::size_t group = (work.skeleton % most_skeletons * 2 + (work.held ? 0U : 1U)) * max_bone_levels + work.level;
+  return group * (longest + 1) + longest - std::min<std::size_t>(work.entity_count, longest);
+}
+
+bool share_a_tile(const AgentWork& a, const AgentWork& b) {
+  return a.skeleton == b.skeleton && a.level == b.level && a.held == b.held;
 }
 
 }  // namespace
@@ -19,35 +27,43 @@ std::size_t cost_class(const AgentWork& work) {
 Scheduler::Scheduler(const ScheduleOptions& options, std::size_t palette_entries)
     : options_(options), queue_(options.pus) {
   units_.reserve(static_cast<std::size_t>(options.pus));
-  for (int pu = 0; pu < options.pus; ++pu) {
-    units_.emplace_back(options.local_store_bytes, palette_entries);
-    units_.back().store().divide(options.plan.fetch_bytes, options.double_buffering == DoubleBuffering::off ? 1 : 2,
-                                 options.plan.scratch_bytes);
-  }
-  priorities_.resize(BlendTree::max_players);
+  for (int pu = 0; pu < options.pus; ++pu) units_.emplace_back(options.local_store_bytes, palette_entries);
+  set_plan(options.plan);
+  priorities_.resize(PoseProgram::max_steps);
+}
+
+void Scheduler::set_plan(const LocalStorePlan& plan) {
+  options_.plan = plan;
+  const int buffers = options_.double_buffering == DoubleBuffering::off ? 1 : 2;
+  for (ProcessingUnit& unit : units_) unit.divide_store(plan, buffers);
 }
 
 void Scheduler::reserve(std::size_t agents) {
+  constexpr std::size_t usual_entities = 4;  // of one priority
   sorted_.reserve(agents);
   tiles_.reserve(agents);
   if (options_.schedule == Schedule::fused) return;
-  priorities_[0].reserve(agents * BlendTree::max_players);
-  for (std::size_t i = 1; i < priorities_.size(); ++i) priorities_[i].reserve(agents * 2);
+  priorities_[0].reserve(agents * usual_entities);
+  for (std::size_t i = 1; i < usual_entities; ++i) priorities_[i].reserve(agents * 2);
 }
 
-void Scheduler::update(const UpdateContext& context, std::span<const AgentWork> agents, Executor& executor) {
+void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared,
+                       std::span<const AgentWork> agents, Executor& executor) {
   const Trace::Clock::time_point start = Trace::Clock::now();
   for (ProcessingUnit& unit : units_) unit.begin_update(start);
-  if (agents.empty()) return;
-  const std::span<const AgentWork> work = sorted(agents);
-  cut_tiles(work);
-  context.pools->guard_blocks();
-  if (options_.schedule == Schedule::fused) {
-    run_fused(context, work, executor);
-  } else {
-    run_levels(context, work, executor);
+  for (const UpdateContext& context : contexts) context.pools->guard_blocks();
+  if (!shared.empty()) run_entities(contexts, shared, executor);
+  if (!agents.empty()) {
+    const std::span<const AgentWork> work = sorted(agents);
+    cut_tiles(contexts, work);
+    if (options_.schedule == Schedule::fused) {
+      run_fused(contexts, work, executor);
+    } else {
+      run_entities(contexts, work, executor);
+      run_palettes(contexts, work, executor);
+    }
   }
-  context.pools->release_blocks();
+  for (const UpdateContext& context : contexts) context.pools->release_blocks();
 }
 
 // A stable counting sort: dearest class first. A crowd of one class, which is common, stays where it is.
@@ -61,14 +77,28 @@ std::span<const AgentWork> Scheduler::sorted(std::span<const AgentWork> work) {
   return sorted_;
 }
 
-void Scheduler::cut_tiles(std::span<const AgentWork> work) {
+int Scheduler::tile_limit(const UpdateContext& context, const StoreNeeds& needs) const {
+  if (options_.schedule == Schedule::levels) return options_.plan.width;
+  const int fits = widest_fused_tile(context, needs, options_.plan.fetch_bytes, options_.plan.scratch_bytes);
+  assert(fits > 0 && "a program that does not fit the local store was let in");
+  return std::min(options_.plan.width, fits);
+}
+
+void Scheduler::cut_tiles(std::span<const UpdateContext> contexts, std::span<const AgentWork> work) {
   tiles_.clear();
-  const auto width = static_cast<std::uint32_t>(options_.plan.width);
-  for (std::uint32_t first = 0; first < work.size();) {
-    std::uint32_t count = 1;
-    while (count < width && first + count < work.size() && work[first + count].level == work[first].level) ++count;
-    tiles_.push_back({first, count});
-    first += count;
+  StoreNeeds needs;
+  int limit = 0;
+  for (std::uint32_t i = 0; i < work.size(); ++i) {
+    const bool begins = tiles_.empty() || !share_a_tile(work[tiles_.back().first], work[i]);
+    StoreNeeds with_this = begins ? StoreNeeds{} : needs;
+    with_this.widen(work[i].program->needs);
+    if (begins || with_this != needs) limit = tile_limit(contexts[work[i].skeleton], with_this);
+    needs = with_this;
+    if (begins || tiles_.back().count >= static_cast<std::uint32_t>(limit)) {
+      tiles_.push_back({i, 1});
+    } else {
+      ++tiles_.back().count;
+    }
   }
 }
 
@@ -86,55 +116,51 @@ void Scheduler::on_all_units(int task_count, Executor& executor, RunUnit&& run_u
   executor.run(options_.pus, {run, &shared});
 }
 
-void Scheduler::run_fused(const UpdateContext& context, std::span<const AgentWork> work, Executor& executor) {
+void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
+                          Executor& executor) {
   on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    FusedTasks tasks(context, work, tiles_, queue, unit.store(), options_.plan.width, unit.unseen());
+    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
     unit.run(tasks, options_.double_buffering);
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
   });
 }
 
-void Scheduler::run_levels(const UpdateContext& context, std::span<const AgentWork> work, Executor& executor) {
+void Scheduler::run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
+                             Executor& executor) {
   collect_entities(work);
   for (const std::vector<EntityUpdate>& updates : priorities_) {
     if (updates.empty()) continue;
     on_all_units(static_cast<int>(updates.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-      EntityTasks tasks(context, updates, queue, unit.store());
+      EntityTasks tasks(contexts, updates, queue, unit.store());
       unit.run(tasks, options_.double_buffering);
       unit.activity().tasks += tasks.entities_done();
     });
   }
+}
+
+void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
+                             Executor& executor) {
   on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    PaletteTasks tasks(context, work, tiles_, queue, unit.store(), options_.plan.width, unit.unseen());
+    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
     unit.run(tasks, options_.double_buffering);
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
   });
 }
 
-// Priorities as the paper has them: a player is highest, a blender one below the lowest of its sources.
+// Priorities as the paper has them: a player is highest, what reads others one below the lowest of them.
 void Scheduler::collect_entities(std::span<const AgentWork> work) {
-  struct Source {
-    Handle entity;
-    std::size_t depth;
-  };
   for (std::vector<EntityUpdate>& updates : priorities_) updates.clear();
   for (const AgentWork& agent : work) {
-    std::array<Source, BlendTree::max_players> stack;
-    std::size_t top = 0;
-    for (const Handle entity : agent.tree->all()) {
-      EntityUpdate update{.entity = entity, .from = {}, .to = {}, .delta = agent.delta, .level = agent.level};
-      std::size_t depth = 0;
-      if (entity.pool() == EntityPools::ease_blenders) {
-        const Source to = stack[--top];
-        const Source from = stack[--top];
-        depth = std::max(from.depth, to.depth) + 1;
-        update.from = from.entity;
-        update.to = to.entity;
-      }
-      priorities_[depth].push_back(update);
-      stack[top++] = {entity, depth};
+    const std::vector<PoseStep>& steps = agent.program->steps;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (steps[i].shared) continue;
+      priorities_[steps[i].below_highest].push_back({.program = agent.program,
+                                                     .delta = agent.delta,
+                                                     .step = static_cast<std::uint8_t>(i),
+                                                     .skeleton = agent.skeleton,
+                                                     .level = agent.level});
     }
   }
 }

@@ -25,23 +25,31 @@ struct ScheduleOptions {
 /// whoever is free takes the next. The result does not depend on who took what.
 class Scheduler {
  public:
+  /// `palette_entries`: of the largest skeleton.
   Scheduler(const ScheduleOptions& options, std::size_t palette_entries);
 
   /// Room for so many agents, so that update() does not allocate.
   void reserve(std::size_t agents);
 
-  /// Poses `agents`, sorted into tiles. The executor runs one job a PU.
-  void update(const UpdateContext& context, std::span<const AgentWork> agents, Executor& executor);
+  /// Divides the stores anew, at a frame boundary.
+  void set_plan(const LocalStorePlan& plan);
+
+  /// First updates the graphs that `shared` work asks for, whose states others read, then poses `agents`, sorted into
+  /// tiles. The executor runs one job a PU.
+  void update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared,
+              std::span<const AgentWork> agents, Executor& executor);
 
   std::span<const ProcessingUnit> units() const { return units_; }
   const ScheduleOptions& options() const { return options_; }
 
  private:
   std::span<const AgentWork> sorted(std::span<const AgentWork> work);
-  void cut_tiles(std::span<const AgentWork> work);
+  int tile_limit(const UpdateContext& context, const StoreNeeds& needs) const;
+  void cut_tiles(std::span<const UpdateContext> contexts, std::span<const AgentWork> work);
   void collect_entities(std::span<const AgentWork> work);
-  void run_fused(const UpdateContext& context, std::span<const AgentWork> work, Executor& executor);
-  void run_levels(const UpdateContext& context, std::span<const AgentWork> work, Executor& executor);
+  void run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
+  void run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
+  void run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
   template <typename RunUnit>
   void on_all_units(int task_count, Executor& executor, RunUnit&& run_unit);
 
@@ -49,7 +57,7 @@ class Scheduler {
   std::vector<ProcessingUnit> units_;
   std::vector<Tile> tiles_;
   std::vector<AgentWork> sorted_;
-  std::vector<std::vector<EntityUpdate>> priorities_;  // [0] players, [i] blenders of priority highest - i
+  std::vector<std::vector<EntityUpdate>> priorities_;  // [i] entities of priority highest - i; [0] players
   TaskQueue queue_;
 };
 

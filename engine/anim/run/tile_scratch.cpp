@@ -23,7 +23,7 @@ void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, Pale
 
 void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, const float* local,
                           std::span<const AgentWork> tile, int width, int packet) {
-  context.kernels->model_palette({.hierarchy = context.hierarchy,
+  context.assets.kernels->model_palette({.hierarchy = context.hierarchy,
                                   .packet = packet,
                                   .bone_count = context.level_bone_counts[tile.front().level],
                                   .width = width,

@@ -27,6 +27,12 @@ class ScratchCarver {
   std::size_t used_ = 0;
 };
 
+/// Agents of one skeleton and bone level, all held or all streaming.
+struct Tile {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
 /// Scratch of the model-palette step of a tile of `width` characters; hierarchy and palette run across them.
 ///
 ///     local     float [width][components][16]    one packet of each character's local pose

@@ -99,14 +99,14 @@ TEST(Player, CarriesTheVelocityOfItsClip) {
 }
 
 TEST(EntityLayout, ATransientPlayerIsTwoCacheLines) {
-  const EntityLayout layout = entity_layout(EntityType::sampled_player, Residency::transient, 62, rigid_components);
+  const EntityLayout layout = entity_layout(sampled_player_kind, Residency::transient, 62, rigid_components);
   EXPECT_EQ(layout.total_size, 128U);
   EXPECT_EQ(layout.transforms_offset, 0U);
   EXPECT_EQ(layout.changed_bytes(), 64U) << "at most 64 bytes of a transient entity change in a frame";
 }
 
 TEST(EntityLayout, AResidentKeyframePlayerOf62BonesFitsTheFetchBufferOf8KiBThatThePaperHas) {
-  const EntityLayout layout = entity_layout(EntityType::keyframe_player, Residency::resident, 62, rigid_components);
+  const EntityLayout layout = entity_layout(keyframe_player_kind, Residency::resident, 62, rigid_components);
   EXPECT_EQ(layout.transforms_offset, 128U);
   EXPECT_EQ(layout.source_bytes(), 128U + 1792U);
   EXPECT_LE(layout.total_size, 8192U);
@@ -114,12 +114,12 @@ TEST(EntityLayout, AResidentKeyframePlayerOf62BonesFitsTheFetchBufferOf8KiBThatT
 }
 
 TEST(EntityLayout, ConversionKeepsAllButTheTransforms) {
-  const EntityLayout transient = entity_layout(EntityType::keyframe_player, Residency::transient, 62, rigid_components);
-  const EntityLayout resident = entity_layout(EntityType::keyframe_player, Residency::resident, 62, rigid_components);
+  const EntityLayout transient = entity_layout(keyframe_player_kind, Residency::transient, 62, rigid_components);
+  const EntityLayout resident = entity_layout(keyframe_player_kind, Residency::resident, 62, rigid_components);
   const AlignedBytes from = allocate_aligned(transient.total_size);
   const AlignedBytes to = allocate_aligned(resident.total_size);
   auto& player = *reinterpret_cast<Player*>(from.get());
-  initialise_state(player.state, EntityType::keyframe_player, transient, 62, rigid_components);
+  initialise_state(player.state, transient, 62, rigid_components);
   player.position = 42;
   from[transient.private_offset + 5] = std::byte{9};
   convert_residency(from.get(), to.get(), transient, resident);

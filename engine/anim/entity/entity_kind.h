@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "engine/anim/base/pool.h"
+#include "engine/anim/entity/animation_state.h"
+#include "engine/anim/kernel/kernels.h"
+#include "engine/anim/kernel/pose_view.h"
+
+namespace throng::anim {
+
+struct ClipStreams;
+struct EntityKind;
+
+enum class Residency : std::uint8_t { transient, resident };
+
+/// Where the parts of an entity's block lie (drawn in animation_state.h).
+struct EntityLayout {
+  const EntityKind* kind = nullptr;
+  std::uint32_t total_size = 0;
+  std::uint32_t transforms_offset = 0;  ///< 0: transient
+  std::uint32_t private_offset = 0;     ///< == total_size where there is no private part
+
+  /// Bytes that a source costs to fetch: header and transforms, without the private part.
+  std::uint32_t source_bytes() const { return private_offset; }
+  std::uint32_t private_bytes() const { return total_size - private_offset; }
+  /// Bytes of a transient block that an update changes, from identity_bytes on.
+  std::uint32_t changed_bytes() const { return total_size - static_cast<std::uint32_t>(identity_bytes); }
+};
+
+/// Read-only memory that entities of one skeleton may read beside their own block.
+struct EntityAssets {
+  std::span<const ClipStreams> clips;
+  std::span<const float* const> masks;  ///< each [packets][16]
+  const Kernels* kernels = nullptr;
+  int bone_count = 0;
+  int components = rigid_components;
+
+  const float* mask(std::int16_t index) const { return index < 0 ? nullptr : masks[static_cast<std::size_t>(index)]; }
+};
+
+/// An entity while it lies in the local store.
+struct EntityInStore {
+  std::byte* block = nullptr;
+  std::byte* prepared = nullptr;  ///< EntityKind::prepared_bytes of scratch, from advance to the last packet
+  const EntityLayout* layout = nullptr;
+  const EntityAssets* assets = nullptr;
+
+  template <typename Entity>
+  Entity& as() const {
+    return *reinterpret_cast<Entity*>(block);
+  }
+  template <typename Prepared>
+  Prepared& prepared_as() const {
+    return *reinterpret_cast<Prepared*>(prepared);
+  }
+  std::span<std::byte> private_part() const { return {block + layout->private_offset, layout->private_bytes()}; }
+};
+
+/// 16 bones of an entity and its sources, each [components][16].
+struct PacketJob {
+  int packet = 0;
+  const float* const* sources = nullptr;  ///< [source count], in the order of EntityKind::sources
+  float* out = nullptr;                   ///< may be one of the sources
+};
+
+/// Paper 2.2.6: "Following the formula we can derive various animation tasks that can result in animation states." What
+/// the scheduler must know of a kind of entity; a user's own kinds are told apart from ours by nothing.
+///
+/// An update of an entity is one call of `advance`, then either `pose_packet` for each packet in ascending order or,
+/// for what needs bones of several packets at once, `pose_whole` with the pose of the first source in `pose`. All run
+/// on a PU, see only the local store and read-only assets, and neither allocate nor lock.
+struct EntityKind {
+  const char* name = "";
+  EntityType type = EntityType::user;
+  /// The block's sources, to be read in this order; null: none, as a player.
+  std::span<Handle> (*sources)(std::byte* block, const EntityLayout& layout) = nullptr;
+  /// Behind header and transforms; changed by updates. Null: none.
+  std::size_t (*private_bytes)(int bone_count, int components) = nullptr;
+  /// Its transforms are state of its own, kept from update to update: resident under every schedule.
+  bool keeps_transforms = false;
+  std::size_t prepared_bytes = 0;  ///< a multiple of 64, at most most_prepared_bytes
+
+  void (*advance)(const EntityInStore& entity, std::span<const AnimationStateHeader* const> sources) = nullptr;
+  void (*pose_packet)(const EntityInStore& entity, const PacketJob& job) = nullptr;
+  void (*pose_whole)(const EntityInStore& entity, const PoseView& pose) = nullptr;  ///< or this one
+
+  const void* resource = nullptr;  ///< read-only data of the kind on this skeleton; outlives the pools
+
+  bool whole_pose() const { return pose_whole != nullptr; }
+};
+
+inline constexpr std::size_t max_sources = 8;
+inline constexpr std::size_t most_prepared_bytes = 256;
+
+}  // namespace throng::anim

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/anim/base/result.h"
+#include "engine/anim/entity/entity_pools.h"
+
+namespace throng::anim {
+
+/// One entity of a graph.
+///
+///      0        4          5         6          7        8
+///     | entity | priority | target | sources  | shared | which steps its sources are, 8 |   16 bytes
+struct PoseStep {
+  Handle entity;
+  std::uint8_t below_highest = 0;  ///< highest_priority - the entity's priority: 0 for players (paper 2.2.5)
+  std::uint8_t target = 0;         ///< pose register that it writes, if its block has no transforms
+  std::uint8_t source_count = 0;
+  bool shared = false;                              ///< of another owner, read-only here: updated before all agents
+  std::array<std::uint8_t, max_sources> sources{};  ///< steps before this one
+};
+static_assert(sizeof(PoseStep) == 16);
+
+/// What a program asks of the local store.
+struct StoreNeeds {
+  std::uint32_t fetch_bytes = 0;     ///< all blocks
+  std::uint32_t entity_bytes = 0;    ///< the most that one entity and its sources take, for `levels`
+  std::uint32_t prepared_bytes = 0;  ///< of all kinds
+  std::uint8_t registers = 1;        ///< poses that live at once
+  bool held = false;                 ///< some entity needs whole poses, so all are
+
+  void widen(const StoreNeeds& other);
+  friend bool operator==(const StoreNeeds&, const StoreNeeds&) = default;
+};
+
+/// An agent's graph of entities, flattened: each entity once, after its sources, the root last, so that a source that
+/// several entities read is evaluated once. Any shape and depth without cycles.
+struct PoseProgram {
+  static constexpr std::size_t max_steps = 64;
+
+  std::vector<PoseStep> steps;
+  StoreNeeds needs;
+  std::uint8_t own_count = 0;  ///< steps that are not shared
+
+  Handle root() const { return steps.back().entity; }
+};
+
+/// Owners of graphs of shared entities have this bit; others are agents.
+inline constexpr std::uint32_t shared_owner = 1U << 31;
+
+/// Flattens what `root` reads and gives each entity of `owner` its priority: the lowest of its sources' minus one,
+/// players highest. Shared entities of another owner are read as they are. Reuses the program's memory. Errors, and
+/// then the program is as it was: a handle to nothing, a cycle, an entity of another owner that is not shared, more
+/// than max_steps entities.
+Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, PoseProgram& program);
+
+}  // namespace throng::anim

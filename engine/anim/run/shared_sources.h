@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/anim/run/agent_work.h"
+
+namespace throng::anim {
+
+/// The sources that characters of a tile read and none owns, each once, in the order in which they are met.
+class SharedSources {
+ public:
+  static constexpr std::size_t most = PoseProgram::max_steps;
+
+  explicit SharedSources(std::span<const AgentWork> tile) {
+    for (const AgentWork& work : tile) {
+      if (work.program->own_count == work.program->steps.size()) continue;
+      for (const PoseStep& step : work.program->steps) {
+        if (step.shared && std::ranges::find(all(), step.entity) == all().end()) entities_[count_++] = step.entity;
+      }
+    }
+  }
+
+  std::span<const Handle> all() const { return {entities_.data(), count_}; }
+
+  /// Where the block of `entity` lies behind `first`, the first of them all.
+  template <typename Byte>
+  Byte* block(const EntityPools& pools, Handle entity, Byte* first) const {
+    for (const Handle other : all()) {
+      if (other == entity) break;
+      first += pools.layout(other).source_bytes();
+    }
+    return first;
+  }
+
+ private:
+  std::array<Handle, most> entities_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace throng::anim

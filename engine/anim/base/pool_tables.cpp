@@ -52,12 +52,11 @@ void PoolTables::unbind(std::uint32_t index) {
 
 void PoolTables::move(std::uint32_t from, std::uint32_t to) {
   const std::uint32_t index = std::exchange(owners_[from], none);
-  assert(index != none && owners_[to] == none);
+  assert(to < from && index != none && owners_[to] == none);
   owners_[to] = index;
   places_[index] = to;
   --alive_in_slab_[from / places_per_slab];
   ++alive_in_slab_[to / places_per_slab];
-  no_hole_below_ = std::min(no_hole_below_, from);
 }
 
 void PoolTables::exchange(std::uint32_t one, std::uint32_t other) {

@@ -34,7 +34,7 @@ class PoolTables {
   std::uint32_t bind();
   void unbind(std::uint32_t index);
 
-  /// The owner of `from` moves to the hole `to`.
+  /// The owner of `from` moves to the hole `to`, which is the lower one.
   void move(std::uint32_t from, std::uint32_t to);
   /// The owners of two places change places.
   void exchange(std::uint32_t one, std::uint32_t other);

@@ -1,76 +1,68 @@
 #include "engine/anim/base/pool.h"
 
 #include <cstring>
+#include <utility>
 
 #include "engine/anim/base/guard.h"
 
 namespace throng::anim {
 
-Pool::Pool(std::uint32_t id, std::size_t block_size) : id_(id), block_size_(block_size) {
-  assert(id < 15 && block_size % 64 == 0 && block_size > 0);
+Pool::Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks)
+    : id_(id), block_size_(block_size), tables_(max_blocks) {
+  assert(id < 15 && block_size % 64 == 0 && block_size > 0 && max_blocks <= Handle::max_blocks);
 }
 
 void Pool::add_slab() {
-  const auto first = static_cast<std::uint32_t>(generations_.size());
-  assert(first + blocks_per_slab <= Handle::max_blocks);
-  slabs_.push_back(allocate_aligned(blocks_per_slab * block_size_));
-  generations_.resize(first + blocks_per_slab, 0);
-  alive_.resize(first + blocks_per_slab, false);
-  free_.reserve(generations_.size());
-  std::vector<std::uint32_t> fresh;
-  for (std::uint32_t i = blocks_per_slab; i-- > 0;) fresh.push_back(first + i);
-  free_.insert(free_.begin(), fresh.begin(), fresh.end());
+  slabs_.push_back(allocate_aligned(slab_bytes()));
+  tables_.add_slab();
 }
 
 void Pool::reserve(std::size_t blocks) {
-  while (generations_.size() < blocks) add_slab();
+  reserved_blocks_ = blocks;
+  while (tables_.place_count() < blocks) add_slab();
 }
 
 Handle Pool::create() {
-  if (free_.empty()) add_slab();
-  const std::uint32_t index = free_.back();
-  free_.pop_back();
-  alive_[index] = true;
-  ++alive_count_;
-  std::memset(block_at(index), 0, block_size_);
-  return Handle::make(id_, generations_[index], index);
+  if (tables_.alive_count() == tables_.place_count()) add_slab();
+  const std::uint32_t index = tables_.bind();
+  std::memset(block_at(tables_.place_of(index)), 0, block_size_);
+  return Handle::make(id_, tables_.generation_of(index), index);
 }
 
 void Pool::destroy(Handle handle) {
   assert(alive(handle));
-  const std::uint32_t index = handle.index();
-  alive_[index] = false;
-  generations_[index] = static_cast<std::uint8_t>((generations_[index] + 1) % (1U << Handle::generation_bits));
-  --alive_count_;
-  free_.push_back(index);
+  tables_.unbind(handle.index());
 }
 
 bool Pool::alive(Handle handle) const {
-  const std::uint32_t index = handle.index();
-  return handle.valid() && handle.pool() == id_ && index < alive_.size() && alive_[index] &&
-         generations_[index] == handle.generation();
+  return handle.valid() && handle.pool() == id_ && tables_.alive(handle.index(), handle.generation());
 }
 
 void Pool::resize_blocks(std::size_t block_size, const std::function<void(const std::byte*, std::byte*)>& convert) {
   assert(block_size % 64 == 0 && block_size > 0);
-  const std::vector<AlignedBytes> old_slabs = std::move(slabs_);
-  const std::size_t old_size = block_size_;
-  block_size_ = block_size;
-  slabs_.clear();
-  for (std::size_t i = 0; i < old_slabs.size(); ++i) slabs_.push_back(allocate_aligned(blocks_per_slab * block_size_));
-  for (std::uint32_t index = 0; index < alive_.size(); ++index) {
-    if (!alive_[index]) continue;
-    std::memset(block_at(index), 0, block_size_);
-    convert(old_slabs[index / blocks_per_slab].get() + index % blocks_per_slab * old_size, block_at(index));
+  const std::vector<AlignedBytes> old_slabs = std::exchange(slabs_, {});
+  const std::size_t old_size = std::exchange(block_size_, block_size);
+  while (slabs_.size() < old_slabs.size()) slabs_.push_back(allocate_aligned(slab_bytes()));
+  for (std::uint32_t place = tables_.first_owned(0); place < tables_.place_count();
+       place = tables_.first_owned(place + 1)) {
+    convert(old_slabs[place / blocks_per_slab].get() + place % blocks_per_slab * old_size, block_at(place));
   }
 }
 
 void Pool::guard_blocks() const {
-  for (const AlignedBytes& slab : slabs_) guard(slab.get(), blocks_per_slab * block_size_);
+  for (const AlignedBytes& slab : slabs_) guard(slab.get(), slab_bytes());
 }
 
 void Pool::release_blocks() const {
-  for (const AlignedBytes& slab : slabs_) release_guard(slab.get(), blocks_per_slab * block_size_);
+  for (const AlignedBytes& slab : slabs_) release_guard(slab.get(), slab_bytes());
+}
+
+PoolMemory Pool::memory() const {
+  return {.blocks_alive = alive_count(),
+          .blocks_capacity = tables_.place_count(),
+          .bytes_alive = alive_count() * block_size_,
+          .bytes_reserved = bytes_reserved(),
+          .bytes_of_tables = tables_.bytes()};
 }
 
 }  // namespace throng::anim

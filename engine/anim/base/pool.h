@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "engine/anim/base/aligned_bytes.h"
+#include "engine/anim/base/pool_tables.h"
+#include "engine/anim/base/result.h"
 
 namespace throng::anim {
 
@@ -31,52 +34,108 @@ struct Handle {
   friend constexpr bool operator==(Handle, Handle) = default;
 };
 static_assert(sizeof(Handle) == 4);
+static_assert(PoolTables::lives_of_an_index == 1U << Handle::generation_bits);
+
+/// What a pool holds, in blocks and bytes.
+struct PoolMemory {
+  std::size_t blocks_alive = 0;
+  std::size_t blocks_capacity = 0;  // that the slabs have room for
+  std::size_t bytes_alive = 0;      // of living blocks
+  std::size_t bytes_reserved = 0;   // of slabs
+  std::size_t bytes_of_tables = 0;  // what handles, generations and places take beside the slabs
+};
+
+struct Compaction {
+  std::size_t blocks_moved = 0;
+  std::size_t bytes_given_back = 0;
+  bool complete = false;  // no hole is left before a living block, and the order asked for is reached
+};
+
+/// A pool as it was: its tables and the bytes of each slab that had a living block. Kept by the caller and used again:
+/// taking a snapshot into one that has held as many slabs of the same pool allocates nothing.
+class PoolSnapshot {
+ public:
+  std::size_t bytes() const { return slabs_.size() * PoolTables::places_per_slab * block_size_ + tables_.bytes(); }
+
+ private:
+  friend class Pool;
+
+  std::uint32_t pool_ = Handle::none;  // no snapshot was taken yet
+  std::size_t block_size_ = 0;
+  PoolTables tables_;
+  std::vector<AlignedBytes> slabs_;  // the slabs that had a living block, in order, and perhaps unused ones
+};
 
 /// Equal blocks in slabs (paper 2.2.7: "all structures are solid blocks of memory, roughly the same size").
-/// Blocks are 64-byte aligned and never move while they live. Used by one thread at a time, at frame boundaries.
+/// Blocks are 64-byte aligned. They move only in compact(), compact_some(), restore() and resize_blocks(): no address
+/// outlives a frame boundary, handles do. Used by one thread at a time, at frame boundaries; block() by any number.
 class Pool {
  public:
-  static constexpr std::uint32_t blocks_per_slab = 1024;
+  static constexpr std::uint32_t blocks_per_slab = PoolTables::places_per_slab;
 
-  /// `id` is the pool's number in its handles, 0 to 30; `block_size` a multiple of 64 bytes.
-  Pool(std::uint32_t id, std::size_t block_size);
+  /// `id` is the pool's number in its handles, 0 to 30; `block_size` a multiple of 64 bytes. No more than `max_blocks`
+  /// may live at a time; the fewer, the sooner a dead handle's bits name a new block (see pool_tables.h).
+  Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks = Handle::max_blocks);
 
-  /// A zeroed block.
+  /// A zeroed block, in the lowest free place.
   Handle create();
   void destroy(Handle handle);
   bool alive(Handle handle) const;
   std::byte* block(Handle handle) const {
     assert(alive(handle));
-    return block_at(handle.index());
+    return block_at(tables_.place_of(handle.index()));
   }
 
-  /// Slabs for at least `blocks` blocks, so that no create() up to there allocates.
+  /// Slabs for at least `blocks` blocks, so that no create() up to there allocates one; compaction keeps as many, until
+  /// the next call asks for fewer. (Tables grow by some 13 KiB for 262,144 creations, as indices wear out.)
   void reserve(std::size_t blocks);
 
   /// Gives every living block `block_size` bytes; `convert(old, new)` fills the zeroed new one. Handles stay valid.
   void resize_blocks(std::size_t block_size, const std::function<void(const std::byte*, std::byte*)>& convert);
+
+  /// Moves all living blocks to the front and gives empty slabs back, but for one spare and those that reserve() asked
+  /// for. Handles, generations and the blocks' bytes stay as they are. First come the blocks of `order`, in that order
+  /// (best the one in which the scheduler reads them); handles of other pools, dead ones and repetitions are passed
+  /// over. All others follow, in the order of their places if `order` is empty.
+  Compaction compact(std::span<const Handle> order = {});
+  /// A part of the same, so that a frame boundary takes bounded time: moves at most `max_blocks` blocks, 2 or more, and
+  /// goes on there at the next call with the same order. Walks all of `order` that is in place already.
+  Compaction compact_some(std::size_t max_blocks, std::span<const Handle> order = {});
+
+  /// Copies the pool into `into`.
+  void snapshot(PoolSnapshot& into) const;
+  /// Rewinds the pool to `from`: handles that were alive are alive again, with equal bytes, in the places they had
+  /// then; all others are dead. Indices and generations are rewound too, so that the same creations give the same
+  /// handles again: a handle made after the snapshot, in the future that is now undone, names the block that is made in
+  /// its turn, so whoever keeps handles must be rewound with the pool. Refused, and nothing changed, if the snapshot is
+  /// empty, of another pool, or of blocks of another size. Allocates only if the pool has fewer slabs than it had.
+  Status restore(const PoolSnapshot& from);
 
   /// Puts every byte of the pool under guard, or takes the guard away (see guard.h).
   void guard_blocks() const;
   void release_blocks() const;
 
   std::size_t block_size() const { return block_size_; }
-  std::size_t alive_count() const { return alive_count_; }
-  std::size_t bytes_reserved() const { return slabs_.size() * blocks_per_slab * block_size_; }
+  std::size_t alive_count() const { return tables_.alive_count(); }
+  std::size_t bytes_reserved() const { return slabs_.size() * slab_bytes(); }
+  PoolMemory memory() const;
 
  private:
-  std::byte* block_at(std::uint32_t index) const {
-    return slabs_[index / blocks_per_slab].get() + index % blocks_per_slab * block_size_;
+  std::size_t slab_bytes() const { return blocks_per_slab * block_size_; }
+  std::byte* block_at(std::uint32_t place) const {
+    return slabs_[place / blocks_per_slab].get() + place % blocks_per_slab * block_size_;
   }
   void add_slab();
+  std::uint32_t put_in_order(std::span<const Handle> order, std::size_t max_blocks, Compaction& done);
+  void close_holes(std::uint32_t first, std::size_t max_blocks, Compaction& done);
+  std::size_t give_back_empty_slabs();
+  void exchange_blocks(std::uint32_t one, std::uint32_t other);
 
   std::uint32_t id_;
   std::size_t block_size_;
+  std::size_t reserved_blocks_ = 0;
+  PoolTables tables_;
   std::vector<AlignedBytes> slabs_;
-  std::vector<std::uint8_t> generations_;  // one a block; a handle of an older generation is dead
-  std::vector<bool> alive_;
-  std::vector<std::uint32_t> free_;  // indices; the last one is handed out next
-  std::size_t alive_count_ = 0;
 };
 
 }  // namespace throng::anim

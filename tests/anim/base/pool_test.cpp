@@ -36,7 +36,7 @@ TEST(Pool, AHandleOfAnotherPoolIsNotAlive) {
   EXPECT_FALSE(two.alive(Handle{}));
 }
 
-TEST(Pool, BlocksNeverMoveWhileTheyLive) {
+TEST(Pool, CreationMovesNoBlock) {
   Pool pool(0, 64);
   const Handle first = pool.create();
   const std::byte* place = pool.block(first);
@@ -72,10 +72,56 @@ TEST(Pool, KeepsHandlesAndContentsWhenBlocksChangeTheirSize) {
   }
 }
 
+TEST(Pool, SaysWhatItHolds) {
+  Pool pool(0, 128);
+  const Handle first = pool.create();
+  pool.create();
+  pool.destroy(first);
+  const PoolMemory memory = pool.memory();
+  EXPECT_EQ(memory.blocks_alive, 1U);
+  EXPECT_EQ(memory.blocks_capacity, Pool::blocks_per_slab);
+  EXPECT_EQ(memory.bytes_alive, 128U);
+  EXPECT_EQ(memory.bytes_reserved, Pool::blocks_per_slab * 128U);
+  EXPECT_GE(memory.bytes_of_tables, Pool::blocks_per_slab * 9U) << "a place, an owner and a generation a block";
+}
+
+TEST(Pool, AWornIndexRestsWhileOthersAreLeft) {
+  Pool pool(0, 64);
+  const Handle first = pool.create();
+  Handle handle = first;
+  for (int life = 1; life < static_cast<int>(PoolTables::lives_of_an_index); ++life) {
+    pool.destroy(handle);
+    handle = pool.create();
+    ASSERT_EQ(handle.index(), first.index());
+  }
+  pool.destroy(handle);
+  handle = pool.create();
+  EXPECT_NE(handle.index(), first.index());
+  EXPECT_FALSE(pool.alive(first));
+}
+
+TEST(Pool, NoHandleComesBackBeforeAllOthersAreWorn) {
+  constexpr std::uint32_t most_blocks = 1100;
+  constexpr std::uint32_t alive = 100;
+  Pool pool(0, 64, most_blocks);
+  std::vector<Handle> living;
+  for (std::uint32_t i = 0; i < alive; ++i) living.push_back(pool.create());
+  std::set<std::uint32_t> seen;
+  for (std::uint32_t life = 0; life < (most_blocks - alive) * PoolTables::lives_of_an_index; ++life) {
+    const Handle handle = pool.create();
+    ASSERT_TRUE(seen.insert(handle.bits).second) << "after " << life << " creations";
+    pool.destroy(handle);
+  }
+  const Handle again = pool.create();
+  EXPECT_TRUE(seen.contains(again.bits)) << "the pool has no more names than these";
+  EXPECT_EQ(again.generation(), 0U);
+  for (const Handle handle : living) EXPECT_TRUE(pool.alive(handle));
+}
+
 TEST(Handle, PacksPoolGenerationAndIndex) {
-  const Handle handle = Handle::make(14, 255, Handle::max_blocks - 1);
-  EXPECT_EQ(handle.pool(), 14U);
-  EXPECT_EQ(handle.generation(), 255U);
+  const Handle handle = Handle::make(30, 127, Handle::max_blocks - 1);
+  EXPECT_EQ(handle.pool(), 30U);
+  EXPECT_EQ(handle.generation(), 127U);
   EXPECT_EQ(handle.index(), Handle::max_blocks - 1);
   EXPECT_TRUE(handle.valid());
   EXPECT_FALSE(Handle{}.valid());

@@ -32,6 +32,14 @@ using Lines = std::vector<Line>;
 
 Lines floats(int count) { return Lines(static_cast<std::size_t>((count + 15) / 16)); }
 
+/// A packet whose bones have all turned by an angle about x.
+Lines unit_pose(float angle) {
+  Lines pose = floats(packet_floats);
+  std::fill_n(pose[0].floats, packet_bones, std::sin(angle / 2.0F));
+  std::fill_n(pose[3].floats, packet_bones, std::cos(angle / 2.0F));
+  return pose;
+}
+
 /// A trunk of 12 bones, four limbs of 5 and digits of 3 on them.
 std::vector<int> parents() {
   std::vector<int> parents(12);
@@ -178,6 +186,27 @@ class Workbench {
   BlendJob blend() {
     return {from_.front().floats, to_.front().floats, nullptr, 0.3F, rigid_components, out_.front().floats};
   }
+  MixJob mix_of_four(const float* const* bone_weights) {
+    return {sources_, shares_, bone_weights, 4, rigid_components, out_.front().floats};
+  }
+  MixJob mix() { return mix_of_four(nullptr); }
+  MixJob masked_mix() { return mix_of_four(masks_); }
+  AddJob add() {
+    return {from_.front().floats, to_.front().floats, nullptr, 0.3F, rigid_components, out_.front().floats};
+  }
+  SubtractJob subtract() { return {from_.front().floats, to_.front().floats, rigid_components, out_.front().floats}; }
+  OffsetCaptureJob capture_offset() {
+    return {from_.front().floats, to_.front().floats,        to_.front().floats, from_.front().floats, 0.016F,
+            out_.front().floats,  velocities_.front().floats};
+  }
+  OffsetApplyJob apply_offset() {
+    return {from_.front().floats,      to_.front().floats, velocities_.front().floats,
+            offset_decay(0.05F, 0.1F), rigid_components,   out_.front().floats};
+  }
+  NoiseJob noise() {
+    return {from_.front().floats, mask_.front().floats, noise_at(12345678, 3.0F), 1, 1,
+            rigid_components,     out_.front().floats};
+  }
   ModelPaletteJob model_palette() {
     for (int lane = 0; lane < widest_tile; ++lane) {
       destinations_[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + lane * palette_lines);
@@ -195,7 +224,12 @@ class Workbench {
  private:
   HierarchyProgram program_ = compile_hierarchy(branching_skeleton());
   Lines stream_ = stream_of(turning_rows(1.0));
-  Lines from_ = floats(packet_floats), to_ = floats(packet_floats), out_ = floats(packet_floats);
+  Lines from_ = unit_pose(0.3F), to_ = unit_pose(0.8F), out_ = floats(packet_floats);
+  Lines velocities_ = floats(packet_floats);
+  Lines mask_ = unit_pose(0.5F);
+  const float* sources_[4] = {from_.front().floats, to_.front().floats, from_.front().floats, to_.front().floats};
+  const float* masks_[4] = {mask_.front().floats, nullptr, mask_.front().floats, nullptr};
+  float shares_[4] = {0.1F, 0.2F, 0.3F, 0.4F};
   Lines local_ = floats(widest_tile * packet_floats);
   Lines carry_ = floats(branch_slot_floats * widest_tile);
   Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
@@ -203,16 +237,16 @@ class Workbench {
   PaletteMatrix* destinations_[widest_tile];
 };
 
-void sample_alone(benchmark::State& state, const Kernels& kernels) {
-  Workbench bench;
-  for ([[maybe_unused]] const auto& round : state) kernels.sample(bench.sample());
-  report(state, packet_bones);
-}
-
-void blend_alone(benchmark::State& state, const Kernels& kernels) {
-  Workbench bench;
-  for ([[maybe_unused]] const auto& round : state) kernels.blend(bench.blend());
-  report(state, packet_bones);
+/// One kernel over one packet of one character.
+template <class Job>
+void register_alone(const std::string& name, const Kernels& kernels, void (*Kernels::*kernel)(const Job& job),
+                    Job (Workbench::*job)()) {
+  benchmark::RegisterBenchmark((name + "/" + kernels.target).c_str(), [=, &kernels](benchmark::State& state) {
+    Workbench bench;
+    const Job work = (bench.*job)();
+    for ([[maybe_unused]] const auto& round : state) (kernels.*kernel)(work);
+    report(state, packet_bones);
+  });
 }
 
 void model_palette_alone(benchmark::State& state, const Kernels& kernels) {
@@ -240,8 +274,15 @@ void register_all() {
   const auto sizes = [](benchmark::internal::Benchmark* bench) { bench->Arg(16)->Arg(1000)->Arg(10000); };
   for (const Kernels& kernels : runnable_kernels()) {
     const std::string target = kernels.target;
-    benchmark::RegisterBenchmark(("sample/" + target).c_str(), sample_alone, kernels);
-    benchmark::RegisterBenchmark(("blend/" + target).c_str(), blend_alone, kernels);
+    register_alone("sample", kernels, &Kernels::sample, &Workbench::sample);
+    register_alone("blend", kernels, &Kernels::blend, &Workbench::blend);
+    register_alone("mix_of_4", kernels, &Kernels::mix, &Workbench::mix);
+    register_alone("masked_mix_of_4", kernels, &Kernels::mix, &Workbench::masked_mix);
+    register_alone("add", kernels, &Kernels::add, &Workbench::add);
+    register_alone("subtract", kernels, &Kernels::subtract, &Workbench::subtract);
+    register_alone("capture_offset", kernels, &Kernels::capture_offset, &Workbench::capture_offset);
+    register_alone("apply_offset", kernels, &Kernels::apply_offset, &Workbench::apply_offset);
+    register_alone("noise", kernels, &Kernels::noise, &Workbench::noise);
     benchmark::RegisterBenchmark(("model_palette/" + target).c_str(), model_palette_alone, kernels);
     sizes(benchmark::RegisterBenchmark(("pipeline/" + target).c_str(), pipeline, kernels));
   }

@@ -15,10 +15,15 @@
 // After foreach_target, which chooses the target that these are compiled for.
 #include <hwy/highway.h>
 
+#include "engine/anim/kernel/add-inl.h"
 #include "engine/anim/kernel/blend-inl.h"
 #include "engine/anim/kernel/general_palette-inl.h"
+#include "engine/anim/kernel/mix-inl.h"
+#include "engine/anim/kernel/noise-inl.h"
+#include "engine/anim/kernel/offset-inl.h"
 #include "engine/anim/kernel/rigid_palette-inl.h"
 #include "engine/anim/kernel/sample-inl.h"
+#include "engine/anim/kernel/subtract-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
@@ -53,7 +58,19 @@ void model_palette(const ModelPaletteJob& job) {
   }
 }
 
-Kernels kernel_set() { return {hwy::TargetName(HWY_TARGET), HWY_NATIVE_FMA != 0, &sample, &blend, &model_palette}; }
+Kernels kernel_set() {
+  return {.target = hwy::TargetName(HWY_TARGET),
+          .fused_multiply_add = HWY_NATIVE_FMA != 0,
+          .sample = &sample,
+          .blend = &blend,
+          .mix = &mix,
+          .add = &add,
+          .subtract = &subtract,
+          .capture_offset = &capture_offset,
+          .apply_offset = &apply_offset,
+          .noise = &noise,
+          .model_palette = &model_palette};
+}
 
 }  // namespace throng::anim::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -7,6 +7,8 @@
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/base/transform.h"
 #include "engine/anim/kernel/hierarchy.h"
+#include "engine/anim/kernel/noise.h"
+#include "engine/anim/kernel/offset.h"
 #include "engine/anim/kernel/pose.h"
 
 namespace throng::anim {
@@ -30,6 +32,43 @@ struct BlendJob {
   const float* to = nullptr;            ///< [components][16]
   const float* bone_weights = nullptr;  ///< [16], 0 to 1, or null: all 1
   float fraction = 0.0F;                ///< 0 to 1
+  int components = rigid_components;
+  float* out = nullptr;  ///< [components][16]
+};
+
+/// Mix: N sources at once, out = normalise(sum of w * q) in their order, each q on the hemisphere of the sum before it;
+/// positions and scales linear. w = weight * bone weight, divided by their sum bone by bone. A source of w = 0 changes
+/// no bit; where one source weighs all, and where none weighs anything (then it is the first), its bits are copied.
+/// `out` may be any of the sources.
+inline constexpr int most_mixed_sources = 8;
+inline constexpr float least_mixed_weight = 1e-30F;  ///< a bone whose weights sum to less is weighed by none
+struct MixJob {
+  const float* const* sources = nullptr;       ///< [count], each [components][16]
+  const float* weights = nullptr;              ///< [count], 0 or more, their sum is 1
+  const float* const* bone_weights = nullptr;  ///< [count], each [16] from 0 to 1 or null (all 1); or null: all null
+  int count = 0;                               ///< 1 to most_mixed_sources
+  int components = rigid_components;
+  float* out = nullptr;  ///< [components][16]
+};
+
+/// Add: an additive layer, applied on the right. Rotation base * normalise(identity * (1 - w) + delta * w), delta on
+/// identity's hemisphere; position base + w * delta; scale base * (1 + w * (delta - 1)); w = weight * bone weight. A
+/// bone of w = 0 keeps the bits of `base`. `out` may be `base` or `delta`.
+struct AddJob {
+  const float* base = nullptr;          ///< [components][16]
+  const float* delta = nullptr;         ///< [components][16], see SubtractJob
+  const float* bone_weights = nullptr;  ///< [16], 0 to 1, or null: all 1
+  float weight = 0.0F;                  ///< 0 to 1
+  int components = rigid_components;
+  float* out = nullptr;  ///< [components][16]
+};
+
+/// Subtract: the delta that AddJob adds. Rotation reference^-1 * pose, with w >= 0; position pose - reference; scale
+/// pose / reference, and 1 where the reference is 0. Added to the reference with a weight of 1 it gives the pose, its
+/// rotation up to the sign. `out` may be `pose` or `reference`.
+struct SubtractJob {
+  const float* pose = nullptr;       ///< [components][16]
+  const float* reference = nullptr;  ///< [components][16]
   int components = rigid_components;
   float* out = nullptr;  ///< [components][16]
 };
@@ -62,6 +101,12 @@ struct Kernels {
   bool fused_multiply_add;
   void (*sample)(const SampleJob& job);
   void (*blend)(const BlendJob& job);
+  void (*mix)(const MixJob& job);
+  void (*add)(const AddJob& job);
+  void (*subtract)(const SubtractJob& job);
+  void (*capture_offset)(const OffsetCaptureJob& job);
+  void (*apply_offset)(const OffsetApplyJob& job);
+  void (*noise)(const NoiseJob& job);
   void (*model_palette)(const ModelPaletteJob& job);
 };
 

@@ -52,6 +52,18 @@ HWY_INLINE Quaternions<V> scaled(const Quaternions<V>& q, V factor) {
   return {hn::Mul(q.x, factor), hn::Mul(q.y, factor), hn::Mul(q.z, factor), hn::Mul(q.w, factor)};
 }
 
+/// The rotation back, of unit quaternions.
+template <class V>
+HWY_INLINE Quaternions<V> conjugate(const Quaternions<V>& q) {
+  return {hn::Neg(q.x), hn::Neg(q.y), hn::Neg(q.z), q.w};
+}
+
+template <class V, class M>
+HWY_INLINE Quaternions<V> choose(M where, const Quaternions<V>& then, const Quaternions<V>& otherwise) {
+  return {hn::IfThenElse(where, then.x, otherwise.x), hn::IfThenElse(where, then.y, otherwise.y),
+          hn::IfThenElse(where, then.z, otherwise.z), hn::IfThenElse(where, then.w, otherwise.w)};
+}
+
 /// Rotation by b, then by a (Hamilton product a * b).
 template <class V>
 HWY_INLINE Quaternions<V> product(const Quaternions<V>& a, const Quaternions<V>& b) {
@@ -162,6 +174,14 @@ HWY_INLINE void store(D d, const Matrices<V>& m, float* to, int stride) {
   store(d, m.x, to, stride);
   store(d, m.y, to + 3 * stride, stride);
   store(d, m.z, to + 6 * stride, stride);
+}
+
+/// The components [begin, end) of a lane vector of bones, as they are.
+template <class D>
+HWY_INLINE void copy_components(D d, const float* from, float* to, int begin, int end) {
+  for (int component = begin; component < end; ++component) {
+    hn::Store(hn::Load(d, from + component * packet_bones), d, to + component * packet_bones);
+  }
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

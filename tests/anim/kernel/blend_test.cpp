@@ -1,44 +1,11 @@
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <random>
-
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
 #include "engine/anim/kernel/kernels.h"
+#include "tests/anim/kernel/random_packet.h"
 
 namespace throng::anim {
 namespace {
-
-struct alignas(64) Packet {
-  float lanes[general_components][packet_bones];
-};
-
-using Bits = std::array<std::uint32_t, sizeof(Packet) / 4>;
-Bits bits(const Packet& packet) { return std::bit_cast<Bits>(packet); }
-
-glm::dquat rotation_of(const Packet& packet, int bone) {
-  const auto& q = packet.lanes;
-  return {q[3][bone], q[0][bone], q[1][bone], q[2][bone]};
-}
-
-Packet random_packet(unsigned seed) {
-  std::mt19937 random(seed);
-  const auto signed_unit = [&] { return static_cast<float>(random()) / 2147483648.0F - 1.0F; };
-  Packet packet;
-  for (auto& component : packet.lanes) {
-    for (float& value : component) value = signed_unit();
-  }
-  for (int bone = 0; bone < packet_bones; ++bone) {
-    const double length = glm::length(rotation_of(packet, bone));
-    for (int axis = 0; axis < 4; ++axis) {
-      packet.lanes[axis][bone] = static_cast<float>(static_cast<double>(packet.lanes[axis][bone]) / length);
-    }
-  }
-  return packet;
-}
 
 glm::dquat reference_blend(const glm::dquat& from, glm::dquat to, double weight) {
   if (glm::dot(from, to) < 0.0) to = -to;

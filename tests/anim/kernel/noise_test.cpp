@@ -1,0 +1,208 @@
+#include "engine/anim/kernel/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/base/hash.h"
+#include "engine/anim/kernel/kernels.h"
+#include "tests/anim/kernel/random_packet.h"
+
+namespace throng::anim {
+namespace {
+
+struct alignas(64) Amplitudes {
+  float of[packet_bones];
+};
+
+Amplitudes even_amplitudes(float radians) {
+  Amplitudes amplitudes{};
+  std::fill(std::begin(amplitudes.of), std::end(amplitudes.of), radians);
+  return amplitudes;
+}
+
+struct Noise {
+  Amplitudes amplitudes = even_amplitudes(0.1F);
+  NoisePoint point;
+  std::uint64_t seed = 17;
+  int packet = 2;
+};
+
+void add_noise(const Kernels& kernels, const Packet& from, const Noise& noise, Packet& out,
+               int components = general_components) {
+  kernels.noise({.from = from.data(),
+                 .amplitudes = noise.amplitudes.of,
+                 .point = noise.point,
+                 .seed = noise.seed,
+                 .packet = noise.packet,
+                 .components = components,
+                 .out = out.data()});
+}
+
+Packet with_noise(const Kernels& kernels, const Packet& from, const Noise& noise) {
+  Packet out{};
+  add_noise(kernels, from, noise, out);
+  return out;
+}
+
+/// The rotation that the noise adds to a bone of the best kernels.
+glm::dvec3 turn_at(const Noise& noise, int bone) {
+  return rotation_vector(rotation_of(with_noise(best_kernels(), identity_packet(), noise), bone));
+}
+
+std::uint32_t mixed(std::uint32_t bits) {
+  bits = (bits ^ (bits >> 16)) * 0x7FEB352DU;
+  bits = (bits ^ (bits >> 15)) * 0x846CA68BU;
+  return bits ^ (bits >> 16);
+}
+
+double lattice_value(const Noise& noise, std::uint64_t axis, std::int64_t point, int bone) {
+  const std::uint64_t key = chain_hash(chain_hash(noise.seed, axis), static_cast<std::uint64_t>(point));
+  const auto number = static_cast<std::uint32_t>(noise.packet * packet_bones + bone);
+  const std::uint32_t bits = mixed((number * 0x9E3779B9U) ^ static_cast<std::uint32_t>(key));
+  return static_cast<double>(static_cast<std::int32_t>(bits) >> 8) / 8388608.0;
+}
+
+glm::dvec3 reference_turn(const Noise& noise, int bone) {
+  const auto t = static_cast<double>(noise.point.fraction);
+  glm::dvec3 turn(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto value = [&](int step) {
+      return lattice_value(noise, static_cast<std::uint64_t>(axis), noise.point.lattice + step, bone);
+    };
+    turn[axis] = value(0) * 0.5 * (1 - t) * (1 - t) + value(1) * (0.5 + t - t * t) + value(2) * 0.5 * t * t;
+  }
+  return turn * static_cast<double>(noise.amplitudes.of[bone]) / std::sqrt(3.0);
+}
+
+TEST(Noise, AgreesWithDoublePrecisionOnEveryTarget) {
+  for (const Kernels& kernels : runnable_kernels()) {
+    for (unsigned seed = 0; seed < 60; ++seed) {
+      Noise noise{.amplitudes = even_amplitudes(static_cast<float>(seed) * 0.05F),
+                  .point = {static_cast<std::int64_t>(seed) * 977 - 9000, static_cast<float>(seed) / 59.0F},
+                  .seed = seed};
+      noise.packet = static_cast<int>(seed % 5);
+      const Packet from = random_packet(seed);
+      const Packet out = with_noise(kernels, from, noise);
+      for (int bone = 0; bone < packet_bones; ++bone) {
+        const glm::dquat expected = rotation_of(from, bone) * rotation_by(reference_turn(noise, bone));
+        EXPECT_LT(glm::length(rotation_of(out, bone) - expected), 1e-6) << kernels.target << " " << seed;
+      }
+    }
+  }
+}
+
+TEST(Noise, NeverTurnsABoneByMoreThanItsAmplitudeAndUsesMuchOfIt) {
+  double largest = 0.0;
+  for (std::int64_t point = 0; point < 2000; ++point) {
+    const Noise noise{.amplitudes = even_amplitudes(0.5F), .point = {point, 0.5F}};
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      const double turn = glm::length(turn_at(noise, bone));
+      EXPECT_LE(turn, 0.5);
+      largest = std::max(largest, turn);
+    }
+  }
+  EXPECT_GT(largest, 0.4);
+}
+
+TEST(Noise, HasNoJumpsInValueOrVelocity) {
+  // Across five lattice points of 4 Hz, 10,000 steps a second: a velocity changes little from step to step.
+  constexpr float frequency = 4.0F;
+  constexpr Ticks step = ticks_per_second / 10000;
+  constexpr double seconds = 1e-4;
+  glm::dvec3 before = turn_at({.amplitudes = even_amplitudes(1.0F), .point = noise_at(-step, frequency)}, 3);
+  glm::dvec3 now = turn_at({.amplitudes = even_amplitudes(1.0F), .point = noise_at(0, frequency)}, 3);
+  for (int i = 1; i < 12500; ++i) {
+    const glm::dvec3 next = turn_at({.amplitudes = even_amplitudes(1.0F), .point = noise_at(i * step, frequency)}, 3);
+    ASSERT_LT(glm::length(next - now), 8.0 * seconds) << i;
+    // The second derivative is at most 4 times the frequency squared; the rest is rounding.
+    ASSERT_LT(glm::length(next - 2.0 * now + before), 64.0 * seconds * seconds + 1e-6) << i;
+    before = now;
+    now = next;
+  }
+}
+
+TEST(Noise, IsAsExactAfterAYearAsAtFirst) {
+  constexpr Ticks year = Ticks{365} * 24 * 3600 * ticks_per_second;
+  constexpr float frequency = 7.25F;
+  const NoisePoint first = noise_at(ticks_per_second / 3, frequency);
+  const NoisePoint later = noise_at(year + ticks_per_second / 3, frequency);
+  EXPECT_EQ(later.fraction, first.fraction);
+  EXPECT_EQ(later.lattice - first.lattice, std::int64_t{365} * 24 * 900 * 29);
+}
+
+TEST(Noise, RunsEvenlyThroughNegativeTimes) {
+  for (const double seconds : {-3.7, -1.0, -0.25, 0.0, 0.25, 1.0, 3.7}) {
+    const NoisePoint point = noise_at(to_ticks(seconds), 2.5F);
+    EXPECT_NEAR(static_cast<double>(point.lattice) + static_cast<double>(point.fraction), seconds * 2.5, 1e-6);
+    EXPECT_GE(point.fraction, 0.0F);
+    EXPECT_LE(point.fraction, 1.0F);
+  }
+}
+
+TEST(Noise, StandsStillAtNoFrequency) {
+  EXPECT_EQ(noise_at(5 * ticks_per_second, 0.0F).lattice, 0);
+  EXPECT_EQ(noise_at(5 * ticks_per_second, 0.0F).fraction, 0.0F);
+}
+
+TEST(Noise, DiffersBetweenSeedsBonesAndAxes) {
+  const Noise noise{.point = {5, 0.3F}};
+  Noise other_seed = noise;
+  other_seed.seed = 18;
+  Noise other_packet = noise;
+  other_packet.packet = 3;
+  EXPECT_GT(glm::length(turn_at(noise, 0) - turn_at(other_seed, 0)), 1e-3);
+  EXPECT_GT(glm::length(turn_at(noise, 0) - turn_at(other_packet, 0)), 1e-3);
+  EXPECT_GT(glm::length(turn_at(noise, 0) - turn_at(noise, 1)), 1e-3);
+  EXPECT_GT(std::abs(turn_at(noise, 0).x - turn_at(noise, 0).y), 1e-3);
+}
+
+TEST(Noise, LeansToNoSide) {
+  glm::dvec3 sum(0.0);
+  for (std::int64_t point = 0; point < 2000; ++point) {
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      sum += turn_at({.amplitudes = even_amplitudes(1.0F), .point = {point, 0.0F}}, bone);
+    }
+  }
+  EXPECT_LT(glm::length(sum) / (2000.0 * packet_bones), 0.01);
+}
+
+TEST(Noise, KeepsTheBitsOfABoneWithoutAmplitude) {
+  for (const Kernels& kernels : runnable_kernels()) {
+    Noise noise{.point = {5, 0.3F}};
+    for (int bone = 0; bone < packet_bones; bone += 2) noise.amplitudes.of[bone] = 0.0F;
+    for (const Packet& from : {random_packet(1), identity_packet()}) {
+      const Packet out = with_noise(kernels, from, noise);
+      for (int bone = 0; bone < packet_bones; ++bone) {
+        EXPECT_EQ(bone_bits(out, bone) == bone_bits(from, bone), bone % 2 == 0) << kernels.target << " " << bone;
+      }
+    }
+  }
+}
+
+TEST(Noise, MayWriteOverWhatItReadsAndDoesNotTouchWhatTheStateHasNot) {
+  for (const Kernels& kernels : runnable_kernels()) {
+    const Noise noise{.point = {5, 0.3F}};
+    Packet over = random_packet(5);
+    add_noise(kernels, over, noise, over);
+    EXPECT_EQ(bits(over), bits(with_noise(kernels, random_packet(5), noise))) << kernels.target;
+    Packet rigid{};
+    add_noise(kernels, random_packet(5), noise, rigid, rigid_components);
+    for (int bone = 0; bone < packet_bones; ++bone) EXPECT_EQ(scale_of(rigid, bone), glm::dvec3(0.0));
+  }
+}
+
+TEST(Noise, IsTheSameToTheBitAmongTargetsThatFuse) {
+  const Noise noise{.point = {123456789012, 0.3F}};
+  const Packet best = with_noise(best_kernels(), random_packet(5), noise);
+  for (const Kernels& kernels : runnable_kernels()) {
+    if (kernels.fused_multiply_add != best_kernels().fused_multiply_add) continue;
+    EXPECT_EQ(bits(with_noise(kernels, random_packet(5), noise)), bits(best)) << kernels.target;
+  }
+}
+
+}  // namespace
+}  // namespace throng::anim

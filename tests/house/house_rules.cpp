@@ -105,6 +105,7 @@ const std::vector<Part>& parts() {
       {"GL/osmesa", {"engine/render/gl/osmesa_context.cpp"}},
       {"glad/", {"engine/render/"}},
       {"hwy/", {"engine/anim/kernel/"}},
+      {"oneapi/tbb/", {"engine/anim/run/tbb_executor.h", "engine/anim/run/tbb_executor.cpp"}},
       {"stb_image", {"engine/anim/import/images.cpp"}},
       {"png.h", {"engine/render/image.cpp"}},
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},

@@ -1,0 +1,24 @@
+// Who runs the jobs of the PUs: our own threads, or a host's job system.
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/run/pu_threads.h"
+#include "tests/library/executor_promises.h"
+#include "tests/library/executors/host_jobs.h"
+
+namespace throng::anim {
+namespace {
+
+TEST(Executors, PuThreadsRunEachJobOnce) {
+  PuThreads threads(4);
+  for (const int jobs : {1, 2, 4}) expect_each_job_once(threads, jobs);
+}
+
+TEST(Executors, AHostsJobSystemRunsEachJobOnce) {
+  HostJobs host(2);
+  HostExecutor executor(host);
+  for (const int jobs : {1, 2, 16}) expect_each_job_once(executor, jobs);
+}
+
+}  // namespace
+}  // namespace throng::anim

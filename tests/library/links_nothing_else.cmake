@@ -1,0 +1,23 @@
+# PROGRAM, which links throng::anim, and the PACKAGE that gave it name Highway and what every program has; nothing that
+# draws or reads files.
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${PROGRAM} RESOLVED_DEPENDENCIES_VAR linked)
+foreach(library IN LISTS linked)
+  if(NOT library MATCHES "/(libhwy|libstdc\\+\\+|libm|libgcc_s|libc|libasan|libubsan|libtsan|ld-linux[^/]*)\\.so[^/]*$")
+    message(SEND_ERROR "${PROGRAM} needs ${library}")
+  endif()
+endforeach()
+if(NOT linked MATCHES "libhwy")
+  message(SEND_ERROR "not even Highway is linked: is this the program of throng::anim?")
+endif()
+
+file(STRINGS ${PACKAGE}/throng-anim.cmake named REGEX "INTERFACE_LINK_LIBRARIES")
+string(REGEX REPLACE "^.*INTERFACE_LINK_LIBRARIES \"(.*)\"$" "\\1" named "${named}")
+string(REGEX REPLACE "\\\\([$;])" "\\1" named "${named}")
+list(REMOVE_ITEM named glm::glm Threads::Threads "$<LINK_ONLY:hwy::hwy>" "$<LINK_ONLY:>")
+if(named)
+  message(SEND_ERROR "throng::anim names ${named}")
+endif()
+file(STRINGS ${PACKAGE}/throng-anim.cmake settings REGEX "INTERFACE_(COMPILE_OPTIONS|LINK_OPTIONS|COMPILE_DEFINITIONS)")
+if(settings)
+  message(SEND_ERROR "throng::anim gives its settings to others: ${settings}")
+endif()

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/run/pu_threads.h"
+#include "tests/library/crowd_hash.h"
 #include "tests/library/executor_promises.h"
 #include "tests/library/executors/host_jobs.h"
 
@@ -18,6 +19,12 @@ TEST(Executors, AHostsJobSystemRunsEachJobOnce) {
   HostJobs host(2);
   HostExecutor executor(host);
   for (const int jobs : {1, 2, 16}) expect_each_job_once(executor, jobs);
+}
+
+TEST(Executors, AHostsJobSystemGivesThePosesOfOurOwnThreads) {
+  HostJobs host(2);
+  HostExecutor executor(host);
+  expect_the_poses_of_our_own_threads(executor);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/library/crowd_hash.h"
 #include "tests/library/executor_promises.h"
 
 namespace throng::anim {
@@ -73,6 +74,14 @@ TEST(TbbExecutor, TakesNoWorkOfTheHostWhileItWaits) {
   executor.run(2, {[](void* context, int) { static_cast<Meeting*>(context)->attend(); }, &meeting});
   while (meeting.submitted && !meeting.host_work_done) std::this_thread::yield();
   EXPECT_NE(meeting.host_worker, meeting.caller);
+}
+
+TEST(TbbExecutor, GivesThePosesOfOurOwnThreads) {
+  for (const int threads : {1, 2}) {
+    tbb::task_arena arena(threads);
+    TbbExecutor executor(arena);
+    expect_the_poses_of_our_own_threads(executor);
+  }
 }
 
 }  // namespace

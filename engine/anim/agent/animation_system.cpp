@@ -92,7 +92,11 @@ Status AnimationSystem::configure(const SystemOptions& options) {
                                                            .pus = options.pus},
                                            static_cast<std::size_t>(character_->skeleton.palette_count()));
   scheduler_->reserve(agent_count());
-  if (threads_ == nullptr || options.pus != options_.pus) threads_ = std::make_unique<PuThreads>(options.pus);
+  if (options.executor != nullptr) {
+    threads_.reset();
+  } else if (threads_ == nullptr || options.pus != options_.pus) {
+    threads_ = std::make_unique<PuThreads>(options.pus);
+  }
   options_ = options;
   return Done{};
 }
@@ -126,7 +130,7 @@ void AnimationSystem::update(std::span<const AgentUpdate> agents) {
   ++frame_;
   report_ = {};
   begin_work(agents);
-  scheduler_->update({&context_, 1}, {}, work_, *threads_);
+  scheduler_->update({&context_, 1}, {}, work_, executor());
   end_work();
 }
 

@@ -19,6 +19,8 @@ struct SystemOptions {
   std::size_t local_store_bytes = 0;  ///< of each PU; 0: automatic, see automatic_local_store
   int tile = 0;                       ///< characters a tile: 1, 2, 4, 8, 16; 0: what fits
   Schedule schedule = Schedule::fused;
+  /// Who runs the PUs: a host's job system, which outlives the system; null: threads of the system's own.
+  Executor* executor = nullptr;
   DoubleBuffering double_buffering = DoubleBuffering::interleaved;
   StreamKind stream = StreamKind::sampled;
   bool hash = true;                  ///< hash every palette that is written
@@ -90,6 +92,7 @@ class AnimationSystem {
  private:
   AnimationSystem(std::shared_ptr<const Character> character);
   LocalStoreDemand demand(const SystemOptions& options) const;
+  Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
   void begin_work(std::span<const AgentUpdate> agents);
   void end_work();
 
@@ -102,7 +105,7 @@ class AnimationSystem {
   BlendTrees trees_;
   UpdateContext context_;
   std::unique_ptr<Scheduler> scheduler_;
-  std::unique_ptr<PuThreads> threads_;
+  std::unique_ptr<PuThreads> threads_;  // null where a host's executor runs the PUs
 
   Ticks clock_ = 0;
   std::uint64_t frame_ = 0;

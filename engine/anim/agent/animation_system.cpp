@@ -20,12 +20,12 @@ ClipStreams streams_of(const BakedClip& clip) {
   return streams;
 }
 
-// Blenders are set aside by the trees.
 void reserve_fades(EntityPools& pools, StreamKind stream, std::size_t agents) {
   constexpr std::size_t players_of_a_fade = 2;
   const bool sampled = stream == StreamKind::sampled;
   pools.pool(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players)
       .reserve(players_of_a_fade * agents);
+  pools.pool(EntityPools::ease_blenders).reserve(agents);
 }
 
 Residency residency_for(Schedule schedule) {
@@ -37,9 +37,8 @@ Residency residency_for(Schedule schedule) {
 AnimationSystem::AnimationSystem(std::shared_ptr<const Character> character)
     : character_(std::move(character)),
       pools_(character_->skeleton.bone_count(), character_->skeleton.components(), Residency::transient),
-      trees_(pools_, {}) {
+      agents_(pools_) {
   for (const BakedClip& clip : character_->clips) clips_.push_back(streams_of(clip));
-  trees_ = BlendTrees(pools_, clips_);
   context_ = {.hierarchy = &character_->hierarchy,
               .assets = {.clips = clips_,
                          .masks = {},
@@ -68,22 +67,23 @@ LocalStoreDemand AnimationSystem::demand(const SystemOptions& options) const {
           .double_buffering = options.double_buffering,
           .any_sampled = sampled && std::ranges::any_of(clips_, has_sampled),
           .any_keyframe = !sampled || !std::ranges::all_of(clips_, has_sampled),
-          .largest = {}};
+          .largest = agents_.largest_needs()};
 }
 
 Status AnimationSystem::configure(const SystemOptions& options) {
   const Residency before = pools_.residency();
-  pools_.set_residency(residency_for(options.schedule));
+  set_residency(residency_for(options.schedule));
+  set_stream(options.stream);
   const LocalStoreDemand needs = demand(options);
   const std::size_t store_bytes =
       options.local_store_bytes == 0 ? automatic_local_store({&context_, 1}, needs) : options.local_store_bytes;
   const Result<LocalStorePlan> plan = plan_local_store({&context_, 1}, needs, store_bytes, options.tile);
   if (!plan) {
-    pools_.set_residency(before);
+    set_stream(options_.stream);
+    set_residency(before);
     return plan.error();
   }
   reserve_fades(pools_, options.stream, agent_count());
-  trees_.set_stream(options.stream);
   context_.assets.kernels = options.kernels == nullptr ? &best_kernels() : options.kernels;
   scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options.schedule,
                                                            .double_buffering = options.double_buffering,
@@ -101,13 +101,30 @@ Status AnimationSystem::configure(const SystemOptions& options) {
   return Done{};
 }
 
+void AnimationSystem::set_residency(Residency residency) {
+  if (residency == pools_.residency()) return;
+  pools_.set_residency(residency);
+  agents_.recompile();
+}
+
+void AnimationSystem::set_stream(StreamKind stream) {
+  for (std::uint32_t agent = 0; agent < agent_count(); ++agent) {
+    agents_.restream(EntityBuilder(pools_, clips_, {.owner = agent, .stream = stream}), agent);
+  }
+  agents_.recompile();
+}
+
 void AnimationSystem::set_agent_count(std::uint32_t agents) {
   reserve_fades(pools_, options_.stream, agents);
-  trees_.resize(agents);
+  agents_.resize(agents);
   posed_at_.resize(agents, clock_);
   agent_hashes_.resize(agents, 0);
   work_.reserve(agents);
   scheduler_->reserve(agents);
+}
+
+EntityBuilder AnimationSystem::builder(std::uint32_t agent) {
+  return {pools_, clips_, {.owner = agent, .now = clock_, .posed_at = posed_at_[agent], .stream = options_.stream}};
 }
 
 int AnimationSystem::add_mask(BoneMask mask) {
@@ -122,8 +139,47 @@ int AnimationSystem::add_mask(BoneMask mask) {
 bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
   assert(request.mask >= PlayRequest::no_mask && request.mask < static_cast<int>(masks_.size()) &&
          "PlayRequest::mask is not one that add_mask returned");
-  trees_.end_fades(agent, clock_);
-  return trees_.play(agent, request, options_.stream, clock_, posed_at_[agent]);
+  const EntityBuilder build = builder(agent);
+  if (agents_.channel_count(agent) == 0) {
+    [[maybe_unused]] const Status added = agents_.add_channel(build, agent, std::make_unique<CrossFadeChannel>(), {});
+    assert(added && "a channel that plays nothing yet");
+  }
+  assert(dynamic_cast<CrossFadeChannel*>(&agents_.channel(agent, 0)) != nullptr && "another kind of channel was added");
+  const bool taken = static_cast<CrossFadeChannel&>(agents_.channel(agent, 0)).play(build, request);
+  [[maybe_unused]] const Status changed = settled(agent, agents_.rebuild(build, agent));
+  assert(changed && "room for an interrupted fade of every agent is set aside");
+  return taken;
+}
+
+Status AnimationSystem::add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel,
+                                    const LayerSettings& settings) {
+  return settled(agent, agents_.add_channel(builder(agent), agent, std::move(channel), settings));
+}
+
+Status AnimationSystem::add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process) {
+  return settled(agent, agents_.add_post_process(builder(agent), agent, std::move(process)));
+}
+
+void AnimationSystem::remove_post_processes(std::uint32_t agent) {
+  agents_.remove_post_processes(builder(agent), agent);
+}
+
+void AnimationSystem::set_channel_weight(std::uint32_t agent, std::size_t channel, float weight) {
+  agents_.set_weight(agent, channel, weight);
+}
+
+// What an agent asks of the local store after a change may be more than any did before.
+Status AnimationSystem::settled(std::uint32_t agent, Status changed) {
+  if (!changed) return changed;
+  const StoreNeeds& needs = agents_.program(agent).needs;
+  if (plan_holds(schedule().plan, context_, options_.schedule, needs)) return changed;
+  LocalStoreDemand larger = demand(options_);
+  larger.largest.widen(needs);
+  const Result<LocalStorePlan> plan =
+      plan_local_store({&context_, 1}, larger, schedule().local_store_bytes, options_.tile);
+  if (!plan) return plan.error();
+  scheduler_->set_plan(*plan);
+  return changed;
 }
 
 void AnimationSystem::update(std::span<const AgentUpdate> agents) {
@@ -134,13 +190,19 @@ void AnimationSystem::update(std::span<const AgentUpdate> agents) {
   end_work();
 }
 
+void AnimationSystem::update_channels(std::uint32_t agent) {
+  [[maybe_unused]] const Status updated = settled(agent, agents_.update(builder(agent), agent));
+  assert(updated && "a channel changed by itself to a graph that cannot be run");
+}
+
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   work_.clear();
   std::array<std::uint64_t, max_bone_levels> agents_by_level{};
   for (const AgentUpdate& update : agents) {
     const Ticks time = std::max(clock_ + update.look_ahead, posed_at_[update.agent]);
-    trees_.end_fades(update.agent, clock_);
-    const PoseProgram& program = trees_.program(update.agent);
+    if (agents_.next_update(update.agent) <= clock_) update_channels(update.agent);
+    const PoseProgram& program = agents_.program(update.agent);
+    assert(!program.steps.empty() && "an agent must play something before it is updated");
     work_.push_back({.program = &program,
                      .delta = time - posed_at_[update.agent],
                      .palette = update.palette,
@@ -177,17 +239,13 @@ void AnimationSystem::end_work() {
 }
 
 double AnimationSystem::bytes_per_agent() const {
-  std::size_t bytes = 0;
-  for (std::uint32_t kind = 0; kind < pools_.kind_count(); ++kind) {
-    const Pool& pool = pools_.pool(kind);
-    bytes += pool.alive_count() * pool.block_size();
-  }
-  const std::size_t bookkeeping = BlendTrees::bytes_per_agent() + sizeof(Ticks) + sizeof(std::uint64_t);
-  return static_cast<double>(bytes) / std::max<double>(agent_count(), 1.0) + static_cast<double>(bookkeeping);
+  std::size_t bytes = agents_.bytes() + agent_count() * (sizeof(Ticks) + sizeof(std::uint64_t));
+  for (EntityPools::Kind kind = 0; kind < pools_.kind_count(); ++kind) bytes += pools_.pool(kind).memory().bytes_alive;
+  return static_cast<double>(bytes) / std::max<double>(agent_count(), 1.0);
 }
 
 std::span<const float> AnimationSystem::pose(std::uint32_t agent) const {
-  const Handle root = trees_.program(agent).root();
+  const Handle root = agents_.program(agent).root();
   const std::size_t floats = pose_bytes(context_.assets.bone_count, context_.assets.components) / sizeof(float);
   return {transforms_of(pools_.as<AnimationStateHeader>(root)), floats};
 }

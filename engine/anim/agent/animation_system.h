@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "engine/anim/agent/blend_trees.h"
+#include "engine/anim/agent/agents.h"
+#include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/asset/character.h"
 #include "engine/anim/base/result.h"
@@ -46,6 +49,9 @@ struct UpdateReport {
   CopyCounts copies;
 };
 
+/// A crowd as it was: the bytes of its blocks, and what its agents remember. See AnimationSystem::snapshot.
+class SystemSnapshot;
+
 /// The façade (paper 2.1.2): a crowd of agents that share one character. Requests between frames, then a frame:
 ///     advance(dt)       the clock of every agent, updated or not
 ///     update(agents)    poses those that level of detail chose, on all PUs; returns when they are done
@@ -61,19 +67,49 @@ class AnimationSystem {
 
   /// New agents play nothing until asked; every agent must play something before it is updated.
   void set_agent_count(std::uint32_t agents);
-  std::uint32_t agent_count() const { return trees_.agent_count(); }
+  std::uint32_t agent_count() const { return agents_.count(); }
 
-  /// Per-bone weights for requests, to be added at load time; the index for `PlayRequest::mask`. The mask was made for
-  /// this character's skeleton.
+  /// Per-bone weights for requests and layers, to be added at load time; the index for `PlayRequest::mask`. The mask
+  /// was made for this character's skeleton.
   int add_mask(BoneMask mask);
 
-  /// False: too many fades run already; ask again later. Blends that stay (masked or held) count until they are
-  /// replaced. Room for one fade of every agent is set aside; where more run at once, this adds a slab of blocks.
+  /// A kind of entity of the host's own, to be added at load time: for channels and post processes that make such
+  /// entities. `kind` outlives the system.
+  EntityPools::Kind add_entity_kind(const EntityKind& kind) { return pools_.add_kind(kind); }
+
+  /// Plays a clip on the agent's first channel, which is a CrossFadeChannel unless another was added first. False: all
+  /// places of the channel's tree are taken by blends that stay (masked or held).
   bool play(std::uint32_t agent, const PlayRequest& request);
+
+  /// Lays a channel over those that the agent has. Errors: its graph has a cycle, or is too large for the local store.
+  Status add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel, const LayerSettings& settings = {});
+  /// The agent's pose passes through it, after those that were added before.
+  Status add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process);
+  void remove_post_processes(std::uint32_t agent);
+  /// Of a channel but the first, over those before it.
+  void set_channel_weight(std::uint32_t agent, std::size_t channel, float weight);
+
+  std::size_t channel_count(std::uint32_t agent) const { return agents_.channel_count(agent); }
+  const Channel& channel(std::uint32_t agent, std::size_t index) const { return agents_.channel(agent, index); }
+  /// Sets parameters of a channel, which is then updated: system.change<BlendSpaceChannel>(agent, 0, [&](auto& walk) {
+  /// walk.set_parameter(speed); }).
+  template <typename Derived, typename Change>
+  Status change(std::uint32_t agent, std::size_t index, Change&& change_parameters) {
+    change_parameters(static_cast<Derived&>(agents_.channel(agent, index)));
+    return settled(agent, agents_.update(builder(agent), agent));
+  }
 
   void advance(Ticks delta) { clock_ += delta; }
   Ticks clock() const { return clock_; }
   void update(std::span<const AgentUpdate> agents);
+
+  /// Block copies of everything that changes: a crowd that is restored goes on to the same poses, bit for bit. Reuses
+  /// the snapshot's memory. Restoring is refused, and changes nothing, under a schedule whose blocks have other sizes.
+  void snapshot(SystemSnapshot& into) const;
+  Status restore(const SystemSnapshot& from);
+
+  /// Moves living blocks together, in the order in which the scheduler reads them, and gives memory back.
+  Compaction compact();
 
   const UpdateReport& report() const { return report_; }
   std::span<const ProcessingUnit> units() const { return scheduler_->units(); }
@@ -81,6 +117,8 @@ class AnimationSystem {
   const SystemOptions& options() const { return options_; }
   const Kernels& kernels() const { return *context_.assets.kernels; }
   const Character& character() const { return *character_; }
+  const EntityPools& pools() const { return pools_; }
+  const PoseProgram& program(std::uint32_t agent) const { return agents_.program(agent); }
   /// Over the palettes of all updates so far: an agent's is seeded by agent and frame, summed over agents, chained.
   std::uint64_t pose_hash() const { return pose_hash_; }
   /// Main memory of an agent, without palettes: blocks and bookkeeping.
@@ -90,9 +128,16 @@ class AnimationSystem {
   std::span<const float> pose(std::uint32_t agent) const;
 
  private:
+  friend class SystemSnapshot;
+
   AnimationSystem(std::shared_ptr<const Character> character);
-  LocalStoreDemand demand(const SystemOptions& options) const;
   Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
+  EntityBuilder builder(std::uint32_t agent);
+  LocalStoreDemand demand(const SystemOptions& options) const;
+  Status settled(std::uint32_t agent, Status changed);
+  void update_channels(std::uint32_t agent);
+  void set_stream(StreamKind stream);
+  void set_residency(Residency residency);
   void begin_work(std::span<const AgentUpdate> agents);
   void end_work();
 
@@ -102,7 +147,7 @@ class AnimationSystem {
   std::vector<BoneMask> masks_;
   std::vector<const float*> mask_weights_;  // of masks_, as the context lists them
   EntityPools pools_;
-  BlendTrees trees_;
+  Agents agents_;
   UpdateContext context_;
   std::unique_ptr<Scheduler> scheduler_;
   std::unique_ptr<PuThreads> threads_;  // null where a host's executor runs the PUs

@@ -9,7 +9,17 @@
 
 namespace throng::anim {
 
-enum class EntityType : std::uint32_t { state, sampled_player, keyframe_player, ease_blender, user };
+enum class EntityType : std::uint32_t {
+  state,
+  sampled_player,
+  keyframe_player,
+  ease_blender,
+  mixer,
+  additive_layer,
+  inertialiser,
+  noise_maker,
+  user
+};
 
 /// Paper 2.2.1. Every low-level entity is one relocatable block that begins with this header:
 ///

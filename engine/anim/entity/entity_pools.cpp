@@ -1,9 +1,13 @@
 #include "engine/anim/entity/entity_pools.h"
 
-#include <array>
 #include <cassert>
 
+#include "engine/anim/entity/additive_layer.h"
 #include "engine/anim/entity/ease_blender.h"
+#include "engine/anim/entity/held_state.h"
+#include "engine/anim/entity/inertialiser.h"
+#include "engine/anim/entity/mixer.h"
+#include "engine/anim/entity/noise_maker.h"
 #include "engine/anim/entity/player.h"
 
 namespace throng::anim {
@@ -12,7 +16,10 @@ EntityPools::EntityPools(int bone_count, int components, Residency residency)
     : bone_count_(bone_count), components_(components), residency_(residency), layouts_(std::size_t{2} * first_shared) {
   own_.reserve(most_kinds);
   shared_.reserve(most_kinds);
-  for (const EntityKind* kind : {&sampled_player_kind, &keyframe_player_kind, &ease_blender_kind}) add_kind(*kind);
+  for (const EntityKind* kind : {&sampled_player_kind, &keyframe_player_kind, &ease_blender_kind, &mixer_kind,
+                                 &additive_layer_kind, &inertialiser_kind, &noise_maker_kind, &held_state_kind}) {
+    add_kind(*kind);
+  }
 }
 
 EntityPools::Kind EntityPools::add_kind(const EntityKind& kind) {

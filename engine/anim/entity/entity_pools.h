@@ -17,7 +17,17 @@ class EntityPools {
  public:
   using Kind = std::uint32_t;
   /// The kinds that every skeleton has.
-  enum : Kind { sampled_players, keyframe_players, ease_blenders, usual_kinds };
+  enum : Kind {
+    sampled_players,
+    keyframe_players,
+    ease_blenders,
+    mixers,
+    additive_layers,
+    inertialisers,
+    noise_makers,
+    held_states,
+    usual_kinds
+  };
   static constexpr Kind most_kinds = 15;
 
   EntityPools(int bone_count, int components, Residency residency);
@@ -47,6 +57,7 @@ class EntityPools {
 
   Pool& pool(Kind kind) { return own_[kind]; }
   const Pool& pool(Kind kind) const { return own_[kind]; }
+  Pool& shared_pool(Kind kind) { return shared_[kind]; }
   const Pool& shared_pool(Kind kind) const { return shared_[kind]; }
   Residency residency() const { return residency_; }
 

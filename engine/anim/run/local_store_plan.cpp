@@ -31,19 +31,31 @@ StoreNeeds usual_needs(const UpdateContext& context, const LocalStoreDemand& dem
           .registers = usual_players};
 }
 
+/// Whatever a cross-fading channel is asked for: a new clip over a fade that is interrupted.
+StoreNeeds interrupted_fade_needs(const UpdateContext& context, const LocalStoreDemand& demand) {
+  const EntityLayout& inertialiser = context.pools->layout(EntityPools::inertialisers);
+  const EntityLayout& blender = context.pools->layout(EntityPools::ease_blenders);
+  return {.fetch_bytes = 3 * largest_player(context, demand) + blender.total_size + inertialiser.total_size,
+          .entity_bytes = inertialiser.total_size + 2 * blender.source_bytes(),
+          .prepared_bytes = 4 * static_cast<std::uint32_t>(sampled_player_kind.prepared_bytes),
+          .registers = 3};
+}
+
 LocalStorePlan plan_for_context(const UpdateContext& context, const LocalStoreDemand& demand, int width) {
   const StoreNeeds usual = usual_needs(context, demand);
+  StoreNeeds largest = demand.largest;
+  largest.widen(interrupted_fade_needs(context, demand));
   const auto lanes = static_cast<std::size_t>(width);
   if (demand.schedule == Schedule::fused) {
     return {.width = width,
-            .fetch_bytes = std::max<std::size_t>(
-                {lanes * usual.fetch_bytes, demand.largest.fetch_bytes, demand.shared_entity_bytes}),
+            .fetch_bytes =
+                std::max<std::size_t>({lanes * usual.fetch_bytes, largest.fetch_bytes, demand.shared_entity_bytes}),
             .scratch_bytes =
-                std::max(FusedScratch::bytes(context, usual, width), FusedScratch::bytes(context, demand.largest, 1))};
+                std::max(FusedScratch::bytes(context, usual, width), FusedScratch::bytes(context, largest, 1))};
   }
   return {.width = width,
-          .fetch_bytes = std::max<std::size_t>({usual.entity_bytes, demand.largest.entity_bytes,
-                                                demand.shared_entity_bytes, PaletteTasks::fetch_bytes(context, width)}),
+          .fetch_bytes = std::max<std::size_t>({usual.entity_bytes, largest.entity_bytes, demand.shared_entity_bytes,
+                                                PaletteTasks::fetch_bytes(context, width)}),
           .scratch_bytes = std::max(EntityTasks::scratch_bytes, PaletteTasks::scratch_bytes(context, width))};
 }
 

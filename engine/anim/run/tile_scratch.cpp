@@ -24,15 +24,15 @@ void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, Pale
 void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, const float* local,
                           std::span<const AgentWork> tile, int width, int packet) {
   context.assets.kernels->model_palette({.hierarchy = context.hierarchy,
-                                  .packet = packet,
-                                  .bone_count = context.level_bone_counts[tile.front().level],
-                                  .width = width,
-                                  .characters = static_cast<int>(tile.size()),
-                                  .local = local,
-                                  .carry = scratch.carry.data(),
-                                  .branch_slots = scratch.branches.data(),
-                                  .palettes = scratch.palettes.data(),
-                                  .hashes = tile.front().hash == nullptr ? nullptr : scratch.hashes.data()});
+                                         .packet = packet,
+                                         .bone_count = context.level_bone_counts[tile.front().level],
+                                         .width = width,
+                                         .characters = static_cast<int>(tile.size()),
+                                         .local = local,
+                                         .carry = scratch.carry.data(),
+                                         .branch_slots = scratch.branches.data(),
+                                         .palettes = scratch.palettes.data(),
+                                         .hashes = tile.front().hash == nullptr ? nullptr : scratch.hashes.data()});
 }
 
 void store_hashes(const ModelScratch& scratch, std::span<const AgentWork> tile) {

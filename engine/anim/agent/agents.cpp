@@ -1,0 +1,174 @@
+#include "engine/anim/agent/agents.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace throng::anim {
+namespace {
+
+constexpr std::size_t usual_steps = 3;  // a fade
+
+}  // namespace
+
+void Agents::resize(std::uint32_t count) {
+  for (std::size_t i = count; i < agents_.size(); ++i) destroy(agents_[i]);
+  const std::size_t before = agents_.size();
+  agents_.resize(count);
+  for (std::size_t i = before; i < agents_.size(); ++i) agents_[i].program.steps.reserve(usual_steps);
+  next_updates_.resize(count, never);
+}
+
+void Agents::destroy(Agent& agent) const {
+  const EntityBuilder build(*pools_, {}, {});
+  for (const Layer& layer : agent.layers) {
+    layer.channel->destroy_entities(build);
+    if (layer.blender.valid()) pools_->destroy(layer.blender);
+  }
+  for (const auto& process : agent.processes) process->destroy_entities(build);
+}
+
+Status Agents::add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
+                           const LayerSettings& settings) {
+  agents_[agent].layers.push_back({.channel = std::move(channel), .settings = settings, .blender = {}});
+  return update(build, agent);
+}
+
+Status Agents::add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process) {
+  agents_[agent].processes.push_back(std::move(process));
+  return rebuild(build, agent);
+}
+
+void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t agent) {
+  for (const auto& process : agents_[agent].processes) process->destroy_entities(build);
+  agents_[agent].processes.clear();
+  [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
+  assert(rebuilt && "fewer entities make no cycle");
+}
+
+void Agents::set_weight(std::uint32_t agent, std::size_t channel, float weight) {
+  Layer& layer = agents_[agent].layers[channel];
+  layer.settings.weight = weight;
+  if (layer.blender.valid()) pools_->as<EaseBlender>(layer.blender).fraction = weight;
+}
+
+Status Agents::update(const EntityBuilder& build, std::uint32_t agent) {
+  bool changed = agents_[agent].program.steps.empty();
+  for (const Layer& layer : agents_[agent].layers) changed = layer.channel->update(build) || changed;
+  if (changed) return rebuild(build, agent);
+  next_updates_[agent] = never;
+  for (const Layer& layer : agents_[agent].layers) {
+    next_updates_[agent] = std::min(next_updates_[agent], layer.channel->next_update());
+  }
+  return Done{};
+}
+
+// A layer whose channel plays nothing leaves what is below as it is.
+Handle Agents::lay(const EntityBuilder& build, Layer& layer, Handle below) const {
+  const Handle state = layer.channel->state();
+  if (!state.valid() || !below.valid()) {
+    if (layer.blender.valid()) build.destroy(std::exchange(layer.blender, {}));
+    return state.valid() ? state : below;
+  }
+  if (!layer.blender.valid()) layer.blender = build.hold(below, state, layer.settings.weight, layer.settings.mask);
+  auto& blender = build.as<EaseBlender>(layer.blender);
+  blender.from = below;
+  blender.to = state;
+  return layer.blender;
+}
+
+Status Agents::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
+  Agent& agent = agents_[agent_index];
+  Handle root;
+  next_updates_[agent_index] = never;
+  for (Layer& layer : agent.layers) {
+    root = lay(build, layer, root);
+    next_updates_[agent_index] = std::min(next_updates_[agent_index], layer.channel->next_update());
+  }
+  if (!root.valid()) {
+    agent.program.steps.clear();
+    return Done{};
+  }
+  for (const auto& process : agent.processes) root = process->attach(build, root);
+  return compile_program(*pools_, root, agent_index, agent.program);
+}
+
+void Agents::recompile() {
+  for (std::uint32_t agent = 0; agent < count(); ++agent) {
+    if (agents_[agent].program.steps.empty()) continue;
+    [[maybe_unused]] const Status compiled =
+        compile_program(*pools_, agents_[agent].program.root(), agent, agents_[agent].program);
+    assert(compiled && "it did before");
+  }
+}
+
+void Agents::visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const {
+  for (Layer& layer : agent.layers) {
+    layer.channel->visit_handles(visit);
+    if (layer.blender.valid()) visit(layer.blender);
+  }
+  for (const auto& process : agent.processes) process->visit_handles(visit);
+}
+
+void Agents::restream(const EntityBuilder& build, std::uint32_t agent_index) {
+  Agent& agent = agents_[agent_index];
+  std::vector<std::pair<Handle, Handle>> renamed;
+  visit_handles(agent, [&](Handle& handle) {
+    if (handle.pool() != EntityPools::sampled_players && handle.pool() != EntityPools::keyframe_players) return;
+    const EntityPools::Kind kind = build.player_kind(build.as<Player>(handle).clip);
+    if (kind == handle.pool()) return;
+    const Handle moved = build.create(kind);
+    auto& player = build.as<Player>(moved);
+    const AnimationStateHeader header = player.state;
+    player = build.as<Player>(handle);
+    player.state.type = header.type;
+    player.state.total_size = header.total_size;
+    player.state.transforms_offset = header.transforms_offset;
+    player.cursor = {};
+    renamed.emplace_back(handle, moved);
+    handle = moved;
+  });
+  if (renamed.empty()) return;
+  const auto rename = [&](Handle& handle) {
+    for (const auto& [from, to] : renamed) {
+      if (handle == from) handle = to;
+    }
+  };
+  visit_handles(agent, [&](Handle& handle) {
+    for (Handle& source : pools_->sources(handle)) rename(source);
+  });
+  for (PoseStep& step : agent.program.steps) rename(step.entity);
+  for (const auto& [from, to] : renamed) build.destroy(from);
+}
+
+StoreNeeds Agents::largest_needs() const {
+  StoreNeeds needs;
+  for (const Agent& agent : agents_) needs.widen(agent.program.needs);
+  return needs;
+}
+
+Agents Agents::clone() const {
+  Agents copy(*pools_);
+  copy.next_updates_ = next_updates_;
+  copy.agents_.reserve(agents_.size());
+  for (const Agent& agent : agents_) {
+    Agent& other = copy.agents_.emplace_back();
+    other.program = agent.program;
+    for (const Layer& layer : agent.layers) {
+      other.layers.push_back({.channel = layer.channel->clone(), .settings = layer.settings, .blender = layer.blender});
+    }
+    for (const auto& process : agent.processes) other.processes.push_back(process->clone());
+  }
+  return copy;
+}
+
+std::size_t Agents::bytes() const {
+  std::size_t bytes = agents_.capacity() * sizeof(Agent) + next_updates_.capacity() * sizeof(Ticks);
+  for (const Agent& agent : agents_) {
+    bytes += agent.layers.capacity() * sizeof(Layer) + agent.processes.capacity() * sizeof(void*) +
+             agent.program.steps.capacity() * sizeof(PoseStep);
+  }
+  return bytes;
+}
+
+}  // namespace throng::anim

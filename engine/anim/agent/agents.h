@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/anim/agent/channel.h"
+#include "engine/anim/agent/post_process.h"
+#include "engine/anim/base/result.h"
+#include "engine/anim/run/pose_program.h"
+
+namespace throng::anim {
+
+/// How a channel lies over those before it.
+struct LayerSettings {
+  float weight = 1.0F;              ///< 0 to 1
+  int mask = EaseBlender::no_mask;  ///< what `AnimationSystem::add_mask` returned
+};
+
+/// Paper 2.1.2: the agents of one skeleton. Each has channels, the later laid over the earlier, and post processes on
+/// top; what these make is one graph of entities, flattened to a program whenever it changes:
+///
+///     channel 0 ──┐
+///     channel 1 ──┴ blender ──┐
+///     channel 2 ──────────────┴ blender ── post process 0 ── post process 1 ── pose
+class Agents {
+ public:
+  explicit Agents(EntityPools& pools) : pools_(&pools) {}
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(agents_.size()); }
+  void resize(std::uint32_t count);
+
+  const PoseProgram& program(std::uint32_t agent) const { return agents_[agent].program; }
+  Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
+
+  std::size_t channel_count(std::uint32_t agent) const { return agents_[agent].layers.size(); }
+  Channel& channel(std::uint32_t agent, std::size_t index) const { return *agents_[agent].layers[index].channel; }
+
+  Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
+                     const LayerSettings& settings);
+  Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
+  void remove_post_processes(const EntityBuilder& build, std::uint32_t agent);
+  void set_weight(std::uint32_t agent, std::size_t channel, float weight);
+
+  /// Updates every channel and rebuilds the graph if one of them changed. On error (a channel made a graph with a
+  /// cycle) the agent goes on with the graph that it had.
+  Status update(const EntityBuilder& build, std::uint32_t agent);
+  /// After a channel was changed from outside.
+  Status rebuild(const EntityBuilder& build, std::uint32_t agent);
+  /// After layouts changed.
+  void recompile();
+
+  /// Moves every player of an agent to the pool of the builder's stream.
+  void restream(const EntityBuilder& build, std::uint32_t agent);
+
+  /// The most that any program asks of the local store.
+  StoreNeeds largest_needs() const;
+
+  Agents clone() const;
+  std::size_t bytes() const;
+
+ private:
+  struct Layer {
+    std::unique_ptr<Channel> channel;
+    LayerSettings settings;
+    Handle blender;  // over all layers before; invalid for the first
+  };
+  struct Agent {
+    std::vector<Layer> layers;
+    std::vector<std::unique_ptr<PostProcess>> processes;
+    PoseProgram program;
+  };
+
+  Handle lay(const EntityBuilder& build, Layer& layer, Handle below) const;
+  void visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const;
+  void destroy(Agent& agent) const;
+
+  EntityPools* pools_;
+  std::vector<Agent> agents_;
+  std::vector<Ticks> next_updates_;
+};
+
+}  // namespace throng::anim

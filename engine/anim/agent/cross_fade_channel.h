@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "engine/anim/agent/channel.h"
+
+namespace throng::anim {
+
+/// "Play this clip", as a user of the system says it (paper 2.1.2).
+struct PlayRequest {
+  int clip = 0;        ///< index into the character's clips
+  Ticks fade = 0;      ///< eases in from what plays now; 0 replaces it at once (on the masked bones)
+  double speed = 1.0;  ///< of the clip's own; negative: backwards
+  Ticks start = 0;     ///< position in the clip, 0 to its duration
+  bool loop = true;
+  std::optional<float> held_fraction = std::nullopt;  ///< instead of fading: blend for good, this much of the new clip
+  /// What `AnimationSystem::add_mask` returned: the clip is laid over what plays now, on the masked bones, and stays
+  /// there until a request without a mask takes the place of all. no_mask: on all bones.
+  int mask = no_mask;
+
+  static constexpr int no_mask = EaseBlender::no_mask;
+};
+
+/// The entities of a blend tree that grows to one side: player 0, then for i = 1, 2, ... player i and the blender over
+/// it and all before.
+struct BlendTree {
+  static constexpr int max_players = 4;
+  static constexpr int max_entities = 2 * max_players - 1;
+
+  std::array<Handle, max_entities> entities;
+  std::uint8_t count = 0;
+
+  std::span<const Handle> all() const { return {entities.data(), count}; }
+  Handle root() const { return count == 0 ? Handle{} : entities[count - 1U]; }
+  std::size_t player_count() const { return (count + 1U) / 2U; }
+};
+
+/// Plays a clip, and fades to the next. A fade that is interrupted neither snaps nor waits: what was shown is left
+/// behind through an inertialiser, so that at most two fades are evaluated at once, whatever is asked for.
+///
+///     player <- ease blender <- player                a fade
+///     inertialiser <- player                          interrupted; for two updates it reads the old fade too
+class CrossFadeChannel final : public Channel {
+ public:
+  /// False: the tree is full of blends that stay (masked or held). All other requests are taken.
+  bool play(const EntityBuilder& build, const PlayRequest& request);
+
+  Handle state() const override { return inertialiser_.valid() ? inertialiser_ : tree_.root(); }
+  bool update(const EntityBuilder& build) override;
+  Ticks next_update() const override;
+  void visit_handles(const std::function<void(Handle&)>& visit) override;
+  void destroy_entities(const EntityBuilder& build) override;
+  std::unique_ptr<Channel> clone() const override { return std::make_unique<CrossFadeChannel>(*this); }
+
+ private:
+  void cut(const EntityBuilder& build, const PlayRequest& request);
+  void lay_over(const EntityBuilder& build, const PlayRequest& request, Ticks fade_end);
+  void interrupt(const EntityBuilder& build, const PlayRequest& request);
+  bool end_fades(const EntityBuilder& build);
+  bool end_interruption(const EntityBuilder& build);
+  bool is_fading(Ticks now) const;
+
+  BlendTree tree_;
+  std::array<Ticks, BlendTree::max_players> fade_end_{};  // of the blender over player i; [0] unused
+  BlendTree left_;                                        // what the inertialiser is leaving
+  Handle inertialiser_;
+};
+
+}  // namespace throng::anim

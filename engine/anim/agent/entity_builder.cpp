@@ -1,0 +1,67 @@
+#include "engine/anim/agent/entity_builder.h"
+
+#include <cmath>
+
+namespace throng::anim {
+namespace {
+
+std::int32_t fixed_point(double speed) { return static_cast<std::int32_t>(std::lround(speed * 65536.0)); }
+
+}  // namespace
+
+EntityPools::Kind EntityBuilder::player_kind(std::uint32_t clip) const {
+  const bool sampled = about_.stream == StreamKind::sampled && clips_[clip].sampled != nullptr;
+  return sampled ? EntityPools::sampled_players : EntityPools::keyframe_players;
+}
+
+Handle EntityBuilder::create(EntityPools::Kind kind) const {
+  const Handle entity = pools_->create(kind);
+  pools_->state(entity).owner = about_.owner;
+  return entity;
+}
+
+Handle EntityBuilder::player(const PlayerStart& start) const {
+  const auto clip = static_cast<std::uint32_t>(start.clip);
+  const Handle handle = create(player_kind(clip));
+  auto& player = as<Player>(handle);
+  player.clip = clip;
+  player.speed = fixed_point(start.speed);
+  player.flags = start.loop ? Player::looping : 0;
+  seek(handle, start.start * fine_ticks_per_tick);
+  return handle;
+}
+
+Handle EntityBuilder::ease(Handle from, Handle to, Ticks total, int mask) const {
+  const Handle handle = create(EntityPools::ease_blenders);
+  auto& blender = as<EaseBlender>(handle);
+  blender.from = from;
+  blender.to = to;
+  blender.elapsed = lead();
+  blender.total = total;
+  blender.mask = static_cast<std::int16_t>(mask);
+  return handle;
+}
+
+Handle EntityBuilder::hold(Handle from, Handle to, float fraction, int mask) const {
+  const Handle handle = ease(from, to, 0, mask);
+  auto& blender = as<EaseBlender>(handle);
+  blender.flags = EaseBlender::held;
+  blender.fraction = fraction;
+  return handle;
+}
+
+void EntityBuilder::seek(Handle player, FineTicks position) const {
+  as<Player>(player).position = position + lead() * as<Player>(player).speed;
+}
+
+FineTicks EntityBuilder::position(Handle player) const {
+  return as<Player>(player).position - lead() * as<Player>(player).speed;
+}
+
+void EntityBuilder::set_speed(Handle player, double speed) const {
+  const FineTicks at = position(player);
+  as<Player>(player).speed = fixed_point(speed);
+  seek(player, at);
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "engine/anim/asset/character.h"
+#include "engine/anim/entity/ease_blender.h"
+#include "engine/anim/entity/entity_pools.h"
+#include "engine/anim/entity/player.h"
+
+namespace throng::anim {
+
+/// How a player begins.
+struct PlayerStart {
+  int clip = 0;        ///< index into the character's clips
+  double speed = 1.0;  ///< of the clip's own; negative: backwards
+  Ticks start = 0;     ///< position in the clip, 0 to its duration
+  bool loop = true;
+};
+
+/// What channels and post processes make their entities with, at a frame boundary. An agent's entities may stand ahead
+/// of the clock (smooth skipping) or behind it: what is made now is made so that it stands where they do.
+class EntityBuilder {
+ public:
+  struct About {
+    std::uint32_t owner = 0;  ///< the agent
+    Ticks now = 0;            ///< the clock
+    Ticks posed_at = 0;       ///< where the agent's entities stand
+    StreamKind stream = StreamKind::sampled;
+  };
+  EntityBuilder(EntityPools& pools, std::span<const ClipStreams> clips, const About& about)
+      : pools_(&pools), clips_(clips), about_(about) {}
+
+  Ticks now() const { return about_.now; }
+  /// From the clock to where the agent's entities stand; negative: they are behind.
+  Ticks lead() const { return about_.posed_at - about_.now; }
+  const ClipStreams& clip(int index) const { return clips_[static_cast<std::size_t>(index)]; }
+  EntityPools& pools() const { return *pools_; }
+
+  /// The kind of player that a clip wants under the current stream.
+  EntityPools::Kind player_kind(std::uint32_t clip) const;
+
+  /// An entity of any kind, its private part zeroed, owned by the agent.
+  Handle create(EntityPools::Kind kind) const;
+  template <typename Entity>
+  Entity& as(Handle entity) const {
+    return pools_->as<Entity>(entity);
+  }
+
+  Handle player(const PlayerStart& start) const;
+  /// Eases from one state to the other in `total` from now on, bones weighed by `mask` (EaseBlender::no_mask: all).
+  Handle ease(Handle from, Handle to, Ticks total, int mask = EaseBlender::no_mask) const;
+  /// The same, standing still at `fraction`.
+  Handle hold(Handle from, Handle to, float fraction, int mask = EaseBlender::no_mask) const;
+
+  /// Puts a player to `position` at the clock.
+  void seek(Handle player, FineTicks position) const;
+  /// Where a player is at the clock, wherever it stands: may lie outside of the clip, whole loops away.
+  FineTicks position(Handle player) const;
+  /// From the clock on; position and time go on without a jump.
+  void set_speed(Handle player, double speed) const;
+
+  void destroy(Handle entity) const { pools_->destroy(entity); }
+
+ private:
+  EntityPools* pools_;
+  std::span<const ClipStreams> clips_;
+  About about_;
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,21 @@
+#include "engine/anim/entity/held_state.h"
+
+namespace throng::anim {
+namespace {
+
+void use_up_time(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
+  entity.as<HeldState>().state.delta_time = 0;
+}
+
+// The pose is where it belongs already.
+void keep_packet(const EntityInStore&, const PacketJob&) {}
+
+}  // namespace
+
+const EntityKind held_state_kind = {.name = "held state",
+                                    .type = EntityType::state,
+                                    .keeps_transforms = true,
+                                    .advance = use_up_time,
+                                    .pose_packet = keep_packet};
+
+}  // namespace throng::anim

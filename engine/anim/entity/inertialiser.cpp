@@ -1,0 +1,156 @@
+#include "engine/anim/entity/inertialiser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace throng::anim {
+namespace {
+
+using Capture = Inertialiser::Capture;
+
+constexpr std::size_t offset_floats = std::size_t{offset_components} * packet_bones;
+
+struct Offsets {
+  float offsets[offset_components][packet_bones];
+  float velocities[offset_components][packet_bones];
+};
+static_assert(sizeof(Offsets) == 2 * offset_floats * sizeof(float));
+
+/// What an update does in each packet.
+struct Plan {
+  Capture capture;
+  OffsetDecay decay;      ///< of the offset that there is
+  float seconds_between;  ///< the two updates of a capture
+};
+constexpr OffsetDecay undiminished = {.offset = 1.0F, .velocity = 0.0F};
+
+std::size_t private_bytes(int bone_count, int) {
+  return static_cast<std::size_t>(packets_for(bone_count)) * sizeof(Offsets);
+}
+
+std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+  static_assert(offsetof(Inertialiser, leaving) == offsetof(Inertialiser, target) + sizeof(Handle));
+  auto& inertialiser = *reinterpret_cast<Inertialiser*>(block);
+  return {&inertialiser.target, inertialiser.leaving.valid() ? 2U : 1U};
+}
+
+OffsetDecay decay_now(const Inertialiser& inertialiser) {
+  if (inertialiser.settled != 0) return undiminished;
+  const float half_life = has_left(inertialiser) ? inertialiser.half_life : inertialiser.old_half_life;
+  return offset_decay(static_cast<float>(to_seconds(inertialiser.since_capture)), half_life);
+}
+
+// No time has passed since the first half: there is no velocity to be had yet.
+Capture next_capture(const Inertialiser& inertialiser, Ticks delta) {
+  const bool again = inertialiser.capture == Capture::second && delta <= 0;
+  return again ? Capture::first : inertialiser.capture;
+}
+
+void advance_inertialiser(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+  auto& inertialiser = entity.as<Inertialiser>();
+  const Ticks delta = inertialiser.state.delta_time;
+  inertialiser.state.delta_time = 0;
+  inertialiser.since_capture += delta;
+  const Plan plan = {.capture = next_capture(inertialiser, delta),
+                     .decay = decay_now(inertialiser),
+                     .seconds_between = static_cast<float>(to_seconds(delta))};
+  entity.prepared_as<Plan>() = plan;
+  inertialiser.settled = plan.capture == Capture::first ? 1 : 0;
+  inertialiser.capture = plan.capture == Capture::first ? Capture::second : Capture::none;
+  if (plan.capture == Capture::second) inertialiser.since_capture = 0;
+  std::ranges::copy(states[0]->linear_velocity, inertialiser.state.linear_velocity);
+  std::ranges::copy(states[0]->angular_velocity, inertialiser.state.angular_velocity);
+}
+
+// From here on the old offset is carried by its value alone.
+void settle(Offsets& offsets, OffsetDecay decay) {
+  for (int component = 0; component < offset_components; ++component) {
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      float& offset = offsets.offsets[component][bone];
+      offset = offset * decay.offset + offsets.velocities[component][bone] * decay.velocity;
+    }
+  }
+}
+
+// A jump in what was shown is no throw: see fastest_offset_turn.
+void limit(float (&vectors)[offset_components][packet_bones], int first, float longest) {
+  for (int bone = 0; bone < packet_bones; ++bone) {
+    float* const x = &vectors[first][bone];
+    float* const y = &vectors[first + 1][bone];
+    float* const z = &vectors[first + 2][bone];
+    const float length = std::sqrt(*x * *x + *y * *y + *z * *z);
+    const float scale = length > longest ? longest / length : 1.0F;
+    *x *= scale;
+    *y *= scale;
+    *z *= scale;
+  }
+}
+
+void differentiate(Offsets& offsets, float seconds) {
+  for (int component = 0; component < offset_components; ++component) {
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      float& before = offsets.velocities[component][bone];
+      before = (offsets.offsets[component][bone] - before) / seconds;
+    }
+  }
+  limit(offsets.velocities, 0, fastest_offset_turn);
+  limit(offsets.velocities, 3, fastest_offset_move);
+}
+
+void apply(const EntityInStore& entity, const Offsets& offsets, OffsetDecay decay, const float* target, float* out) {
+  entity.assets->kernels->apply_offset({.target = target,
+                                        .offsets = offsets.offsets[0],
+                                        .velocities = offsets.velocities[0],
+                                        .decay = decay,
+                                        .components = entity.assets->components,
+                                        .out = out});
+}
+
+/// What `target` lacks to `shown`.
+void measure(const EntityInStore& entity, const float* shown, const float* target, float* offsets) {
+  alignas(64) float no_velocities[offset_components * packet_bones];
+  entity.assets->kernels->capture_offset(
+      {.shown = shown, .target = target, .offsets = offsets, .velocities = no_velocities});
+}
+
+void inertialise_packet(const EntityInStore& entity, const PacketJob& job) {
+  const auto& plan = entity.prepared_as<Plan>();
+  Offsets& offsets = reinterpret_cast<Offsets*>(entity.private_part().data())[job.packet];
+  if (plan.capture == Capture::none) return apply(entity, offsets, plan.decay, job.sources[0], job.out);
+  alignas(64) float shown[general_components * packet_bones];
+  apply(entity, offsets, plan.decay, job.sources[1], shown);
+  if (plan.capture == Capture::first) {
+    settle(offsets, plan.decay);
+    measure(entity, shown, job.sources[0], offsets.velocities[0]);
+  } else {
+    measure(entity, shown, job.sources[0], offsets.offsets[0]);
+    differentiate(offsets, plan.seconds_between);
+  }
+  std::memcpy(job.out, shown, packet_bytes(entity.assets->components));
+}
+
+}  // namespace
+
+void retarget(Inertialiser& inertialiser, Handle target, Handle leaving, float half_life) {
+  if (has_left(inertialiser)) inertialiser.old_half_life = inertialiser.half_life;
+  inertialiser.target = target;
+  inertialiser.leaving = leaving;
+  inertialiser.half_life = half_life;
+  inertialiser.capture = Capture::first;
+}
+
+bool is_over(const Inertialiser& inertialiser) {
+  const OffsetDecay decay = decay_now(inertialiser);
+  return has_left(inertialiser) && decay.offset == 0.0F && decay.velocity == 0.0F;
+}
+
+const EntityKind inertialiser_kind = {.name = "inertialiser",
+                                      .type = EntityType::inertialiser,
+                                      .sources = sources,
+                                      .private_bytes = private_bytes,
+                                      .prepared_bytes = 64,
+                                      .advance = advance_inertialiser,
+                                      .pose_packet = inertialise_packet};
+
+}  // namespace throng::anim

@@ -1,0 +1,64 @@
+#include "engine/anim/entity/mixer.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace throng::anim {
+namespace {
+
+/// Weights as the kernel wants them: their sum is 1.
+struct Shares {
+  float of[max_sources];
+};
+
+std::size_t private_bytes(int, int) { return sizeof(MixerSources); }
+
+std::span<Handle> sources(std::byte* block, const EntityLayout& layout) {
+  return {mixer_sources(block, layout).sources, reinterpret_cast<const Mixer*>(block)->source_count};
+}
+
+void advance_mixer(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+  auto& mixer = entity.as<Mixer>();
+  auto& shares = entity.prepared_as<Shares>();
+  const MixerSources& mixed = mixer_sources(entity.block, *entity.layout);
+  mixer.state.delta_time = 0;
+  float sum = 0.0F;
+  for (std::size_t i = 0; i < states.size(); ++i) sum += mixed.weights[i];
+  std::ranges::fill(mixer.state.linear_velocity, 0.0F);
+  std::ranges::fill(mixer.state.angular_velocity, 0.0F);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    shares.of[i] = sum > 0.0F ? mixed.weights[i] / sum : 0.0F;
+    for (int axis = 0; axis < 3; ++axis) {
+      mixer.state.linear_velocity[axis] += states[i]->linear_velocity[axis] * shares.of[i];
+      mixer.state.angular_velocity[axis] += states[i]->angular_velocity[axis] * shares.of[i];
+    }
+  }
+}
+
+void mix_packet(const EntityInStore& entity, const PacketJob& job) {
+  const auto& mixer = entity.as<Mixer>();
+  std::array<const float*, max_sources> bone_weights{};
+  for (std::size_t i = 0; i < mixer.source_count; ++i) {
+    const float* mask = entity.assets->mask(mixer.masks[i]);
+    bone_weights[i] = mask == nullptr ? nullptr : mask + job.packet * packet_bones;
+  }
+  entity.assets->kernels->mix({.sources = job.sources,
+                               .weights = entity.prepared_as<Shares>().of,
+                               .bone_weights = bone_weights.data(),
+                               .count = static_cast<int>(mixer.source_count),
+                               .components = entity.assets->components,
+                               .out = job.out});
+}
+
+}  // namespace
+
+const EntityKind mixer_kind = {.name = "mixer",
+                               .type = EntityType::mixer,
+                               .sources = sources,
+                               .private_bytes = private_bytes,
+                               .prepared_bytes = 64,
+                               .advance = advance_mixer,
+                               .pose_packet = mix_packet};
+
+}  // namespace throng::anim

@@ -1,0 +1,48 @@
+#include "engine/anim/entity/noise_maker.h"
+
+#include <algorithm>
+
+namespace throng::anim {
+namespace {
+
+std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+  return {&reinterpret_cast<NoiseMaker*>(block)->source, 1};
+}
+
+void advance_noise(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+  auto& noise = entity.as<NoiseMaker>();
+  noise.time += noise.state.delta_time;
+  noise.state.delta_time = 0;
+  entity.prepared_as<NoisePoint>() = noise_at(noise.time, noise.frequency);
+  std::ranges::copy(states[0]->linear_velocity, noise.state.linear_velocity);
+  std::ranges::copy(states[0]->angular_velocity, noise.state.angular_velocity);
+}
+
+void shake_packet(const EntityInStore& entity, const PacketJob& job) {
+  const auto& noise = entity.as<NoiseMaker>();
+  const float* mask = entity.assets->mask(noise.mask);
+  alignas(64) float amplitudes[packet_bones];
+  for (int bone = 0; bone < packet_bones; ++bone) {
+    const int index = job.packet * packet_bones + bone;
+    const float share = mask == nullptr ? 1.0F : mask[index];
+    amplitudes[bone] = index < entity.assets->bone_count ? noise.amplitude * share : 0.0F;
+  }
+  entity.assets->kernels->noise({.from = job.sources[0],
+                                 .amplitudes = amplitudes,
+                                 .point = entity.prepared_as<NoisePoint>(),
+                                 .seed = noise.seed,
+                                 .packet = job.packet,
+                                 .components = entity.assets->components,
+                                 .out = job.out});
+}
+
+}  // namespace
+
+const EntityKind noise_maker_kind = {.name = "noise maker",
+                                     .type = EntityType::noise_maker,
+                                     .sources = sources,
+                                     .prepared_bytes = 64,
+                                     .advance = advance_noise,
+                                     .pose_packet = shake_packet};
+
+}  // namespace throng::anim

@@ -37,9 +37,9 @@ struct BlendJob {
 };
 
 /// Mix: N sources at once, out = normalise(sum of w * q) in their order, each q on the hemisphere of the sum before it;
-/// positions and scales linear. w = weight * bone weight, divided by their sum bone by bone. A source of w = 0 changes
-/// no bit; where one source weighs all, and where none weighs anything (then it is the first), its bits are copied.
-/// `out` may be any of the sources.
+/// positions and scales linear. w = weight * bone weight, under bone weights divided by their sum bone by bone. A
+/// source of w = 0 changes no bit; where one source weighs all its bits are copied, and where none weighs anything
+/// those of the first whose `weight` is not 0 (else of the first). `out` may be any of the sources.
 inline constexpr int most_mixed_sources = 8;
 inline constexpr float least_mixed_weight = 1e-30F;  ///< a bone whose weights sum to less is weighed by none
 struct MixJob {

@@ -6,7 +6,8 @@ namespace throng::anim {
 
 NoisePoint noise_at(Ticks time, float frequency) {
   const auto rate = static_cast<double>(frequency);
-  const double in_seconds = static_cast<double>(time / ticks_per_second) * rate;  // exact for 17 years
+  const Ticks seconds = time / ticks_per_second;
+  const double in_seconds = static_cast<double>(seconds) * rate;  // exact for 17 years
   const double in_rest = to_seconds(time % ticks_per_second) * rate;
   const double points = std::floor(in_seconds);
   const double beyond = (in_seconds - points) + in_rest;

@@ -18,9 +18,9 @@ struct NoisePoint {
 NoisePoint noise_at(Ticks time, float frequency);
 
 /// Noise: turns bones a little, out = from * rotation, smoothly (its velocity has no jumps) and always the same at the
-/// same time. Each axis of each bone has a value from -1 to 1 at every lattice point, an integer hash of seed, bone,
-/// axis and point; between them runs a uniform quadratic B-spline. A bone of amplitude 0 keeps its bits. `out` may be
-/// `from`.
+/// same time. Each axis of each bone has a value from -1 to 1 at every lattice point, ten bits of an integer hash of
+/// seed, bone and point; between them runs a uniform quadratic B-spline. A bone of amplitude 0 keeps its bits. `out`
+/// may be `from`.
 struct NoiseJob {
   const float* from = nullptr;        ///< [components][16]
   const float* amplitudes = nullptr;  ///< [16], rad, 0 to pi: no turn is ever larger; 0 at and above the bone count

@@ -175,6 +175,7 @@ TEST(Mix, CopiesABoneThatOneSourceAloneWeighsAndTakesTheFirstWhereNoneDoes) {
 TEST(Mix, KeepsTheFirstSourcesSignAndTurnsTheOthersToIt) {
   for (const Kernels& kernels : runnable_kernels()) {
     Mixture mixture = random_mixture(3, 8);
+    mixture.weights = {0.2F, 0.6F, 0.2F};  // the one that is turned would win
     mixture.sources[1] = mixture.sources[0];
     for (int component = 0; component < 4; ++component) {
       for (float& value : mixture.sources[1].lanes[component]) value = -value;

@@ -59,20 +59,19 @@ std::uint32_t mixed(std::uint32_t bits) {
   return bits ^ (bits >> 16);
 }
 
-double lattice_value(const Noise& noise, std::uint64_t axis, std::int64_t point, int bone) {
-  const std::uint64_t key = chain_hash(chain_hash(noise.seed, axis), static_cast<std::uint64_t>(point));
+double lattice_value(const Noise& noise, int axis, std::int64_t point, int bone) {
+  const std::uint64_t key = chain_hash(noise.seed, static_cast<std::uint64_t>(point));
   const auto number = static_cast<std::uint32_t>(noise.packet * packet_bones + bone);
-  const std::uint32_t bits = mixed((number * 0x9E3779B9U) ^ static_cast<std::uint32_t>(key));
-  return static_cast<double>(static_cast<std::int32_t>(bits) >> 8) / 8388608.0;
+  const std::uint32_t ten_bits =
+      (mixed((number * 0x9E3779B9U) ^ static_cast<std::uint32_t>(key)) >> (10 * axis)) & 1023U;
+  return (ten_bits < 512U ? static_cast<double>(ten_bits) : static_cast<double>(ten_bits) - 1024.0) / 512.0;
 }
 
 glm::dvec3 reference_turn(const Noise& noise, int bone) {
   const auto t = static_cast<double>(noise.point.fraction);
   glm::dvec3 turn(0.0);
   for (int axis = 0; axis < 3; ++axis) {
-    const auto value = [&](int step) {
-      return lattice_value(noise, static_cast<std::uint64_t>(axis), noise.point.lattice + step, bone);
-    };
+    const auto value = [&](int step) { return lattice_value(noise, axis, noise.point.lattice + step, bone); };
     turn[axis] = value(0) * 0.5 * (1 - t) * (1 - t) + value(1) * (0.5 + t - t * t) + value(2) * 0.5 * t * t;
   }
   return turn * static_cast<double>(noise.amplitudes.of[bone]) / std::sqrt(3.0);

@@ -14,10 +14,11 @@ struct GroundContact {
 
 /// Where a foot stands, and that it stays there until it is lifted. Kept from frame to frame, world space.
 struct FootLock {
+  static constexpr float long_ago = 1e9F;  ///< seconds
   bool locked = false;
   bool overstretched = false;          ///< let go although it is planted; locks again after the next step
   bool standing = false;               ///< was planted last frame
-  float released_for = 0.0F;           ///< seconds since it was let go
+  float released_for = long_ago;       ///< seconds since it was let go
   glm::vec3 place{0.0F};               ///< locked: point of the ground below the ankle
   glm::vec3 normal{0.0F, 1.0F, 0.0F};  ///< of the ground there
   glm::vec3 offset{0.0F};              ///< let go: how far the foot was from where the pose had it; fades out

@@ -29,6 +29,11 @@ TEST_F(FootLockOfAWalk, LeavesAFootInTheAirWhereThePoseHasIt) {
   EXPECT_FALSE(lock_.locked);
 }
 
+TEST_F(FootLockOfAWalk, StartsOnTheGroundThatIsThere) {
+  posed_.normal = glm::normalize(glm::vec3(0.3F, 1.0F, 0.0F));
+  EXPECT_EQ(step(1.0F).normal, posed_.normal);
+}
+
 TEST_F(FootLockOfAWalk, KeepsAPlantedFootToTheBitWhereItCameDown) {
   step_for(10, 0.0F);
   const Footing down = step(1.0F);

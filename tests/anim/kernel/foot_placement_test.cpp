@@ -169,6 +169,7 @@ TEST_F(PersonOnGround, KeepsPlantedFeetInTheWorldWhileTheBodyMovesOn) {
   glm::vec3 first(0.0F);
   for (int i = 0; i < 12; ++i) {
     pose_ = HeldPose(skeleton_);
+    pose_.view().set_position(find_bone(skeleton_, "hips"), {0.0F, -0.06F, 0.0F});  // knees bent, as one walks
     FootPlacementJob walk = job(planted);
     const float t = static_cast<float>(i) * frame;
     walk.model_in_world = {.rotation = glm::angleAxis(0.5F, glm::vec3(0.0F, 1.0F, 0.0F)),

@@ -24,7 +24,7 @@ struct Limbs {
   std::optional<LimbBones> right_leg;
   std::optional<LimbBones> left_arm;
   std::optional<LimbBones> right_arm;
-  std::optional<int> pelvis;  ///< the lowest bone that carries both legs
+  std::optional<int> pelvis;  ///< the lowest bone that carries both legs; without legs, the bone called so
   std::vector<int> spine;     ///< between pelvis and head, from below, neck included
   std::optional<int> head;
   glm::vec3 forward{0.0F, 0.0F, 1.0F};  ///< where the body faces in the bind pose, model space, unit, level

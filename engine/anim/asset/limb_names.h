@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string_view>
+
+namespace throng::anim {
+
+/// What part of a body the name of a bone says it is. `leg` and `arm` alone may be either half of the limb.
+enum class BodyPart : unsigned char {
+  other,
+  helper,  ///< twist and roll bones, IK targets, sockets, leaf ends: no joint of a body, whatever else they are called
+  pelvis,
+  spine,
+  neck,
+  head,
+  upper_leg,
+  leg,
+  lower_leg,
+  foot,
+  toe,
+  shoulder,
+  upper_arm,
+  arm,
+  lower_arm,
+  hand,
+};
+
+enum class BodySide : unsigned char { none, left, right };
+
+struct LimbName {
+  BodyPart part = BodyPart::other;
+  BodySide side = BodySide::none;
+};
+
+/// Reads the common naming schemes: "mixamorig:LeftUpLeg", "DEF-thigh.L.001", "calf_l", "J_Bip_R_LowerArm", "Bip01 L
+/// Foot", "lShin", "upper_arm.L", "LeftKnee".
+LimbName read_limb_name(std::string_view bone_name);
+
+}  // namespace throng::anim

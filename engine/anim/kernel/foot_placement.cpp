@@ -1,0 +1,181 @@
+#include "engine/anim/kernel/foot_placement.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "engine/anim/kernel/rotations.h"
+
+namespace throng::anim {
+
+namespace {
+
+constexpr glm::vec3 up{0.0F, 1.0F, 0.0F};
+constexpr float steepest_ground = 0.2F;  // least y of a normal; steeper or broken ones count as flat
+constexpr float knee_reserve =
+    0.02F;  // of the leg's length: the pelvis is lowered before a leg is straighter than that
+
+/// How a foot is to be: model space.
+struct FootGoal {
+  glm::vec3 ankle{0.0F};
+  glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
+};
+
+struct PosedLeg {
+  ChainMotion motions;
+  FootGoal goal;
+};
+
+/// How far the lowest point of the sole is below the ankle, along `normal`.
+float clearance(const PlacedLeg& leg, const glm::quat& foot, const glm::vec3& normal) {
+  return std::max(glm::dot(foot * -leg.sole[0], normal), glm::dot(foot * -leg.sole[1], normal));
+}
+
+Footing footing_under(const glm::vec3& ankle, const GroundContact& contact) {
+  const bool usable = std::isfinite(contact.height) && is_finite(contact.normal) && contact.normal.y > steepest_ground;
+  if (!usable) return {.place = {ankle.x, std::isfinite(contact.height) ? contact.height : 0.0F, ankle.z}};
+  return {.place = {ankle.x, contact.height, ankle.z}, .normal = unit_or(contact.normal, up)};
+}
+
+Footing to_world(const JointMotion& model, const Footing& footing) {
+  return {.place = model.position + model.rotation * footing.place, .normal = model.rotation * footing.normal};
+}
+
+Footing to_model(const JointMotion& model, const Footing& footing) {
+  const glm::quat back = glm::conjugate(model.rotation);
+  return {.place = back * (footing.place - model.position), .normal = back * footing.normal};
+}
+
+FootGoal goal_of(const FootPlacementJob& job, int index, const JointMotion& ankle) {
+  const auto i = static_cast<std::size_t>(index);
+  const PlacedLeg& leg = job.rig->legs[i];
+  const Footing posed = to_world(job.model_in_world, footing_under(ankle.position, job.contacts[i]));
+  const Footing footing = to_model(
+      job.model_in_world, step_foot_lock(job.state->feet[i], posed, job.planted[i], job.options.lock, job.seconds));
+  FootGoal goal;
+  goal.rotation = limited_turn(up, footing.normal, job.options.least_tilt_cosine) * ankle.rotation;
+  const float lift = ankle.position.y - clearance(leg, ankle.rotation, up);
+  const float above_ground = clearance(leg, goal.rotation, footing.normal) + lift * (1.0F - job.planted[i]);
+  goal.ankle = footing.place + up * (above_ground / footing.normal.y);
+  return goal;
+}
+
+/// How far the hip must come down for a leg to reach its goal without being straighter than it was or than the reserve.
+float needed_drop(const TwoBoneLimb& limb, const PosedLeg& leg) {
+  const glm::vec3 hip = leg.motions[static_cast<std::size_t>(limb.upper)].position;
+  const glm::vec3 ankle = leg.motions[static_cast<std::size_t>(limb.end())].position;
+  const float length = limb_length(limb, leg.motions);
+  const float reach = std::max(glm::distance(hip, ankle), length * (1.0F - knee_reserve));
+  const glm::vec3 away = hip - leg.goal.ankle;
+  return away.y - std::sqrt(std::max(0.0F, reach * reach - away.x * away.x - away.z * away.z));
+}
+
+bool has_all_legs(const FootPlacementRig& rig, const PoseView& pose) {
+  return std::all_of(rig.legs.begin(), rig.legs.begin() + rig.leg_count,
+                     [&](const PlacedLeg& leg) { return is_within(leg.limb.chain, pose); });
+}
+
+void lower_pelvis(const FootPlacementJob& job, float drop, ChainMotion motions) {
+  if (drop > 0.0F) shift_joint(job.rig->legs[0].limb.chain, job.rig->pelvis, -drop * up, job.pose, motions);
+}
+
+float solve_leg(const FootPlacementJob& job, const TwoBoneLimb& limb, const FootGoal& goal) {
+  return solve_two_bone_ik({.limb = &limb,
+                            .pose = job.pose,
+                            .target = goal.ankle,
+                            .weight = job.weight,
+                            .turn_end = true,
+                            .end_rotation = goal.rotation});
+}
+
+/// The last joint that all chains begin with, above every hip; -1 if there is none.
+int carrying_joint(const FootPlacementRig& rig) {
+  for (int joint = 0;; ++joint) {
+    for (int leg = 0; leg < rig.leg_count; ++leg) {
+      const TwoBoneLimb& limb = rig.legs[static_cast<std::size_t>(leg)].limb;
+      const auto j = static_cast<std::size_t>(joint);
+      if (joint >= limb.upper || limb.chain.bones[j] != rig.legs[0].limb.chain.bones[j]) return joint - 1;
+    }
+  }
+}
+
+}  // namespace
+
+Result<FootPlacementRig> make_foot_placement_rig(const Skeleton& skeleton, std::span<const LegBones> legs,
+                                                 float sole_height, const glm::vec3& forward) {
+  if (legs.empty() || legs.size() > static_cast<std::size_t>(max_legs)) {
+    return Error{"feet of skeleton '" + skeleton.name + "' cannot be placed on " + std::to_string(legs.size()) +
+                 " legs: name 1 to " + std::to_string(max_legs)};
+  }
+  FootPlacementRig rig;
+  for (const LegBones& bones : legs) {
+    Result<TwoBoneLimb> limb = make_two_bone_limb(skeleton, bones.hip, bones.knee, bones.ankle, forward);
+    if (!limb) return limb.error();
+    if (bones.toe >= skeleton.bone_count()) return make_joint_chain(skeleton, bones.toe).error();
+    const auto origin = [&](int bone) { return glm::vec3(skeleton.references[static_cast<std::size_t>(bone)].origin); };
+    const glm::vec3 ankle = origin(bones.ankle);
+    const glm::vec3 ball = bones.toe < 0 ? ankle : origin(bones.toe);
+    rig.legs[static_cast<std::size_t>(rig.leg_count++)] = {
+        .limb = *limb,
+        .sole = {glm::vec3(0.0F, sole_height - ankle.y, 0.0F),
+                 glm::vec3(ball.x - ankle.x, sole_height - ankle.y, ball.z - ankle.z)}};
+  }
+  rig.pelvis = carrying_joint(rig);
+  if (rig.pelvis < 0) {
+    return Error{"no bone of skeleton '" + skeleton.name +
+                 "' carries all its legs, so none can be lowered: parent them"};
+  }
+  return rig;
+}
+
+FootPlacementResult place_feet(const FootPlacementJob& job) {
+  const FootPlacementRig& rig = *job.rig;
+  const auto legs = static_cast<std::size_t>(rig.leg_count);
+  assert(job.contacts.size() >= legs && job.planted.size() >= legs && job.seconds >= 0.0F);
+  FootPlacementResult result;
+  if (job.weight <= 0.0F) *job.state = {};
+  if (job.weight <= 0.0F || !has_all_legs(rig, job.pose)) return result;
+
+  std::array<PosedLeg, max_legs> posed;
+  float wanted_drop = 0.0F;
+  for (std::size_t i = 0; i < legs; ++i) {
+    const TwoBoneLimb& limb = rig.legs[i].limb;
+    pose_chain(limb.chain, job.pose, posed[i].motions);
+    posed[i].goal = goal_of(job, static_cast<int>(i), posed[i].motions[static_cast<std::size_t>(limb.end())]);
+    wanted_drop = std::max(wanted_drop, job.planted[i] * needed_drop(limb, posed[i]));
+  }
+  FootPlacementState& state = *job.state;
+  wanted_drop = std::min(wanted_drop, job.options.max_drop);
+  state.drop = state.started ? smooth_damp(state.drop, wanted_drop, job.options.drop_smooth_seconds, job.seconds)
+                             : DampedValue{.value = wanted_drop};
+  state.started = true;
+  result.drop = state.drop.value * job.weight;
+  lower_pelvis(job, result.drop, posed[0].motions);
+
+  for (std::size_t i = 0; i < legs; ++i) {
+    const TwoBoneLimb& limb = rig.legs[i].limb;
+    result.missed_by[i] = solve_leg(job, limb, posed[i].goal);
+    pose_chain(limb.chain, job.pose, posed[i].motions);
+    const glm::vec3 ankle = posed[i].motions[static_cast<std::size_t>(limb.end())].position;
+    measure_slide(state.feet[i], job.model_in_world.position + job.model_in_world.rotation * ankle, job.planted[i],
+                  job.seconds);
+  }
+  return result;
+}
+
+bool find_ankles(const FootPlacementRig& rig, const PoseView& pose, std::span<glm::vec3> ankles) {
+  assert(ankles.size() >= static_cast<std::size_t>(rig.leg_count));
+  if (!has_all_legs(rig, pose)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rig.leg_count); ++i) {
+    ChainMotion motions;
+    const JointChain& chain = rig.legs[i].limb.chain;
+    pose_chain(chain, pose, motions);
+    ankles[i] = motions[static_cast<std::size_t>(chain.tip())].position;
+  }
+  return true;
+}
+
+}  // namespace throng::anim

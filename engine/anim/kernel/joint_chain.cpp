@@ -1,0 +1,83 @@
+#include "engine/anim/kernel/joint_chain.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+
+namespace throng::anim {
+
+int JointChain::find(int bone) const {
+  const auto end = bones.begin() + count;
+  const auto found = std::find(bones.begin(), end, bone);
+  return found == end ? -1 : static_cast<int>(found - bones.begin());
+}
+
+Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone) {
+  if (bone < 0 || bone >= skeleton.bone_count()) {
+    return Error{"skeleton '" + skeleton.name + "' has no bone " + std::to_string(bone) + ": name one of its " +
+                 std::to_string(skeleton.bone_count()) + " bones"};
+  }
+  const std::string& name = skeleton.bones[static_cast<std::size_t>(bone)].name;
+  if (!skeleton.rigid) {
+    return Error{"skeleton '" + skeleton.name + "' scales or shears its bones, so the chain to bone '" + name +
+                 "' cannot be solved: export it without scale on bones"};
+  }
+  JointChain chain;
+  for (int b = bone; b >= 0; b = skeleton.bones[static_cast<std::size_t>(b)].parent) {
+    if (chain.count == JointChain::max_joints) {
+      return Error{"bone '" + name + "' of skeleton '" + skeleton.name + "' is more than " +
+                   std::to_string(JointChain::max_joints) + " joints below its root: choose a bone nearer to it"};
+    }
+    chain.bones[static_cast<std::size_t>(chain.count++)] = static_cast<std::int16_t>(b);
+  }
+  std::reverse(chain.bones.begin(), chain.bones.begin() + chain.count);
+  glm::dvec3 parent_origin(0.0);
+  for (int joint = 0; joint < chain.count; ++joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    const glm::dvec3 origin = skeleton.references[static_cast<std::size_t>(chain.bones[j])].origin;
+    chain.offsets[j] = glm::vec3(origin - parent_origin);
+    parent_origin = origin;
+  }
+  return chain;
+}
+
+bool is_within(const JointChain& chain, const PoseView& pose) {
+  assert(chain.count > 0);
+  return chain.bones[static_cast<std::size_t>(chain.tip())] < pose.bone_count;
+}
+
+void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMotion> motions, int first) {
+  assert(is_within(chain, pose) && pose.components == rigid_components);
+  assert(motions.size() >= static_cast<std::size_t>(chain.count));
+  const JointMotion model;
+  for (int joint = first; joint < chain.count; ++joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    const int bone = chain.bones[j];
+    const JointMotion& parent = joint == 0 ? model : motions[j - 1];
+    motions[j] = {.rotation = glm::normalize(parent.rotation * pose.rotation(bone)),
+                  .position = parent.position + parent.rotation * (chain.offsets[j] + pose.position(bone))};
+  }
+}
+
+glm::quat parent_rotation(std::span<const JointMotion> motions, int joint) {
+  return joint == 0 ? JointMotion{}.rotation : motions[static_cast<std::size_t>(joint) - 1].rotation;
+}
+
+void turn_joint(const JointChain& chain, int joint, const glm::quat& model_rotation, const PoseView& pose,
+                std::span<JointMotion> motions) {
+  assert(joint >= 0 && joint < chain.count);
+  const glm::quat local = glm::conjugate(parent_rotation(motions, joint)) * model_rotation;
+  pose.set_rotation(chain.bones[static_cast<std::size_t>(joint)], glm::normalize(local));
+  pose_chain(chain, pose, motions, joint);
+}
+
+void shift_joint(const JointChain& chain, int joint, const glm::vec3& model_shift, const PoseView& pose,
+                 std::span<JointMotion> motions) {
+  assert(joint >= 0 && joint < chain.count);
+  const int bone = chain.bones[static_cast<std::size_t>(joint)];
+  const glm::vec3 local = glm::conjugate(parent_rotation(motions, joint)) * model_shift;
+  pose.set_position(bone, pose.position(bone) + local);
+  pose_chain(chain, pose, motions, joint);
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/anim/asset/skeleton.h"
+#include "engine/anim/base/result.h"
+#include "engine/anim/kernel/pose_view.h"
+
+namespace throng::anim {
+
+/// The joints from a root bone down to a tip: what it takes to know where the tip is without posing anything else.
+/// Made at load, shared by every character of the skeleton.
+struct JointChain {
+  static constexpr int max_joints = 24;
+  int count = 0;                                 ///< 1 to max_joints once made
+  std::array<std::int16_t, max_joints> bones{};  ///< root first, tip last, ascending
+  std::array<glm::vec3, max_joints> offsets{};   ///< metres, bind pose: from the joint before; of the root, its origin
+
+  int tip() const { return count - 1; }
+  /// Place of a bone in the chain, or -1.
+  int find(int bone) const;
+};
+static_assert(std::is_trivially_copyable_v<JointChain>);
+
+/// A posed joint in model space.
+struct JointMotion {
+  glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< from the bind pose, unit
+  glm::vec3 position{0.0F};                    ///< metres
+};
+static_assert(std::is_trivially_copyable_v<JointMotion>);
+
+using ChainMotion = std::array<JointMotion, JointChain::max_joints>;
+
+/// The chain that ends at `bone`. Refused, in one sentence: a bone that the skeleton lacks, more than max_joints, and
+/// skeletons on the general path, whose scales and sheared prefixes rotations alone do not describe.
+Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone);
+
+/// Whether the pose has all of the chain. Levels of detail drop limb ends; then there is nothing to do.
+bool is_within(const JointChain& chain, const PoseView& pose);
+
+/// Poses the joints from `first` on; those before it are as posed before. `motions` has at least chain.count elements.
+/// With M rotations from the bind pose, X positions, q' and d the state (ReferenceFrame) and p the parent:
+///     M = M_p * q',   X = X_p + M_p * (offset + d)
+void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMotion> motions, int first = 0);
+
+/// Rotation of a joint's parent in model space; the identity for the root.
+glm::quat parent_rotation(std::span<const JointMotion> motions, int joint);
+
+/// Writes the local rotation that gives `joint` this one in model space; what is below follows, in `motions` too.
+void turn_joint(const JointChain& chain, int joint, const glm::quat& model_rotation, const PoseView& pose,
+                std::span<JointMotion> motions);
+
+/// Moves `joint` by metres in model space; what is below follows, in `motions` too.
+void shift_joint(const JointChain& chain, int joint, const glm::vec3& model_shift, const PoseView& pose,
+                 std::span<JointMotion> motions);
+
+}  // namespace throng::anim

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <type_traits>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/anim/base/result.h"
+#include "engine/anim/kernel/joint_chain.h"
+#include "engine/anim/kernel/pose_view.h"
+
+namespace throng::anim {
+
+/// A limb that bends at one joint: hip, knee, ankle, or shoulder, elbow, wrist. Joints between them (twist bones,
+/// halves of a thigh) follow the joint above. Made at load, shared by every character of the skeleton.
+struct TwoBoneLimb {
+  JointChain chain;  ///< its tip is the end of the limb
+  int upper = 0;     ///< places in the chain
+  int middle = 0;
+  glm::vec3 hinge{1.0F, 0.0F, 0.0F};  ///< axis about which the middle bends, bind pose, unit
+
+  int end() const { return chain.tip(); }
+};
+static_assert(std::is_trivially_copyable_v<TwoBoneLimb>);
+
+/// `bend_direction` (model space) says where the middle points when it bends, for limbs that are straight in the bind
+/// pose: +Z for knees, -Z for elbows. Refused as make_joint_chain refuses, and where `middle` is not below `upper`,
+/// `end` not below `middle`, or two of them are at the same place.
+Result<TwoBoneLimb> make_two_bone_limb(const Skeleton& skeleton, int upper, int middle, int end,
+                                       const glm::vec3& bend_direction);
+
+/// Posed length of the limb when straight, metres.
+float limb_length(const TwoBoneLimb& limb, std::span<const JointMotion> motions);
+
+/// Two-bone IK (paper 2.2.1 names IK among an animation system's tasks): turns the upper and the middle joint so that
+/// the end is at `target`. A target out of reach is reached for.
+struct TwoBoneIkJob {
+  const TwoBoneLimb* limb = nullptr;
+  PoseView pose;
+  glm::vec3 target{0.0F};                          ///< model space, metres
+  glm::vec3 pole{0.0F};                            ///< model space: where the middle is to point; zero keeps the pose's
+  float weight = 1.0F;                             ///< 0 leaves the pose to the bit, 1 reaches
+  float softness = 0.005F;                         ///< 0 to 0.5: this last fraction of the length is never quite used
+                                                   ///< up, so that the middle does not snap straight
+  bool turn_end = false;                           ///< also give the end joint `end_rotation`
+  glm::quat end_rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< model space, from the bind pose, unit
+};
+
+/// Returns how far the end is from the target now, in metres. A limb that this level of detail lacks, one of no length,
+/// and a target that is no place (see is_place) leave the pose alone; the first and the last return 0.
+///
+/// A limb that the pose has straighter than softness allows may stay so: a target where the end already is leaves it
+/// there.
+float solve_two_bone_ik(const TwoBoneIkJob& job);
+
+}  // namespace throng::anim

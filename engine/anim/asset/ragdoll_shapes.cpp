@@ -141,6 +141,10 @@ class ShapeFitter {
   double height_ = 0.0;
 };
 
+/// Bodies resist turning so many times more than they should. A limit turns one body, but swings all that hangs on it:
+/// with inertias of the bodies alone it would take hundreds of passes to hold.
+constexpr double sluggish = 3.0;
+
 double volume(const RagdollShape& shape) {
   const double r = shape.radius;
   return std::numbers::pi * r * r * (glm::distance(shape.from, shape.to) + r / 3.0);
@@ -163,9 +167,9 @@ void set_ragdoll_masses(std::span<const RagdollShape> shapes, double mass, std::
     const double length = glm::distance(shape.from, shape.to);
     // A hand of a hundredth of its arm's mass would shake: position-based joints want neighbours of like mass.
     const double own = mass * std::max(volume(shape) / total, 0.015);
-    const double across = own * (3.0 * shape.radius * shape.radius + length * length) / 12.0;
+    const double across = sluggish * own * (3.0 * shape.radius * shape.radius + length * length) / 12.0;
     // For the same reason a thin limb turns about itself more slowly than it should.
-    const double axial = std::max(0.5 * own * shape.radius * shape.radius, across / 3.0);
+    const double axial = std::max(0.5 * sluggish * own * shape.radius * shape.radius, across / 3.0);
     const glm::dvec3 center = 0.5 * (shape.from + shape.to);
     RagdollBody& body = bodies[b];
     body.center = center;

@@ -11,7 +11,7 @@ namespace throng::anim {
 namespace {
 
 constexpr float gravity = 9.81F;  // metres per second squared
-constexpr int substeps = 4;
+constexpr int substeps = 6;
 constexpr float substep_seconds = 1.0F / (120.0F * substeps);
 
 constexpr float fastest = 30.0F;          // metres a second
@@ -42,6 +42,7 @@ void move_freely(RagdollSubstep& step) {
     RagdollBodyState& body = step.bodies[b];
     step.previous_position[b] = body.position;
     step.previous_rotation[b] = body.rotation;
+    step.turned_back[b] = glm::vec3(0.0F);
     body.velocity.y -= gravity * step.rig.metre * step.seconds;
     body.velocity *= 1.0F - air_drag * step.seconds;
     body.angular_velocity *= 1.0F - turning_drag * step.seconds;
@@ -62,25 +63,66 @@ void derive_velocities(RagdollSubstep& step) {
   }
 }
 
-bool is_quiet(const RagdollRig& rig, const RagdollState& state) {
-  return std::all_of(state.bodies, state.bodies + rig.bodies.size(), [&](const RagdollBodyState& body) {
-    return glm::length(body.velocity) < quiet_speed * rig.metre && glm::length(body.angular_velocity) < quiet_turning;
-  });
+float kinetic_energy(const RagdollRig& rig, const RagdollState& state) {
+  float joules = 0.0F;
+  for (std::size_t b = 0; b < rig.bodies.size(); ++b) {
+    const RagdollBody& body = rig.bodies[b];
+    const RagdollBodyState& own = state.bodies[b];
+    const float along = glm::dot(own.angular_velocity, own.rotation * body.axis);
+    const float across = glm::dot(own.angular_velocity, own.angular_velocity) - along * along;
+    joules += 0.5F * (glm::dot(own.velocity, own.velocity) / body.inverse_mass + across / body.inverse_inertia +
+                      along * along / body.inverse_axial_inertia);
+  }
+  return joules;
 }
 
-void fall_asleep_if_quiet(const RagdollRig& rig, RagdollState& state) {
-  state.quiet_steps = is_quiet(rig, state) ? state.quiet_steps + 1 : 0;
+float lifting_energy(const RagdollRig& rig, const RagdollState& from, const RagdollState& to) {
+  float joules = 0.0F;
+  for (std::size_t b = 0; b < rig.bodies.size(); ++b) {
+    joules += gravity * rig.metre * (to.bodies[b].position.y - from.bodies[b].position.y) / rig.bodies[b].inverse_mass;
+  }
+  return joules;
+}
+
+/// Where constraints pull against each other, moving positions makes energy from nothing: it is taken back.
+void take_back_energy(const RagdollRig& rig, const RagdollState& before, RagdollState& state) {
+  const float moving = kinetic_energy(rig, state);
+  const float gained = moving + lifting_energy(rig, before, state) - kinetic_energy(rig, before);
+  if (gained <= 0.0F || moving <= 0.0F) return;
+  const float slower = std::sqrt(std::max(moving - gained, 0.0F) / moving);
+  for (RagdollBodyState& body : state.bodies) {
+    body.velocity *= slower;
+    body.angular_velocity *= slower;
+  }
+}
+
+/// By where the bodies went, not by their velocities: what rises out of the ground has none.
+bool is_quiet(const RagdollRig& rig, const RagdollState& before, const RagdollState& state) {
+  constexpr float steps_a_second = static_cast<float>(ticks_per_second / ragdoll_step_ticks);
+  for (std::size_t b = 0; b < rig.bodies.size(); ++b) {
+    const glm::quat turned = state.bodies[b].rotation * glm::conjugate(before.bodies[b].rotation);
+    const float turning = 2.0F * steps_a_second * glm::length(glm::vec3(turned.x, turned.y, turned.z));
+    const float speed = steps_a_second * glm::distance(state.bodies[b].position, before.bodies[b].position);
+    if (speed > quiet_speed * rig.metre || turning > quiet_turning) return false;
+  }
+  return true;
+}
+
+void fall_asleep_if_quiet(const RagdollRig& rig, const RagdollState& before, RagdollState& state) {
+  state.quiet_steps = is_quiet(rig, before, state) ? state.quiet_steps + 1 : 0;
   if (state.quiet_steps < steps_to_sleep) return;
   state.asleep = 1;
   for (RagdollBodyState& body : state.bodies) body.velocity = body.angular_velocity = glm::vec3(0.0F);
 }
 
 void step_once(const RagdollRig& rig, std::span<const GroundPlane> ground, RagdollState& state) {
+  const RagdollState before = state;
   RagdollSubstep step{.rig = rig,
                       .bodies = state.bodies,
                       .seconds = substep_seconds,
                       .previous_position = {},
                       .previous_rotation = {},
+                      .turned_back = {},
                       .touches = {}};
   for (int i = 0; i < substeps; ++i) {
     move_freely(step);
@@ -90,7 +132,8 @@ void step_once(const RagdollRig& rig, std::span<const GroundPlane> ground, Ragdo
     damp_ragdoll_joints(step);
     damp_ragdoll_contacts(ground, step);
   }
-  fall_asleep_if_quiet(rig, state);
+  take_back_energy(rig, before, state);
+  fall_asleep_if_quiet(rig, before, state);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct GroundPlane {
 
 /// How a character moved when it became a rag-doll.
 struct RagdollStart {
-  PoseView before{}; ///< the pose `elapsed` ago; may be the same as `now`
+  PoseView before{};  ///< the pose `elapsed` ago; may be the same as `now`
   PoseView now{};
   Ticks elapsed = 0;         ///< 0: it starts without movement of its own
   glm::vec3 velocity{0.0F};  ///< of the character as a whole, beside what its poses do

@@ -6,10 +6,12 @@
 namespace throng::anim {
 namespace {
 
-/// A joint found outside its limits, because an animation left it there, goes back this fast: radians a second.
+/// What is outside its limits, because an animation left it there or a fall bent it, goes back by this share and this
+/// many radians a second; all at once, it would be thrown back.
+constexpr float recovery_rate = 20.0F;
 constexpr float recovery_speed = 3.0F;
 /// Share of the relative turning that a joint loses, a second.
-constexpr float friction = 6.0F;
+constexpr float friction = 8.0F;
 
 /// Angle of (cosine, sine) in (-pi, pi], within 2e-5: the library's own differs between machines.
 float angle_of(float sine, float cosine) {
@@ -96,24 +98,38 @@ class JointSolver {
     const glm::vec3 parent_arm = state(parent_).rotation * body(child_).joint_in_parent;
     const glm::vec3 arm = state(child_).rotation * body(child_).joint;
     const glm::vec3 gap = (state(parent_).position + parent_arm) - (state(child_).position + arm);
-    const float width = glm::length(gap);
-    if (width < 1e-9F) return;
-    const glm::vec3 direction = gap / width;
-    const float both = mobility(body(parent_), state(parent_), parent_arm, direction) +
-                       mobility(body(child_), state(child_), arm, direction);
-    const glm::vec3 impulse = gap / both;
+    const glm::vec3 impulse = glm::inverse(pair_mobility(parent_arm, arm)) * gap;
     shift(body(child_), state(child_), arm, impulse);
     shift(body(parent_), state(parent_), parent_arm, -impulse);
   }
 
+  /// Friction, and no swing back from a limit.
   void rub() {
     const glm::vec3 turning = state(child_).angular_velocity - state(parent_).angular_velocity;
-    const glm::vec3 torque = pair_torque(-turning * std::min(friction * step_.seconds, 1.0F));
+    glm::vec3 lost = turning * (friction * step_.seconds);
+    const glm::vec3& back = step_.turned_back[child_];
+    const float returning = glm::dot(turning, back);
+    if (returning > 0.0F) lost += back * ((1.0F - friction * step_.seconds) * returning / glm::dot(back, back));
+    const glm::vec3 torque = pair_torque(-lost);
     state(child_).angular_velocity += turned_by(body(child_), state(child_).rotation, torque);
     state(parent_).angular_velocity -= turned_by(body(parent_), state(parent_).rotation, torque);
   }
 
  private:
+  /// How both sides of the joint move apart under an impulse. Whole, not along the gap alone: on long limbs most of the
+  /// movement is across the gap.
+  glm::mat3 pair_mobility(const glm::vec3& parent_arm, const glm::vec3& arm) const {
+    glm::mat3 both(body(parent_).inverse_mass + body(child_).inverse_mass);
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::vec3 along(0.0F);
+      along[axis] = 1.0F;
+      both[axis] +=
+          glm::cross(turned_by(body(parent_), state(parent_).rotation, glm::cross(parent_arm, along)), parent_arm);
+      both[axis] += glm::cross(turned_by(body(child_), state(child_).rotation, glm::cross(arm, along)), arm);
+    }
+    return both;
+  }
+
   const RagdollBody& body(std::size_t index) const { return step_.rig.bodies[index]; }
   RagdollBodyState& state(std::size_t index) const { return step_.bodies[index]; }
 
@@ -131,9 +147,11 @@ class JointSolver {
   void keep_limit(const Excess& now, Excess (*measure)(const RagdollLimit&, const JointPose&)) {
     if (now.angle <= 0.0F) return;
     const JointPose before = joint_pose(limit_, step_.previous_rotation[parent_], step_.previous_rotation[child_]);
-    const float allowed = measure(limit_, before).angle - recovery_speed * step_.seconds;
+    const float allowed =
+        measure(limit_, before).angle * (1.0F - recovery_rate * step_.seconds) - recovery_speed * step_.seconds;
     const float back = now.angle - std::max(allowed, 0.0F);
     if (back <= 0.0F) return;
+    step_.turned_back[child_] -= back * now.axis;
     const glm::vec3 torque = pair_torque(-back * now.axis);
     turn(state(child_), turned_by(body(child_), state(child_).rotation, torque));
     turn(state(parent_), -turned_by(body(parent_), state(parent_).rotation, torque));
@@ -148,11 +166,15 @@ class JointSolver {
 }  // namespace
 
 void solve_ragdoll_joints(RagdollSubstep& step) {
-  for (std::size_t body = 1; body < step.rig.bodies.size(); ++body) {
+  const std::size_t count = step.rig.bodies.size();
+  const auto solve = [&](std::size_t body) {
     JointSolver joint(step, body);
     joint.keep_limits();
     joint.close();
-  }
+  };
+  // Down and up again: one way alone, rounding errors of a star of limbs grow until it flies apart.
+  for (std::size_t body = 1; body < count; ++body) solve(body);
+  for (std::size_t body = count - 1; body > 0; --body) solve(body);
 }
 
 void damp_ragdoll_joints(RagdollSubstep& step) {

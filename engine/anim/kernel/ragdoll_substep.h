@@ -16,7 +16,8 @@ struct RagdollSubstep {
   float seconds;
   glm::vec3 previous_position[max_ragdoll_bodies];
   glm::quat previous_rotation[max_ragdoll_bodies];
-  bool touches[max_ragdoll_bodies][2];  ///< ground held this end of the capsule in this step
+  glm::vec3 turned_back[max_ragdoll_bodies];  ///< by limits, against the parent: a rotation vector, model space
+  bool touches[max_ragdoll_bodies][2];        ///< ground held this end of the capsule in this step
 };
 
 /// Moves the joints together and turns them back inside their limits.

@@ -12,7 +12,9 @@ namespace {
 
 constexpr float gravity = 9.81F;  // metres per second squared
 constexpr int substeps = 6;
-constexpr float substep_seconds = 1.0F / (120.0F * substeps);
+constexpr float steps_a_second = 120.0F;
+constexpr float substep_seconds = 1.0F / (steps_a_second * substeps);
+static_assert(ragdoll_step_ticks * 120 == ticks_per_second);
 
 constexpr float fastest = 30.0F;          // metres a second
 constexpr float fastest_turning = 40.0F;  // radians a second: a third of a radian a step
@@ -98,7 +100,6 @@ void take_back_energy(const RagdollRig& rig, const RagdollState& before, Ragdoll
 
 /// By where the bodies went, not by their velocities: what rises out of the ground has none.
 bool is_quiet(const RagdollRig& rig, const RagdollState& before, const RagdollState& state) {
-  constexpr float steps_a_second = static_cast<float>(ticks_per_second / ragdoll_step_ticks);
   for (std::size_t b = 0; b < rig.bodies.size(); ++b) {
     const glm::quat turned = state.bodies[b].rotation * glm::conjugate(before.bodies[b].rotation);
     const float turning = 2.0F * steps_a_second * glm::length(glm::vec3(turned.x, turned.y, turned.z));

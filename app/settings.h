@@ -6,7 +6,7 @@
 
 namespace throng::app {
 
-enum class Scene : std::uint8_t { plaza, grid };
+enum class Scene : std::uint8_t { plaza, parade, stadium, grid };
 enum class Schedule : std::uint8_t { fused, levels };
 enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
 enum class Stream : std::uint8_t { sampled, keyframe };

@@ -177,8 +177,8 @@ void Crowd::march(anim::Ticks dt) {
     const std::size_t agent = walkers() + marcher;
     const LanePlace place = marcher_place(route_, marchers_[marcher], seconds);
     const glm::vec3 position(place.position.x, 0.0, place.position.y);
-    speeds_[agent] = static_cast<float>(static_cast<double>(glm::distance(position, positions_[agent])) /
-                                        anim::to_seconds(dt));
+    speeds_[agent] =
+        static_cast<float>(static_cast<double>(glm::distance(position, positions_[agent])) / anim::to_seconds(dt));
     positions_[agent] = position;
     headings_[agent] = place.heading;
     match_playback(agent);

@@ -27,9 +27,9 @@ struct CrowdLooks {
   std::vector<Tints> tints;
 };
 
-/// Who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents, seed, the
-/// character's roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the state after
-/// the last `advance`, and live as long as the crowd.
+/// Who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents, seed,
+/// the character's roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the state
+/// after the last `advance`, and live as long as the crowd.
 class Crowd {
  public:
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
@@ -45,7 +45,7 @@ class Crowd {
   std::span<const Heading> headings() const { return headings_; }
   std::span<const float> scales() const { return looks_.scales; }  ///< 0.9 to 1.08
   std::span<const float> radii() const { return looks_.radii; }    ///< metres, of the body seen from above
-  std::span<const float> speeds() const { return speeds_; }  ///< metres a second over the ground
+  std::span<const float> speeds() const { return speeds_; }        ///< metres a second over the ground
   /// How fast the shown clip is played: of gaits, so that feet do not slide, 0.4 to 1.7; else 0.9 to 1.1. Changes from
   /// frame to frame.
   std::span<const float> playback_speeds() const { return playback_speeds_; }
@@ -56,7 +56,7 @@ class Crowd {
   std::span<const int> clips() const { return minds_.clips(); }  ///< index, or no_clip for a character that has none
 
   std::span<const Lane> lanes() const { return walkers_.lanes(); }
-  std::size_t walkers() const { return walkers_.count(); }    ///< the first agents: they walk where they like
+  std::size_t walkers() const { return walkers_.count(); }   ///< the first agents: they walk where they like
   std::size_t marchers() const { return marchers_.size(); }  ///< those after them: rank and file; all others stay
 
  private:

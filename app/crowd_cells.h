@@ -23,7 +23,8 @@ struct Body {
 /// runs of neighbours in memory and always come in the same order. Bodies beyond the edge count to the cells along it.
 class CrowdCells {
  public:
-  /// Sets memory aside for `bodies` on the ground from `lowest` to `highest`; `reach` is as far as anyone looks, metres.
+  /// Sets memory aside for `bodies` on the ground from `lowest` to `highest`; `reach` is as far as anyone looks,
+  /// metres.
   void set_aside(std::size_t bodies, glm::vec2 lowest, glm::vec2 highest, float reach);
 
   /// Counting sort; as many bodies as were set aside. Allocates nothing.

@@ -36,7 +36,7 @@ struct CrowdLayout {
   std::vector<Lane> lanes;  ///< with their speeds
   std::vector<WalkerStart> walkers;
   Habit walkers_habit = Habit::stroll;
-  Lane route;                          ///< with its speed; of the marchers
+  Lane route;  ///< with its speed; of the marchers
   std::vector<MarcherStart> marchers;
   std::vector<StanderPlace> standers;
   double wave_seconds = 0.0;  ///< stadium: what the wave takes to run round; 0: there is none

@@ -55,15 +55,14 @@ void line_up(const Formation& formation, const Lane& route, double spacing, Crow
   const double companies = std::ceil(static_cast<double>(formation.ranks) / ranks_in_company);
   const double in_ranks = static_cast<double>(formation.ranks) * rank_pitch * spacing;
   const double gap = (route.length() - in_ranks) / companies;
-  const double middle_of_straight = 3.0 * route.core.x + 2.0 * quarter_turn * route.corner_radius;
+  const double head = quarter_turn * route.corner_radius + 1.5 * route.core.x;  // on the straight at +Z
   for (std::size_t marcher = 0; marcher < formation.marchers; ++marcher) {
     const std::size_t rank = marcher / formation.files, file = marcher % formation.files;
-    const double behind = static_cast<double>(rank) * rank_pitch * spacing +
-                          static_cast<double>(rank / ranks_in_company) * gap;
+    const double behind =
+        static_cast<double>(rank) * rank_pitch * spacing + static_cast<double>(rank / ranks_in_company) * gap;
     const double from_middle = static_cast<double>(file) - 0.5 * static_cast<double>(formation.files - 1);
-    const double head = middle_of_straight + 0.5 * route.core.x;
-    layout.marchers.push_back({std::fmod(head - behind + route.length(), route.length()),
-                               from_middle * formation.file_pitch});
+    layout.marchers.push_back(
+        {std::fmod(head - behind + route.length(), route.length()), from_middle * formation.file_pitch});
   }
 }
 

@@ -108,6 +108,14 @@ std::optional<Role> role_named(std::string_view name) {
   return static_cast<Role>(found - role_names.begin());
 }
 
+std::string known_roles() {
+  std::string list;
+  for (std::size_t role = 0; role < role_count; ++role) {
+    list += (role == 0 ? "" : role + 1 == role_count ? " and " : ", ") + std::string(role_names.at(role));
+  }
+  return list;
+}
+
 double CharacterRoles::ground_speed(Role gait) const {
   if (clip(gait) == no_clip) return 0.0;
   switch (gait) {

@@ -20,7 +20,17 @@ inline constexpr std::size_t role_count = 9;  ///< roles that one clip fills; `o
 inline constexpr std::array<const char*, role_count> role_names = {"stand", "look_around", "walk", "jog", "run",
                                                                    "wave",  "cheer",       "clap", "sit"};
 std::optional<Role> role_named(std::string_view name);
+std::string known_roles();  ///< "stand, look_around, ... and sit"
 inline std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
+
+/// Somebody's word for which clip plays a role; "none" for no clip at all.
+struct RoleChoice {
+  Role role;
+  std::string clip;
+
+  friend bool operator==(const RoleChoice&, const RoleChoice&) = default;
+};
+inline constexpr const char* no_clip_name = "none";
 
 inline constexpr int no_clip = -1;
 using RoleClips = std::array<int, role_count>;  ///< index of a clip or no_clip, by Role

@@ -11,13 +11,13 @@
 namespace throng::app {
 namespace {
 
-constexpr float horizon = 2.5F;           // seconds that an agent looks ahead
+constexpr float horizon = 2.5F;  // seconds that an agent looks ahead
 constexpr float reach_in_spacings = 4.0F;
-constexpr float comfort = 1.5F;           // passing distance, in radii summed
-constexpr float avoidance = 1.6F;         // of the wished speed, at the strongest
-constexpr float sidestep = 0.6F;          // of the speed that is lost
-constexpr float follow_seconds = 0.4F;    // in which the gap to the one ahead may close
-constexpr float acceleration = 3.5F;      // metres a second squared, for a person 1.8 m tall
+constexpr float comfort = 1.5F;         // passing distance, in radii summed
+constexpr float avoidance = 1.6F;       // of the wished speed, at the strongest
+constexpr float sidestep = 0.6F;        // of the speed that is lost
+constexpr float follow_seconds = 0.4F;  // in which the gap to the one ahead may close
+constexpr float acceleration = 3.5F;    // metres a second squared, for a person 1.8 m tall
 constexpr float braking = 7.0F;
 constexpr std::size_t tile = 128;
 constexpr std::size_t most_close = 32;  // no more discs fit within a step's reach
@@ -60,11 +60,7 @@ glm::vec2 no_longer_than(glm::vec2 vector, float length) {
 class Step {
  public:
   Step(const Body& self, const Wish& wish, float seconds, Reach reach)
-      : self_(self),
-        wish_(wish),
-        seconds_(seconds),
-        reach_(reach),
-        wished_speed_(glm::length(wish.velocity)) {}
+      : self_(self), wish_(wish), seconds_(seconds), reach_(reach), wished_speed_(glm::length(wish.velocity)) {}
 
   void see(const Body& other) {
     if (other.agent == self_.agent) return;

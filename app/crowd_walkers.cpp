@@ -20,12 +20,13 @@ constexpr anim::Ticks least_time_in_gait = anim::ticks_per_second * 3 / 5;
 constexpr anim::Ticks patience = anim::ticks_per_second * 3;  // until somebody who is stuck goes another way
 
 constexpr float lead_in_spacings = 1.2F, lead_seconds = 0.6F;
-constexpr double lead_step = 0.25;           // metres
-constexpr float farthest_lane = 22.0F;       // metres to another lane
+constexpr float aside_in_spacings = 3.0F;
+constexpr double lead_step = 0.25;      // metres
+constexpr float farthest_lane = 22.0F;  // metres to another lane
 constexpr float chance_of_another_way = 0.5F;
-constexpr float standing_speed = 0.05F;      // metres a second
+constexpr float standing_speed = 0.05F;  // metres a second
 constexpr float share_of_walk_to_step = 0.25F;
-constexpr float gait_band = 1.08F;           // by which a speed must leave a gait's range
+constexpr float gait_band = 1.08F;  // by which a speed must leave a gait's range
 constexpr double turns_a_second = 0.75;
 
 glm::vec2 on_ground(const LanePlace& place) { return {place.position}; }
@@ -115,6 +116,13 @@ void CrowdWalkers::set_out(std::size_t walker, Random& whim) {
   }
 }
 
+// A few steps in any direction first, then to another lane: the way out for somebody hemmed in.
+void CrowdWalkers::turn_aside(std::size_t walker, Random& whim) {
+  set_out(walker, whim);
+  const glm::vec2 direction(cosine_sine(4.0 * static_cast<double>(whim.unit())));
+  ahead_[walker] = bodies_[walker].position + direction * (aside_in_spacings * spacing_);
+}
+
 void CrowdWalkers::look_ahead(std::size_t walker) {
   WalkerStart& way = starts_[walker];
   const Lane& lane = lanes_[way.lane];
@@ -171,7 +179,7 @@ void CrowdWalkers::show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& mi
   const anim::Ticks held_up = now - moved_at_[walker];
   if (held_up >= patience && now - new_gait_at_[walker] >= patience) {
     new_gait_at_[walker] = now;
-    set_out(walker, minds.whim(walker));
+    turn_aside(walker, minds.whim(walker));
     return;
   }
   const bool is_held_up = held_up > least_time_in_gait;

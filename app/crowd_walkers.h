@@ -23,13 +23,13 @@ class CrowdWalkers {
   CrowdWalkers(const CharacterRoles& character, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
                std::vector<Body> bodies, std::vector<float> paces);
 
-  /// One frame of `dt`, in steps short enough to steer by; then asks `minds` for the gait that fits the speed. Allocates
-  /// nothing. As Steering::step, the result does not depend on `jobs`.
+  /// One frame of `dt`, in steps short enough to steer by; then asks `minds` for the gait that fits the speed.
+  /// Allocates nothing. As Steering::step, the result does not depend on `jobs`.
   void advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs);
 
   std::size_t count() const { return starts_.size(); }
   std::span<const Lane> lanes() const { return lanes_; }
-  std::span<const Body> bodies() const { return bodies_; }        ///< of all agents
+  std::span<const Body> bodies() const { return bodies_; }         ///< of all agents
   std::span<const Heading> headings() const { return headings_; }  ///< of the walkers
   /// Metres a second of the agent in `gait` when nobody is in its way.
   float speed_of(std::size_t walker, Role gait) const;
@@ -37,6 +37,7 @@ class CrowdWalkers {
  private:
   void begin_walking(std::size_t walker);
   void set_out(std::size_t walker, Random& whim);
+  void turn_aside(std::size_t walker, Random& whim);
   void look_ahead(std::size_t walker);
   void wish(std::size_t walker, Role intention);
   void turn(std::size_t walker, float seconds);
@@ -50,7 +51,7 @@ class CrowdWalkers {
   std::vector<glm::vec2> ahead_;     // that point
   std::vector<float> paces_;
   std::vector<Heading> headings_;
-  std::vector<anim::Ticks> moved_at_;    // when it last got on
+  std::vector<anim::Ticks> moved_at_;     // when it last got on
   std::vector<anim::Ticks> new_gait_at_;  // when it last changed gait
   std::vector<Body> bodies_;
   std::vector<Wish> wishes_;

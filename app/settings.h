@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "app/crowd_roles.h"
 
 namespace throng::app {
 
@@ -71,6 +74,7 @@ struct DemoOptions {
   bool hide_ui = false;
   int msaa = -1;  ///< -1: what the device affords; 0 or 4
   bool shadows = true;
+  std::vector<RoleChoice> clips;  ///< over those of the role file, and those that names suggest
   bool agents_given = false;    ///< a software renderer shows fewer in a window unless given
   bool shadows_given = false;   ///< a software renderer draws none unless given
   bool force_software = false;  ///< EGL: never the graphics card; for tests

@@ -52,7 +52,8 @@ TEST_P(EveryScene, KeepsFiveHundredApartForAMinute) {
 
 TEST_P(EveryScene, IsTheSameToTheLastBitForAnyNumberOfJobs) {
   anim::PuThreads two(2), five(5);
-  Crowd alone(GetParam(), 500, 1, person()), by_two(GetParam(), 500, 1, person()), by_five(GetParam(), 500, 1, person());
+  Crowd alone(GetParam(), 500, 1, person()), by_two(GetParam(), 500, 1, person()),
+      by_five(GetParam(), 500, 1, person());
   for (int i = 0; i < 300; ++i) {
     alone.advance(frame);
     by_two.advance(frame, two, 2);
@@ -84,8 +85,8 @@ std::string name_of(const testing::TestParamInfo<Scene>& tested) {
   return names[static_cast<int>(tested.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
-                         testing::Values(Scene::plaza, Scene::parade, Scene::stadium, Scene::grid), name_of);
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::Values(Scene::plaza, Scene::parade, Scene::stadium, Scene::grid),
+                         name_of);
 
 TEST(Plaza, PeopleWalkStopLookAroundWaveAndRun) {
   Crowd crowd(Scene::plaza, 500, 1, person());
@@ -95,7 +96,8 @@ TEST(Plaza, PeopleWalkStopLookAroundWaveAndRun) {
       if (request.agent < crowd.walkers()) walkers_did.insert(request.role);
     }
   }
-  EXPECT_EQ(walkers_did, (std::set<Role>{Role::stand, Role::look_around, Role::walk, Role::jog, Role::run, Role::wave}));
+  EXPECT_EQ(walkers_did,
+            (std::set<Role>{Role::stand, Role::look_around, Role::walk, Role::jog, Role::run, Role::wave}));
 }
 
 TEST(Plaza, NobodyStaysStuck) {

@@ -1,5 +1,3 @@
-#include "app/crowd_steering.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/crowd_random.h"
+#include "app/crowd_steering.h"
 #include "engine/anim/run/pu_threads.h"
 
 namespace throng::app {
@@ -123,9 +122,11 @@ TEST(Steering, ABlockWalksThroughABlock) {
     }
   }
   Walk walk(starts);
-  walk.run(1800);
+  walk.run(1500);
   EXPECT_GE(walk.nearest, least_allowed);
-  EXPECT_GE(walk.arrived(), 95U);
+  for (const Body& body : walk.bodies) {
+    EXPECT_GT(body.position.x * (walk.goals[body.agent].x > 0.0F ? 1.0F : -1.0F), 3.0F) << "through and beyond";
+  }
 }
 
 TEST(Steering, AThrongThatAllWantsToTheSamePlaceKeepsApart) {

@@ -42,9 +42,11 @@ Lane grown(Lane lane, double by) {
 }
 
 void seat_tier(const Lane& lane, std::size_t count, double height, CrowdLayout& layout) {
+  const double corner = std::numbers::pi / 2.0 * lane.corner_radius;
+  const double far_side = 0.5 * lane.length() + 2.0 * lane.core.y + corner + lane.core.x;  // the middle of that at -Z
   for (std::size_t seat = 0; seat < count; ++seat) {
     const double round = static_cast<double>(seat) / static_cast<double>(count);
-    const LanePlace place = lane.at(round * lane.length());
+    const LanePlace place = lane.at(far_side + round * lane.length());
     // The way round, turned a quarter towards the field.
     const Heading inward{place.heading.sine, -place.heading.cosine};
     layout.standers.push_back({place.position, inward, height, Habit::sit, round});

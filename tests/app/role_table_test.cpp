@@ -36,7 +36,7 @@ TEST(ChooseClips, PutsTheChoicesOverWhatWasThere) {
 
 TEST(ChooseClips, NamesTheNearestOfAnUnknownClipAndTakesNothing) {
   EXPECT_EQ(refusal_of({{Role::stand, "Idle"}, {Role::walk, "walking"}}),
-            "walk=walking: the model has no such clip; nearest are Walking_A, Walking_B, Running_A");
+            "walk=walking: the model has no such clip; nearest are Walking_A, Walking_B, Idle");
 }
 
 TEST(AllChoices, NameEveryRole) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+
 #include "app/crowd_roles.h"
 
 namespace throng::app {

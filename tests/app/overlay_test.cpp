@@ -112,6 +112,26 @@ TEST(Overlay, AChangedValueGoesBackByDoubleClickOrByItsArrow) {
   EXPECT_EQ(driver.tuning.agents, Tuning().agents);
 }
 
+TEST(Overlay, AnotherClipForARoleIsPickedKeptAndTakenBack) {
+  OverlayDriver driver;
+  driver.point_at(1100, 400);
+  driver.frames();
+  driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -100});
+  driver.frames();
+  ASSERT_TRUE(driver.sees("Walk"));
+  EXPECT_FALSE(driver.sees("Walk:Running_A")) << "the list is closed";
+  driver.click("Walk");
+  ASSERT_TRUE(driver.sees("Walk:Running_A"));
+  const OverlayCommands picked = driver.click("Walk:Running_A");
+  ASSERT_TRUE(picked.roles);
+  EXPECT_EQ((*picked.roles)[index_of(Role::walk)], 2);
+  EXPECT_EQ((*picked.roles)[index_of(Role::stand)], 0);
+  EXPECT_TRUE(driver.click("Save roles").save_roles);
+  const OverlayCommands reset = driver.click("Reset roles");
+  ASSERT_TRUE(reset.roles);
+  EXPECT_EQ((*reset.roles)[index_of(Role::walk)], 1);
+}
+
 TEST(Overlay, EveryChoiceCanBeMade) {
   OverlayDriver driver;
   driver.click("Scene:grid");

@@ -75,9 +75,9 @@ struct DemoOptions {
   int msaa = -1;  ///< -1: what the device affords; 0 or 4
   bool shadows = true;
   std::vector<RoleChoice> clips;  ///< over those of the role file, and those that names suggest
-  bool agents_given = false;    ///< a software renderer shows fewer in a window unless given
-  bool shadows_given = false;   ///< a software renderer draws none unless given
-  bool force_software = false;  ///< EGL: never the graphics card; for tests
+  bool agents_given = false;      ///< a software renderer shows fewer in a window unless given
+  bool shadows_given = false;     ///< a software renderer draws none unless given
+  bool force_software = false;    ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   std::string camera_name;                      ///< named camera of the scene, empty: the scene's first
   std::string screenshot, stats, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output

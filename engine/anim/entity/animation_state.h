@@ -18,6 +18,7 @@ enum class EntityType : std::uint32_t {
   additive_layer,
   inertialiser,
   noise_maker,
+  socket,
   user
 };
 

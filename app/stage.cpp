@@ -58,6 +58,7 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(CharacterSource character, co
   auto system = anim::AnimationSystem::create(stage->character_.character, system_options(tuning));
   if (!system) return system.error();
   stage->system_ = std::move(*system);
+  stage->crowd_threads_ = std::make_unique<anim::PuThreads>(stage->system_->options().pus);
   stage->tuning_ = tuning;
   stage->populate();
   return stage;
@@ -68,12 +69,19 @@ anim::Status Stage::apply(const Tuning& tuning) {
   if (options != system_->options()) {
     const anim::Status configured = system_->configure(options);
     if (!configured) return configured;
+    crowd_threads_ = std::make_unique<anim::PuThreads>(options.pus);
   }
   const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;
   if (!moving_) lod_.make_all_due();  // nobody's turn comes while time stands still, but tuning shows at once
   if (!keeps_crowd) populate();
   return anim::Done{};
+}
+
+void Stage::set_roles(const RoleClips& clips) {
+  assign_roles(character_, clips);
+  if (!moving_) lod_.make_all_due();
+  populate();
 }
 
 void Stage::populate() {
@@ -105,7 +113,8 @@ void Stage::move(anim::Ticks delta) {
   moving_ = delta > 0;
   if (moving_) ++frames_moved_;
   system_->advance(delta);
-  clip_requests_.submit(crowd_->advance(delta), [this](const ClipRequest& request) {
+  const std::span<const ClipRequest> requests = crowd_->advance(delta, *crowd_threads_, system_->options().pus);
+  clip_requests_.submit(requests, [this](const ClipRequest& request) {
     return request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
   });
 }

@@ -12,6 +12,7 @@
 #include "app/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/run/lod.h"
+#include "engine/anim/run/pu_threads.h"
 #include "engine/render/camera.h"
 #include "engine/render/instance_record.h"
 #include "engine/render/palette_slots.h"
@@ -29,6 +30,9 @@ class Stage {
 
   /// New tuning, at a frame boundary. A different crowd starts anew; on error the old tuning goes on.
   anim::Status apply(const Tuning& tuning);
+
+  /// Other clips for the roles, at a frame boundary; the crowd starts anew.
+  void set_roles(const RoleClips& clips);
 
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
@@ -59,6 +63,7 @@ class Stage {
   ShownPoses shown_;
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<Crowd> crowd_;
+  std::unique_ptr<anim::PuThreads> crowd_threads_;
   ClipRequests clip_requests_;
   anim::LodState lod_;
   anim::LodSelection selection_;

@@ -12,12 +12,11 @@ namespace throng::anim {
 namespace {
 
 ClipStreams streams_of(const BakedClip& clip) {
-  ClipStreams streams{.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration};
-  const double seconds = to_seconds(clip.duration);
-  for (int axis = 0; axis < 3 && seconds > 0; ++axis) {
-    streams.linear_velocity[axis] = static_cast<float>(clip.loop_displacement[axis] / seconds);
-  }
-  return streams;
+  return {.keyframe = &clip.keyframe(),
+          .sampled = clip.sampled(),
+          .duration = clip.duration,
+          .root_motion = &clip.root_motion,
+          .data_keys = clip.data_keys};
 }
 
 void reserve_fades(EntityPools& pools, StreamKind stream, std::size_t agents) {
@@ -42,6 +41,7 @@ AnimationSystem::AnimationSystem(std::shared_ptr<const Character> character)
   context_ = {.hierarchy = &character_->hierarchy,
               .assets = {.clips = clips_,
                          .masks = {},
+                         .selections = {},
                          .kernels = &best_kernels(),
                          .bone_count = character_->skeleton.bone_count(),
                          .components = character_->skeleton.components()},
@@ -134,6 +134,13 @@ int AnimationSystem::add_mask(BoneMask mask) {
   masks_.push_back(std::move(mask));
   context_.assets.masks = mask_weights_;
   return static_cast<int>(masks_.size()) - 1;
+}
+
+std::uint32_t AnimationSystem::add_bone_selection(BoneSelection selection) {
+  assert(selection.packets() == packets_for(character_->skeleton.bone_count()) && "a selection of another skeleton");
+  selections_.push_back(std::move(selection));
+  context_.assets.selections = selections_;
+  return static_cast<std::uint32_t>(selections_.size());
 }
 
 bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {

@@ -73,6 +73,10 @@ class AnimationSystem {
   /// was made for this character's skeleton.
   int add_mask(BoneMask mask);
 
+  /// Bones that a player evaluates, the others standing still (paper 3.2, per-bone priorities); for
+  /// `PlayRequest::bone_selection`. Made for this character's skeleton, added at load time.
+  std::uint32_t add_bone_selection(BoneSelection selection);
+
   /// A kind of entity of the host's own, to be added at load time: for channels and post processes that make such
   /// entities. `kind` outlives the system.
   EntityPools::Kind add_entity_kind(const EntityKind& kind) { return pools_.add_kind(kind); }
@@ -115,6 +119,10 @@ class AnimationSystem {
   void advance(Ticks delta) { clock_ += delta; }
   Ticks clock() const { return clock_; }
   void update(std::span<const AgentUpdate> agents);
+
+  /// Root motion, data keys and absolute root of an agent, at a frame boundary: after advance(), ask for the interval
+  /// from the clock before to the clock now, before any request.
+  AgentMotion motion(std::uint32_t agent) const { return {pools_, clips_, agents_.program(agent), posed_at_[agent]}; }
 
   /// Block copies of everything that changes: a crowd that is restored goes on to the same poses, bit for bit. Reuses
   /// the snapshot's memory. Restoring is refused, and changes nothing, under a schedule whose blocks have other sizes.
@@ -160,6 +168,7 @@ class AnimationSystem {
   std::vector<ClipStreams> clips_;
   std::vector<BoneMask> masks_;
   std::vector<const float*> mask_weights_;  // of masks_, as the context lists them
+  std::vector<BoneSelection> selections_;
   EntityPools pools_;
   Agents agents_;
   UpdateContext context_;

@@ -13,7 +13,12 @@ constexpr double half_lives_in_a_fade = 4.0;
 constexpr std::size_t player_place(std::size_t player) { return player == 0 ? 0 : 2 * player - 1; }
 
 PlayerStart start_of(const PlayRequest& request) {
-  return {.clip = request.clip, .speed = request.speed, .start = request.start, .loop = request.loop};
+  return {.clip = request.clip,
+          .speed = request.speed,
+          .start = request.start,
+          .loop = request.loop,
+          .absolute_root = request.absolute_root,
+          .bone_selection = request.bone_selection};
 }
 
 bool stays(const PlayRequest& request) {

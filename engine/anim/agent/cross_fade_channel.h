@@ -21,6 +21,10 @@ struct PlayRequest {
   /// there until a request without a mask takes the place of all. no_mask: on all bones.
   int mask = no_mask;
 
+  /// A cut scene: the agent stands here, and moves on from here by the clip's own root motion.
+  std::optional<AbsoluteRoot> absolute_root = std::nullopt;
+  std::uint32_t bone_selection = Player::every_bone;  ///< what `AnimationSystem::add_bone_selection` returned
+
   static constexpr int no_mask = EaseBlender::no_mask;
 };
 

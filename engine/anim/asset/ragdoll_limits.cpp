@@ -81,7 +81,6 @@ RagdollLimit limit_of(const RagdollBone& bone, const glm::vec3& axis, const glm:
   switch (bone.part) {
     case RagdollPart::pelvis:
     case RagdollPart::spine:
-      return cone(axis, axis, 25.0F, 25.0F);
     case RagdollPart::chest:
       return cone(axis, axis, 25.0F, 25.0F);
     case RagdollPart::head:

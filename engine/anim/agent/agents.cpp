@@ -39,29 +39,10 @@ Status Agents::add_post_process(const EntityBuilder& build, std::uint32_t agent,
   return rebuild(build, agent);
 }
 
-void Agents::remove_last_post_process(const EntityBuilder& build, std::uint32_t agent) {
-  agents_[agent].processes.back()->destroy_entities(build);
-  agents_[agent].processes.pop_back();
-  [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
-  assert(rebuilt && "it did before");
-}
-
-Status Agents::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
-  if (agents_[agent].processes[index]->update(build)) return rebuild(build, agent);
-  find_next_update(agent);
-  return Done{};
-}
-
-void Agents::find_next_update(std::uint32_t agent) {
-  Ticks next = never;
-  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.channel->next_update());
-  for (const auto& process : agents_[agent].processes) next = std::min(next, process->next_update());
-  next_updates_[agent] = next;
-}
-
-void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t agent) {
-  for (const auto& process : agents_[agent].processes) process->destroy_entities(build);
-  agents_[agent].processes.clear();
+void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept) {
+  std::vector<std::unique_ptr<PostProcess>>& processes = agents_[agent].processes;
+  for (std::size_t i = kept; i < processes.size(); ++i) processes[i]->destroy_entities(build);
+  processes.resize(kept);
   [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
   assert(rebuilt && "fewer entities make no cycle");
 }
@@ -79,6 +60,19 @@ Status Agents::update(const EntityBuilder& build, std::uint32_t agent) {
   if (changed) return rebuild(build, agent);
   find_next_update(agent);
   return Done{};
+}
+
+Status Agents::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
+  if (agents_[agent].processes[index]->update(build)) return rebuild(build, agent);
+  find_next_update(agent);
+  return Done{};
+}
+
+void Agents::find_next_update(std::uint32_t agent) {
+  Ticks next = never;
+  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.channel->next_update());
+  for (const auto& process : agents_[agent].processes) next = std::min(next, process->next_update());
+  next_updates_[agent] = next;
 }
 
 // A layer whose channel plays nothing leaves what is below as it is.

@@ -39,11 +39,11 @@ class Agents {
 
   Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
                      const LayerSettings& settings);
+  Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
+  /// All but the first `kept`.
+  void remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept = 0);
   std::size_t post_process_count(std::uint32_t agent) const { return agents_[agent].processes.size(); }
   PostProcess& post_process(std::uint32_t agent, std::size_t index) const { return *agents_[agent].processes[index]; }
-  Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
-  void remove_last_post_process(const EntityBuilder& build, std::uint32_t agent);
-  void remove_post_processes(const EntityBuilder& build, std::uint32_t agent);
   /// Updates one process alone.
   Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
   void set_weight(std::uint32_t agent, std::size_t channel, float weight);

@@ -164,8 +164,9 @@ Status AnimationSystem::add_channel(std::uint32_t agent, std::unique_ptr<Channel
 }
 
 Status AnimationSystem::add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process) {
-  const Status added = settled(agent, agents_.add_post_process(builder(agent), agent, std::move(process)));
-  if (!added) agents_.remove_last_post_process(builder(agent), agent);
+  const EntityBuilder build = builder(agent);
+  Status added = settled(agent, agents_.add_post_process(build, agent, std::move(process)));
+  if (!added) agents_.remove_post_processes(build, agent, agents_.post_process_count(agent) - 1);
   return added;
 }
 

@@ -58,7 +58,6 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(CharacterSource character, co
   auto system = anim::AnimationSystem::create(stage->character_.character, system_options(tuning));
   if (!system) return system.error();
   stage->system_ = std::move(*system);
-  stage->crowd_threads_ = std::make_unique<anim::PuThreads>(stage->system_->options().pus);
   stage->tuning_ = tuning;
   stage->populate();
   return stage;
@@ -69,7 +68,6 @@ anim::Status Stage::apply(const Tuning& tuning) {
   if (options != system_->options()) {
     const anim::Status configured = system_->configure(options);
     if (!configured) return configured;
-    crowd_threads_ = std::make_unique<anim::PuThreads>(options.pus);
   }
   const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;
@@ -89,21 +87,21 @@ void Stage::populate() {
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, character_.roles);
   system_->set_agent_count(0);
   system_->set_agent_count(static_cast<std::uint32_t>(agents));
+  played_speeds_.assign(agents, 0.0F);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     request_clip(agent, crowd_->clips()[agent], 0, static_cast<double>(crowd_->start_phases()[agent]));
   }
-  clip_requests_.reset(agents);
   lod_.resize(agents, selection_);
   shown_.reset(agents, frame_);
   updates_.reserve(agents);
 }
 
-bool Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
+void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
   const int index = clip == no_clip ? 0 : clip;
   const anim::Ticks duration = character_.character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
-  return system_->play(agent,
-                       {.clip = index,
+  played_speeds_[agent] = crowd_->playback_speeds()[agent];
+  system_->play(agent, {.clip = index,
                         .fade = fade,
                         .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,
                         .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
@@ -113,10 +111,22 @@ void Stage::move(anim::Ticks delta) {
   moving_ = delta > 0;
   if (moving_) ++frames_moved_;
   system_->advance(delta);
-  const std::span<const ClipRequest> requests = crowd_->advance(delta, *crowd_threads_, system_->options().pus);
-  clip_requests_.submit(requests, [this](const ClipRequest& request) {
-    return request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
-  });
+  const auto requests = crowd_->advance(delta, system_->executor(), system_->options().pus);
+  for (const ClipRequest& request : requests) {
+    request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
+  }
+  match_playback();
+}
+
+// Those who walk go at their own pace from frame to frame, and their feet with them.
+void Stage::match_playback() {
+  const std::span<const float> speeds = crowd_->playback_speeds();
+  const std::size_t movers = crowd_->walkers() + crowd_->marchers();
+  for (std::uint32_t agent = 0; agent < movers; ++agent) {
+    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip) continue;
+    system_->set_speed(agent, static_cast<double>(speeds[agent]));
+    played_speeds_[agent] = speeds[agent];
+  }
 }
 
 std::uint32_t Stage::now() const { return microseconds(system_->clock()); }

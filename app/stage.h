@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/character_source.h"
-#include "app/clip_requests.h"
 #include "app/crowd.h"
 #include "app/settings.h"
 #include "app/shown_poses.h"
@@ -54,7 +53,8 @@ class Stage {
  private:
   Stage(CharacterSource character, render::PalettePageSource& pages);
   void populate();
-  bool request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
+  void match_playback();
+  void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
 
   CharacterSource character_;
@@ -63,8 +63,7 @@ class Stage {
   ShownPoses shown_;
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<Crowd> crowd_;
-  std::unique_ptr<anim::PuThreads> crowd_threads_;
-  ClipRequests clip_requests_;
+  std::vector<float> played_speeds_;  // of each agent's clip, as the system was told
   anim::LodState lod_;
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;

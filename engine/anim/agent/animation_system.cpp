@@ -158,6 +158,10 @@ bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
   return taken;
 }
 
+void AnimationSystem::set_speed(std::uint32_t agent, double speed) {
+  static_cast<CrossFadeChannel&>(agents_.channel(agent, 0)).set_speed(builder(agent), speed);
+}
+
 Status AnimationSystem::add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel,
                                     const LayerSettings& settings) {
   return settled(agent, agents_.add_channel(builder(agent), agent, std::move(channel), settings));
@@ -261,6 +265,16 @@ double AnimationSystem::bytes_per_agent() const {
   std::size_t bytes = agents_.bytes() + agent_count() * (sizeof(Ticks) + sizeof(std::uint64_t));
   for (EntityPools::Kind kind = 0; kind < pools_.kind_count(); ++kind) bytes += pools_.pool(kind).memory().bytes_alive;
   return static_cast<double>(bytes) / std::max<double>(agent_count(), 1.0);
+}
+
+std::vector<KindMemory> AnimationSystem::memory() const {
+  std::vector<KindMemory> kinds;
+  for (EntityPools::Kind kind = 0; kind < pools_.kind_count(); ++kind) {
+    kinds.push_back({.kind = pools_.layout(kind).kind->name,
+                     .own = pools_.pool(kind).memory(),
+                     .shared = pools_.shared_pool(kind).memory()});
+  }
+  return kinds;
 }
 
 std::span<const float> AnimationSystem::pose(std::uint32_t agent) const {

@@ -49,6 +49,13 @@ struct UpdateReport {
   CopyCounts copies;
 };
 
+/// Main memory of the blocks of one kind, those that agents own and those that they share.
+struct KindMemory {
+  const char* kind = "";
+  PoolMemory own;
+  PoolMemory shared;
+};
+
 /// A crowd as it was: the bytes of its blocks, and what its agents remember. See AnimationSystem::snapshot.
 class SystemSnapshot;
 
@@ -84,6 +91,10 @@ class AnimationSystem {
   /// Plays a clip on the agent's first channel, which is a CrossFadeChannel unless another was added first. False: all
   /// places of the channel's tree are taken by blends that stay (masked or held).
   bool play(std::uint32_t agent, const PlayRequest& request);
+
+  /// Plays what the agent asked for last at another speed from now on, without a jump. The first channel is as for
+  /// play.
+  void set_speed(std::uint32_t agent, double speed);
 
   /// Lays a channel over those that the agent has. Errors: its graph has a cycle, or is too large for the local store.
   Status add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel, const LayerSettings& settings = {});
@@ -132,6 +143,8 @@ class AnimationSystem {
   /// Moves living blocks together, in the order in which the scheduler reads them, and gives memory back.
   Compaction compact();
 
+  /// Who runs the PUs: between updates it is free for the host's own jobs, at most options().pus at once.
+  Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
   const UpdateReport& report() const { return report_; }
   std::span<const ProcessingUnit> units() const { return scheduler_->units(); }
   const ScheduleOptions& schedule() const { return scheduler_->options(); }
@@ -144,6 +157,8 @@ class AnimationSystem {
   std::uint64_t pose_hash() const { return pose_hash_; }
   /// Main memory of an agent, without palettes: blocks and bookkeeping.
   double bytes_per_agent() const;
+  /// In the order of the kinds; allocates.
+  std::vector<KindMemory> memory() const;
 
   /// The last pose of an agent, [packet][components][16], state space. Only `levels` keeps it (resident blocks).
   std::span<const float> pose(std::uint32_t agent) const;
@@ -152,7 +167,6 @@ class AnimationSystem {
   friend class SystemSnapshot;
 
   AnimationSystem(std::shared_ptr<const Character> character);
-  Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
   EntityBuilder builder(std::uint32_t agent);
   LocalStoreDemand demand(const SystemOptions& options) const;
   Status settled(std::uint32_t agent, Status changed);

@@ -78,6 +78,10 @@ void CrossFadeChannel::interrupt(const EntityBuilder& build, const PlayRequest& 
   retarget(build.as<Inertialiser>(inertialiser_), tree_.root(), left_.root(), half_life);
 }
 
+void CrossFadeChannel::set_speed(const EntityBuilder& build, double speed) const {
+  build.set_speed(tree_.entities[player_place(tree_.player_count() - 1)], speed);
+}
+
 bool CrossFadeChannel::update(const EntityBuilder& build) {
   const bool faded = end_fades(build);
   return end_interruption(build) || faded;

@@ -52,6 +52,9 @@ class CrossFadeChannel final : public Channel {
   /// False: the tree is full of blends that stay (masked or held). All other requests are taken.
   bool play(const EntityBuilder& build, const PlayRequest& request);
 
+  /// Of the clip asked for last, from now on; there must be one.
+  void set_speed(const EntityBuilder& build, double speed) const;
+
   Handle state() const override { return inertialiser_.valid() ? inertialiser_ : tree_.root(); }
   bool update(const EntityBuilder& build) override;
   Ticks next_update() const override;

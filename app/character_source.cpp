@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "engine/anim/import/import.h"
@@ -9,15 +10,29 @@
 namespace throng::app {
 namespace {
 
-CharacterRoles roles_of(const anim::Character& character, const anim::CharacterBounds& bounds) {
-  std::vector<std::string> names;
-  for (const anim::BakedClip& clip : character.clips) names.push_back(clip.name);
-  CharacterRoles roles = roles_by_name(names);
-  const int walk = roles.clip(Role::walk);
-  if (walk != no_clip) roles.walk_speed = anim::ground_speed(character, walk);
-  roles.height = bounds.height;
-  roles.radius = bounds.body_radius;
-  return roles;
+constexpr double least_gain = 1.15;  // of a gait over the one before it, to be worth changing to
+
+// Clips that end where they began can be repeated in place; where there are none, any.
+std::vector<int> loopable(const anim::Character& character, const std::vector<int>& clips) {
+  std::vector<int> loops;
+  const auto repeats = [&](int clip) { return character.clips[static_cast<std::size_t>(clip)].loops; };
+  std::ranges::copy_if(clips, std::back_inserter(loops), repeats);
+  return loops.empty() ? clips : loops;
+}
+
+double gait_speed(const CharacterSource& source, Role gait) {
+  const int clip = source.roles.clip(gait);
+  return clip == no_clip ? 0.0 : anim::ground_speed(*source.character, clip);
+}
+
+void guess_roles(CharacterSource& source) {
+  for (const anim::BakedClip& clip : source.character->clips) source.clip_names.push_back(clip.name);
+  source.roles = roles_by_name(source.clip_names);
+  source.roles.others = loopable(*source.character, source.roles.others);
+  source.roles.height = source.bounds.height;
+  source.roles.radius = source.bounds.body_radius;
+  source.suggested = source.roles.clips;
+  assign_roles(source, source.suggested);
 }
 
 template <typename Float, typename Vector>
@@ -83,9 +98,21 @@ anim::Result<CharacterSource> load_character(const std::string& path, const std:
   source.model = std::move(file->models.front());
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
   source.bounds = anim::measure_bounds(source.model);
-  source.roles = roles_of(*source.character, source.bounds);
+  guess_roles(source);
   source.repairs = std::move(file->repairs);
   return source;
+}
+
+void assign_roles(CharacterSource& source, const RoleClips& clips) {
+  CharacterRoles& roles = source.roles;
+  roles.clips = clips;
+  roles.walk_speed = gait_speed(source, Role::walk);
+  const double jog = gait_speed(source, Role::jog), run = gait_speed(source, Role::run);
+  roles.jog_speed = jog > least_gain * roles.walk_speed ? jog : 0.0;
+  roles.run_speed = run > least_gain * std::max(roles.walk_speed, roles.jog_speed) ? run : 0.0;
+  if (!roles.can_walk()) return;
+  const auto walk = static_cast<std::size_t>(roles.clip(Role::walk));
+  roles.walk_seconds = anim::to_seconds(source.character->clips[walk].duration);
 }
 
 render::CrowdMeshData mesh_data(const anim::Model& model) {

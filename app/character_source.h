@@ -18,7 +18,9 @@ struct CharacterSource {
   std::string name;   ///< shown to people
   anim::Model model;  ///< keeps the surface that `mesh` points into
   std::shared_ptr<const anim::Character> character;
+  std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
+  RoleClips suggested;  ///< the roles' clips, as their names suggest
   anim::CharacterBounds bounds;
   std::vector<std::string> repairs;
 
@@ -27,6 +29,9 @@ struct CharacterSource {
 
 /// Imports and bakes the largest model of `path`.
 anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name);
+
+/// Plays `clips` for the roles, and measures how far the gaits among them get.
+void assign_roles(CharacterSource& source, const RoleClips& clips);
 
 /// The surface as drawing takes it; spans point into `source.model`, which must outlive the call that uses them.
 render::CrowdMeshData mesh_data(const anim::Model& model);

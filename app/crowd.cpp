@@ -3,148 +3,205 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd_parade.h"
+#include "app/crowd_stadium.h"
+
 namespace throng::app {
 namespace {
 
 constexpr float shortest = 0.90F, tallest = 1.08F;           // scale
-constexpr float slowest = 0.90F, fastest = 1.10F;            // playback
-constexpr float shortest_rest = 4.0F, longest_rest = 14.0F;  // seconds
-constexpr float shortest_act = 2.5F, longest_act = 6.0F;
-constexpr float shortest_fade = 0.3F, longest_fade = 0.8F;
-constexpr float share_acting_at_first = 0.3F;
-
-constexpr anim::Ticks never = std::numeric_limits<anim::Ticks>::max();
+constexpr float slowest = 0.90F, fastest = 1.10F;            // playback of those who stay
+constexpr float slowest_pace = 0.94F, fastest_pace = 1.06F;  // of walkers, over the clip's own speed
+constexpr float least_playback = 0.4F, most_playback = 1.7F;
+constexpr float out_of_step = 0.04F;  // of a walk cycle
+constexpr double widest_in_spacings = 0.4;
 
 constexpr std::uint64_t looks_stream = 4;
-constexpr std::uint64_t first_whim_stream = 16;
 
-std::vector<StandingClip> standing_clips(const CharacterRoles& character) {
-  std::vector<StandingClip> clips;
-  if (character.clip(Role::idle) == no_clip) {
-    for (const int clip : character.others) clips.push_back({Role::other, clip});
-    return clips;
+// The wave: how long somebody is up, and how unevenly they rise.
+constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
+constexpr anim::Ticks first_wave = anim::ticks_per_second * 2;
+constexpr double wave_unevenness = 0.25;  // seconds
+
+/// Runs jobs one after the other in the calling thread.
+class InOrder final : public anim::Executor {
+ public:
+  void run(int count, anim::Job job) override {
+    for (int index = 0; index < count; ++index) job.run(job.context, index);
   }
-  for (const Role role : {Role::idle, Role::cheer, Role::wave, Role::clap}) {
-    if (character.clip(role) != no_clip) clips.push_back({role, character.clip(role)});
+};
+
+CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
+  switch (scene) {
+    case Scene::plaza:
+      return plaza_layout(agents, seed, roles);
+    case Scene::parade:
+      return parade_layout(agents, seed, roles);
+    case Scene::stadium:
+      return stadium_layout(agents, seed, roles);
+    case Scene::grid:
+      break;
   }
-  return clips;
+  return grid_layout(agents, roles);
 }
 
-anim::Ticks some_time(Random& whim, float least, float most) {
-  return anim::to_ticks(static_cast<double>(whim.between(least, most)));
+std::vector<Habit> habits_of(const CrowdLayout& layout) {
+  std::vector<Habit> habits(layout.walkers.size(), layout.walkers_habit);
+  habits.insert(habits.end(), layout.marchers.size(), Habit::march);
+  for (const StanderPlace& place : layout.standers) habits.push_back(place.habit);
+  return habits;
+}
+
+CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed,
+                    const CharacterRoles& character) {
+  Random random(seed, looks_stream);
+  const double radius = std::min(character.radius, widest_in_spacings * character.spacing());
+  CrowdLooks looks;
+  for (std::size_t agent = 0; agent < habits.size(); ++agent) {
+    const bool marches = habits[agent] == Habit::march, walks = agent < layout.walkers.size();
+    const float scale = random.between(shortest, tallest), phase = random.unit();
+    looks.scales.push_back(marches ? 1.0F : scale);  // those who march have steps of one length
+    looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
+    looks.paces.push_back(walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest));
+    looks.start_phases.push_back(phase);
+    looks.tints.push_back(random_tints(random));
+    if (!marches) continue;
+    const double in_step = marcher_phase(layout.route, layout.marchers[agent - layout.walkers.size()], character);
+    const double ragged = in_step + static_cast<double>(out_of_step * phase);
+    looks.start_phases.back() = std::min(static_cast<float>(ragged - std::floor(ragged)), 0x1.fffffep-1F);
+  }
+  return looks;
+}
+
+CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, const CharacterRoles& character) {
+  std::vector<Body> bodies;
+  for (std::size_t agent = 0; agent < looks.radii.size(); ++agent) {
+    bodies.push_back({.radius = looks.radii[agent], .agent = static_cast<std::uint32_t>(agent)});
+  }
+  const std::size_t first_stander = layout.walkers.size() + layout.marchers.size();
+  for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
+    bodies[first_stander + stander].position = layout.standers[stander].position;
+  }
+  std::vector<float> paces;
+  for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) {
+    paces.push_back(looks.paces[walker] * looks.scales[walker]);
+  }
+  return {character, layout.lanes, layout.walkers, std::move(bodies), std::move(paces)};
 }
 
 }  // namespace
 
 Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles)
-    : character_(roles), standing_clips_(standing_clips(roles)) {
-  CrowdLayout layout = scene == Scene::plaza ? plaza_layout(agents, seed, roles) : grid_layout(agents, roles);
-  assert(layout.walkers.size() + layout.standers.size() == agents);
-  lanes_ = std::move(layout.lanes);
-  walkers_ = std::move(layout.walkers);
-  positions_.resize(agents);
-  headings_.resize(agents);
+    : Crowd(layout_of(scene, agents, seed, roles), seed, roles) {
+  assert(size() == agents);
+}
+
+Crowd::Crowd(CrowdLayout layout, std::uint32_t seed, const CharacterRoles& roles)
+    : character_(roles),
+      route_(layout.route),
+      marchers_(layout.marchers),
+      minds_(roles, habits_of(layout), seed),
+      looks_(looks_of(layout, minds_.habits(), seed, roles)),
+      walkers_(walkers_of(layout, looks_, roles)),
+      positions_(minds_.habits().size()),
+      headings_(size()),
+      speeds_(size(), 0.0F),
+      playback_speeds_(size(), 1.0F) {
+  place(layout);
+  if (layout.wave_seconds > 0.0) expect_wave(layout);
+}
+
+void Crowd::place(const CrowdLayout& layout) {
+  std::size_t agent = walkers();
+  for (const MarcherStart& marcher : marchers_) {
+    const LanePlace place = marcher_place(route_, marcher, 0.0);
+    positions_[agent] = {place.position.x, 0.0, place.position.y};
+    headings_[agent] = place.heading;
+    speeds_[agent++] = static_cast<float>(route_.speed);
+  }
+  for (const StanderPlace& place : layout.standers) {
+    positions_[agent] = {place.position.x, place.height, place.position.y};
+    headings_[agent++] = place.heading;
+  }
+  follow_walkers();
+  for (agent = walkers(); agent < size(); ++agent) match_playback(agent);
+}
+
+void Crowd::expect_wave(const CrowdLayout& layout) {
+  wave_period_ = anim::to_ticks(layout.wave_seconds);
+  const std::size_t first_stander = walkers() + marchers();
   for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
-    const StanderPlace& place = layout.standers[stander];
-    positions_[walkers_.size() + stander] = {place.position.x, 0.0, place.position.y};
-    headings_[walkers_.size() + stander] = place.heading;
-  }
-  move_walkers();
-  give_looks(seed);
-  give_first_clips(seed);
-  requests_.reserve(agents);
-}
-
-void Crowd::give_looks(std::uint32_t seed) {
-  Random random(seed, looks_stream);
-  for (std::size_t agent = 0; agent < size(); ++agent) {
-    // The product of the two is the pace, and all of a lane keep one pace.
-    const bool walks = agent < walkers_.size();
-    const double pace = walks ? lanes_[walkers_[agent].lane].speed / character_.walk_speed : 1.0;
-    const float least = walks ? std::max(shortest, static_cast<float>(pace) / fastest) : shortest;
-    const float most = walks ? std::min(tallest, static_cast<float>(pace) / slowest) : tallest;
-    const float scale = random.between(least, most);
-    scales_.push_back(scale);
-    playback_speeds_.push_back(walks ? static_cast<float>(pace / static_cast<double>(scale))
-                                     : random.between(slowest, fastest));
-    start_phases_.push_back(random.unit());
-    tints_.push_back(random_tints(random));
+    const auto unevenness = static_cast<double>(minds_.whim(first_stander + stander).between(-1.0F, 1.0F));
+    const double after = layout.standers[stander].round * layout.wave_seconds + wave_unevenness * unevenness;
+    next_waves_.push_back(first_wave + anim::to_ticks(after));
   }
 }
 
-void Crowd::give_first_clips(std::uint32_t seed) {
-  roles_.assign(size(), Role::walk);
-  clips_.assign(size(), character_.clip(Role::walk));
-  next_changes_.assign(size(), never);
-  whims_.reserve(size());
-  for (std::size_t agent = 0; agent < size(); ++agent) {
-    whims_.emplace_back(seed, first_whim_stream + agent);
-    if (agent < walkers_.size()) continue;
-    const StandingClip first = first_standing_clip(agent);
-    roles_[agent] = first.role;
-    clips_[agent] = first.clip;
-    // Uniform from now on, so that the first changes come as evenly as all later ones.
-    if (standing_clips_.size() > 1) next_changes_[agent] = some_time(whims_[agent], 0.5F, longest_rest);
+// Whoever the front reaches rises and cheers; seen from afar, it runs round.
+void Crowd::lead_wave() {
+  const std::size_t first_stander = walkers() + marchers();
+  for (std::size_t stander = 0; stander < next_waves_.size(); ++stander) {
+    if (now_ < next_waves_[stander]) continue;
+    const anim::Ticks late = (now_ - next_waves_[stander]) % wave_period_;
+    next_waves_[stander] = now_ - late + wave_period_;
+    const Role up = character_.playable(Role::cheer) ? Role::cheer : Role::stand;
+    if (late < up_in_wave) minds_.interrupt(first_stander + stander, up, now_ - late + up_in_wave);
   }
 }
 
-StandingClip Crowd::first_standing_clip(std::size_t agent) {
-  const auto count = static_cast<std::uint32_t>(standing_clips_.size());
-  if (count == 0) return {Role::other, no_clip};
-  if (standing_clips_[0].role != Role::idle) return standing_clips_[agent % count];
-  Random& whim = whims_[agent];
-  const bool acts = count > 1 && whim.chance(share_acting_at_first);
-  return standing_clips_[acts ? 1 + whim.below(count - 1) : 0];
+void Crowd::match_playback(std::size_t agent) {
+  const auto own_speed = static_cast<float>(character_.ground_speed(roles()[agent])) * scales()[agent];
+  const bool goes = is_gait(roles()[agent]) && own_speed > 0.0F;
+  playback_speeds_[agent] =
+      goes ? std::clamp(speeds_[agent] / own_speed, least_playback, most_playback) : looks_.paces[agent];
 }
 
-// From idling to one of the other clips and back; without an idle clip, from each to the one after it.
-StandingClip Crowd::next_standing_clip(std::size_t agent) {
-  const auto count = static_cast<std::uint32_t>(standing_clips_.size());
-  if (standing_clips_[0].role == Role::idle) {
-    return standing_clips_[roles_[agent] == Role::idle ? 1 + whims_[agent].below(count - 1) : 0];
+void Crowd::follow_walkers() {
+  for (std::size_t walker = 0; walker < walkers(); ++walker) {
+    const Body& body = walkers_.bodies()[walker];
+    positions_[walker] = {body.position.x, 0.0F, body.position.y};
+    headings_[walker] = walkers_.headings()[walker];
+    speeds_[walker] = glm::length(body.velocity);
+    match_playback(walker);
   }
-  const auto current = std::find_if(standing_clips_.begin(), standing_clips_.end(),
-                                    [&](const StandingClip& standing) { return standing.clip == clips_[agent]; });
-  return standing_clips_[static_cast<std::size_t>(current - standing_clips_.begin() + 1) % count];
 }
 
-void Crowd::change_clip(std::size_t agent) {
-  const StandingClip next = next_standing_clip(agent);
-  Random& whim = whims_[agent];
-  roles_[agent] = next.role;
-  clips_[agent] = next.clip;
-  const bool rests = next.role == Role::idle;
-  next_changes_[agent] =
-      now_ + some_time(whim, rests ? shortest_rest : shortest_act, rests ? longest_rest : longest_act);
-  requests_.push_back(
-      {static_cast<std::uint32_t>(agent), next.role, next.clip, whim.between(shortest_fade, longest_fade)});
-}
-
-void Crowd::move_walkers() {
+void Crowd::march(anim::Ticks dt) {
   const double seconds = anim::to_seconds(now_);
-  for (std::size_t walker = 0; walker < walkers_.size(); ++walker) {
-    const Lane& lane = lanes_[walkers_[walker].lane];
-    const LanePlace place = lane.at(walkers_[walker].distance + lane.speed * seconds);
-    positions_[walker] = {place.position.x, 0.0, place.position.y};
-    headings_[walker] = place.heading;
+  for (std::size_t marcher = 0; marcher < marchers_.size(); ++marcher) {
+    const std::size_t agent = walkers() + marcher;
+    const LanePlace place = marcher_place(route_, marchers_[marcher], seconds);
+    const glm::vec3 position(place.position.x, 0.0, place.position.y);
+    speeds_[agent] =
+        static_cast<float>(static_cast<double>(glm::distance(position, positions_[agent])) / anim::to_seconds(dt));
+    positions_[agent] = position;
+    headings_[agent] = place.heading;
+    match_playback(agent);
   }
+}
+
+std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& executor, int jobs) {
+  assert(dt >= 0);
+  now_ += dt;
+  minds_.decide(now_);
+  lead_wave();
+  if (dt > 0) {
+    walkers_.advance(dt, now_, minds_, executor, jobs);
+    follow_walkers();
+    march(dt);
+  }
+  for (const ClipRequest& request : minds_.requests()) match_playback(request.agent);
+  return minds_.requests();
 }
 
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
-  assert(dt >= 0);
-  now_ += dt;
-  move_walkers();
-  requests_.clear();
-  for (std::size_t agent = walkers_.size(); agent < size(); ++agent) {
-    if (now_ >= next_changes_[agent]) change_clip(agent);
-  }
-  return requests_;
+  InOrder here;
+  return advance(dt, here, 1);
 }
 
 CrowdSphere bounding_sphere(const Crowd& crowd) {

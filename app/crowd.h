@@ -8,73 +8,80 @@
 #include <glm/vec3.hpp>
 
 #include "app/character_look.h"
-#include "app/crowd_lanes.h"
 #include "app/crowd_layout.h"
+#include "app/crowd_minds.h"
 #include "app/crowd_roles.h"
+#include "app/crowd_walkers.h"
 #include "app/settings.h"
 #include "engine/anim/base/units.h"
+#include "engine/anim/run/executor.h"
 
 namespace throng::app {
 
-/// An agent changes what it does: ease from the clip it plays now into `clip`.
-struct ClipRequest {
-  std::uint32_t agent;
-  Role role;
-  int clip;            ///< index among the character's clips
-  float fade_seconds;  ///< of the crowd's clock
+/// What stays the same about each agent.
+struct CrowdLooks {
+  std::vector<float> scales;        ///< 0.9 to 1.08
+  std::vector<float> radii;         ///< metres
+  std::vector<float> paces;         ///< playback of what is done in place; of walkers, speed over that of the clip
+  std::vector<float> start_phases;  ///< 0 to below 1
+  std::vector<Tints> tints;
 };
 
-struct StandingClip {
-  Role role;
-  int clip;
-};
-
-/// Who stands or walks where. All of it follows from scene, agents, seed and the character's roles; no pose is read.
-/// Spans have one element an agent, hold the state after the last `advance`, and live as long as the crowd.
+/// Who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents, seed,
+/// the character's roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the state
+/// after the last `advance`, and live as long as the crowd.
 class Crowd {
  public:
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
-  /// Moves the walkers on by `dt` and says who changes clip; the span is valid until the next call. Allocates nothing.
+  /// Moves everyone on by `dt` and says who changes clip; the span is valid until the next call. Allocates nothing.
+  /// `jobs`, 1 or more, run at once on `executor`; what comes out does not depend on either.
+  std::span<const ClipRequest> advance(anim::Ticks dt, anim::Executor& executor, int jobs);
+  /// The same in the calling thread.
   std::span<const ClipRequest> advance(anim::Ticks dt);
 
   std::size_t size() const { return positions_.size(); }
   std::span<const glm::vec3> positions() const { return positions_; }  ///< metres, between the feet
   std::span<const Heading> headings() const { return headings_; }
-  std::span<const float> scales() const { return scales_; }                    ///< 0.9 to 1.08
-  std::span<const float> playback_speeds() const { return playback_speeds_; }  ///< 0.9 to 1.1
-  std::span<const float> start_phases() const { return start_phases_; }        ///< 0 to below 1, of the first clip
-  std::span<const Tints> tints() const { return tints_; }
-  std::span<const Role> roles() const { return roles_; }
-  std::span<const int> clips() const { return clips_; }  ///< index, or no_clip for a character that has none
+  std::span<const float> scales() const { return looks_.scales; }  ///< 0.9 to 1.08
+  std::span<const float> radii() const { return looks_.radii; }    ///< metres, of the body seen from above
+  std::span<const float> speeds() const { return speeds_; }        ///< metres a second over the ground
+  /// How fast the shown clip is played: of gaits, so that feet do not slide, 0.4 to 1.7; else 0.9 to 1.1. Changes from
+  /// frame to frame.
+  std::span<const float> playback_speeds() const { return playback_speeds_; }
+  std::span<const float> start_phases() const { return looks_.start_phases; }  ///< 0 to below 1, of the first clip
+  std::span<const Tints> tints() const { return looks_.tints; }
+  std::span<const Role> roles() const { return minds_.roles(); }
+  std::span<const Habit> habits() const { return minds_.habits(); }
+  std::span<const int> clips() const { return minds_.clips(); }  ///< index, or no_clip for a character that has none
 
-  std::span<const Lane> lanes() const { return lanes_; }
-  std::size_t walkers() const { return walkers_.size(); }  ///< the first agents; all others stand
+  std::span<const Lane> lanes() const { return walkers_.lanes(); }
+  std::size_t walkers() const { return walkers_.count(); }   ///< the first agents: they walk where they like
+  std::size_t marchers() const { return marchers_.size(); }  ///< those after them: rank and file; all others stay
 
  private:
-  void give_looks(std::uint32_t seed);
-  void give_first_clips(std::uint32_t seed);
-  StandingClip first_standing_clip(std::size_t agent);
-  StandingClip next_standing_clip(std::size_t agent);
-  void change_clip(std::size_t agent);
-  void move_walkers();
+  Crowd(CrowdLayout layout, std::uint32_t seed, const CharacterRoles& roles);
+  void place(const CrowdLayout& layout);
+  void expect_wave(const CrowdLayout& layout);
+  void lead_wave();
+  void follow_walkers();
+  void march(anim::Ticks dt);
+  void match_playback(std::size_t agent);
 
   CharacterRoles character_;
-  std::vector<StandingClip> standing_clips_;  // what standing agents take turns in; idle, if there, is the first
   anim::Ticks now_ = 0;
-
-  std::vector<Lane> lanes_;
-  std::vector<WalkerStart> walkers_;
+  Lane route_;
+  std::vector<MarcherStart> marchers_;
+  CrowdMinds minds_;
+  CrowdLooks looks_;
+  CrowdWalkers walkers_;
 
   std::vector<glm::vec3> positions_;
   std::vector<Heading> headings_;
-  std::vector<float> scales_, playback_speeds_, start_phases_;
-  std::vector<Tints> tints_;
-  std::vector<Role> roles_;
-  std::vector<int> clips_;
-  std::vector<anim::Ticks> next_changes_;
-  std::vector<Random> whims_;  // each agent's own chance
-  std::vector<ClipRequest> requests_;
+  std::vector<float> speeds_, playback_speeds_;
+
+  anim::Ticks wave_period_ = 0;
+  std::vector<anim::Ticks> next_waves_;  // by stander: when the wave is there; empty: there is none
 };
 
 /// A sphere around all agents' feet.

@@ -6,6 +6,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/crowd_habits.h"
 #include "app/crowd_lanes.h"
 #include "app/crowd_roles.h"
 
@@ -16,16 +17,29 @@ struct WalkerStart {
   double distance;  ///< metres from the lane's start
 };
 
+/// A place in a formation that marches along a route.
+struct MarcherStart {
+  double distance;  ///< metres from the route's start, along it
+  double offset;    ///< metres out of the route, away from the loop's middle
+};
+
 struct StanderPlace {
   glm::dvec2 position;  ///< x, z in metres
   Heading heading;
+  double height = 0.0;  ///< metres above the ground
+  Habit habit = Habit::stand_about;
+  double round = 0.0;  ///< stadium: 0 to below 1, how far along the tier
 };
 
-/// Who is where when a scene begins; walkers and standers together are all its agents.
+/// Who is where when a scene begins; walkers, marchers and standers together are all its agents.
 struct CrowdLayout {
   std::vector<Lane> lanes;  ///< with their speeds
   std::vector<WalkerStart> walkers;
+  Habit walkers_habit = Habit::stroll;
+  Lane route;  ///< with its speed; of the marchers
+  std::vector<MarcherStart> marchers;
   std::vector<StanderPlace> standers;
+  double wave_seconds = 0.0;  ///< stadium: what the wave takes to run round; 0: there is none
 };
 
 /// Metres along one side of the square, centred on the origin, that the plaza of so many agents fills.

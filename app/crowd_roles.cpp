@@ -43,17 +43,23 @@ struct RoleWords {
   std::vector<std::string_view> unwanted;  // a name with such a word is another thing
 };
 
+const std::vector<std::string_view> not_straight_ahead{"back", "left", "right", "strafe", "jump", "stop", "start"};
+
 const std::vector<RoleWords>& vocabulary() {
   static const std::vector<RoleWords> words{
-      {Role::idle,
+      {Role::stand,
        {"idle", "survey", "breath", "stand"},
        {"jump", "lie", "sit", "fall", "swim", "crouch", "up", "down"}},
-      {Role::walk, {"walk", "jog", "run", "move"}, {"back", "left", "right", "strafe", "jump", "stop", "start"}},
+      {Role::look_around, {"look", "survey", "search"}, {}},
+      {Role::walk, {"walk", "jog", "run", "move"}, not_straight_ahead},
+      {Role::jog, {"jog", "trot"}, not_straight_ahead},
+      {Role::run, {"run", "sprint", "gallop"}, not_straight_ahead},
+      {Role::wave, {"wav", "greet", "hello"}, {}},
       {Role::cheer,
        {"cheer", "celebrat", "victor", "danc", "excited", "happy", "thumbs", "jump"},
        {"idle", "land", "start", "end", "attack", "walk", "run"}},
-      {Role::wave, {"wav", "greet", "hello"}, {}},
       {Role::clap, {"clap", "applau"}, {}},
+      {Role::sit, {"sit", "seat"}, {"down", "up", "pose", "stand", "start", "stop"}},
   };
   return words;
 }
@@ -96,13 +102,60 @@ std::vector<int> clips_for_any_role(std::span<const Words> names) {
 
 }  // namespace
 
+std::optional<Role> role_named(std::string_view name) {
+  const auto* const found = std::ranges::find(role_names, name);
+  if (found == role_names.end()) return std::nullopt;
+  return static_cast<Role>(found - role_names.begin());
+}
+
+std::string known_roles() {
+  std::string list;
+  for (std::size_t role = 0; role < role_count; ++role) {
+    list += (role == 0 ? "" : role + 1 == role_count ? " and " : ", ") + std::string(role_names.at(role));
+  }
+  return list;
+}
+
+double CharacterRoles::ground_speed(Role gait) const {
+  if (clip(gait) == no_clip) return 0.0;
+  switch (gait) {
+    case Role::walk:
+      return walk_speed;
+    case Role::jog:
+      return jog_speed;
+    case Role::run:
+      return run_speed;
+    default:
+      return 0.0;
+  }
+}
+
+std::optional<Role> CharacterRoles::playable(Role role) const {
+  switch (role) {
+    case Role::run:
+      return ground_speed(role) > 0.0 ? role : playable(Role::jog);
+    case Role::jog:
+      return ground_speed(role) > 0.0 ? role : playable(Role::walk);
+    case Role::walk:
+      return can_walk() ? std::optional(role) : std::nullopt;
+    case Role::look_around:
+    case Role::sit:
+      return clip(role) != no_clip ? role : playable(Role::stand);
+    default:
+      return clip(role) != no_clip ? std::optional(role) : std::nullopt;
+  }
+}
+
 CharacterRoles roles_by_name(std::span<const std::string> clip_names) {
   std::vector<Words> names;
   names.reserve(clip_names.size());
   for (const std::string& name : clip_names) names.push_back(words_of(name));
 
   CharacterRoles roles;
-  for (const RoleWords& role : vocabulary()) roles.clips[static_cast<std::size_t>(role.role)] = plainest(names, role);
+  for (const RoleWords& role : vocabulary()) roles.clips[index_of(role.role)] = plainest(names, role);
+  for (const Role gait : {Role::jog, Role::run}) {  // what stands in for a walk is no faster one
+    if (roles.clip(gait) == roles.clip(Role::walk)) roles.clips[index_of(gait)] = no_clip;
+  }
   roles.others = clips_for_any_role(names);
   return roles;
 }

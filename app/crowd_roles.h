@@ -4,30 +4,62 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace throng::app {
 
 /// What a member of the crowd can be doing.
-enum class Role : std::uint8_t { idle, walk, cheer, wave, clap, other };
-inline constexpr std::size_t role_count = 5;  ///< roles that one clip fills; `other` is whatever clip there is
+enum class Role : std::uint8_t { stand, look_around, walk, jog, run, wave, cheer, clap, sit, other };
+inline constexpr std::size_t role_count = 9;  ///< roles that one clip fills; `other` is whatever clip there is
+
+/// As `--clips`, the role file and the overlay call them, in the order of Role.
+inline constexpr std::array<const char*, role_count> role_names = {"stand", "look_around", "walk", "jog", "run",
+                                                                   "wave",  "cheer",       "clap", "sit"};
+std::optional<Role> role_named(std::string_view name);
+std::string known_roles();  ///< "stand, look_around, ... and sit"
+inline std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
+
+/// Somebody's word for which clip plays a role; "none" for no clip at all.
+struct RoleChoice {
+  Role role;
+  std::string clip;
+
+  friend bool operator==(const RoleChoice&, const RoleChoice&) = default;
+};
+inline constexpr const char* no_clip_name = "none";
 
 inline constexpr int no_clip = -1;
+using RoleClips = std::array<int, role_count>;  ///< index of a clip or no_clip, by Role
+constexpr RoleClips no_clips() {
+  RoleClips clips{};
+  clips.fill(no_clip);
+  return clips;
+}
 
 /// Which clips of a character the crowd plays for what, and the body that it needs room for.
 struct CharacterRoles {
-  std::array<int, role_count> clips{no_clip, no_clip, no_clip, no_clip, no_clip};  ///< index or no_clip, by Role
-  std::vector<int> others;  ///< what agents play in place, in turns, where there is no idle clip
-  double walk_speed = 0.0;  ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
-  double height = 1.8;      ///< metres
-  double radius = 0.3;      ///< metres, of the body seen from above, arms down
+  RoleClips clips = no_clips();
+  std::vector<int> others;    ///< what agents play in place, in turns, where there is no clip to stand with
+  double walk_speed = 0.0;    ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
+  double jog_speed = 0.0;     ///< the same of the jog; 0: those who would jog walk
+  double run_speed = 0.0;     ///< the same of the run; 0: those who would run jog or walk
+  double walk_seconds = 1.0;  ///< of the walk clip: one left and one right step
+  double height = 1.8;        ///< metres
+  double radius = 0.3;        ///< metres, of the body seen from above, arms down
 
-  int clip(Role role) const { return clips[static_cast<std::size_t>(role)]; }
+  int clip(Role role) const { return role == Role::other ? no_clip : clips[index_of(role)]; }
   /// How much more room it needs than a person 1.8 metres tall; every distance of a scene is multiplied by it.
   double spacing() const { return std::max(height / 1.8, radius / 0.5); }
   bool can_walk() const { return clip(Role::walk) != no_clip && walk_speed > 0.0; }
+  /// Metres a second of a gait's clip at scale 1; 0 if there is no such clip, or it stays in place.
+  double ground_speed(Role gait) const;
+  /// What is played for `role`: itself, else what comes nearest (run, jog, walk; sit or look_around, stand); nothing
+  /// if that has no clip either.
+  std::optional<Role> playable(Role role) const;
 };
 
 /// Guesses roles from clip names as artists write them: "Idle", "Walking_A", "CharacterArmature|Wave". The plainest

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/crowd_roles.h"
 #include "app/settings.h"
 
 namespace throng::app {
@@ -53,6 +55,10 @@ struct FrameReport {
   std::uint64_t pose_hash = 0;
   std::uint32_t draw_calls = 0;
   std::uint64_t triangles = 0;
+  // roles
+  std::vector<std::string> clip_names;          ///< of the model
+  RoleClips role_clips = no_clips();            ///< in use
+  RoleClips suggested_role_clips = no_clips();  ///< as the names suggest
   // LOD
   std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
   std::vector<int> agents_by_bone_level;  ///< up to 4
@@ -71,6 +77,8 @@ struct FrameReport {
 
 /// What the person asked for in the overlay this frame, besides the tuning it edits.
 struct OverlayCommands {
+  std::optional<RoleClips> roles;  ///< other clips for the roles
+  bool save_roles = false;
   bool step = false;         ///< advance one frame while paused
   bool frame_crowd = false;  ///< as key F
   bool copy_camera = false;  ///< as key C

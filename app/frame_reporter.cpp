@@ -75,6 +75,8 @@ void FrameReporter::describe_character(const Show& show) {
   const anim::Skeleton& skeleton = show.stage().character().character->skeleton;
   const DrawnBy drawn_by = show.drawn_by();
   report_.model = show.stage().character().name;
+  report_.clip_names = show.stage().character().clip_names;
+  report_.suggested_role_clips = show.stage().character().suggested;
   report_.context = drawn_by.context;
   report_.gl_version = drawn_by.gl_version;
   report_.gl_renderer = drawn_by.gl_renderer;
@@ -92,6 +94,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   const anim::AnimationSystem& system = show.stage().system();
   ++report_.frame;
   report_.notice = notice;
+  report_.role_clips = show.stage().character().roles.clips;
   report_.camera = camera;
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.last_update_ms());

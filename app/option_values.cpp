@@ -100,6 +100,28 @@ ValueReader times_list(std::vector<double>& target) {
   };
 }
 
+ValueReader role_choices(std::vector<RoleChoice>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    std::vector<RoleChoice> choices;
+    for (std::size_t from = 0; from <= text.size();) {
+      const std::size_t end = std::min(text.find(',', from), text.size());
+      const std::string choice = text.substr(from, end - from);
+      const std::size_t equals = choice.find('=');
+      if (equals == std::string::npos || equals + 1 == choice.size()) {
+        return "must be ROLE=NAME, with commas between several; roles are " + known_roles();
+      }
+      const std::string name = choice.substr(0, equals);
+      const auto role = role_named(name);
+      if (!role) return "there is no role " + name + "; roles are " + known_roles();
+      if (std::ranges::find(choices, *role, &RoleChoice::role) != choices.end()) return name + " is given twice";
+      choices.push_back({*role, choice.substr(equals + 1)});
+      from = end + 1;
+    }
+    target = std::move(choices);
+    return {};
+  };
+}
+
 ValueReader image_size(int& width, int& height) {
   return [&width, &height](const std::string& text) -> Complaint {
     constexpr int most = 16384;

@@ -30,6 +30,7 @@ ValueReader any_text(std::string& target);
 ValueReader existing_folder(std::string& target);
 ValueReader file_name(std::string& target);  ///< anything but `-`, which elsewhere means standard output
 ValueReader png_file(std::string& target);
+ValueReader role_choices(std::vector<RoleChoice>& target);  ///< ROLE=NAME[,ROLE=NAME...], each role once
 
 /// Says of texts that `reader` refuses and a later release takes that they are not built yet.
 ValueReader not_built_yet(std::vector<std::string> later, ValueReader reader);

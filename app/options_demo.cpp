@@ -7,12 +7,17 @@
 namespace throng::app {
 namespace {
 
-void declare_crowd(OptionReader& reader, Tuning& tuning) {
+void declare_crowd(OptionReader& reader, DemoOptions& options) {
+  Tuning& tuning = options.tuning;
   reader.heading("Crowd");
   reader.value("--agents", "N", "Agents, 1 to 100000 (1000)", whole_number(tuning.agents, 1, 100000));
-  reader.value("--scene", "NAME", "plaza or grid (plaza)",
-               not_built_yet({"parade", "stadium"},
-                             choice<Scene>(tuning.scene, {{"plaza", Scene::plaza}, {"grid", Scene::grid}})));
+  reader.value("--clips", "ROLE=NAME,...", "Clips of the model to play for what (guessed from their names)",
+               role_choices(options.clips));
+  reader.value(
+      "--scene", "NAME", "plaza, parade, stadium or grid (plaza)",
+      choice<Scene>(
+          tuning.scene,
+          {{"plaza", Scene::plaza}, {"parade", Scene::parade}, {"stadium", Scene::stadium}, {"grid", Scene::grid}}));
   reader.value("--seed", "S", "Another seed, another crowd (1)", seed_number(tuning.seed));
 }
 
@@ -108,7 +113,7 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   reader.heading("What is shown");
   reader.model(options.model, "A glTF file (.glb or .gltf); without it, the built-in character",
                OptionReader::Need::optional);
-  declare_crowd(reader, options.tuning);
+  declare_crowd(reader, options);
   declare_level_of_detail(reader, options.tuning);
   declare_scheduling(reader, options.tuning);
   declare_picture(reader, options);

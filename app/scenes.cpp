@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/crowd_layout.h"
+#include "app/crowd_parade.h"
+#include "app/crowd_stadium.h"
 
 namespace throng::app {
 namespace {
@@ -36,10 +38,50 @@ std::vector<NamedCamera> grid_cameras(std::size_t agents, double spacing) {
   };
 }
 
+// The companies come along the straight at z = radius, towards -X.
+std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles& roles) {
+  const auto unit = static_cast<float>(roles.spacing());
+  const ParadeSize size = parade_size(agents, roles);
+  const auto straight = static_cast<float>(size.radius), wide = static_cast<float>(size.half_width);
+  const auto ahead = static_cast<float>(0.5 * size.half_length) + 7.0F * unit;
+  const auto across = static_cast<float>(2.0 * (size.half_length + size.radius + size.half_width));
+  const float above = 0.62F * across + 6.0F * unit;
+  return {
+      {"front", {-ahead, 2.6F * unit, straight + wide + 0.4F * unit, -78.0F, -9.0F, 42.0F}},
+      {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
+      {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
+      {"far", {0.35F * across, 0.2F * across + 5.0F * unit, straight + 0.3F * across, 48.0F, -26.0F, 50.0F}},
+  };
+}
+
+std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRoles& roles) {
+  const auto unit = static_cast<float>(roles.spacing());
+  const StadiumSize size = stadium_size(agents, roles);
+  const auto length = static_cast<float>(size.half_length), width = static_cast<float>(size.half_width);
+  const auto depth = static_cast<float>(size.depth), height = static_cast<float>(size.height);
+  const float above = 1.5F * (length + depth) + 6.0F * unit;
+  return {
+      {"front", {0.55F * length, 2.4F * unit + 0.5F * height, width - 2.0F * unit, 28.0F, -6.0F, 55.0F}},
+      {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
+      {"close", {0.0F, 1.6F * unit, 4.5F * unit - width, 0.0F, 2.0F, 45.0F}},
+      {"far", {0.9F * length, height + 7.0F * unit, width + depth + 6.0F * unit, 35.0F, -19.0F, 55.0F}},
+  };
+}
+
 }  // namespace
 
 std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles) {
-  return scene == Scene::plaza ? plaza_cameras(agents, roles.spacing()) : grid_cameras(agents, roles.spacing());
+  switch (scene) {
+    case Scene::plaza:
+      return plaza_cameras(agents, roles.spacing());
+    case Scene::parade:
+      return parade_cameras(agents, roles);
+    case Scene::stadium:
+      return stadium_cameras(agents, roles);
+    case Scene::grid:
+      break;
+  }
+  return grid_cameras(agents, roles.spacing());
 }
 
 const NamedCamera* find_camera(std::span<const NamedCamera> cameras, std::string_view name) {

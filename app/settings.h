@@ -3,10 +3,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "app/crowd_roles.h"
 
 namespace throng::app {
 
-enum class Scene : std::uint8_t { plaza, grid };
+enum class Scene : std::uint8_t { plaza, parade, stadium, grid };
 enum class Schedule : std::uint8_t { fused, levels };
 enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
 enum class Stream : std::uint8_t { sampled, keyframe };
@@ -71,9 +74,10 @@ struct DemoOptions {
   bool hide_ui = false;
   int msaa = -1;  ///< -1: what the device affords; 0 or 4
   bool shadows = true;
-  bool agents_given = false;    ///< a software renderer shows fewer in a window unless given
-  bool shadows_given = false;   ///< a software renderer draws none unless given
-  bool force_software = false;  ///< EGL: never the graphics card; for tests
+  std::vector<RoleChoice> clips;  ///< over those of the role file, and those that names suggest
+  bool agents_given = false;      ///< a software renderer shows fewer in a window unless given
+  bool shadows_given = false;     ///< a software renderer draws none unless given
+  bool force_software = false;    ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   std::string camera_name;                      ///< named camera of the scene, empty: the scene's first
   std::string screenshot, stats, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output

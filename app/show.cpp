@@ -6,6 +6,7 @@
 #include "app/data_folder.h"
 #include "app/exit_status.h"
 #include "app/fly_camera.h"
+#include "app/role_table.h"
 #include "app/scenes.h"
 
 namespace throng::app {
@@ -30,6 +31,21 @@ anim::Result<CharacterSource> load(const DemoOptions& options) {
   const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
   if (!built_in) return built_in.error();
   return load_character(built_in->string(), "mannequin (built in)");
+}
+
+// The table that lies beside the model first, then what the command line says.
+bool choose_roles(const DemoOptions& options, CharacterSource& character, Failure& failure) {
+  RoleClips clips = character.roles.clips;
+  const auto kept = RoleFile(options.model).read();
+  if (!kept) return fail(failure, exit_job_failed, kept.error().message);
+  if (const auto chosen = choose_clips(*kept, character.clip_names, clips); !chosen) {
+    return fail(failure, exit_job_failed, "the roles kept for " + character.name + ": " + chosen.error().message);
+  }
+  if (const auto chosen = choose_clips(options.clips, character.clip_names, clips); !chosen) {
+    return fail(failure, exit_usage, "--clips " + chosen.error().message);
+  }
+  assign_roles(character, clips);
+  return true;
 }
 
 // A crowd drawn live; a single last picture can afford its full quality anywhere.
@@ -91,6 +107,8 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   show->height = options.height;
   auto character = load(options);
   if (!character) return fail(failure, exit_job_failed, character.error().message), nullptr;
+  if (!choose_roles(options, *character, failure)) return nullptr;
+  show->model_ = options.model;
   if (!show->open_context(options, failure) || !show->open_renderer(options, *character, failure)) return nullptr;
   Tuning tuning = options.tuning;
   if (options.context == ContextKind::window && show->on_software() && !options.agents_given) {
@@ -121,6 +139,11 @@ anim::Status Show::apply(const Tuning& tuning) {
   const anim::Status applied = stage_->apply(tuning);
   if (applied) update_notice();
   return applied;
+}
+
+anim::Result<std::filesystem::path> Show::save_roles() const {
+  const CharacterSource& character = stage_->character();
+  return RoleFile(model_).write(all_choices(character.roles.clips, character.clip_names));
 }
 
 void Show::update_notice() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,11 @@ class Show {
 
   /// New values at a frame boundary; the sentence if they cannot be, and then nothing has changed.
   anim::Status apply(const Tuning& tuning);
+
+  /// Other clips for the roles, at a frame boundary.
+  void set_roles(const RoleClips& clips) { stage_->set_roles(clips); }
+  /// Keeps the roles for the next time; where, to tell people.
+  anim::Result<std::filesystem::path> save_roles() const;
 
   /// Moves and poses one frame of `delta`; 0 while paused.
   void animate(anim::Ticks delta);
@@ -71,6 +77,7 @@ class Show {
   Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;
+  std::filesystem::path model_;  // empty: the built-in character
   double update_ms_ = 0;
   double draw_ms_ = 0;
 };

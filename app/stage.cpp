@@ -76,26 +76,32 @@ anim::Status Stage::apply(const Tuning& tuning) {
   return anim::Done{};
 }
 
+void Stage::set_roles(const RoleClips& clips) {
+  assign_roles(character_, clips);
+  if (!moving_) lod_.make_all_due();
+  populate();
+}
+
 void Stage::populate() {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, character_.roles);
   system_->set_agent_count(0);
   system_->set_agent_count(static_cast<std::uint32_t>(agents));
+  played_speeds_.assign(agents, 0.0F);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     request_clip(agent, crowd_->clips()[agent], 0, static_cast<double>(crowd_->start_phases()[agent]));
   }
-  clip_requests_.reset(agents);
   lod_.resize(agents, selection_);
   shown_.reset(agents, frame_);
   updates_.reserve(agents);
 }
 
-bool Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
+void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
   const int index = clip == no_clip ? 0 : clip;
   const anim::Ticks duration = character_.character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
-  return system_->play(agent,
-                       {.clip = index,
+  played_speeds_[agent] = crowd_->playback_speeds()[agent];
+  system_->play(agent, {.clip = index,
                         .fade = fade,
                         .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,
                         .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
@@ -105,9 +111,22 @@ void Stage::move(anim::Ticks delta) {
   moving_ = delta > 0;
   if (moving_) ++frames_moved_;
   system_->advance(delta);
-  clip_requests_.submit(crowd_->advance(delta), [this](const ClipRequest& request) {
-    return request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
-  });
+  const auto requests = crowd_->advance(delta, system_->executor(), system_->options().pus);
+  for (const ClipRequest& request : requests) {
+    request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
+  }
+  match_playback();
+}
+
+// Those who walk go at their own pace from frame to frame, and their feet with them.
+void Stage::match_playback() {
+  const std::span<const float> speeds = crowd_->playback_speeds();
+  const std::size_t movers = crowd_->walkers() + crowd_->marchers();
+  for (std::uint32_t agent = 0; agent < movers; ++agent) {
+    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip) continue;
+    system_->set_speed(agent, static_cast<double>(speeds[agent]));
+    played_speeds_[agent] = speeds[agent];
+  }
 }
 
 std::uint32_t Stage::now() const { return microseconds(system_->clock()); }

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "app/character_source.h"
-#include "app/clip_requests.h"
 #include "app/crowd.h"
 #include "app/settings.h"
 #include "app/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/run/lod.h"
+#include "engine/anim/run/pu_threads.h"
 #include "engine/render/camera.h"
 #include "engine/render/instance_record.h"
 #include "engine/render/palette_slots.h"
@@ -29,6 +29,9 @@ class Stage {
 
   /// New tuning, at a frame boundary. A different crowd starts anew; on error the old tuning goes on.
   anim::Status apply(const Tuning& tuning);
+
+  /// Other clips for the roles, at a frame boundary; the crowd starts anew.
+  void set_roles(const RoleClips& clips);
 
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
@@ -50,7 +53,8 @@ class Stage {
  private:
   Stage(CharacterSource character, render::PalettePageSource& pages);
   void populate();
-  bool request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
+  void match_playback();
+  void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
 
   CharacterSource character_;
@@ -59,7 +63,7 @@ class Stage {
   ShownPoses shown_;
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<Crowd> crowd_;
-  ClipRequests clip_requests_;
+  std::vector<float> played_speeds_;  // of each agent's clip, as the system was told
   anim::LodState lod_;
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;

@@ -111,6 +111,11 @@ class WindowLoop {
       const float aspect = static_cast<float>(show_.width) / static_cast<float>(show_.height);
       fly_camera_.set_camera(render::frame_sphere(fly_camera_.camera(), crowd.centre, crowd.radius, aspect));
     }
+    if (commands.roles) show_.set_roles(*commands.roles);
+    if (commands.save_roles) {
+      const auto saved = show_.save_roles();
+      notice_ = saved ? "Wrote " + saved->string() : saved.error().message;
+    }
     if (!commands.copy_camera) return;
     const std::string option = camera_option(fly_camera_.place());
     input_.clipboard().set(option);

@@ -5,7 +5,7 @@
 namespace throng::app {
 
 // The words for each enumeration of settings.h, in its order; those of the command line where it has them.
-inline constexpr std::array<const char*, 2> scene_words = {"plaza", "grid"};
+inline constexpr std::array<const char*, 4> scene_words = {"plaza", "parade", "stadium", "grid"};
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
 inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe"};

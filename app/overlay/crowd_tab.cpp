@@ -12,7 +12,8 @@ void show_who(const TabContext& context) {
   widgets.section("Who");
   widgets.fact("Model", report.model, {.what = "The character of every agent. Give another file on the command line."});
   widgets.choice("Scene", tuning.scene, standard.scene, scene_words,
-                 {.what = "plaza: walkers on closed lanes, others stand and cheer. grid: everyone stands in rows.",
+                 {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
+                          "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows.",
                   .cost = "Changing it places all agents anew."});
   widgets.number("Agents", tuning.agents, standard.agents, {.lowest = 1, .highest = 100000, .logarithmic = true},
                  {.what = "Characters in the crowd, each in a pose of its own.",
@@ -68,6 +69,45 @@ void show_picture(const TabContext& context) {
                {.what = "Yaw 0 looks along -Z; a positive pitch looks up.", .unit = "degrees"});
 }
 
+struct RoleRow {
+  Role role;
+  const char* label;
+  const char* what;
+};
+
+constexpr RoleRow role_rows[] = {
+    {Role::stand, "Stand", "The clip of those who stand. Without one, agents repeat what clips there are, in place."},
+    {Role::look_around, "Look around", "The clip of those who stop to look. Without one they stand."},
+    {Role::walk, "Walk", "The clip of those who walk. Without one nobody walks."},
+    {Role::jog, "Jog", "The clip of those who jog. Without one they walk."},
+    {Role::run, "Run", "The clip of those who run. Without one they jog or walk."},
+    {Role::wave, "Wave", "The clip of those who greet somebody."},
+    {Role::cheer, "Cheer", "The clip of those who cheer, and of the stadium's wave."},
+    {Role::clap, "Clap", "The clip of those who applaud."},
+    {Role::sit, "Sit", "The clip of those who have a seat. Without one they stand."},
+};
+
+void show_roles(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands] = context;
+  widgets.section("Roles");
+  RoleClips clips = report.role_clips;
+  for (const RoleRow& row : role_rows) {
+    const std::size_t role = index_of(row.role);
+    widgets.pick(row.label, clips[role], report.suggested_role_clips[role], report.clip_names, no_clip_name,
+                 {.what = row.what, .cost = "Changing it places all agents anew."});
+  }
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  commands.save_roles |= widgets.button(
+      "Save roles", {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."}, width);
+  ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
+  if (widgets.button("Reset roles", {.what = "Back to what the clips' names suggest."}, width)) {
+    clips = report.suggested_role_clips;
+  }
+  if (clips != report.role_clips) commands.roles = clips;
+}
+
 void show_in_view(const TabContext& context) {
   const FrameReport& report = context.report;
   Widgets& widgets = context.widgets;
@@ -90,6 +130,7 @@ void show_crowd_tab(const TabContext& context) {
   show_time(context);
   show_picture(context);
   show_in_view(context);
+  show_roles(context);
 }
 
 }  // namespace throng::app

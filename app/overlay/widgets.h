@@ -53,6 +53,10 @@ class Widgets {
   }
   bool choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help);
 
+  /// One of many words, from a list that opens; -1 is `none`, the first entry of the list.
+  bool pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,
+            const Help& help);
+
   /// The width that is left, `height` pixels of a plain screen high, for a picture named `name`.
   Area area(const char* name, float height);
 

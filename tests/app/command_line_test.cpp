@@ -51,7 +51,8 @@ TEST_F(CommandLine, RefusesWrongUsage) {
   expect_refusal({"--agents", "-1"}, 2, "--agents -1");
   expect_refusal({"--size", "0x0"}, 2, "--size 0x0");
   expect_refusal({"--colour", "red"}, 2, "--colour");
-  expect_refusal({"--headless", "--scene", "stadium"}, 2, "--scene stadium");
+  expect_refusal({"--headless", "--scene", "moon"}, 2, "--scene moon");
+  expect_refusal({"--headless=none", "--clips", "walk=moonwalk"}, 2, "walk=moonwalk");
   expect_refusal({"--headless", "--camera", "nowhere"}, 2, "nowhere");
   expect_refusal({"bake", "model.glb"}, 2, "bake");
 }

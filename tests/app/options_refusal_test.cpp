@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     UnknownWord, Refusal,
     testing::Values(
-        Refused{"Scene", "--scene moon", "--scene moon: must be plaza or grid"},
+        Refused{"Scene", "--scene moon", "--scene moon: must be plaza, parade, stadium or grid"},
         Refused{"Schedule", "--schedule none", "--schedule none: must be fused or levels"},
         Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
         Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},
@@ -79,6 +79,19 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"OptionOfAnotherCommand", "pose a --clip 0 --time 0 --json - --pus 2",
                 "--pus: unknown option; throng pose --help lists them all"},
         Refused{"SecondModel", "a.glb b.glb", "b.glb: unexpected; options begin with --, and one model is the most"}),
+    name_of);
+
+const std::string roles = "roles are stand, look_around, walk, jog, run, wave, cheer, clap and sit";
+
+INSTANTIATE_TEST_SUITE_P(
+    Clips, Refusal,
+    testing::Values(
+        Refused{"UnknownRole", "--clips fly=Idle", "--clips fly=Idle: there is no role fly; " + roles},
+        Refused{"RoleAlone", "--clips walk", "--clips walk: must be ROLE=NAME, with commas between several; " + roles},
+        Refused{"NoName", "--clips walk=", "--clips walk=: must be ROLE=NAME, with commas between several; " + roles},
+        Refused{"CommaAtTheEnd", "--clips walk=Walk,",
+                "--clips walk=Walk,: must be ROLE=NAME, with commas between several; " + roles},
+        Refused{"Twice", "--clips walk=A,walk=B", "--clips walk=A,walk=B: walk is given twice"}),
     name_of);
 
 constexpr const char* camera_rule =
@@ -136,20 +149,18 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"BonesOfAModel", "bench a.glb --bones 5", "--bones: a model brings its own; give one or the other"}),
     name_of);
 
-INSTANTIATE_TEST_SUITE_P(
-    NotBuiltYet, Refusal,
-    testing::Values(Refused{"Parade", "--scene parade", "--scene parade: is not built yet; must be plaza or grid"},
-                    Refused{"Stadium", "--scene stadium", "--scene stadium: is not built yet; must be plaza or grid"},
-                    Refused{"Budget", "--lod budget", "--lod budget: is not built yet; must be off or distance"},
-                    Refused{"Milliseconds", "--budget-ms 4", "--budget-ms 4: is not built yet"},
-                    Refused{"Pixels", "--error-px 2", "--error-px 2: is not built yet"},
-                    Refused{"Recording", "--record run", "--record run: is not built yet"},
-                    Refused{"Trace", "--trace a.json", "--trace a.json: is not built yet"},
-                    Refused{"Preset", "--preset a.json", "--preset a.json: is not built yet"},
-                    Refused{"Replay", "--replay run", "--replay run: is not built yet"},
-                    Refused{"Machine", "bench --machine box", "--machine box: is not built yet"},
-                    Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(NotBuiltYet, Refusal,
+                         testing::Values(Refused{"Budget", "--lod budget",
+                                                 "--lod budget: is not built yet; must be off or distance"},
+                                         Refused{"Milliseconds", "--budget-ms 4", "--budget-ms 4: is not built yet"},
+                                         Refused{"Pixels", "--error-px 2", "--error-px 2: is not built yet"},
+                                         Refused{"Recording", "--record run", "--record run: is not built yet"},
+                                         Refused{"Trace", "--trace a.json", "--trace a.json: is not built yet"},
+                                         Refused{"Preset", "--preset a.json", "--preset a.json: is not built yet"},
+                                         Refused{"Replay", "--replay run", "--replay run: is not built yet"},
+                                         Refused{"Machine", "bench --machine box", "--machine box: is not built yet"},
+                                         Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),
+                         name_of);
 
 TEST(EmptyText, IsRefusedWhereANameIsDue) {
   EXPECT_EQ(refusal_of({""}), "MODEL : must not be empty");

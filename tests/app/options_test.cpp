@@ -70,6 +70,18 @@ TEST(DemoDefaults, TuneTheCrowd) {
   EXPECT_EQ(tuning.stream, Stream::sampled);
 }
 
+TEST(DemoOptions, NameEveryScene) {
+  EXPECT_EQ(demo("--scene plaza").tuning.scene, Scene::plaza);
+  EXPECT_EQ(demo("--scene parade").tuning.scene, Scene::parade);
+  EXPECT_EQ(demo("--scene stadium").tuning.scene, Scene::stadium);
+}
+
+TEST(DemoOptions, SayWhichClipsPlayWhichRoles) {
+  EXPECT_TRUE(demo("").clips.empty());
+  const std::vector<RoleChoice> expected{{Role::walk, "Walking_B"}, {Role::look_around, "a=b"}, {Role::sit, "none"}};
+  EXPECT_EQ(demo("--clips walk=Walking_B,look_around=a=b,sit=none").clips, expected);
+}
+
 TEST(DemoOptions, TuneTheCrowd) {
   const Tuning tuning =
       demo(

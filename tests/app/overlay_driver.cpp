@@ -21,6 +21,8 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.copy_camera |= commands.copy_camera;
     all.screenshot |= commands.screenshot;
     all.quit |= commands.quit;
+    all.save_roles |= commands.save_roles;
+    if (commands.roles) report.role_clips = *(all.roles = commands.roles);
   }
   return all;
 }
@@ -82,6 +84,10 @@ FrameReport full_report() {
   report.agents_by_bone_level = {200, 200, 100, 100};
   report.level_bone_counts = {4, 3, 2, 1};
   report.bones = {{"hips", 0, 3}, {"spine", 1, 2}, {"hand", 2, 1}, {"finger", 3, 0}};
+  report.clip_names = {"Idle", "Walking_A", "Running_A"};
+  report.role_clips[index_of(Role::stand)] = 0;
+  report.role_clips[index_of(Role::walk)] = 1;
+  report.suggested_role_clips = report.role_clips;
   report.pus = 2;
   report.hardware_threads = 4;
   PuReport pu;

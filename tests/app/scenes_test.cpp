@@ -7,16 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "app/crowd.h"
+#include "tests/app/crowd_person.h"
 
 namespace throng::app {
 namespace {
-
-CharacterRoles person() {
-  CharacterRoles roles;
-  roles.clips = {0, 1, 2, 3, no_clip};
-  roles.walk_speed = 1.3;
-  return roles;
-}
 
 // Metres ahead of the camera and to its right, on the ground.
 glm::vec2 seen_from(const CameraPlace& camera, const glm::vec3& point) {
@@ -27,7 +21,7 @@ glm::vec2 seen_from(const CameraPlace& camera, const glm::vec3& point) {
 }
 
 TEST(SceneCameras, EverySceneHasTheFourAndFrontIsTheFirst) {
-  for (const Scene scene : {Scene::plaza, Scene::grid}) {
+  for (const Scene scene : {Scene::plaza, Scene::parade, Scene::stadium, Scene::grid}) {
     const auto cameras = scene_cameras(scene, 1000, person());
     for (const char* name : {"front", "above", "close", "far"}) ASSERT_NE(find_camera(cameras, name), nullptr) << name;
     EXPECT_EQ(find_camera(cameras, "")->name, "front");
@@ -57,7 +51,7 @@ TEST(SceneCameras, TheFrontOfThePlazaHasPeopleNearAndACrowdBehindThem) {
 }
 
 TEST(SceneCameras, EveryCameraLooksAtSomebodyHoweverSmallTheCrowd) {
-  for (const Scene scene : {Scene::plaza, Scene::grid}) {
+  for (const Scene scene : {Scene::plaza, Scene::parade, Scene::stadium, Scene::grid}) {
     for (const std::size_t agents : {1U, 10U, 100U}) {
       const Crowd crowd(scene, agents, 1, person());
       for (const NamedCamera& camera : scene_cameras(scene, agents, person())) {

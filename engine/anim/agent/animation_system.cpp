@@ -12,12 +12,11 @@ namespace throng::anim {
 namespace {
 
 ClipStreams streams_of(const BakedClip& clip) {
-  ClipStreams streams{.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration};
-  const double seconds = to_seconds(clip.duration);
-  for (int axis = 0; axis < 3 && seconds > 0; ++axis) {
-    streams.linear_velocity[axis] = static_cast<float>(clip.loop_displacement[axis] / seconds);
-  }
-  return streams;
+  return {.keyframe = &clip.keyframe(),
+          .sampled = clip.sampled(),
+          .duration = clip.duration,
+          .root_motion = &clip.root_motion,
+          .data_keys = clip.data_keys};
 }
 
 void reserve_fades(EntityPools& pools, StreamKind stream, std::size_t agents) {
@@ -43,6 +42,7 @@ AnimationSystem::AnimationSystem(std::shared_ptr<const Character> character)
   context_ = {.hierarchy = &character_->hierarchy,
               .assets = {.clips = clips_,
                          .masks = {},
+                         .selections = {},
                          .kernels = &best_kernels(),
                          .bone_count = character_->skeleton.bone_count(),
                          .components = character_->skeleton.components()},
@@ -142,6 +142,13 @@ int AnimationSystem::add_mask(BoneMask mask) {
   return static_cast<int>(masks_.size()) - 1;
 }
 
+std::uint32_t AnimationSystem::add_bone_selection(BoneSelection selection) {
+  assert(selection.packets() == packets_for(character_->skeleton.bone_count()) && "a selection of another skeleton");
+  selections_.push_back(std::move(selection));
+  context_.assets.selections = selections_;
+  return static_cast<std::uint32_t>(selections_.size());
+}
+
 bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
   assert(request.mask >= PlayRequest::no_mask && request.mask < static_cast<int>(masks_.size()) &&
          "PlayRequest::mask is not one that add_mask returned");
@@ -154,10 +161,18 @@ bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
   auto& channel = static_cast<CrossFadeChannel&>(agents_.channel(agent, 0));
   const bool taken = channel.play(build, request);
   if (settled(agent, agents_.rebuild(build, agent))) return taken;
-  channel.play(build, {.clip = request.clip, .speed = request.speed, .start = request.start, .loop = request.loop});
+  PlayRequest at_once = request;
+  at_once.fade = 0;
+  at_once.held_fraction.reset();
+  at_once.mask = PlayRequest::no_mask;
+  channel.play(build, at_once);
   [[maybe_unused]] const Status cut = settled(agent, agents_.rebuild(build, agent));
   assert(cut && "a player alone is the least that there can be");
   return false;
+}
+
+void AnimationSystem::set_speed(std::uint32_t agent, double speed) {
+  static_cast<CrossFadeChannel&>(agents_.channel(agent, 0)).set_speed(builder(agent), speed);
 }
 
 Status AnimationSystem::add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel,
@@ -311,6 +326,16 @@ double AnimationSystem::bytes_per_agent() const {
   std::size_t bytes = agents_.bytes() + agent_count() * (sizeof(Ticks) + sizeof(std::uint64_t));
   for (EntityPools::Kind kind = 0; kind < pools_.kind_count(); ++kind) bytes += pools_.pool(kind).memory().bytes_alive;
   return static_cast<double>(bytes) / std::max<double>(agent_count(), 1.0);
+}
+
+std::vector<KindMemory> AnimationSystem::memory() const {
+  std::vector<KindMemory> kinds;
+  for (EntityPools::Kind kind = 0; kind < pools_.kind_count(); ++kind) {
+    kinds.push_back({.kind = pools_.layout(kind).kind->name,
+                     .own = pools_.pool(kind).memory(),
+                     .shared = pools_.shared_pool(kind).memory()});
+  }
+  return kinds;
 }
 
 std::span<const float> AnimationSystem::pose(std::uint32_t agent) const {

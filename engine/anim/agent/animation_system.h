@@ -49,6 +49,13 @@ struct UpdateReport {
   CopyCounts copies;
 };
 
+/// Main memory of the blocks of one kind, those that agents own and those that they share.
+struct KindMemory {
+  const char* kind = "";
+  PoolMemory own;
+  PoolMemory shared;
+};
+
 /// A crowd as it was: the bytes of its blocks, and what its agents remember. See AnimationSystem::snapshot.
 class SystemSnapshot;
 
@@ -73,6 +80,10 @@ class AnimationSystem {
   /// was made for this character's skeleton.
   int add_mask(BoneMask mask);
 
+  /// Bones that a player evaluates, the others standing still (paper 3.2, per-bone priorities); for
+  /// `PlayRequest::bone_selection`. Made for this character's skeleton, added at load time.
+  std::uint32_t add_bone_selection(BoneSelection selection);
+
   /// A kind of entity of the host's own, to be added at load time: for channels and post processes that make such
   /// entities. `kind` outlives the system.
   EntityPools::Kind add_entity_kind(const EntityKind& kind) { return pools_.add_kind(kind); }
@@ -81,6 +92,10 @@ class AnimationSystem {
   /// places of the channel's tree are taken by blends that stay (masked or held); or a local store of fixed size has no
   /// room for the fade, and the clip replaced all at once.
   bool play(std::uint32_t agent, const PlayRequest& request);
+
+  /// Plays what the agent asked for last at another speed from now on, without a jump. The first channel is as for
+  /// play.
+  void set_speed(std::uint32_t agent, double speed);
 
   /// Lays a channel over those that the agent has. Errors, and then the agent is as it was: its graph has a cycle, or
   /// is too large for a local store of fixed size.
@@ -114,6 +129,10 @@ class AnimationSystem {
   Ticks clock() const { return clock_; }
   void update(std::span<const AgentUpdate> agents);
 
+  /// Root motion, data keys and absolute root of an agent, at a frame boundary: after advance(), ask for the interval
+  /// from the clock before to the clock now, before any request.
+  AgentMotion motion(std::uint32_t agent) const { return {pools_, clips_, agents_.program(agent), posed_at_[agent]}; }
+
   /// Block copies of everything that changes: a crowd that is restored goes on to the same poses, bit for bit. Reuses
   /// the snapshot's memory. Restoring is refused, and changes nothing, under a schedule whose blocks have other sizes.
   void snapshot(SystemSnapshot& into) const;
@@ -122,6 +141,8 @@ class AnimationSystem {
   /// Moves living blocks together, in the order in which the scheduler reads them, and gives memory back.
   Compaction compact();
 
+  /// Who runs the PUs: between updates it is free for the host's own jobs, at most options().pus at once.
+  Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
   const UpdateReport& report() const { return report_; }
   std::span<const ProcessingUnit> units() const { return scheduler_->units(); }
   const ScheduleOptions& schedule() const { return scheduler_->options(); }
@@ -134,6 +155,8 @@ class AnimationSystem {
   std::uint64_t pose_hash() const { return pose_hash_; }
   /// Main memory of an agent, without palettes: blocks and bookkeeping.
   double bytes_per_agent() const;
+  /// In the order of the kinds; allocates.
+  std::vector<KindMemory> memory() const;
 
   /// The last pose of an agent, [packet][components][16], state space. Only `levels` keeps it (resident blocks).
   std::span<const float> pose(std::uint32_t agent) const;
@@ -142,7 +165,6 @@ class AnimationSystem {
   friend class SystemSnapshot;
 
   AnimationSystem(std::shared_ptr<const Character> character);
-  Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
   EntityBuilder builder(std::uint32_t agent);
   LocalStoreDemand demand(const SystemOptions& options) const;
   Status settled(std::uint32_t agent, Status changed);
@@ -161,6 +183,7 @@ class AnimationSystem {
   std::vector<ClipStreams> clips_;
   std::vector<BoneMask> masks_;
   std::vector<const float*> mask_weights_;  // of masks_, as the context lists them
+  std::vector<BoneSelection> selections_;
   EntityPools pools_;
   Agents agents_;
   Agents shared_;

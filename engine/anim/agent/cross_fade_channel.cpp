@@ -13,7 +13,12 @@ constexpr double half_lives_in_a_fade = 4.0;
 constexpr std::size_t player_place(std::size_t player) { return player == 0 ? 0 : 2 * player - 1; }
 
 PlayerStart start_of(const PlayRequest& request) {
-  return {.clip = request.clip, .speed = request.speed, .start = request.start, .loop = request.loop};
+  return {.clip = request.clip,
+          .speed = request.speed,
+          .start = request.start,
+          .loop = request.loop,
+          .absolute_root = request.absolute_root,
+          .bone_selection = request.bone_selection};
 }
 
 bool stays(const PlayRequest& request) {
@@ -71,6 +76,10 @@ void CrossFadeChannel::interrupt(const EntityBuilder& build, const PlayRequest& 
   tree_.entities[tree_.count++] = build.player(start_of(request));
   const auto half_life = static_cast<float>(to_seconds(request.fade) / half_lives_in_a_fade);
   retarget(build.as<Inertialiser>(inertialiser_), tree_.root(), left_.root(), half_life);
+}
+
+void CrossFadeChannel::set_speed(const EntityBuilder& build, double speed) const {
+  build.set_speed(tree_.entities[player_place(tree_.player_count() - 1)], speed);
 }
 
 bool CrossFadeChannel::update(const EntityBuilder& build) {

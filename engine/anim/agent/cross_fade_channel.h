@@ -21,6 +21,10 @@ struct PlayRequest {
   /// there until a request without a mask takes the place of all. no_mask: on all bones.
   int mask = no_mask;
 
+  /// A cut scene: the agent stands here, and moves on from here by the clip's own root motion.
+  std::optional<AbsoluteRoot> absolute_root = std::nullopt;
+  std::uint32_t bone_selection = Player::every_bone;  ///< what `AnimationSystem::add_bone_selection` returned
+
   static constexpr int no_mask = EaseBlender::no_mask;
 };
 
@@ -47,6 +51,9 @@ class CrossFadeChannel final : public Channel {
  public:
   /// False: the tree is full of blends that stay (masked or held). All other requests are taken.
   bool play(const EntityBuilder& build, const PlayRequest& request);
+
+  /// Of the clip asked for last, from now on; there must be one.
+  void set_speed(const EntityBuilder& build, double speed) const;
 
   Handle state() const override { return inertialiser_.valid() ? inertialiser_ : tree_.root(); }
   bool update(const EntityBuilder& build) override;

@@ -1,5 +1,7 @@
 #include "engine/anim/agent/entity_builder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/anim/run/pose_program.h"
@@ -8,6 +10,13 @@ namespace throng::anim {
 namespace {
 
 std::int32_t fixed_point(double speed) { return static_cast<std::int32_t>(std::lround(speed * 65536.0)); }
+
+void place(AnimationStateHeader& state, const AbsoluteRoot& root) {
+  state.flags |= AnimationStateHeader::has_absolute_root;
+  for (int axis = 0; axis < 3; ++axis) state.absolute_position[axis] = root.position[axis];
+  const glm::quat& q = root.rotation;
+  std::ranges::copy(std::array{q.x, q.y, q.z, q.w}, state.absolute_rotation);
+}
 
 }  // namespace
 
@@ -29,7 +38,9 @@ Handle EntityBuilder::player(const PlayerStart& start) const {
   player.clip = clip;
   player.speed = fixed_point(start.speed);
   player.flags = start.loop ? Player::looping : 0;
+  player.bone_selection = start.bone_selection;
   seek(handle, start.start * fine_ticks_per_tick);
+  if (start.absolute_root) place(player.state, *start.absolute_root);
   return handle;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
+#include "engine/anim/agent/agent_motion.h"
 #include "engine/anim/asset/character.h"
 #include "engine/anim/entity/ease_blender.h"
 #include "engine/anim/entity/entity_pools.h"
@@ -16,6 +18,8 @@ struct PlayerStart {
   double speed = 1.0;  ///< of the clip's own; negative: backwards
   Ticks start = 0;     ///< position in the clip, 0 to its duration
   bool loop = true;
+  std::optional<AbsoluteRoot> absolute_root = std::nullopt;  ///< of a cut scene
+  std::uint32_t bone_selection = Player::every_bone;         ///< what `AnimationSystem::add_bone_selection` returned
 };
 
 /// What channels and post processes make their entities with, at a frame boundary. An agent's entities may stand ahead

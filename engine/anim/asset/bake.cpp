@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/anim/asset/bake_footsteps.h"
 #include "engine/anim/asset/bake_grid.h"
 #include "engine/anim/asset/bake_root_motion.h"
 #include "engine/anim/asset/bake_sampled.h"
@@ -94,6 +95,7 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
     baked.loop_displacement = find_root_motion(skeleton, state, least_travel * size);
   }
   if (baked.loop_displacement != glm::dvec3(0.0)) take_root_motion(skeleton, state, baked.loop_displacement);
+  baked.root_motion = straight_root_curve(state.duration, baked.loop_displacement);
   baked.keyframe_block = pack_keyframe_stream(state);
 
   const SampleSource source{skeleton, proxy, baked.keyframe(), baked.loop_displacement, baked.error_bound};
@@ -102,19 +104,41 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
   return baked;
 }
 
+/// Index of `name` among `names`, where it is put if it is new.
+std::uint32_t intern(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::ranges::find(names, name);
+  const auto index = static_cast<std::uint32_t>(found - names.begin());
+  if (found == names.end()) names.push_back(name);
+  return index;
+}
+
+/// The file's, or footsteps where it has none.
+std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked) {
+  if (!clip.data_keys.empty() || !baked.loops) return clip.data_keys;
+  return find_footsteps(character.skeleton, baked.keyframe(), character.height);
+}
+
+void add_clip(Character& character, const SurfaceProxy& proxy, const Clip& clip, const BakeOptions& options) {
+  BakedClip baked = bake_clip(character.skeleton, proxy, clip, options);
+  for (const NamedDataKey& key : data_keys_of(character, clip, baked)) {
+    const Ticks time = std::clamp<Ticks>(key_ticks(key.time), 0, baked.duration);
+    baked.data_keys.push_back({.time = time, .name = intern(character.data_key_names, key.name)});
+  }
+  std::ranges::stable_sort(baked.data_keys, {}, &DataKey::time);
+  character.clips.push_back(std::move(baked));
+}
+
 }  // namespace
 
 Character bake_character(const Model& model, const BakeOptions& options) {
   const SurfaceProxy proxy = make_surface_proxy(model);
   Character character{
       .skeleton = model.skeleton, .hierarchy = compile_hierarchy(model.skeleton), .clips = {}, .height = proxy.height};
-  for (const Clip& clip : model.clips) {
-    character.clips.push_back(bake_clip(character.skeleton, proxy, clip, options));
-  }
+  for (const Clip& clip : model.clips) add_clip(character, proxy, clip, options);
   if (character.clips.empty()) {
     Clip rest;
     rest.name = "rest";
-    character.clips.push_back(bake_clip(character.skeleton, proxy, rest, options));
+    add_clip(character, proxy, rest, options);
   }
   return character;
 }

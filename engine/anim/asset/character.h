@@ -5,8 +5,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "engine/anim/asset/data_keys.h"
 #include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/model.h"
+#include "engine/anim/asset/root_curve.h"
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/units.h"
@@ -22,6 +24,8 @@ struct BakedClip {
   Ticks duration = 0;
   bool loops = false;                 ///< first and last pose agree (root motion aside)
   glm::dvec3 loop_displacement{0.0};  ///< root motion taken out of the pose: metres a loop, model space
+  RootCurve root_motion;              ///< the same over time: the pose at a time stands where the curve has come to
+  std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
   AlignedBytes keyframe_block;
   AlignedBytes sampled_block;  ///< null: plays from its keyframe stream, `note` says why
   double sampled_rate = 0.0;   ///< Hz
@@ -42,7 +46,8 @@ struct Character {
   Skeleton skeleton;
   HierarchyProgram hierarchy;
   std::vector<BakedClip> clips;  ///< never empty: a model without clips gets one, "rest", of its rest pose
-  double height = 0.0;           ///< metres, of the rest pose's surface, or of its joints where there is no surface
+  std::vector<std::string> data_key_names = {};  ///< of all its clips, each once
+  double height = 0.0;  ///< metres, of the rest pose's surface, or of its joints where there is no surface
 };
 
 /// Bakes every clip of `model`. Never fails on what import accepted.

@@ -28,14 +28,21 @@ struct BoneTracks {
   Track<glm::vec3> scale;
 };
 
+/// A moment of a clip that game play wants to know of (paper 2.2.2 "data key"), as the file has it.
+struct NamedDataKey {
+  double time = 0.0;  ///< seconds, 0 to the clip's duration
+  std::string name;   ///< never empty
+};
+
 /// One animation of the file, restricted to one skeleton. Runs from 0 to its last key; a bone without a track keeps its
 /// rest transform; before a track's first key and after its last, the nearest key holds.
 struct Clip {
   std::string name;
-  int animation = -1;              ///< index in the file
-  double start = 0.0;              ///< seconds, the first key of all its channels
-  double duration = 0.0;           ///< seconds, the last key of all its channels, this skeleton's or not
-  std::vector<BoneTracks> tracks;  ///< ascending by bone, at most one a bone
+  int animation = -1;                        ///< index in the file
+  double start = 0.0;                        ///< seconds, the first key of all its channels
+  double duration = 0.0;                     ///< seconds, the last key of all its channels, this skeleton's or not
+  std::vector<BoneTracks> tracks;            ///< ascending by bone, at most one a bone
+  std::vector<NamedDataKey> data_keys = {};  ///< by time
 };
 
 }  // namespace throng::anim

@@ -11,6 +11,12 @@ using Ticks = std::int64_t;
 
 inline constexpr Ticks ticks_per_second = 705'600'000;
 
+/// A player's position is counted in 1/65536 ticks, so that speed times time is exact: where a player stands does not
+/// depend on how the time was cut into steps. 64 bits hold 55 hours of a clip.
+using FineTicks = std::int64_t;
+
+inline constexpr FineTicks fine_ticks_per_tick = 65536;
+
 inline Ticks to_ticks(double seconds) { return std::llround(seconds * static_cast<double>(ticks_per_second)); }
 inline double to_seconds(Ticks ticks) { return static_cast<double>(ticks) / static_cast<double>(ticks_per_second); }
 

@@ -18,6 +18,7 @@ enum class EntityType : std::uint32_t {
   additive_layer,
   inertialiser,
   noise_maker,
+  socket,
   user
 };
 
@@ -34,6 +35,8 @@ enum class EntityType : std::uint32_t {
 /// the `fused` schedule lays them out in the local store and writes back nothing but the second line. Knowing
 /// `total_size` and `transforms_offset` is enough to move a block and to use it as an animation state.
 struct AnimationStateHeader {
+  static constexpr std::uint16_t has_absolute_root = 1;  ///< the absolute root is meant
+
   // System information
   EntityType type;                  //  0
   std::uint32_t total_size;         //  4  bytes, a multiple of 64
@@ -41,11 +44,12 @@ struct AnimationStateHeader {
   // Animated entity information
   std::uint16_t bone_count;  // 12
   std::int16_t priority;     // 14  players have the highest; a blender the lowest of its sources minus one
-  // Absolute root, for cut scenes and pre-canned sequences: where the skeleton stands in the world
+  // Absolute root, for cut scenes and pre-canned sequences: where in the world the state begins
   double absolute_position[3];  // 16  metres
   float absolute_rotation[4];   // 40  quaternion x y z w
   std::uint32_t owner;          // 56  the agent it belongs to
-  std::uint32_t components;     // 60  floats a bone takes in the transforms, 7 or 10
+  std::uint16_t components;     // 60  floats a bone takes in the transforms, 7 or 10
+  std::uint16_t flags;          // 62
   // --- what a frame changes ---
   Ticks delta_time;  // 64  elapsed since the last update; set before the update, used up by it
   // Velocity, to move the animated entity, in its own space
@@ -61,6 +65,7 @@ static_assert(sizeof(AnimationStateHeader) == 96, "the rest of the second line i
 static_assert(offsetof(AnimationStateHeader, bone_count) == 12);
 static_assert(offsetof(AnimationStateHeader, absolute_position) == 16);
 static_assert(offsetof(AnimationStateHeader, owner) == 56);
+static_assert(offsetof(AnimationStateHeader, flags) == 62);
 static_assert(offsetof(AnimationStateHeader, delta_time) == identity_bytes);
 static_assert(offsetof(AnimationStateHeader, angular_velocity) == 84);
 static_assert(std::is_trivially_copyable_v<AnimationStateHeader>);

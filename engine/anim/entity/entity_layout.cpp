@@ -36,7 +36,7 @@ void initialise_state(AnimationStateHeader& state, const EntityLayout& layout, i
   state.total_size = layout.total_size;
   state.transforms_offset = layout.transforms_offset;
   state.bone_count = static_cast<std::uint16_t>(bone_count);
-  state.components = static_cast<std::uint32_t>(components);
+  state.components = static_cast<std::uint16_t>(components);
   state.priority = highest_priority;
   state.absolute_rotation[3] = 1.0F;
   if (layout.transforms_offset != 0) fill_with_identity(transforms_of(state), bone_count, components);

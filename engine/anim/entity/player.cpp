@@ -1,15 +1,11 @@
 #include "engine/anim/entity/player.h"
 
+#include <algorithm>
+
+#include "engine/anim/asset/data_keys.h"
+
 namespace throng::anim {
 namespace {
-
-constexpr std::size_t prepared_pose_bytes = 64;
-
-// Floor division, so that a player that moves backwards wraps as one that moves forwards does.
-FineTicks whole_loops(FineTicks position, FineTicks duration) {
-  const FineTicks quotient = position / duration;
-  return position % duration < 0 ? quotient - 1 : quotient;
-}
 
 void wrap(Player& player, FineTicks duration) {
   const FineTicks loops = whole_loops(player.position, duration);
@@ -20,29 +16,99 @@ void wrap(Player& player, FineTicks duration) {
 }
 
 void hold_at_end(Player& player, FineTicks duration) {
-  if (player.position >= 0 && player.position < duration) return;
-  player.position = player.position < 0 ? 0 : duration;
-  player.flags |= Player::reached_end;
+  const bool at_end = player.speed < 0 ? player.position <= 0 : player.position >= duration;
+  player.position = std::clamp(player.position, FineTicks{0}, duration);
+  if (at_end) player.flags |= Player::reached_end;
 }
+
+void keep_in_clip(Player& player, FineTicks duration) {
+  player.flags &= ~Player::reached_end;
+  if ((player.flags & Player::looping) != 0 && duration > 0) {
+    wrap(player, duration);
+  } else {
+    hold_at_end(player, duration);
+  }
+}
+
+RootVelocity velocity_of(const Player& player, const ClipStreams& clip) {
+  const bool holds = (player.flags & Player::looping) == 0 && (player.flags & Player::reached_end) != 0;
+  if (holds) return {};
+  return clip.root_motion == nullptr ? RootVelocity{} : root_velocity(*clip.root_motion, player.position);
+}
+
+}  // namespace
+
+void advance_player(Player& player, const ClipStreams& clip) {
+  player.position += player.state.delta_time * player.speed;
+  player.state.delta_time = 0;
+  keep_in_clip(player, clip.duration * fine_ticks_per_tick);
+  const RootVelocity velocity = velocity_of(player, clip);
+  const double speed = static_cast<double>(player.speed) / 65536.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    player.state.linear_velocity[axis] = static_cast<float>(velocity.linear[axis] * speed);
+    player.state.angular_velocity[axis] = axis == 1 ? static_cast<float>(velocity.yaw * speed) : 0.0F;
+  }
+}
+
+void seek_player(Player& player, FineTicks position, Ticks duration) {
+  player.position = position;
+  player.loop_count = 0;
+  player.state.delta_time = 0;
+  keep_in_clip(player, duration * fine_ticks_per_tick);
+  if ((player.flags & Player::looping) != 0) player.flags &= ~Player::reached_end;
+}
+
+FineTicks unwrapped_position(const Player& player, Ticks duration) {
+  return player.loop_count * duration * fine_ticks_per_tick + player.position;
+}
+
+PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations) {
+  PlayerPose pose{.clip = &clip, .time = player.position / fine_ticks_per_tick, .point = {}, .interpolations = {}};
+  if (player.state.type == EntityType::keyframe_player) {
+    advance_keyframes(*clip.keyframe, pose.time, player.cursor, interpolations);
+    pose.interpolations = interpolations;
+  } else {
+    pose.point = locate(*clip.sampled, pose.time);
+  }
+  return pose;
+}
+
+namespace {
+
+constexpr std::size_t prepared_pose_bytes = 64;
 
 void advance_entity(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
   static_assert(sizeof(PlayerPose) <= prepared_pose_bytes);
   auto& player = entity.as<Player>();
   const ClipStreams& clip = entity.assets->clips[player.clip];
   advance_player(player, clip);
-  entity.prepared_as<PlayerPose>() = begin_pose(player, clip, entity.private_part());
+  auto& pose = entity.prepared_as<PlayerPose>();
+  pose = begin_pose(player, clip, entity.private_part());
+  if (player.bone_selection != Player::every_bone) pose.bones = &entity.assets->selections[player.bone_selection - 1];
+}
+
+/// Packets without a selected bone are not evaluated.
+template <typename Evaluate>
+void pose_selected(const PlayerPose& pose, const PacketJob& job, Evaluate&& evaluate) {
+  if (pose.bones == nullptr) return evaluate();
+  if (pose.bones->lanes(job.packet) != 0) evaluate();
+  apply_bone_priorities(*pose.bones, job.packet, job.out);
 }
 
 void pose_sampled_packet(const EntityInStore& entity, const PacketJob& job) {
   const auto& pose = entity.prepared_as<PlayerPose>();
-  entity.assets->kernels->sample(
-      {.stream = pose.clip->sampled, .point = pose.point, .packet = job.packet, .pose = job.out});
+  pose_selected(pose, job, [&] {
+    entity.assets->kernels->sample(
+        {.stream = pose.clip->sampled, .point = pose.point, .packet = job.packet, .pose = job.out});
+  });
 }
 
 void pose_keyframe_packet(const EntityInStore& entity, const PacketJob& job) {
   const auto& pose = entity.prepared_as<PlayerPose>();
-  const auto floats = packet_bytes(entity.assets->components) / sizeof(float);
-  evaluate_keyframes(*pose.clip->keyframe, pose.time, pose.interpolations, job.packet, {job.out, floats});
+  const std::size_t floats = packet_bytes(entity.assets->components) / sizeof(float);
+  pose_selected(pose, job, [&] {
+    evaluate_keyframes(*pose.clip->keyframe, pose.time, pose.interpolations, job.packet, {job.out, floats});
+  });
 }
 
 }  // namespace
@@ -59,30 +125,5 @@ const EntityKind keyframe_player_kind = {.name = "keyframe player",
                                          .prepared_bytes = prepared_pose_bytes,
                                          .advance = advance_entity,
                                          .pose_packet = pose_keyframe_packet};
-
-void advance_player(Player& player, const ClipStreams& clip) {
-  const FineTicks duration = clip.duration * fine_ticks_per_tick;
-  player.position += player.state.delta_time * player.speed;
-  player.state.delta_time = 0;
-  player.flags &= ~Player::reached_end;
-  if ((player.flags & Player::looping) != 0 && duration > 0) {
-    wrap(player, duration);
-  } else {
-    hold_at_end(player, duration);
-  }
-  const float speed = static_cast<float>(player.speed) / 65536.0F;
-  for (int axis = 0; axis < 3; ++axis) player.state.linear_velocity[axis] = clip.linear_velocity[axis] * speed;
-}
-
-PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations) {
-  PlayerPose pose{.clip = &clip, .time = player.position / fine_ticks_per_tick, .point = {}, .interpolations = {}};
-  if (player.state.type == EntityType::keyframe_player) {
-    advance_keyframes(*clip.keyframe, pose.time, player.cursor, interpolations);
-    pose.interpolations = interpolations;
-  } else {
-    pose.point = locate(*clip.sampled, pose.time);
-  }
-  return pose;
-}
 
 }  // namespace throng::anim

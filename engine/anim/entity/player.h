@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/anim/asset/bone_priorities.h"
+#include "engine/anim/asset/data_keys.h"
 #include "engine/anim/asset/keyframe_stream.h"
+#include "engine/anim/asset/root_curve.h"
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/entity/entity_kind.h"
 #include "engine/anim/kernel/kernels.h"
@@ -12,49 +15,62 @@
 
 namespace throng::anim {
 
-/// A player's position is counted in 1/65536 ticks, so that speed times time is exact: where a player stands does not
-/// depend on how the time was cut into steps.
-using FineTicks = std::int64_t;
-inline constexpr FineTicks fine_ticks_per_tick = 65536;
-
 /// The read-only resource of one clip, in main memory (paper 2.2.2 "pointer to the animation stream").
 struct ClipStreams {
   const KeyframeStream* keyframe = nullptr;
   const SampledStream* sampled = nullptr;  ///< null: the clip plays from its keyframe stream
   Ticks duration = 0;
-  float linear_velocity[3] = {};  ///< metres a second at speed 1: the root motion that was taken out of the pose
+  const RootCurve* root_motion = nullptr;  ///< what was taken out of the pose; null: nothing
+  std::span<const DataKey> data_keys{};    ///< ascending
 };
 
 /// Paper 2.2.2. Plays one clip: an animation state with a position in an animation stream.
+///
+/// Where it stands, and with it its pose, is a closed form of the time that passed: `speed` may have any sign and any
+/// size, a looping clip wraps as often as it takes, another holds its end. Data keys and displacement are closed forms
+/// too (asset/data_keys.h, asset/root_curve.h), of any two positions; so whoever wants them asks for the interval
+/// between two clock times, and a player that was posed ahead of the clock delivers nothing too early or twice.
 ///
 ///     [header 96 | player 32 | transforms if resident | interpolation structures if it plays a KeyframeStream]
 struct alignas(64) Player {
   static constexpr std::uint32_t looping = 1;
   static constexpr std::uint32_t reached_end =
-      2;  ///< at an end of a clip that does not loop, or wrapped in this update
+      2;  ///< holds the end of a clip that does not loop, or wrapped in this update
+  static constexpr std::uint32_t every_bone = 0;
 
-  AnimationStateHeader state;   //   0
-  FineTicks position;           //  96  in the clip, 0 to its duration once updated
-  std::uint32_t clip;           // 104  index into the character's clips
-  std::int32_t speed;           // 108  1/65536 of the clip's own
-  std::uint32_t flags;          // 112
-  std::int32_t loop_count;      // 116  whole loops since it started
-  KeyframeCursor cursor;        // 120
-  std::uint32_t next_data_key;  // 124
+  AnimationStateHeader state;    //   0
+  FineTicks position;            //  96  in the clip, 0 to its duration once updated
+  std::uint32_t clip;            // 104  index into the character's clips
+  std::int32_t speed;            // 108  1/65536 of the clip's own
+  std::uint32_t flags;           // 112
+  std::int32_t loop_count;       // 116  whole loops since it started
+  KeyframeCursor cursor;         // 120
+  std::uint32_t bone_selection;  // 124  every_bone, or 1 + index of a BoneSelection (3.2, per-bone priorities)
 };
 static_assert(sizeof(Player) == entity_header_bytes);
 static_assert(offsetof(Player, position) == 96 && offsetof(Player, flags) == 112 && offsetof(Player, cursor) == 120);
+static_assert(offsetof(Player, bone_selection) == 124);
 
 /// Update step, first half (2.2.3): uses up `state.delta_time` and moves the position, loop count, flags and velocity.
+/// Bounded by 64 bits: delta * |speed| below 2^63, which is 55 hours at the clip's own speed.
 void advance_player(Player& player, const ClipStreams& clip);
+
+/// Puts the player at an unwrapped position without playing what lies between: no data keys are met and nothing is
+/// displaced, because both are asked for between positions that were played.
+void seek_player(Player& player, FineTicks position, Ticks duration);
+
+/// Where the player stands, whole loops included. What it has played since is the difference of two of these, in which
+/// form for_each_data_key and displacement take it.
+FineTicks unwrapped_position(const Player& player, Ticks duration);
 
 /// Second half: what its packets of 16 bones are made from. A player of a SampledStream keeps only its position; one of
 /// a KeyframeStream brings its interpolation structures along once, before its first packet.
 struct PlayerPose {
   const ClipStreams* clip = nullptr;
   Ticks time = 0;
-  SamplePoint point;                    ///< sampled
-  std::span<std::byte> interpolations;  ///< keyframe
+  SamplePoint point;                     ///< sampled
+  std::span<std::byte> interpolations;   ///< keyframe
+  const BoneSelection* bones = nullptr;  ///< null: every bone; packets without any are not evaluated
 };
 PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations);
 

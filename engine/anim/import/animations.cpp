@@ -33,6 +33,7 @@ class AnimationReader {
       : document_(document),
         tree_(tree),
         source_(document.gltf.animations[index]),
+        data_keys_(document.data_keys[index]),
         name_(label("animation", index, source_.name)) {}
 
   Animation read() {
@@ -43,6 +44,7 @@ class AnimationReader {
       read_channel(source_.channels[channel]);
     }
     if (!(animation_.start < std::numeric_limits<double>::infinity())) animation_.start = 0.0;
+    read_data_keys();
     return std::move(animation_);
   }
 
@@ -79,6 +81,21 @@ class AnimationReader {
     } else if (channel.target_path == "rotation") {
       tracks.rotation = read_rotations(output, keys);
     }
+  }
+
+  /// Marks are set at frames and keys at 32-bit seconds: one that is late by less than a frame means the end.
+  void read_data_keys() {
+    constexpr double rounding = 1e-3;
+    for (const anim::NamedDataKey& key : data_keys_) {
+      if (key.name.empty()) throw Refusal(name_ + ": a data key has no name; give it one");
+      if (key.time < 0.0 || key.time > animation_.duration + rounding) {
+        document_.repairs.push_back(name_ + ": data key \"" + key.name + "\" at " + std::to_string(key.time) +
+                                    " s lies outside of the animation, left out");
+        continue;
+      }
+      animation_.data_keys.push_back({.time = std::min(key.time, animation_.duration), .name = key.name});
+    }
+    std::ranges::stable_sort(animation_.data_keys, {}, &anim::NamedDataKey::time);
   }
 
   Keys read_keys(const tinygltf::AnimationSampler& sampler) const {
@@ -169,6 +186,7 @@ class AnimationReader {
   Document& document_;
   const NodeTree& tree_;
   const tinygltf::Animation& source_;
+  const std::vector<anim::NamedDataKey>& data_keys_;
   std::string name_;
   std::string channel_name_;
   std::set<std::pair<int, std::string>> targets_;

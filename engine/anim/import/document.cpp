@@ -28,6 +28,19 @@ std::vector<ImageSource> take_images(json& document) {
   return images;
 }
 
+std::vector<std::vector<anim::NamedDataKey>> take_data_keys(json& document) {
+  std::vector<std::vector<anim::NamedDataKey>> animations;
+  if (!document.contains("animations")) return animations;
+  for (json& animation : document["animations"]) {
+    std::vector<anim::NamedDataKey>& keys = animations.emplace_back();
+    for (const json& key : animation.value(data_keys_property, json::array())) {
+      keys.push_back({.time = key["time"].get<double>(), .name = key["name"].get<std::string>()});
+    }
+    animation.erase(data_keys_property);
+  }
+  return animations;
+}
+
 bool refuse_to_load(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
   return false;
 }
@@ -60,6 +73,7 @@ Document load_document(const std::filesystem::path& path) {
 
   document.folder = path.parent_path();
   document.images = take_images(json_document);
+  document.data_keys = take_data_keys(json_document);
   document.buffer_views = load_buffer_views(json_document, parts.binary, document.folder);
   for (const char* key : {"buffers", "cameras", "samplers", "extensions", "extensionsUsed", "extensionsRequired"}) {
     json_document.erase(key);

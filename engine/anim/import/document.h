@@ -7,6 +7,7 @@
 
 #include <tiny_gltf.h>
 
+#include "engine/anim/asset/clip.h"
 #include "engine/anim/import/buffer_views.h"
 
 namespace throng::import {
@@ -26,6 +27,7 @@ struct Document {
   std::vector<std::byte> file;  ///< what `views` show, unless it is in their storage
   BufferViews buffer_views;
   std::vector<ImageSource> images;
+  std::vector<std::vector<anim::NamedDataKey>> data_keys;  ///< by animation; as the file has them
   std::vector<std::string> repairs;
   mutable std::size_t decoded_values = 0;  ///< of all accessors read so far; bounded by the accessor reader
 };

@@ -52,6 +52,21 @@ void keep_read_extensions(json& object) {
   *extensions = std::move(kept);
 }
 
+/// Extras may be anything, and go. The data keys among those of an animation become a property of the animation, so
+/// that they are checked as all others are.
+void keep_data_keys(json& document) {
+  const auto animations = document.find("animations");
+  if (animations == document.end() || !animations->is_array()) return;
+  for (json& animation : *animations) {
+    if (!animation.is_object()) continue;
+    animation.erase(data_keys_property);
+    const auto extras = animation.find("extras");
+    if (extras == animation.end() || !extras->is_object() || !extras->contains(data_keys_property)) continue;
+    json keys = std::move((*extras)[data_keys_property]);
+    animation[data_keys_property] = std::move(keys);
+  }
+}
+
 void simplify(json& value) {
   constexpr double largest_exact = 9007199254740992.0;  // 2^53
   if (value.is_number_float()) {
@@ -77,6 +92,7 @@ nlohmann::json parse_json(std::string_view text) {
   json document = json::parse(text.begin(), text.end(), nullptr, false);
   if (document.is_discarded()) throw Refusal("it is neither GLB nor valid JSON; export the file again as glTF 2.0");
   if (!document.is_object()) throw Refusal("its JSON is not an object; export the file again as glTF 2.0");
+  keep_data_keys(document);
   simplify(document);
   return document;
 }

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "engine/anim/import/json_document.h"
+
 namespace throng::import {
 
 namespace {
@@ -93,6 +95,9 @@ constexpr auto properties = std::to_array<Property>({
     {"animation", "name", Kind::text},
     {"animation", "channels", Kind::objects, "channel", 1, required},
     {"animation", "samplers", Kind::objects, "sampler", 1, required},
+    {"animation", data_keys_property, Kind::objects, "data key"},
+    {"data key", "time", Kind::number, {}, 0, required},
+    {"data key", "name", Kind::text, {}, 0, required},
     {"channel", "sampler", Kind::integer, {}, 0, required},
     {"channel", "target", Kind::object, "target", 0, required},
     {"target", "node", Kind::index, "nodes"},

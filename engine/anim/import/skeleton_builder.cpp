@@ -135,7 +135,8 @@ class SkeletonBuilder {
                       .animation = static_cast<int>(index),
                       .start = animation.start,
                       .duration = animation.duration,
-                      .tracks = {}};
+                      .tracks = {},
+                      .data_keys = animation.data_keys};
       for (const auto& [node, tracks] : animation.nodes) {
         const int bone = bone_of_node_[static_cast<std::size_t>(node)];
         if (bone < 0) continue;

@@ -48,7 +48,7 @@ Model striding_model(Model model, int bone, const Track<glm::vec3>& track) {
   return model;
 }
 
-/// Largest distance of any joint from where the file puts it, less the travel's share of the time.
+/// Largest distance of any joint from where the file puts it, less what the root motion has come to.
 double distance_from_pose_in_place(const Model& model, const BakedClip& clip, bool sampled) {
   const Skeleton& skeleton = model.skeleton;
   const std::size_t size = pose_bytes(skeleton.bone_count(), skeleton.components());
@@ -69,7 +69,7 @@ double distance_from_pose_in_place(const Model& model, const BakedClip& clip, bo
     }
     compute_frames(skeleton, pose, frames);
     const ReferencePose reference = reference_pose(skeleton, &model.clips.front(), to_seconds(time));
-    const glm::dvec3 drift = clip.loop_displacement * (static_cast<double>(time) / static_cast<double>(clip.duration));
+    const glm::dvec3 drift = displacement(clip.root_motion, 0, time * fine_ticks_per_tick, false).translation;
     for (std::size_t bone = 0; bone < frames.size(); ++bone) {
       worst = std::max(worst, glm::distance(frames[bone].origin, glm::dvec3(reference.globals[bone][3]) - drift));
     }
@@ -140,6 +140,15 @@ std::string path_name(const testing::TestParamInfo<bool>& path) { return path.pa
 
 INSTANTIATE_TEST_SUITE_P(Paths, RootMotion, testing::Bool(), path_name);
 
+TEST(RootMotionOf, ALoopIsWhereTheCurveEnds) {
+  const BakedClip clip = std::move(
+      bake_character(striding_model(synthetic_model(20, 1), 0, sampled_track(stride, 30.0, 60))).clips.front());
+  const FineTicks loop = clip.duration * fine_ticks_per_tick;
+  const auto motion = displacement(clip.root_motion, loop / 3, loop / 3 + 5 * loop, true);
+  EXPECT_LT(glm::distance(motion.translation, 5.0 * clip.loop_displacement), 1e-12);
+  EXPECT_EQ(motion.yaw, 0.0);
+}
+
 TEST(RootMotionOf, SmallSwayIsLeftInThePose) {
   const auto sway = [](float time) { return glm::vec3(0.02F * time, 1.0F, 0.0F); };
   const Model model = striding_model(synthetic_model(20, 1), 0, sampled_track(sway, 30.0, 60));
@@ -185,7 +194,8 @@ Model walker_in_place(float speed) {
           const float cycle = std::fmod(time + 0.5F * static_cast<float>(foot), 1.0F);
           const bool stands = cycle < 0.5F;
           const float z = stands ? speed * (0.25F - cycle) : speed * (cycle - 0.75F);
-          return glm::vec3(0.1F, stands ? -0.9F : -0.9F + 0.4F * std::min(cycle - 0.5F, 1.0F - cycle), z);
+          return glm::vec3(foot == 0 ? 0.1F : -0.1F,
+                           stands ? -0.9F : -0.9F + 0.4F * std::min(cycle - 0.5F, 1.0F - cycle), z);
         },
         30.0, 30);
     clip.tracks.push_back(tracks);
@@ -199,6 +209,42 @@ TEST(GroundSpeed, OfAWalkInPlaceIsThatOfTheStandingFoot) {
   for (const float speed : {0.8F, 1.4F, 3.0F}) {
     EXPECT_NEAR(ground_speed(bake_character(walker_in_place(speed)), 0), static_cast<double>(speed), 0.02) << speed;
   }
+}
+
+std::vector<std::pair<std::string, double>> named_data_keys(const Character& character) {
+  std::vector<std::pair<std::string, double>> keys;
+  for (const DataKey& key : character.clips.front().data_keys) {
+    keys.emplace_back(character.data_key_names[key.name], to_seconds(key.time));
+  }
+  return keys;
+}
+
+TEST(Footsteps, AreDataKeysWhereAFootComesToStand) {
+  const auto keys = named_data_keys(bake_character(walker_in_place(1.4F)));
+  constexpr double instant = 1.0 / 96.0;
+  ASSERT_EQ(keys.size(), 2U);
+  EXPECT_EQ(keys[0].first, "footstep_left");
+  EXPECT_NEAR(keys[0].second, 0.0, instant);
+  EXPECT_EQ(keys[1].first, "footstep_right");
+  EXPECT_NEAR(keys[1].second, 0.5, instant);
+}
+
+TEST(Footsteps, AreNotAddedToTheDataKeysOfAFile) {
+  Model model = walker_in_place(1.4F);
+  model.clips.front().data_keys = {{.time = 0.3, .name = "whistle"}};
+  EXPECT_EQ(named_data_keys(bake_character(model)).size(), 1U);
+}
+
+TEST(Footsteps, AreNoneWhereFeetDoNotTakeTurns) {
+  Model hopping = walker_in_place(1.4F);
+  std::vector<BoneTracks>& feet = hopping.clips.front().tracks;
+  feet[1].translation = feet[0].translation;
+  for (glm::vec3& value : feet[1].translation.values) value.x = -value.x;
+  EXPECT_TRUE(named_data_keys(bake_character(hopping)).empty());
+}
+
+TEST(Footsteps, AreNoneWhereACharacterStands) {
+  EXPECT_TRUE(bake_character(synthetic_model(62, 1)).data_key_names.empty());
 }
 
 }  // namespace

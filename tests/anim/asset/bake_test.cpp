@@ -61,6 +61,20 @@ TEST(Bake, GivesAModelWithoutClipsItsRestPose) {
   EXPECT_EQ(character.clips.front().sampled()->row_count, 1);
 }
 
+TEST(Bake, KeepsDataKeysByTimeAndEachNameOnceForTheCharacter) {
+  Model model = rod_model();
+  for (int clip = 0; clip < 2; ++clip) model.clips.push_back(one_bone_clip(swing(0.1F, 30), 1.0));
+  model.clips[0].data_keys = {{.time = 0.25, .name = "left"}, {.time = 0.75, .name = "right"}};
+  model.clips[1].data_keys = {{.time = 0.5, .name = "right"}, {.time = 1.0, .name = "clap"}};
+  const Character character = bake_character(model);
+  EXPECT_EQ(character.data_key_names, (std::vector<std::string>{"left", "right", "clap"}));
+  ASSERT_EQ(character.clips[1].data_keys.size(), 2U);
+  EXPECT_EQ(character.clips[0].data_keys[1].name, 1U);
+  EXPECT_EQ(character.clips[1].data_keys[0].name, 1U);
+  EXPECT_EQ(character.clips[1].data_keys[0].time, ticks_per_second / 2);
+  EXPECT_EQ(character.clips[1].data_keys[1].time, character.clips[1].duration);
+}
+
 TEST(Bake, SamplesAtTheClipsOwnGrid) {
   const BakedClip clip = bake_one(rod_model(), swing(0.1F, 30), 1.0);
   EXPECT_EQ(clip.sampled_rate, 30.0);

@@ -92,10 +92,94 @@ TEST(Player, WhereItStandsDoesNotDependOnHowTimeWasCutIntoSteps) {
 }
 
 TEST(Player, CarriesTheVelocityOfItsClip) {
-  const ClipStreams clip{.duration = second, .linear_velocity = {0.0F, 0.0F, 1.4F}};
+  const RootCurve walk = straight_root_curve(second, {0.0, 0.0, 1.4});
+  const ClipStreams clip{.duration = second, .root_motion = &walk};
   Player player = player_at(0, 0.5, Player::looping);
   advance(player, clip, second / 60);
   EXPECT_FLOAT_EQ(player.state.linear_velocity[2], 0.7F);
+}
+
+TEST(Player, HoldsTheStartOfAClipThatItPlaysBackwards) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(second, -2.0, 0);
+  advance(player, clip, second / 4);
+  EXPECT_EQ(position(player), second / 2);
+  EXPECT_FALSE(player.flags & Player::reached_end);
+  advance(player, clip, second / 4);
+  EXPECT_EQ(position(player), 0);
+  EXPECT_TRUE(player.flags & Player::reached_end) << "as one that comes to the very end forwards";
+  advance(player, clip, second);
+  EXPECT_EQ(position(player), 0);
+}
+
+TEST(Player, IsAClosedFormOfTimeWhateverItsSpeed) {
+  const ClipStreams clip{.duration = second / 3 + 1};
+  const FineTicks start = second / 7 * fine_ticks_per_tick;
+  for (const double speed : {-100.0, -1.7, -1.0 / 65536.0, 0.0, 0.3, 1.0, 250.0}) {
+    Player player = player_at(second / 7, speed, Player::looping);
+    std::mt19937 random(13);
+    Ticks total = 0;
+    for (int i = 0; i < 500; ++i) {
+      const auto step = static_cast<Ticks>(random() % static_cast<std::uint32_t>(second));
+      advance(player, clip, step);
+      total += step;
+      ASSERT_EQ(unwrapped_position(player, clip.duration), start + total * player.speed) << speed;
+      ASSERT_GE(player.position, 0);
+      ASSERT_LT(player.position, clip.duration * fine_ticks_per_tick);
+    }
+  }
+}
+
+TEST(Player, StandsWhereItIsSoughtWithoutPlayingTheWayThere) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(second / 2, 1.0, Player::looping);
+  player.state.delta_time = second;
+  for (const FineTicks sought :
+       {FineTicks{5}, 3 * second * fine_ticks_per_tick + 9, -second * fine_ticks_per_tick / 4}) {
+    seek_player(player, sought, clip.duration);
+    EXPECT_EQ(unwrapped_position(player, clip.duration), sought);
+    EXPECT_FALSE(player.flags & Player::reached_end) << "no loop was played";
+    advance(player, clip, 0);
+    EXPECT_EQ(unwrapped_position(player, clip.duration), sought) << "time that was due before is dropped";
+  }
+}
+
+TEST(Player, SeeksTheEndsOfAClipThatDoesNotLoop) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(second / 2, 1.0, 0);
+  seek_player(player, 7 * second * fine_ticks_per_tick, clip.duration);
+  EXPECT_EQ(position(player), second);
+  EXPECT_TRUE(player.flags & Player::reached_end);
+  seek_player(player, -1, clip.duration);
+  EXPECT_EQ(position(player), 0);
+  EXPECT_FALSE(player.flags & Player::reached_end);
+}
+
+/// Walks forward for half a second, then turns left on the spot.
+RootCurve walk_and_turn() {
+  return {.duration = second, .keys = {{}, {.time = second / 2, .z = 0.7}, {.time = second, .z = 0.7, .yaw = 0.5}}};
+}
+
+TEST(Player, HasTheVelocityOfItsRootMotionWhereItStands) {
+  const RootCurve curve = walk_and_turn();
+  const ClipStreams clip{.duration = second, .root_motion = &curve};
+  Player player = player_at(0, -2.0, Player::looping);
+  advance(player, clip, second / 8);
+  EXPECT_FLOAT_EQ(player.state.linear_velocity[2], 0.0F);
+  EXPECT_FLOAT_EQ(player.state.angular_velocity[1], -2.0F) << "backwards it turns right";
+  advance(player, clip, second / 4);
+  EXPECT_FLOAT_EQ(player.state.linear_velocity[2], -2.8F);
+  EXPECT_FLOAT_EQ(player.state.angular_velocity[1], 0.0F);
+}
+
+TEST(Player, ThatHoldsAnEndStandsStill) {
+  const RootCurve curve = walk_and_turn();
+  const ClipStreams clip{.duration = second, .root_motion = &curve};
+  Player player = player_at(second * 3 / 4, 1.0, 0);
+  advance(player, clip, second / 8);
+  EXPECT_FLOAT_EQ(player.state.angular_velocity[1], 1.0F);
+  advance(player, clip, second);
+  EXPECT_FLOAT_EQ(player.state.angular_velocity[1], 0.0F);
 }
 
 TEST(EntityLayout, ATransientPlayerIsTwoCacheLines) {

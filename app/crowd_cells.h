@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace throng::app {
+
+/// An agent as the others see it when a step begins.
+struct Body {
+  glm::vec2 position{0.0F};  ///< x, z in metres
+  glm::vec2 velocity{0.0F};  ///< metres a second
+  float radius = 0.0F;       ///< metres
+  std::uint32_t agent = 0;
+  bool moves = false;  ///< false: it stands still during the step
+};
+
+/// A uniform grid over the ground: bodies sorted by cell, by agent within a cell, so that those near a point are a few
+/// runs of neighbours in memory and always come in the same order. Bodies beyond the edge count to the cells along it.
+class CrowdCells {
+ public:
+  /// Sets memory aside for `bodies` on the ground from `lowest` to `highest`; `reach` is as far as anyone looks,
+  /// metres.
+  void set_aside(std::size_t bodies, glm::vec2 lowest, glm::vec2 highest, float reach);
+
+  /// Counting sort; as many bodies as were set aside. Allocates nothing.
+  void sort(std::span<const Body> bodies);
+
+  /// All bodies, in the order of cells.
+  std::span<const Body> bodies() const { return sorted_; }
+
+  /// `visit(const Body&)` for every body within reach of `position`, and for some beyond it.
+  template <typename Visit>
+  void visit_near(glm::vec2 position, const Visit& visit) const {
+    const std::size_t left = column(position.x - reach_), right = column(position.x + reach_);
+    const std::size_t top = row(position.y - reach_), bottom = row(position.y + reach_);
+    for (std::size_t at = top; at <= bottom; ++at) {
+      const std::uint32_t end = first_[at * columns_ + right + 1];
+      for (std::uint32_t body = first_[at * columns_ + left]; body < end; ++body) visit(sorted_[body]);
+    }
+  }
+
+ private:
+  std::size_t column(float x) const { return clamped((x - lowest_.x) * cells_per_metre_, columns_); }
+  std::size_t row(float z) const { return clamped((z - lowest_.y) * cells_per_metre_, rows_); }
+  std::size_t cell(glm::vec2 position) const { return row(position.y) * columns_ + column(position.x); }
+  static std::size_t clamped(float cells, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(cells, 0.0F, static_cast<float>(count - 1)));
+  }
+
+  glm::vec2 lowest_{0.0F};
+  float reach_ = 0.0F;
+  float cells_per_metre_ = 1.0F;
+  std::size_t columns_ = 1, rows_ = 1;
+  std::vector<std::uint32_t> first_;  // by cell, and one more: where it begins in sorted_
+  std::vector<std::uint32_t> cells_;  // by body
+  std::vector<Body> sorted_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,105 @@
+#include "app/crowd_minds.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace throng::app {
+namespace {
+
+constexpr float shortest_fade = 0.3F, longest_fade = 0.8F;
+constexpr std::uint64_t first_whim_stream = 16;
+constexpr anim::Ticks never = std::numeric_limits<anim::Ticks>::max();
+
+anim::Ticks some_time(Random& whim, Stay stay) {
+  return anim::to_ticks(static_cast<double>(whim.between(stay.least, stay.most)));
+}
+
+}  // namespace
+
+CrowdMinds::CrowdMinds(const CharacterRoles& character, std::vector<Habit> habits, std::uint32_t seed)
+    : character_(character), habits_(std::move(habits)) {
+  const std::size_t agents = habits_.size();
+  intentions_.assign(agents, Role::other);
+  roles_.assign(agents, Role::other);
+  clips_.assign(agents, no_clip);
+  next_changes_.assign(agents, never);
+  whims_.reserve(agents);
+  requests_.reserve(agents);
+  changed_.reserve(agents);
+  for (std::size_t agent = 0; agent < agents; ++agent) {
+    whims_.emplace_back(seed, first_whim_stream + agent);
+    begin(agent);
+  }
+}
+
+void CrowdMinds::begin(std::size_t agent) {
+  Random& whim = whims_[agent];
+  intentions_[agent] = first_role(habits_[agent], character_, whim);
+  const std::vector<int>& others = character_.others;
+  if (const auto role = character_.playable(intentions_[agent])) {
+    roles_[agent] = *role;
+    clips_[agent] = character_.clip(*role);
+  } else if (!others.empty()) {
+    clips_[agent] = others[agent % others.size()];
+  }
+  // Uniform from now on, so that the first changes come as evenly as all later ones.
+  const bool changes = habits_[agent] != Habit::march && (intentions_[agent] != Role::other || others.size() > 1);
+  if (changes) next_changes_[agent] = some_time(whim, {0.5F, stay_in(intentions_[agent]).most});
+}
+
+void CrowdMinds::decide(anim::Ticks now) {
+  requests_.clear();
+  changed_.clear();
+  for (std::size_t agent = 0; agent < habits_.size(); ++agent) {
+    if (now >= next_changes_[agent]) change_role(agent, now);
+  }
+}
+
+void CrowdMinds::change_role(std::size_t agent, anim::Ticks now) {
+  Random& whim = whims_[agent];
+  if (intentions_[agent] == Role::other) {
+    play_next_other(agent);
+  } else {
+    const Role next = next_role(habits_[agent], intentions_[agent], character_, whim);
+    intentions_[agent] = next;
+    changed_.push_back(static_cast<std::uint32_t>(agent));
+    if (!is_gait(next)) show(agent, next);
+  }
+  next_changes_[agent] = now + some_time(whim, stay_in(intentions_[agent]));
+}
+
+void CrowdMinds::interrupt(std::size_t agent, Role role, anim::Ticks until) {
+  if (!character_.playable(role)) return;
+  intentions_[agent] = role;
+  next_changes_[agent] = until;
+  show(agent, role);
+}
+
+// Without a clip to stand with: from each of the others to the one after it.
+void CrowdMinds::play_next_other(std::size_t agent) {
+  const std::vector<int>& others = character_.others;
+  const auto current = std::ranges::find(others, clips_[agent]);
+  request(agent, Role::other, others[static_cast<std::size_t>(current - others.begin() + 1) % others.size()]);
+}
+
+void CrowdMinds::show(std::size_t agent, Role role) {
+  const auto played = character_.playable(role);
+  if (!played) return;
+  const int clip = character_.clip(*played);
+  if (clip == clips_[agent]) {
+    roles_[agent] = *played;
+  } else {
+    request(agent, *played, clip);
+  }
+}
+
+void CrowdMinds::request(std::size_t agent, Role role, int clip) {
+  const auto name = static_cast<std::uint32_t>(agent);
+  roles_[agent] = role;
+  clips_[agent] = clip;
+  const float fade = whims_[agent].between(shortest_fade, longest_fade);
+  requests_.push_back({name, role, clip, fade});
+}
+
+}  // namespace throng::app

@@ -1,0 +1,145 @@
+#include "app/role_table.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+#include <optional>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "app/atomic_file.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int version = 1;
+
+// Insertions, deletions and exchanges that make one name the other (Levenshtein), whatever the case.
+std::size_t difference(std::string_view a, std::string_view b) {
+  const auto lower = [](char letter) { return letter >= 'A' && letter <= 'Z' ? letter - 'A' + 'a' : int{letter}; };
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t exchanged = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string nearest_names(std::string_view wanted, std::span<const std::string> names) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> nearest(names.begin(), names.end());
+  std::ranges::stable_sort(nearest, {}, [&](const std::string& name) { return difference(wanted, name); });
+  nearest.resize(std::min(nearest.size(), most));
+  std::string list;
+  for (const std::string& name : nearest) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+fs::path configuration_folder() {
+  const char* const config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "throng";
+  const char* const home = std::getenv("HOME");
+  return home == nullptr || *home == '\0' ? fs::path() : fs::path(home) / ".config" / "throng";
+}
+
+bool can_write_in(const fs::path& folder) { return access(folder.empty() ? "." : folder.c_str(), W_OK) == 0; }
+
+anim::Error wrong(const fs::path& file, const std::string& what) { return {file.string() + ": " + what}; }
+
+anim::Result<std::vector<RoleChoice>> choices_in(const Json& clips, const fs::path& file) {
+  if (!clips.is_object()) return wrong(file, "\"clips\" must be an object of roles and clip names");
+  std::vector<RoleChoice> choices;
+  for (const auto& [name, clip] : clips.items()) {
+    const auto role = role_named(name);
+    if (!role) return wrong(file, "\"clips\" has no role \"" + name + "\"; it knows " + known_roles());
+    if (!clip.is_string()) return wrong(file, "\"clips\": \"" + name + "\" must be the name of a clip, or \"none\"");
+    choices.push_back({*role, clip.get<std::string>()});
+  }
+  return choices;
+}
+
+}  // namespace
+
+anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names,
+                          RoleClips& clips) {
+  RoleClips chosen = clips;
+  for (const auto& [role, name] : choices) {
+    const auto found = std::ranges::find(clip_names, name);
+    const std::string which = std::string(role_names.at(index_of(role))) + "=" + name;
+    if (found == clip_names.end() && name != no_clip_name) {
+      if (clip_names.empty()) return anim::Error{which + ": the model has no clips; the only choice is none"};
+      return anim::Error{which + ": the model has no such clip; nearest are " + nearest_names(name, clip_names)};
+    }
+    chosen.at(index_of(role)) = found == clip_names.end() ? no_clip : static_cast<int>(found - clip_names.begin());
+  }
+  clips = chosen;
+  return anim::Done{};
+}
+
+std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names) {
+  std::vector<RoleChoice> choices;
+  for (std::size_t role = 0; role < role_count; ++role) {
+    const int clip = clips.at(role);
+    choices.push_back(
+        {static_cast<Role>(role), clip == no_clip ? no_clip_name : clip_names[static_cast<std::size_t>(clip)]});
+  }
+  return choices;
+}
+
+RoleFile::RoleFile(const fs::path& model) {
+  const std::string name = (model.empty() ? "mannequin" : model.filename().string()) + ".throng.json";
+  if (!model.empty()) beside_ = model.parent_path() / name;
+  const fs::path folder = configuration_folder();
+  if (!folder.empty()) own_ = folder / name;
+}
+
+anim::Result<std::vector<RoleChoice>> RoleFile::read() const {
+  // Where a table cannot be kept beside the model, a person's own goes before the one that came with it.
+  const bool own_first = beside_.empty() || !can_write_in(beside_.parent_path());
+  std::error_code error;
+  const bool own = own_first && !own_.empty() && fs::exists(own_, error);
+  const fs::path file = own ? own_ : beside_;
+  if (file.empty() || !fs::exists(file, error)) return std::vector<RoleChoice>();
+  std::ifstream stream(file);
+  if (!stream) return wrong(file, "cannot be read");
+  const Json table = Json::parse(stream, nullptr, false);
+  if (table.is_discarded()) return wrong(file, "is not JSON; delete it to go by the clips' names again");
+  if (!table.is_object()) return wrong(file, "must be an object with \"version\" and \"clips\"");
+  for (const auto& [key, value] : table.items()) {
+    if (key != "version" && key != "clips") return wrong(file, "unknown key \"" + key + "\"; it knows version, clips");
+  }
+  if (!table.contains("version") || table["version"] != version) {
+    return wrong(file, "\"version\" must be " + std::to_string(version));
+  }
+  return table.contains("clips") ? choices_in(table["clips"], file) : std::vector<RoleChoice>();
+}
+
+anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
+  Json clips = Json::object();
+  for (const auto& [role, clip] : choices) clips[role_names.at(index_of(role))] = clip;
+  const Json table = {{"version", version}, {"clips", clips}};
+  const std::string text = table.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const bool beside = !beside_.empty() && can_write_in(beside_.parent_path());
+  const fs::path file = beside ? beside_ : own_;
+  if (file.empty())
+    return wrong(beside_.empty() ? fs::path("The roles") : beside_,
+                 "cannot be written, and neither XDG_CONFIG_HOME nor HOME names a folder");
+  std::error_code error;
+  if (!beside) fs::create_directories(file.parent_path(), error);
+  const anim::Status written = write_whole_file(file, text);
+  if (!written) return written.error();
+  return file;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,109 @@
+#include "engine/anim/agent/agent_motion.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/anim/asset/data_keys.h"
+#include "engine/anim/entity/ease_blender.h"
+#include "engine/anim/entity/mixer.h"
+
+namespace throng::anim {
+namespace {
+
+using Weights = std::array<float, PoseProgram::max_steps>;
+
+float fraction_at(const EaseBlender& blender, Ticks since_posed) {
+  EaseBlender moved = blender;
+  moved.state.delta_time += since_posed;
+  advance_blender(moved);
+  return moved.fraction;
+}
+
+// How the weight of a step is shared out among its sources. What a mask lays over some bones moves nothing.
+void share(const EntityPools& pools, const PoseStep& step, Ticks since_posed, float weight, Weights& weights) {
+  if (step.source_count == 0) return;
+  if (step.entity.pool() == EntityPools::ease_blenders) {
+    const auto& blender = pools.as<EaseBlender>(step.entity);
+    const float to = blender.mask == EaseBlender::no_mask ? fraction_at(blender, since_posed) : 0.0F;
+    weights[step.sources[0]] += weight * (1.0F - to);
+    weights[step.sources[1]] += weight * to;
+  } else if (step.entity.pool() == EntityPools::mixers) {
+    const MixerSources& mixed = mixer_sources(pools.block(step.entity), pools.layout(step.entity));
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < step.source_count; ++i) sum += mixed.weights[i];
+    for (std::size_t i = 0; i < step.source_count && sum > 0.0F; ++i) {
+      weights[step.sources[i]] += weight * mixed.weights[i] / sum;
+    }
+  } else {
+    weights[step.sources[0]] += weight;
+  }
+}
+
+bool is_player(Handle entity) {
+  return entity.pool() == EntityPools::sampled_players || entity.pool() == EntityPools::keyframe_players;
+}
+
+}  // namespace
+
+template <typename Visit>
+void AgentMotion::for_each_player(Ticks at, Visit&& visit) const {
+  const std::vector<PoseStep>& steps = program_->steps;
+  if (steps.empty()) return;
+  Weights weights{};
+  weights[steps.size() - 1] = 1.0F;
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    share(*pools_, steps[i], at - posed_at_, weights[i], weights);
+    if (!is_player(steps[i].entity)) continue;
+    const auto& player = pools_->as<Player>(steps[i].entity);
+    visit(player, clips_[player.clip], weights[i]);
+  }
+}
+
+FineTicks AgentMotion::position(const Player& player, Ticks at) const {
+  const Ticks since = at - posed_at_ + player.state.delta_time;
+  return unwrapped_position(player, clips_[player.clip].duration) + since * player.speed;
+}
+
+RootMotion AgentMotion::displacement(Ticks from, Ticks to) const {
+  RootMotion sum;
+  for_each_player(to, [&](const Player& player, const ClipStreams& clip, float weight) {
+    if (clip.root_motion == nullptr || weight == 0.0F) return;
+    const bool looping = (player.flags & Player::looping) != 0;
+    const RootMotion one = anim::displacement(*clip.root_motion, position(player, from), position(player, to), looping);
+    sum.translation += one.translation * static_cast<double>(weight);
+    sum.yaw += one.yaw * static_cast<double>(weight);
+  });
+  return sum;
+}
+
+void AgentMotion::for_each_data_key(Ticks from, Ticks to, const std::function<void(const DataKeyEvent&)>& visit) const {
+  for_each_player(to, [&](const Player& player, const ClipStreams& clip, float weight) {
+    const FineTicks begin = position(player, from);
+    anim::for_each_data_key(clip.data_keys, clip.duration, (player.flags & Player::looping) != 0, begin,
+                            position(player, to), [&](const DataKey& key, FineTicks at) {
+                              const Ticks since = player.speed == 0 ? 0 : (at - begin) / player.speed;
+                              visit({.name = key.name, .clip = player.clip, .time = from + since, .weight = weight});
+                              return true;
+                            });
+  });
+}
+
+std::optional<AbsoluteRoot> AgentMotion::absolute_root(Ticks now) const {
+  std::optional<AbsoluteRoot> root;
+  float heaviest = 0.0F;
+  for_each_player(now, [&](const Player& player, const ClipStreams& clip, float weight) {
+    if ((player.state.flags & AnimationStateHeader::has_absolute_root) == 0 || weight <= heaviest) return;
+    heaviest = weight;
+    const double* const p = player.state.absolute_position;
+    const float* const q = player.state.absolute_rotation;
+    root = AbsoluteRoot{.position = {p[0], p[1], p[2]}, .rotation = {q[3], q[0], q[1], q[2]}};
+    if (clip.root_motion == nullptr) return;
+    const bool looping = (player.flags & Player::looping) != 0;
+    const RootMotion moved = anim::displacement(*clip.root_motion, 0, position(player, now), looping);
+    root->position += glm::dquat(root->rotation) * moved.translation;
+    root->rotation = root->rotation * glm::angleAxis(static_cast<float>(moved.yaw), glm::vec3(0.0F, 1.0F, 0.0F));
+  });
+  return root;
+}
+
+}  // namespace throng::anim

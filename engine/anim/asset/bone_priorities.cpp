@@ -1,0 +1,87 @@
+#include "engine/anim/asset/bone_priorities.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstddef>
+
+#include "engine/anim/kernel/pose.h"
+
+namespace throng::anim {
+
+namespace {
+
+constexpr std::uint16_t all_lanes = 0xFFFF;
+
+void write_lane(float* packet, int lane, int components, const StateTransform& state) {
+  const double values[] = {state.rotation.x, state.rotation.y, state.rotation.z, state.rotation.w, state.position.x,
+                           state.position.y, state.position.z, state.scale.x,    state.scale.y,    state.scale.z};
+  for (int component = 0; component < components; ++component) {
+    packet[component * packet_bones + lane] = static_cast<float>(values[component]);
+  }
+}
+
+StateTransform still_state(const Skeleton& skeleton, int bone) {
+  if (skeleton.rigid || bone >= skeleton.bone_count()) return {};
+  const Transform& rest = skeleton.bones[static_cast<std::size_t>(bone)].rest;
+  return to_state(skeleton, bone,
+                  {glm::normalize(glm::dquat(rest.rotation)), glm::dvec3(rest.translation), glm::dvec3(rest.scale)});
+}
+
+/// Bits of the lanes that hold no bone.
+std::uint16_t padding_lanes(int bone_count, int packet) {
+  const int bones = std::min(bone_count - packet * packet_bones, packet_bones);
+  return static_cast<std::uint16_t>(all_lanes << bones);
+}
+
+}  // namespace
+
+BoneSelection::BoneSelection(const Skeleton& skeleton, std::span<const std::uint8_t> priorities, std::uint8_t least)
+    : components_(skeleton.components()),
+      lanes_(static_cast<std::size_t>(packets_for(skeleton.bone_count()))),
+      still_(allocate_aligned(pose_bytes(skeleton.bone_count(), components_))) {
+  assert(priorities.size() == skeleton.bones.size());
+  auto* still = reinterpret_cast<float*>(still_.get());
+  for (int packet = 0; packet < packets(); ++packet) {
+    unsigned bits = 0;
+    for (int lane = 0; lane < packet_bones; ++lane) {
+      const int bone = packet * packet_bones + lane;
+      write_lane(still, lane, components_, still_state(skeleton, bone));
+      if (bone >= skeleton.bone_count() || priorities[static_cast<std::size_t>(bone)] < least) continue;
+      bits |= 1U << static_cast<unsigned>(lane);
+    }
+    evaluated_bones_ += std::popcount(bits);
+    if (bits != 0) bits |= padding_lanes(skeleton.bone_count(), packet);
+    lanes_[static_cast<std::size_t>(packet)] = static_cast<std::uint16_t>(bits);
+    still += components_ * packet_bones;
+  }
+}
+
+const float* BoneSelection::still(int packet) const {
+  assert(packet >= 0 && packet < packets());
+  return reinterpret_cast<const float*>(still_.get()) +
+         static_cast<std::ptrdiff_t>(packet) * components_ * packet_bones;
+}
+
+std::vector<std::uint8_t> level_priorities(const Skeleton& skeleton) {
+  std::vector<std::uint8_t> priorities;
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    const auto levels = std::ranges::count_if(skeleton.level_bone_counts, [&](int count) { return bone < count; });
+    priorities.push_back(static_cast<std::uint8_t>(levels));
+  }
+  return priorities;
+}
+
+void apply_bone_priorities(const BoneSelection& bones, int packet, float* pose) {
+  const unsigned lanes = bones.lanes(packet);
+  if (lanes == all_lanes) return;
+  const float* still = bones.still(packet);
+  for (int component = 0; component < bones.components(); ++component) {
+    for (int lane = 0; lane < packet_bones; ++lane) {
+      const int place = component * packet_bones + lane;
+      if ((lanes >> static_cast<unsigned>(lane) & 1U) == 0) pose[place] = still[place];
+    }
+  }
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,55 @@
+#include "engine/anim/entity/socket.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace throng::anim {
+namespace {
+
+std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+  return {&reinterpret_cast<Socket*>(block)->source, 1};
+}
+
+void advance_socket(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+  auto& socket = entity.as<Socket>();
+  socket.state.delta_time = 0;
+  std::ranges::copy(states[0]->linear_velocity, socket.state.linear_velocity);
+  std::ranges::copy(states[0]->angular_velocity, socket.state.angular_velocity);
+}
+
+void note_place(const EntityInStore& entity, const PoseView& pose) {
+  auto& socket = entity.as<Socket>();
+  const SocketPlace& place = (*static_cast<const SocketPlaces*>(entity.layout->kind->resource))[socket.place];
+  if (!is_within(place.chain, pose)) return;
+  ChainMotion motions;
+  pose_chain(place.chain, pose, motions);
+  const JointMotion& joint = motions[static_cast<std::size_t>(place.chain.tip())];
+  const glm::quat frame = joint.rotation * place.bind;
+  const glm::vec3 position = joint.position + frame * place.offset.position;
+  const glm::quat turned = glm::normalize(frame * place.offset.rotation);
+  const float sign = turned.w < 0.0F ? -1.0F : 1.0F;
+  for (int axis = 0; axis < 3; ++axis) {
+    socket.position[axis] = position[axis];
+    socket.rotation[axis] = sign * turned[axis];
+  }
+}
+
+}  // namespace
+
+JointMotion socket_motion(const Socket& socket) {
+  const glm::vec3 xyz(socket.rotation[0], socket.rotation[1], socket.rotation[2]);
+  const float w = std::sqrt(std::max(0.0F, 1.0F - glm::dot(xyz, xyz)));
+  return {.rotation = {w, xyz.x, xyz.y, xyz.z},
+          .position = {socket.position[0], socket.position[1], socket.position[2]}};
+}
+
+EntityKind socket_kind(const SocketPlaces& places) {
+  return {.name = "socket",
+          .type = EntityType::socket,
+          .sources = sources,
+          .advance = advance_socket,
+          .pose_whole = note_place,
+          .resource = &places};
+}
+
+}  // namespace throng::anim

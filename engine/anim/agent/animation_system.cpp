@@ -155,7 +155,11 @@ bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
   auto& channel = static_cast<CrossFadeChannel&>(agents(agent).channel(local(agent), 0));
   const bool taken = channel.play(build, request);
   if (settled(agent, agents(agent).rebuild(build, local(agent)))) return taken;
-  channel.play(build, {.clip = request.clip, .speed = request.speed, .start = request.start, .loop = request.loop});
+  PlayRequest at_once = request;
+  at_once.fade = 0;
+  at_once.held_fraction.reset();
+  at_once.mask = PlayRequest::no_mask;
+  channel.play(build, at_once);
   [[maybe_unused]] const Status cut = settled(agent, agents(agent).rebuild(build, local(agent)));
   assert(cut && "a player alone is the least that there can be");
   return false;

@@ -52,6 +52,7 @@ TEST(SharedSources, ATreeFiveDeepFetchesEachOnceATileAndWritesNoneBack) {
   const UpdateContext context{.hierarchy = &character.hierarchy,
                               .assets = {.clips = {},
                                          .masks = {},
+                                         .selections = {},
                                          .kernels = &system.kernels(),
                                          .bone_count = character.skeleton.bone_count(),
                                          .components = character.skeleton.components()},

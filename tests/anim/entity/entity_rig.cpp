@@ -14,6 +14,7 @@ EntityRig::EntityRig(std::span<const ClipStreams> clips)
     : pools_(bones, rigid_components, Residency::resident),
       assets_{.clips = clips,
               .masks = {},
+              .selections = {},
               .kernels = &best_kernels(),
               .bone_count = bones,
               .components = rigid_components} {}
@@ -58,7 +59,7 @@ std::int16_t EntityRig::mask_from(int first) {
   return static_cast<std::int16_t>(mask_list_.size() - 1);
 }
 
-void EntityRig::update(Handle root, Ticks delta) {
+void EntityRig::update(Handle root, Ticks delta, int packets) {
   PoseProgram program;
   const Status compiled = compile_program(pools_, root, pools_.state(root).owner, program);
   ASSERT_TRUE(compiled) << compiled.error().message;
@@ -77,7 +78,7 @@ void EntityRig::update(Handle root, Ticks delta) {
     }
     pools_.state(step.entity).delta_time += delta;
     entity.layout->kind->advance(entity, states);
-    pose_entity(entity, poses, pose(step.entity), packets_for(bones), nullptr);
+    pose_entity(entity, poses, pose(step.entity), packets, nullptr);
   }
 }
 

@@ -34,8 +34,8 @@ class EntityRig {
   /// Bones at and above `first` weigh 1, those below 0. The index for the entities' masks.
   std::int16_t mask_from(int first);
 
-  /// Every entity that `root` reads, then `root`.
-  void update(Handle root, Ticks delta);
+  /// Every entity that `root` reads, then `root`; the first packets alone at a coarser level of detail.
+  void update(Handle root, Ticks delta, int packets = packets_for(bones));
 
   PoseView pose(Handle entity);
   float angle(Handle entity, int bone);  ///< about z

@@ -122,6 +122,19 @@ TEST(Inertialiser, InterruptedInTheMiddleGoesOnFromWhatIsShown) {
   EXPECT_NEAR(before, -1.0F, 1e-5F);
 }
 
+TEST(Inertialiser, ShowsBonesThatItGainsAfterAChangeWhereTheirTargetHasThem) {
+  Following following;
+  following.after(frame);
+  following.change_to(following.other);
+  following.after(frame);
+  following.after(frame);
+  following.change_to(following.one);
+  for (int i = 0; i < 3; ++i) following.rig.update(following.entity, frame, 1);
+  following.rig.update(following.entity, frame);
+  EXPECT_GT(following.rig.angle(following.entity, 3), 0.1F);
+  EXPECT_EQ(following.rig.angle(following.entity, 17), 0.0F) << "an offset of an earlier change would come back whole";
+}
+
 TEST(Inertialiser, MovesAsItsTargetDoes) {
   Following following;
   following.rig.as<HeldState>(following.one).state.linear_velocity[2] = 1.4F;

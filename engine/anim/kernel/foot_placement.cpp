@@ -151,6 +151,7 @@ FootPlacementResult place_feet(const FootPlacementJob& job) {
   wanted_drop = std::min(wanted_drop, job.options.max_drop);
   state.drop = state.started ? smooth_damp(state.drop, wanted_drop, job.options.drop_smooth_seconds, job.seconds)
                              : DampedValue{.value = wanted_drop};
+  state.drop.value = std::max(state.drop.value, wanted_drop - job.options.most_gap);
   state.started = true;
   result.drop = state.drop.value * job.weight;
   lower_pelvis(job, result.drop, posed[0].motions);

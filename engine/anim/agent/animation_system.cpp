@@ -36,7 +36,8 @@ Residency residency_for(Schedule schedule) {
 AnimationSystem::AnimationSystem(std::shared_ptr<const Character> character)
     : character_(std::move(character)),
       pools_(character_->skeleton.bone_count(), character_->skeleton.components(), Residency::transient),
-      agents_(pools_) {
+      agents_(pools_),
+      shared_(pools_, shared_owner) {
   for (const BakedClip& clip : character_->clips) clips_.push_back(streams_of(clip));
   context_ = {.hierarchy = &character_->hierarchy,
               .assets = {.clips = clips_,
@@ -67,7 +68,8 @@ LocalStoreDemand AnimationSystem::demand(const SystemOptions& options) const {
           .double_buffering = options.double_buffering,
           .any_sampled = sampled && std::ranges::any_of(clips_, has_sampled),
           .any_keyframe = !sampled || !std::ranges::all_of(clips_, has_sampled),
-          .largest = agents_.largest_needs()};
+          .largest = agents_.largest_needs(),
+          .shared_entity_bytes = shared_.largest_needs().entity_bytes};
 }
 
 Status AnimationSystem::configure(const SystemOptions& options) {
@@ -85,20 +87,24 @@ Status AnimationSystem::configure(const SystemOptions& options) {
   }
   reserve_fades(pools_, options.stream, agent_count());
   context_.assets.kernels = options.kernels == nullptr ? &best_kernels() : options.kernels;
-  scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options.schedule,
-                                                           .double_buffering = options.double_buffering,
-                                                           .plan = *plan,
-                                                           .local_store_bytes = store_bytes,
-                                                           .pus = options.pus},
-                                           static_cast<std::size_t>(character_->skeleton.palette_count()));
-  scheduler_->reserve(agent_count());
   if (options.executor != nullptr) {
     threads_.reset();
   } else if (threads_ == nullptr || options.pus != options_.pus) {
     threads_ = std::make_unique<PuThreads>(options.pus);
   }
   options_ = options;
+  make_scheduler(*plan, store_bytes);
   return Done{};
+}
+
+void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t store_bytes) {
+  scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options_.schedule,
+                                                           .double_buffering = options_.double_buffering,
+                                                           .plan = plan,
+                                                           .local_store_bytes = store_bytes,
+                                                           .pus = options_.pus},
+                                           static_cast<std::size_t>(character_->skeleton.palette_count()));
+  scheduler_->reserve(agent_count());
 }
 
 void AnimationSystem::set_residency(Residency residency) {
@@ -152,10 +158,13 @@ bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
     assert(added && "a channel that plays nothing yet");
   }
   assert(dynamic_cast<CrossFadeChannel*>(&agents_.channel(agent, 0)) != nullptr && "another kind of channel was added");
-  const bool taken = static_cast<CrossFadeChannel&>(agents_.channel(agent, 0)).play(build, request);
-  [[maybe_unused]] const Status changed = settled(agent, agents_.rebuild(build, agent));
-  assert(changed && "room for an interrupted fade of every agent is set aside");
-  return taken;
+  auto& channel = static_cast<CrossFadeChannel&>(agents_.channel(agent, 0));
+  const bool taken = channel.play(build, request);
+  if (settled(agent, agents_.rebuild(build, agent))) return taken;
+  channel.play(build, {.clip = request.clip, .speed = request.speed, .start = request.start, .loop = request.loop});
+  [[maybe_unused]] const Status cut = settled(agent, agents_.rebuild(build, agent));
+  assert(cut && "a player alone is the least that there can be");
+  return false;
 }
 
 void AnimationSystem::set_speed(std::uint32_t agent, double speed) {
@@ -164,7 +173,14 @@ void AnimationSystem::set_speed(std::uint32_t agent, double speed) {
 
 Status AnimationSystem::add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel,
                                     const LayerSettings& settings) {
-  return settled(agent, agents_.add_channel(builder(agent), agent, std::move(channel), settings));
+  const EntityBuilder build = builder(agent);
+  Status added = settled(agent, agents_.add_channel(build, agent, std::move(channel), settings));
+  if (!added) agents_.remove_channel(build, agent, agents_.channel_count(agent) - 1);
+  return added;
+}
+
+void AnimationSystem::remove_channel(std::uint32_t agent, std::size_t channel) {
+  agents_.remove_channel(builder(agent), agent, channel);
 }
 
 Status AnimationSystem::add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process) {
@@ -196,20 +212,47 @@ Status AnimationSystem::settled(std::uint32_t agent, Status changed) {
   if (!changed) return changed;
   const StoreNeeds& needs = agents_.program(agent).needs;
   if (plan_holds(schedule().plan, context_, options_.schedule, needs)) return changed;
-  LocalStoreDemand larger = demand(options_);
-  larger.largest.widen(needs);
-  const Result<LocalStorePlan> plan =
-      plan_local_store({&context_, 1}, larger, schedule().local_store_bytes, options_.tile);
+  return fit_stores(demand(options_));
+}
+
+Status AnimationSystem::fit_stores(const LocalStoreDemand& needs) {
+  std::size_t bytes = schedule().local_store_bytes;
+  if (options_.local_store_bytes == 0) bytes = std::max(bytes, automatic_local_store({&context_, 1}, needs));
+  const Result<LocalStorePlan> plan = plan_local_store({&context_, 1}, needs, bytes, options_.tile);
   if (!plan) return plan.error();
-  scheduler_->set_plan(*plan);
-  return changed;
+  if (bytes == schedule().local_store_bytes) {
+    scheduler_->set_plan(*plan);
+  } else {
+    make_scheduler(*plan, bytes);
+  }
+  return Done{};
+}
+
+EntityBuilder AnimationSystem::shared_builder(std::uint32_t graph) {
+  return {pools_,
+          clips_,
+          {.owner = shared_owner | graph, .now = clock_, .posed_at = shared_posed_at_, .stream = options_.stream}};
+}
+
+Result<Handle> AnimationSystem::add_shared(std::unique_ptr<Channel> channel) {
+  const std::uint32_t graph = shared_.count();
+  shared_.resize(graph + 1);
+  Status added = shared_.add_channel(shared_builder(graph), graph, std::move(channel), {});
+  if (added && shared_.program(graph).steps.empty()) added = Error{"a shared channel must play something"};
+  if (added) added = fit_stores(demand(options_));
+  if (!added) {
+    shared_.resize(graph);
+    return added.error();
+  }
+  return shared_.program(graph).root();
 }
 
 void AnimationSystem::update(std::span<const AgentUpdate> agents) {
   ++frame_;
   report_ = {};
+  begin_shared_work();
   begin_work(agents);
-  scheduler_->update({&context_, 1}, {}, work_, executor());
+  scheduler_->update({&context_, 1}, shared_work_, work_, executor());
   end_work();
 }
 
@@ -218,13 +261,36 @@ void AnimationSystem::update_channels(std::uint32_t agent) {
   assert(updated && "a channel changed by itself to a graph that cannot be run");
 }
 
+// Later graphs may read earlier ones, whose depth a change may have changed.
+void AnimationSystem::begin_shared_work() {
+  shared_work_.clear();
+  bool changed = false;
+  for (std::uint32_t graph = 0; graph < shared_.count(); ++graph) {
+    if (shared_.next_update(graph) > clock_) continue;
+    [[maybe_unused]] const Handle root = shared_.program(graph).root();
+    [[maybe_unused]] const Status updated = shared_.update(shared_builder(graph), graph);
+    assert(updated && shared_.program(graph).root() == root && "a shared channel changed to another state");
+    changed = true;
+  }
+  if (changed) {
+    shared_.recompile();
+    [[maybe_unused]] const Status fits = fit_stores(demand(options_));
+    assert(fits && "a shared channel changed by itself to a graph that cannot be run");
+  }
+  for (std::uint32_t graph = 0; graph < shared_.count(); ++graph) {
+    shared_work_.push_back({.program = &shared_.program(graph), .delta = clock_ - shared_posed_at_, .agent = graph});
+  }
+  shared_posed_at_ = clock_;
+}
+
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   work_.clear();
   std::array<std::uint64_t, max_bone_levels> agents_by_level{};
   for (const AgentUpdate& update : agents) {
-    const Ticks time = std::max(clock_ + update.look_ahead, posed_at_[update.agent]);
     if (agents_.next_update(update.agent) <= clock_) update_channels(update.agent);
     const PoseProgram& program = agents_.program(update.agent);
+    const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
+    const Ticks time = std::max(clock_ + look_ahead, posed_at_[update.agent]);
     assert(!program.steps.empty() && "an agent must play something before it is updated");
     work_.push_back({.program = &program,
                      .delta = time - posed_at_[update.agent],

@@ -19,7 +19,7 @@ namespace throng::anim {
 
 struct SystemOptions {
   int pus = 1;                        ///< 1 to max_pus
-  std::size_t local_store_bytes = 0;  ///< of each PU; 0: automatic, see automatic_local_store
+  std::size_t local_store_bytes = 0;  ///< of each PU; 0: automatic (automatic_local_store), grows with the graphs
   int tile = 0;                       ///< characters a tile: 1, 2, 4, 8, 16; 0: what fits
   Schedule schedule = Schedule::fused;
   /// Who runs the PUs: a host's job system, which outlives the system; null: threads of the system's own.
@@ -89,18 +89,29 @@ class AnimationSystem {
   EntityPools::Kind add_entity_kind(const EntityKind& kind) { return pools_.add_kind(kind); }
 
   /// Plays a clip on the agent's first channel, which is a CrossFadeChannel unless another was added first. False: all
-  /// places of the channel's tree are taken by blends that stay (masked or held).
+  /// places of the channel's tree are taken by blends that stay (masked or held); or a local store of fixed size has no
+  /// room for the fade, and the clip replaced all at once.
   bool play(std::uint32_t agent, const PlayRequest& request);
 
   /// Plays what the agent asked for last at another speed from now on, without a jump. The first channel is as for
   /// play.
   void set_speed(std::uint32_t agent, double speed);
 
-  /// Lays a channel over those that the agent has. Errors: its graph has a cycle, or is too large for the local store.
+  /// Lays a channel over those that the agent has. Errors, and then the agent is as it was: its graph has a cycle, or
+  /// is too large for a local store of fixed size.
   Status add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel, const LayerSettings& settings = {});
-  /// The agent's pose passes through it, after those that were added before. On error it is not added.
+  /// The channels after it move up one place.
+  void remove_channel(std::uint32_t agent, std::size_t channel);
+  /// The agent's pose passes through it, after those that were added before. Errors as for add_channel.
   Status add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process);
   void remove_post_processes(std::uint32_t agent);
+
+  /// A graph that is updated once a frame, to the clock and before all agents, for agents to read: the entity whose
+  /// state it is, a source for what their channels make. Lives as long as the system. The channel may change its
+  /// parameters by itself, but its state() stays the same entity. Agents that read it are posed without look-ahead, and
+  /// its players keep the stream that they were made for. Errors: as for add_channel.
+  Result<Handle> add_shared(std::unique_ptr<Channel> channel);
+
   /// Of a channel but the first, over those before it.
   void set_channel_weight(std::uint32_t agent, std::size_t channel, float weight);
 
@@ -170,8 +181,12 @@ class AnimationSystem {
   EntityBuilder builder(std::uint32_t agent);
   LocalStoreDemand demand(const SystemOptions& options) const;
   Status settled(std::uint32_t agent, Status changed);
+  Status fit_stores(const LocalStoreDemand& needs);
+  void make_scheduler(const LocalStorePlan& plan, std::size_t store_bytes);
+  EntityBuilder shared_builder(std::uint32_t graph);
   Status process_changed(std::uint32_t agent, std::size_t index);
   void update_channels(std::uint32_t agent);
+  void begin_shared_work();
   void set_stream(StreamKind stream);
   void set_residency(Residency residency);
   void begin_work(std::span<const AgentUpdate> agents);
@@ -185,6 +200,7 @@ class AnimationSystem {
   std::vector<BoneSelection> selections_;
   EntityPools pools_;
   Agents agents_;
+  Agents shared_;
   UpdateContext context_;
   std::unique_ptr<Scheduler> scheduler_;
   std::unique_ptr<PuThreads> threads_;  // null where a host's executor runs the PUs
@@ -192,9 +208,11 @@ class AnimationSystem {
   Ticks clock_ = 0;
   std::uint64_t frame_ = 0;
   std::uint64_t pose_hash_ = 0;
-  std::vector<Ticks> posed_at_;              // one an agent: the time its entities stand at
+  std::vector<Ticks> posed_at_;  // one an agent: the time its entities stand at
+  Ticks shared_posed_at_ = 0;
   std::vector<std::uint64_t> agent_hashes_;  // one an agent: of its last update
   std::vector<AgentWork> work_;
+  std::vector<AgentWork> shared_work_;
   UpdateReport report_;
 };
 

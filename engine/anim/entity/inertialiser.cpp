@@ -32,7 +32,7 @@ std::size_t private_bytes(int bone_count, int) {
 std::span<Handle> sources(std::byte* block, const EntityLayout&) {
   static_assert(offsetof(Inertialiser, leaving) == offsetof(Inertialiser, target) + sizeof(Handle));
   auto& inertialiser = *reinterpret_cast<Inertialiser*>(block);
-  return {&inertialiser.target, inertialiser.leaving.valid() ? 2U : 1U};
+  return {&inertialiser.target, has_left(inertialiser) ? 1U : 2U};
 }
 
 OffsetDecay decay_now(const Inertialiser& inertialiser) {

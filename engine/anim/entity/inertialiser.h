@@ -22,7 +22,7 @@ struct alignas(64) Inertialiser {
 
   AnimationStateHeader state;  //   0
   Handle target;               //  96  what is followed
-  Handle leaving;              // 100  what was followed before: read while a change is captured, else invalid
+  Handle leaving;              // 100  what was followed before: read while a change is captured
   Ticks since_capture;         // 104
   float half_life;             // 112  seconds in which an offset halves
   float old_half_life;         // 116  of the offset that decays until a new one is captured

@@ -199,10 +199,6 @@ Status AnimationSystem::process_changed(std::uint32_t agent, std::size_t index) 
   return changed;
 }
 
-void AnimationSystem::remove_post_processes(std::uint32_t agent) {
-  agents_.remove_post_processes(builder(agent), agent);
-}
-
 void AnimationSystem::set_channel_weight(std::uint32_t agent, std::size_t channel, float weight) {
   agents_.set_weight(agent, channel, weight);
 }

@@ -104,7 +104,7 @@ class AnimationSystem {
   void remove_channel(std::uint32_t agent, std::size_t channel);
   /// The agent's pose passes through it, after those that were added before. Errors as for add_channel.
   Status add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process);
-  void remove_post_processes(std::uint32_t agent);
+  void remove_post_processes(std::uint32_t agent) { agents_.remove_post_processes(builder(agent), agent); }
 
   /// A graph that is updated once a frame, to the clock and before all agents, for agents to read: the entity whose
   /// state it is, a source for what their channels make. Lives as long as the system. The channel may change its

@@ -66,12 +66,23 @@ void Agents::set_weight(std::uint32_t agent, std::size_t channel, float weight) 
 Status Agents::update(const EntityBuilder& build, std::uint32_t agent) {
   bool changed = agents_[agent].program.steps.empty();
   for (const Layer& layer : agents_[agent].layers) changed = layer.channel->update(build) || changed;
+  for (const auto& process : agents_[agent].processes) changed = process->update(build) || changed;
   if (changed) return rebuild(build, agent);
-  next_updates_[agent] = never;
-  for (const Layer& layer : agents_[agent].layers) {
-    next_updates_[agent] = std::min(next_updates_[agent], layer.channel->next_update());
-  }
+  find_next_update(agent);
   return Done{};
+}
+
+Status Agents::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
+  if (agents_[agent].processes[index]->update(build)) return rebuild(build, agent);
+  find_next_update(agent);
+  return Done{};
+}
+
+void Agents::find_next_update(std::uint32_t agent) {
+  Ticks next = never;
+  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.channel->next_update());
+  for (const auto& process : agents_[agent].processes) next = std::min(next, process->next_update());
+  next_updates_[agent] = next;
 }
 
 // A layer whose channel plays nothing leaves what is below as it is.
@@ -91,11 +102,8 @@ Handle Agents::lay(const EntityBuilder& build, Layer& layer, Handle below) const
 Status Agents::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
   Agent& agent = agents_[agent_index];
   Handle root;
-  next_updates_[agent_index] = never;
-  for (Layer& layer : agent.layers) {
-    root = lay(build, layer, root);
-    next_updates_[agent_index] = std::min(next_updates_[agent_index], layer.channel->next_update());
-  }
+  find_next_update(agent_index);
+  for (Layer& layer : agent.layers) root = lay(build, layer, root);
   if (!root.valid()) {
     agent.program.steps.clear();
     return Done{};

@@ -125,6 +125,19 @@ class AnimationSystem {
     return settled(agent, agents_.update(builder(agent), agent));
   }
 
+  std::size_t post_process_count(std::uint32_t agent) const { return agents_.post_process_count(agent); }
+  template <typename Derived>
+  const Derived& post_process(std::uint32_t agent, std::size_t index) const {
+    return static_cast<const Derived&>(agents_.post_process(agent, index));
+  }
+  /// Sets parameters of a post process, which alone is then updated: system.change_process<LookAtProcess>(agent, 0,
+  /// [&](auto& look) { look.look_at(target); }). On error the process lets go of its entities.
+  template <typename Derived, typename Change>
+  Status change_process(std::uint32_t agent, std::size_t index, Change&& change_parameters) {
+    change_parameters(static_cast<Derived&>(agents_.post_process(agent, index)));
+    return process_changed(agent, index);
+  }
+
   void advance(Ticks delta) { clock_ += delta; }
   Ticks clock() const { return clock_; }
   void update(std::span<const AgentUpdate> agents);
@@ -171,6 +184,7 @@ class AnimationSystem {
   Status fit_stores(const LocalStoreDemand& needs);
   void make_scheduler(const LocalStorePlan& plan, std::size_t store_bytes);
   EntityBuilder shared_builder(std::uint32_t graph);
+  Status process_changed(std::uint32_t agent, std::size_t index);
   void update_channels(std::uint32_t agent);
   void begin_shared_work();
   void set_stream(StreamKind stream);

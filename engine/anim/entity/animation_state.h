@@ -18,6 +18,10 @@ enum class EntityType : std::uint32_t {
   additive_layer,
   inertialiser,
   noise_maker,
+  look_at,
+  foot_placement,
+  two_bone_ik,
+  ragdoll,
   socket,
   user
 };

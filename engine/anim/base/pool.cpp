@@ -9,7 +9,7 @@ namespace throng::anim {
 
 Pool::Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks)
     : id_(id), block_size_(block_size), tables_(max_blocks) {
-  assert(id < 15 && block_size % 64 == 0 && block_size > 0 && max_blocks <= Handle::max_blocks);
+  assert(id < 31 && block_size % 64 == 0 && block_size > 0 && max_blocks <= Handle::max_blocks);
 }
 
 void Pool::add_slab() {

@@ -38,14 +38,16 @@ void advance_mixer(const EntityInStore& entity, std::span<const AnimationStateHe
 
 void mix_packet(const EntityInStore& entity, const PacketJob& job) {
   const auto& mixer = entity.as<Mixer>();
+  bool any_mask = false;
   std::array<const float*, max_sources> bone_weights{};
   for (std::size_t i = 0; i < mixer.source_count; ++i) {
     const float* mask = entity.assets->mask(mixer.masks[i]);
     bone_weights[i] = mask == nullptr ? nullptr : mask + job.packet * packet_bones;
+    any_mask = any_mask || mask != nullptr;
   }
   entity.assets->kernels->mix({.sources = job.sources,
                                .weights = entity.prepared_as<Shares>().of,
-                               .bone_weights = bone_weights.data(),
+                               .bone_weights = any_mask ? bone_weights.data() : nullptr,
                                .count = static_cast<int>(mixer.source_count),
                                .components = entity.assets->components,
                                .out = job.out});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include <glm/gtc/quaternion.hpp>
@@ -32,9 +33,13 @@ ReferenceCrowd::ReferenceCrowd(const CharacterSource& character, const Tuning& t
   for (std::size_t agent = 0; agent < crowd_.size(); ++agent) {
     const auto clip = static_cast<std::size_t>(crowd_.clips()[agent]);
     const double seconds = anim::to_seconds(character.character->clips[clip].duration);
-    plays_[agent].push_back({.clip = clip, .start = static_cast<double>(crowd_.start_phases()[agent]) * seconds});
+    const double start = static_cast<double>(crowd_.start_phases()[agent]) * seconds;
+    plays_[agent].push_back(
+        {.clip = clip, .stretches = {{.position = start, .speed = speed_of(static_cast<std::uint32_t>(agent))}}});
   }
 }
+
+double ReferenceCrowd::speed_of(std::uint32_t agent) const { return counted_speed(crowd_.playback_speeds()[agent]); }
 
 void ReferenceCrowd::advance(anim::Ticks delta) {
   clock_ += delta;
@@ -42,8 +47,19 @@ void ReferenceCrowd::advance(anim::Ticks delta) {
     plays_[request.agent].push_back({.asked = clock_,
                                      .clip = static_cast<std::size_t>(request.clip),
                                      .fade = anim::to_ticks(static_cast<double>(request.fade_seconds)),
-                                     .start = 0.0});
+                                     .stretches = {{.since = clock_, .speed = speed_of(request.agent)}}});
   }
+  for (std::uint32_t mover = 0; mover < crowd_.walkers() + crowd_.marchers(); ++mover) keep_pace(mover);
+}
+
+// What an agent plays last goes at the speed that its feet have now; what fades out goes on at its own.
+void ReferenceCrowd::keep_pace(std::uint32_t agent) {
+  std::vector<Stretch>& stretches = plays_[agent].back().stretches;
+  const Stretch& last = stretches.back();
+  if (last.speed == speed_of(agent)) return;
+  stretches.push_back({.since = clock_,
+                       .position = last.position + anim::to_seconds(clock_ - last.since) * last.speed,
+                       .speed = speed_of(agent)});
 }
 
 bool ReferenceCrowd::fades(std::uint32_t agent) const {
@@ -51,11 +67,15 @@ bool ReferenceCrowd::fades(std::uint32_t agent) const {
   return clock_ > last.asked && clock_ < last.asked + last.fade;
 }
 
-std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, double speed, anim::Ticks time) const {
+std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, const PoseMoment& moment) const {
   const anim::BakedClip& clip = character_.character->clips[play.clip];
   const anim::Skeleton& skeleton = character_.model.skeleton;
   const double duration = anim::to_seconds(clip.duration);
-  const double seconds = std::fmod(play.start + anim::to_seconds(time - play.asked) * speed, duration);
+  // A pose of a later moment was made at the speed that was known when it was made.
+  const auto known = std::ranges::find_if(std::views::reverse(play.stretches),
+                                          [&](const Stretch& stretch) { return stretch.since <= moment.evaluated; });
+  const double played = known->position + anim::to_seconds(moment.time - known->since) * known->speed;
+  const double seconds = std::fmod(played, duration);
   auto locals = anim::reference_pose(skeleton, &character_.model.clips[play.clip], seconds).locals;
   // The crowd moves its agents itself: what the clip travels is not part of the pose.
   const glm::dvec3 travelled = clip.loop_displacement * (seconds / duration);
@@ -67,11 +87,10 @@ std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, do
 }
 
 std::vector<glm::dmat4> ReferenceCrowd::palette(std::uint32_t agent, const PoseMoment& moment) const {
-  const double speed = counted_speed(crowd_.playback_speeds()[agent]);
   std::vector<anim::StateTransform> locals;
   for (const Play& play : plays_[agent]) {
     if (play.asked > moment.evaluated) break;
-    std::vector<anim::StateTransform> next = locals_of(play, speed, moment.time);
+    std::vector<anim::StateTransform> next = locals_of(play, moment);
     const double faded =
         play.fade == 0 ? 1.0 : anim::to_seconds(moment.time - play.asked) / anim::to_seconds(play.fade);
     if (faded < 1.0) {

@@ -39,14 +39,22 @@ class ReferenceCrowd {
   double scale(std::uint32_t agent) const { return static_cast<double>(crowd_.scales()[agent]); }
 
  private:
+  /// A stretch of play at one speed.
+  struct Stretch {
+    anim::Ticks since = 0;
+    double position = 0.0;  ///< seconds of the clip, then; loops not taken off
+    double speed = 1.0;
+  };
   struct Play {
     anim::Ticks asked = 0;
     std::size_t clip = 0;
     anim::Ticks fade = 0;
-    double start = 0.0;  ///< seconds
+    std::vector<Stretch> stretches;  // oldest first; never empty
   };
 
-  std::vector<anim::StateTransform> locals_of(const Play& play, double speed, anim::Ticks time) const;
+  double speed_of(std::uint32_t agent) const;
+  void keep_pace(std::uint32_t agent);
+  std::vector<anim::StateTransform> locals_of(const Play& play, const PoseMoment& moment) const;
 
   const CharacterSource& character_;
   Crowd crowd_;

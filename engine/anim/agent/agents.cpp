@@ -39,6 +39,26 @@ Status Agents::add_post_process(const EntityBuilder& build, std::uint32_t agent,
   return rebuild(build, agent);
 }
 
+void Agents::remove_last_post_process(const EntityBuilder& build, std::uint32_t agent) {
+  agents_[agent].processes.back()->destroy_entities(build);
+  agents_[agent].processes.pop_back();
+  [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
+  assert(rebuilt && "it did before");
+}
+
+Status Agents::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
+  if (agents_[agent].processes[index]->update(build)) return rebuild(build, agent);
+  find_next_update(agent);
+  return Done{};
+}
+
+void Agents::find_next_update(std::uint32_t agent) {
+  Ticks next = never;
+  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.channel->next_update());
+  for (const auto& process : agents_[agent].processes) next = std::min(next, process->next_update());
+  next_updates_[agent] = next;
+}
+
 void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t agent) {
   for (const auto& process : agents_[agent].processes) process->destroy_entities(build);
   agents_[agent].processes.clear();
@@ -55,11 +75,9 @@ void Agents::set_weight(std::uint32_t agent, std::size_t channel, float weight) 
 Status Agents::update(const EntityBuilder& build, std::uint32_t agent) {
   bool changed = agents_[agent].program.steps.empty();
   for (const Layer& layer : agents_[agent].layers) changed = layer.channel->update(build) || changed;
+  for (const auto& process : agents_[agent].processes) changed = process->update(build) || changed;
   if (changed) return rebuild(build, agent);
-  next_updates_[agent] = never;
-  for (const Layer& layer : agents_[agent].layers) {
-    next_updates_[agent] = std::min(next_updates_[agent], layer.channel->next_update());
-  }
+  find_next_update(agent);
   return Done{};
 }
 
@@ -80,11 +98,8 @@ Handle Agents::lay(const EntityBuilder& build, Layer& layer, Handle below) const
 Status Agents::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
   Agent& agent = agents_[agent_index];
   Handle root;
-  next_updates_[agent_index] = never;
-  for (Layer& layer : agent.layers) {
-    root = lay(build, layer, root);
-    next_updates_[agent_index] = std::min(next_updates_[agent_index], layer.channel->next_update());
-  }
+  find_next_update(agent_index);
+  for (Layer& layer : agent.layers) root = lay(build, layer, root);
   if (!root.valid()) {
     agent.program.steps.clear();
     return Done{};

@@ -39,12 +39,17 @@ class Agents {
 
   Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
                      const LayerSettings& settings);
+  std::size_t post_process_count(std::uint32_t agent) const { return agents_[agent].processes.size(); }
+  PostProcess& post_process(std::uint32_t agent, std::size_t index) const { return *agents_[agent].processes[index]; }
   Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
+  void remove_last_post_process(const EntityBuilder& build, std::uint32_t agent);
   void remove_post_processes(const EntityBuilder& build, std::uint32_t agent);
+  /// Updates one process alone.
+  Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
   void set_weight(std::uint32_t agent, std::size_t channel, float weight);
 
-  /// Updates every channel and rebuilds the graph if one of them changed. On error (a channel made a graph with a
-  /// cycle) the agent goes on with the graph that it had.
+  /// Updates every channel and post process and rebuilds the graph if one of them changed. On error (a channel made a
+  /// graph with a cycle) the agent goes on with the graph that it had.
   Status update(const EntityBuilder& build, std::uint32_t agent);
   /// After a channel was changed from outside.
   Status rebuild(const EntityBuilder& build, std::uint32_t agent);
@@ -73,6 +78,7 @@ class Agents {
   };
 
   Handle lay(const EntityBuilder& build, Layer& layer, Handle below) const;
+  void find_next_update(std::uint32_t agent);
   void visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const;
   void destroy(Agent& agent) const;
 

@@ -168,7 +168,18 @@ Status AnimationSystem::add_channel(std::uint32_t agent, std::unique_ptr<Channel
 }
 
 Status AnimationSystem::add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process) {
-  return settled(agent, agents_.add_post_process(builder(agent), agent, std::move(process)));
+  const Status added = settled(agent, agents_.add_post_process(builder(agent), agent, std::move(process)));
+  if (!added) agents_.remove_last_post_process(builder(agent), agent);
+  return added;
+}
+
+Status AnimationSystem::process_changed(std::uint32_t agent, std::size_t index) {
+  const Status changed = settled(agent, agents_.update_post_process(builder(agent), agent, index));
+  if (changed) return changed;
+  agents_.post_process(agent, index).destroy_entities(builder(agent));
+  [[maybe_unused]] const Status rebuilt = agents_.rebuild(builder(agent), agent);
+  assert(rebuilt && "it did before");
+  return changed;
 }
 
 void AnimationSystem::remove_post_processes(std::uint32_t agent) {

@@ -98,7 +98,7 @@ class AnimationSystem {
 
   /// Lays a channel over those that the agent has. Errors: its graph has a cycle, or is too large for the local store.
   Status add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel, const LayerSettings& settings = {});
-  /// The agent's pose passes through it, after those that were added before.
+  /// The agent's pose passes through it, after those that were added before. On error it is not added.
   Status add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process);
   void remove_post_processes(std::uint32_t agent);
   /// Of a channel but the first, over those before it.
@@ -112,6 +112,19 @@ class AnimationSystem {
   Status change(std::uint32_t agent, std::size_t index, Change&& change_parameters) {
     change_parameters(static_cast<Derived&>(agents_.channel(agent, index)));
     return settled(agent, agents_.update(builder(agent), agent));
+  }
+
+  std::size_t post_process_count(std::uint32_t agent) const { return agents_.post_process_count(agent); }
+  template <typename Derived>
+  const Derived& post_process(std::uint32_t agent, std::size_t index) const {
+    return static_cast<const Derived&>(agents_.post_process(agent, index));
+  }
+  /// Sets parameters of a post process, which alone is then updated: system.change_process<LookAtProcess>(agent, 0,
+  /// [&](auto& look) { look.look_at(target); }). On error the process lets go of its entities.
+  template <typename Derived, typename Change>
+  Status change_process(std::uint32_t agent, std::size_t index, Change&& change_parameters) {
+    change_parameters(static_cast<Derived&>(agents_.post_process(agent, index)));
+    return process_changed(agent, index);
   }
 
   void advance(Ticks delta) { clock_ += delta; }
@@ -157,6 +170,7 @@ class AnimationSystem {
   EntityBuilder builder(std::uint32_t agent);
   LocalStoreDemand demand(const SystemOptions& options) const;
   Status settled(std::uint32_t agent, Status changed);
+  Status process_changed(std::uint32_t agent, std::size_t index);
   void update_channels(std::uint32_t agent);
   void set_stream(StreamKind stream);
   void set_residency(Residency residency);

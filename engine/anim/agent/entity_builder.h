@@ -50,6 +50,10 @@ class EntityBuilder {
   Entity& as(Handle entity) const {
     return pools_->as<Entity>(entity);
   }
+  template <typename Private>
+  Private& private_as(Handle entity) const {
+    return pools_->private_as<Private>(entity);
+  }
 
   Handle player(const PlayerStart& start) const;
   /// Eases from one state to the other in `total` from now on, bones weighed by `mask` (EaseBlender::no_mask: all).

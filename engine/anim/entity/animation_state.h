@@ -19,6 +19,10 @@ enum class EntityType : std::uint32_t {
   inertialiser,
   noise_maker,
   socket,
+  look_at,
+  foot_placement,
+  two_bone_ik,
+  ragdoll,
   user
 };
 

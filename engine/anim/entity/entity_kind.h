@@ -59,6 +59,12 @@ struct EntityInStore {
     return *reinterpret_cast<Prepared*>(prepared);
   }
   std::span<std::byte> private_part() const { return {block + layout->private_offset, layout->private_bytes()}; }
+  template <typename Private>
+  Private& private_as() const {
+    return *reinterpret_cast<Private*>(block + layout->private_offset);
+  }
+  template <typename Resource>
+  const Resource& resource_as() const;
 };
 
 /// 16 bones of an entity and its sources, each [components][16].
@@ -93,6 +99,11 @@ struct EntityKind {
 
   bool whole_pose() const { return pose_whole != nullptr; }
 };
+
+template <typename Resource>
+const Resource& EntityInStore::resource_as() const {
+  return *static_cast<const Resource*>(layout->kind->resource);
+}
 
 inline constexpr std::size_t max_sources = 8;
 inline constexpr std::size_t most_prepared_bytes = 256;

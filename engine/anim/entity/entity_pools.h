@@ -49,6 +49,11 @@ class EntityPools {
   }
   AnimationStateHeader& state(Handle handle) const { return as<AnimationStateHeader>(handle); }
   std::span<Handle> sources(Handle handle) const;
+  /// What lies behind header and transforms.
+  template <typename Private>
+  Private& private_as(Handle handle) const {
+    return *reinterpret_cast<Private*>(block(handle) + layout(handle).private_offset);
+  }
 
   static constexpr bool is_shared(Handle handle) { return handle.pool() >= first_shared; }
   const EntityLayout& layout(Handle handle) const { return layouts_[handle.pool()]; }

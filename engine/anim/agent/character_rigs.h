@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/asset/limbs.h"
+#include "engine/anim/entity/entity_kind.h"
+#include "engine/anim/kernel/foot_placement.h"
+#include "engine/anim/kernel/look_at.h"
+#include "engine/anim/kernel/ragdoll.h"
+
+namespace throng::anim {
+
+/// What post processes are made with: the kinds of entities of one character in one system; empty where the character
+/// has no such rig.
+struct RigKinds {
+  std::optional<EntityPools::Kind> look_at;
+  std::optional<EntityPools::Kind> foot_placement;
+  std::optional<EntityPools::Kind> limbs;
+  std::optional<EntityPools::Kind> ragdoll;
+};
+
+/// What in a character can look, stand, reach and fall, found once at load. Read-only; outlives the systems that it was
+/// added to, which keep pointers into it.
+class CharacterRigs {
+ public:
+  enum class Limb : std::uint8_t { left_arm, right_arm, left_leg, right_leg };
+
+  /// `model` as imported: its skeleton is the character's.
+  explicit CharacterRigs(const Model& model, const RagdollOptions& ragdoll = {});
+  CharacterRigs(const CharacterRigs&) = delete;
+  CharacterRigs& operator=(const CharacterRigs&) = delete;
+
+  /// Takes up to four of a system's EntityPools::most_kinds; once a system, before its agents use them.
+  RigKinds add_to(AnimationSystem& system) const;
+
+  const std::optional<LookAtRig>& look_at() const { return look_at_; }
+  const std::optional<FootPlacementRig>& foot_placement() const { return foot_placement_; }
+  const std::optional<RagdollRig>& ragdoll() const { return ragdoll_; }
+  /// For ReachProcess; nothing where the character has no such limb.
+  std::optional<std::uint32_t> limb(Limb limb) const { return limb_places_[static_cast<std::size_t>(limb)]; }
+  /// Why what is not there is not there, one sentence each.
+  std::span<const std::string> missing() const { return missing_; }
+
+ private:
+  void find_gaze(const Skeleton& skeleton, const Limbs& limbs);
+  void find_feet(const Skeleton& skeleton, const Limbs& limbs);
+  void find_limb(const Skeleton& skeleton, const std::optional<LimbBones>& bones, Limb limb, const glm::vec3& bends);
+
+  std::optional<LookAtRig> look_at_;
+  std::optional<FootPlacementRig> foot_placement_;
+  std::vector<TwoBoneLimb> limbs_;
+  std::array<std::optional<std::uint32_t>, 4> limb_places_;
+  std::optional<RagdollRig> ragdoll_;
+  std::vector<std::string> missing_;
+  EntityKind look_at_kind_;
+  EntityKind foot_placement_kind_;
+  EntityKind ik_kind_;
+  EntityKind ragdoll_kind_;
+};
+
+}  // namespace throng::anim

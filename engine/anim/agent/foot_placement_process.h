@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+
+#include "engine/anim/agent/weighted_process.h"
+#include "engine/anim/entity/foot_placement_entity.h"
+
+namespace throng::anim {
+
+/// Feet stand on the ground that is there. The host says where the character stands and, for each leg, on which plane;
+/// planes are in world space, so that they stay true while the character walks over them.
+///
+/// On uneven ground, sample it under `ankle(leg)` at each frame boundary: that is where the ankle was at the last
+/// update. The plane is then taken under the ankle as it is posed: exact on flat ground and slopes, and off by
+/// what the ground bends in one update elsewhere.
+class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
+ public:
+  /// `kind`: RigKinds::foot_placement. Flat ground at height 0 until told otherwise.
+  explicit FootPlacementProcess(EntityPools::Kind kind, const FootPlacementOptions& options = {})
+      : WeightedProcess(kind, 1.0F), options_(options) {
+    planted_.fill(planted_by_pose);
+  }
+
+  /// Where model space is in the world, turned about the vertical only.
+  void set_placement(const JointMotion& model_in_world) { model_in_world_ = model_in_world; }
+  /// A point of the plane and its unit normal (y above 0), world space; of one leg, or of all.
+  void set_ground(int leg, const Footing& plane) { ground_[static_cast<std::size_t>(leg)] = plane; }
+  void set_ground(const Footing& plane) { ground_.fill(plane); }
+  /// 0 (in the air) to 1 (on the ground), or planted_by_pose: by how high the pose has the ankle.
+  void set_planted(int leg, float planted) { planted_[static_cast<std::size_t>(leg)] = planted; }
+
+  /// Of a leg at the last update, as the animation has it before it is placed; world space.
+  glm::vec3 ankle(const EntityPools& pools, int leg) const {
+    const auto& memory = pools.private_as<FootPlacementMemory>(entity());
+    return memory.model_in_world.position + memory.model_in_world.rotation * memory.ankles[leg];
+  }
+  /// Metres that the pelvis was lowered at the last update.
+  float drop(const EntityPools& pools) const { return pools.as<FootPlacementEntity>(entity()).drop; }
+  const FootLock& lock(const EntityPools& pools, int leg) const {
+    return pools.private_as<FootPlacementMemory>(entity()).feet.feet[static_cast<std::size_t>(leg)];
+  }
+
+  std::unique_ptr<PostProcess> clone() const override { return std::make_unique<FootPlacementProcess>(*this); }
+
+ private:
+  void begin(const EntityBuilder& build, Handle feet) const override {
+    auto& memory = build.private_as<FootPlacementMemory>(feet);
+    memory.options = options_;
+    memory.feet = {};
+  }
+  void write(const EntityBuilder& build, Handle feet) const override {
+    auto& memory = build.private_as<FootPlacementMemory>(feet);
+    std::ranges::copy(ground_, memory.ground);
+    std::ranges::copy(planted_, memory.planted);
+    memory.model_in_world = model_in_world_;
+  }
+
+  FootPlacementOptions options_;
+  std::array<Footing, max_legs> ground_{};
+  std::array<float, max_legs> planted_{};
+  JointMotion model_in_world_;
+};
+
+}  // namespace throng::anim

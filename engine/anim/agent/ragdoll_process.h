@@ -1,0 +1,71 @@
+#pragma once
+
+#include "engine/anim/agent/post_process.h"
+#include "engine/anim/entity/ragdoll_entity.h"
+
+namespace throng::anim {
+
+/// Falls over when it is pushed, and comes back to its animation when it is told to. Nothing until then: it has no
+/// entities while it stands.
+///
+///     source ──┬──────────── blender         the source still plays below, so that the agent's time goes on
+///              └─ rag-doll ──┘               it reads the source until it is let go, two updates after the push
+///
+///     standing --push()--> letting_go --> down --recover()--> recovering --> standing
+///                                           ^------push()--------'
+class RagdollProcess final : public PostProcess {
+ public:
+  enum class Phase : std::uint8_t { standing, letting_go, down, recovering };
+
+  /// `kind`: RigKinds::ragdoll. `fade`: from the animation to the rag-doll, once it is let go.
+  explicit RagdollProcess(EntityPools::Kind kind, Ticks fade = ticks_per_second / 10) : kind_(kind), fade_(fade) {}
+
+  /// An impulse (kg m/s) at a place in model space: the nearest body takes it. A second push before the next update
+  /// takes the place of the first.
+  void push(const glm::vec3& impulse, const glm::vec3& place) {
+    impulse_ = impulse;
+    place_ = place;
+    pushed_ = true;
+  }
+  /// Blends back to the animation, wherever the rag-doll lies: once it is down.
+  void recover(Ticks fade) {
+    recovery_ = fade;
+    recovers_ = true;
+  }
+  /// Model space; to be set before it falls: one that sleeps does not notice.
+  void set_ground(const GroundPlane& ground) { ground_ = ground; }
+
+  Phase phase() const { return phase_; }
+  /// It lies and does not move.
+  bool is_asleep(const EntityPools& pools) const;
+  /// Model space: where its first body, the hips, is at the last update. Only where there is a rag-doll.
+  glm::vec3 hips(const EntityPools& pools) const;
+
+  Handle attach(const EntityBuilder& build, Handle source) override;
+  bool update(const EntityBuilder& build) override;
+  Ticks next_update() const override;
+  void visit_handles(const std::function<void(Handle&)>& visit) override;
+  void destroy_entities(const EntityBuilder& build) override;
+  std::unique_ptr<PostProcess> clone() const override { return std::make_unique<RagdollProcess>(*this); }
+
+ private:
+  void begin(const EntityBuilder& build);
+  bool take_push(const EntityBuilder& build);
+  void turn_round(const EntityBuilder& build, Phase phase, Ticks fade);
+
+  EntityPools::Kind kind_;
+  Ticks fade_;
+  GroundPlane ground_;
+  glm::vec3 impulse_{0.0F};
+  glm::vec3 place_{0.0F};
+  bool pushed_ = false;
+  bool recovers_ = false;
+  Ticks recovery_ = 0;
+
+  Phase phase_ = Phase::standing;
+  Handle ragdoll_;
+  Handle blender_;  // between the animation and the rag-doll
+  Ticks fade_end_ = 0;
+};
+
+}  // namespace throng::anim

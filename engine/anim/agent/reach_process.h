@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/anim/agent/weighted_process.h"
+#include "engine/anim/entity/ik_entity.h"
+
+namespace throng::anim {
+
+/// A hand or a foot reaches for a place, by two-bone IK. Its weight is 0 until it is set.
+class ReachProcess final : public WeightedProcess<IkEntity> {
+ public:
+  struct Settings {
+    std::uint32_t limb = 0;   ///< CharacterRigs::limb
+    float softness = 0.005F;  ///< see TwoBoneIkJob
+    glm::vec3 pole{0.0F};     ///< model space: where the elbow or knee is to point; zero keeps the pose's
+  };
+  /// `kind`: RigKinds::limbs.
+  ReachProcess(EntityPools::Kind kind, const Settings& settings) : WeightedProcess(kind, 0.0F), settings_(settings) {}
+
+  /// Metres, model space. From the next update on, at once: what should come slowly is moved slowly by the caller.
+  void set_target(const glm::vec3& target) { target_ = target; }
+
+  /// Metres from the end of the limb to the target at the last update.
+  float missed_by(const EntityPools& pools) const {
+    return entity().valid() ? pools.private_as<IkMemory>(entity()).missed_by : 0.0F;
+  }
+
+  std::unique_ptr<PostProcess> clone() const override { return std::make_unique<ReachProcess>(*this); }
+
+ private:
+  void begin(const EntityBuilder& build, Handle ik) const override {
+    build.private_as<IkMemory>(ik) = {.limb = settings_.limb,
+                                      .softness = settings_.softness,
+                                      .pole = settings_.pole,
+                                      .end_rotation = {1.0F, 0.0F, 0.0F, 0.0F},
+                                      .turn_end = false,
+                                      .missed_by = 0.0F};
+  }
+  void write(const EntityBuilder& build, Handle ik) const override {
+    for (int axis = 0; axis < 3; ++axis) build.as<IkEntity>(ik).target[axis] = target_[axis];
+  }
+
+  Settings settings_;
+  glm::vec3 target_{0.0F};
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,77 @@
+#include "engine/anim/entity/foot_placement_entity.h"
+
+#include <algorithm>
+
+#include "engine/anim/entity/whole_pose_step.h"
+
+namespace throng::anim {
+namespace {
+
+// As for a person of 1.8 m: a foot this high above its place in the bind pose is down for certain, or up.
+constexpr float down_below = 0.02F;  // metres
+constexpr float up_above = 0.07F;
+
+std::size_t private_bytes(int, int) { return sizeof(FootPlacementMemory); }
+
+std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+  return {&reinterpret_cast<FootPlacementEntity*>(block)->source, 1};
+}
+
+void advance_feet(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+  advance_weight(entity.as<FootPlacementEntity>().weight, begin_whole_pose(entity, states).seconds);
+}
+
+GroundContact contact_under(const glm::vec3& ankle, const Footing& ground, const JointMotion& model_in_world) {
+  const glm::quat back = glm::conjugate(model_in_world.rotation);
+  const Footing local{.place = back * (ground.place - model_in_world.position), .normal = back * ground.normal};
+  const bool has_height = local.normal.y > 0.0F;
+  return {.height = has_height ? ground_height(local, ankle.x, ankle.z) : local.place.y, .normal = local.normal};
+}
+
+float planted_share(float given, const glm::vec3& ankle, const PlacedLeg& leg) {
+  if (given >= 0.0F) return given;
+  const float lift = ankle.y + leg.sole[0].y;
+  return std::clamp((up_above - lift) / (up_above - down_below), 0.0F, 1.0F);
+}
+
+void place(const EntityInStore& entity, const PoseView& pose) {
+  const auto& rig = entity.resource_as<FootPlacementRig>();
+  auto& placement = entity.as<FootPlacementEntity>();
+  auto& memory = entity.private_as<FootPlacementMemory>();
+  if (!find_ankles(rig, pose, memory.ankles)) {
+    memory.feet = {};
+    return;
+  }
+  GroundContact contacts[max_legs];
+  float planted[max_legs];
+  for (int leg = 0; leg < rig.leg_count; ++leg) {
+    contacts[leg] = contact_under(memory.ankles[leg], memory.ground[leg], memory.model_in_world);
+    planted[leg] = planted_share(memory.planted[leg], memory.ankles[leg], rig.legs[static_cast<std::size_t>(leg)]);
+  }
+  const FootPlacementResult placed = place_feet({.rig = &rig,
+                                                 .state = &memory.feet,
+                                                 .pose = pose,
+                                                 .contacts = contacts,
+                                                 .planted = planted,
+                                                 .model_in_world = memory.model_in_world,
+                                                 .seconds = entity.prepared_as<WholePoseStep>().seconds,
+                                                 .weight = value(placement.weight),
+                                                 .options = memory.options});
+  placement.drop = placed.drop;
+  std::ranges::copy(placed.missed_by, memory.missed_by);
+}
+
+}  // namespace
+
+EntityKind foot_placement_kind(const FootPlacementRig& rig) {
+  return {.name = "foot placement",
+          .type = EntityType::foot_placement,
+          .sources = sources,
+          .private_bytes = private_bytes,
+          .prepared_bytes = whole_pose_prepared_bytes,
+          .advance = advance_feet,
+          .pose_whole = place,
+          .resource = &rig};
+}
+
+}  // namespace throng::anim

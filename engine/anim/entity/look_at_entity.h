@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include "engine/anim/entity/entity_kind.h"
+#include "engine/anim/entity/fading_weight.h"
+#include "engine/anim/kernel/look_at.h"
+
+namespace throng::anim {
+
+/// Turns spine, neck and head of its source towards a target (kernel/look_at.h).
+///
+///     [header 96 | look-at 32 | transforms if resident | LookAtMemory]
+struct alignas(64) LookAtEntity {
+  AnimationStateHeader state;  //   0
+  Handle source;               //  96
+  float target[3];             // 100  metres, model space
+  FadingWeight weight;         // 112  0: the source's pose, to the bit
+};
+static_assert(sizeof(LookAtEntity) == entity_header_bytes);
+static_assert(offsetof(LookAtEntity, source) == 96 && offsetof(LookAtEntity, weight) == 112);
+
+struct LookAtMemory {
+  LookAtLimits limits;  ///< to be set by whoever makes the entity
+  LookAtState gaze;
+  float remaining;  ///< radians from the gaze to the target, of the last update
+};
+static_assert(std::is_trivially_copyable_v<LookAtMemory>);
+
+/// The look-at entities of a skeleton; the rig outlives them. A level of detail without the head is left as it is.
+EntityKind look_at_kind(const LookAtRig& rig);
+
+}  // namespace throng::anim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "engine/anim/base/units.h"
+#include "engine/anim/entity/entity_kind.h"
+
+namespace throng::anim {
+
+/// What entities that tweak the whole pose of one source carry from `advance` to `pose_whole`.
+struct WholePoseStep {
+  float seconds;  ///< since the last update
+};
+inline constexpr std::size_t whole_pose_prepared_bytes = 64;
+
+/// Uses up the time of an update and moves as the source does.
+inline WholePoseStep begin_whole_pose(const EntityInStore& entity,
+                                      std::span<const AnimationStateHeader* const> sources) {
+  auto& state = entity.as<AnimationStateHeader>();
+  const WholePoseStep step{.seconds = static_cast<float>(to_seconds(state.delta_time))};
+  state.delta_time = 0;
+  std::ranges::copy(sources[0]->linear_velocity, state.linear_velocity);
+  std::ranges::copy(sources[0]->angular_velocity, state.angular_velocity);
+  entity.prepared_as<WholePoseStep>() = step;
+  return step;
+}
+
+}  // namespace throng::anim

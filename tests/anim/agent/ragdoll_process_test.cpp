@@ -1,0 +1,131 @@
+#include "engine/anim/agent/ragdoll_process.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/anim/agent/person_crowd.h"
+
+namespace throng::anim {
+namespace {
+
+using Phase = RagdollProcess::Phase;
+
+class PersonPushedOver : public testing::Test {
+ protected:
+  PersonPushedOver() {
+    EXPECT_TRUE(crowd_.system().add_post_process(0, std::make_unique<RagdollProcess>(*crowd_.kinds().ragdoll)));
+    crowd_.step(2);
+    joints_ = crowd_.joints();
+  }
+  void push(const glm::vec3& impulse = {0.0F, 0.0F, -40.0F}) {
+    EXPECT_TRUE(crowd_.system().change_process<RagdollProcess>(0, 0, [&](auto& ragdoll) {
+      ragdoll.push(impulse, {0.0F, 1.3F, 0.0F});
+    }));
+  }
+  void recover(Ticks fade = ticks_per_second) {
+    EXPECT_TRUE(crowd_.system().change_process<RagdollProcess>(0, 0, [&](auto& ragdoll) { ragdoll.recover(fade); }));
+  }
+  const RagdollProcess& ragdoll() { return crowd_.system().post_process<RagdollProcess>(0, 0); }
+  /// The longest way that a joint goes from one frame to the next, in metres.
+  double largest_step(int frames) {
+    double largest = 0.0;
+    for (int frame = 0; frame < frames; ++frame) {
+      crowd_.step();
+      const std::vector<glm::dvec3> now = crowd_.joints();
+      for (std::size_t bone = 0; bone < now.size(); ++bone) {
+        largest = std::max(largest, glm::distance(now[bone], joints_[bone]));
+      }
+      joints_ = now;
+    }
+    return largest;
+  }
+
+  PersonCrowd crowd_{{.schedule = Schedule::levels}};
+  std::vector<glm::dvec3> joints_;
+};
+
+TEST_F(PersonPushedOver, FallsLiesStillAndComesBack) {
+  push();
+  crowd_.step(480);
+  EXPECT_EQ(ragdoll().phase(), Phase::down);
+  EXPECT_TRUE(ragdoll().is_asleep(crowd_.system().pools()));
+  EXPECT_LT(crowd_.joint("head").position.y, 0.5F);
+  EXPECT_LT(ragdoll().hips(crowd_.system().pools()).y, 0.4F);
+  recover();
+  crowd_.step(62);
+  EXPECT_EQ(ragdoll().phase(), Phase::standing);
+  EXPECT_NEAR(crowd_.joint("head").position.y, 1.565F, 0.01F);
+  EXPECT_EQ(crowd_.system().pools().pool(*crowd_.kinds().ragdoll).memory().bytes_alive, 0U);
+}
+
+// A joint of the march goes up to 8 cm a frame, one that falls 10 cm: at the switches there is to be no more than that.
+TEST_F(PersonPushedOver, MakesNoJumpOnTheWayDownNorOnTheWayUp) {
+  const double marching = largest_step(60);
+  push();
+  EXPECT_LT(largest_step(10), marching + 0.04) << "from the animation to the rag-doll";
+  EXPECT_LT(largest_step(470), 0.2) << "on the way down";
+  recover();
+  EXPECT_LT(largest_step(5), 0.02) << "from the rag-doll to the animation";
+  EXPECT_LT(largest_step(50), marching + 0.06);
+  EXPECT_LT(largest_step(30), marching + 0.02) << "when the blend is over";
+  EXPECT_EQ(ragdoll().phase(), Phase::standing);
+}
+
+TEST_F(PersonPushedOver, ShowsTheAnimationToTheBitUntilItIsLetGo) {
+  PersonCrowd other({.schedule = Schedule::levels});
+  other.step(2);
+  push();
+  for (int frame = 0; frame < 2; ++frame) {
+    crowd_.step();
+    other.step();
+    EXPECT_EQ(crowd_.joints(), other.joints());
+    EXPECT_EQ(ragdoll().phase(), Phase::letting_go);
+  }
+  crowd_.step();
+  other.step();
+  EXPECT_NE(crowd_.joints(), other.joints());
+}
+
+TEST_F(PersonPushedOver, FallsAgainFromWhereItIsWhenPushedWhileItGetsUp) {
+  push();
+  crowd_.step(300);
+  recover();
+  crowd_.step(30);
+  joints_ = crowd_.joints();
+  push({0.0F, 0.0F, 10.0F});
+  EXPECT_EQ(ragdoll().phase(), Phase::down);
+  EXPECT_LT(largest_step(2), 0.3);
+  crowd_.step(300);
+  EXPECT_LT(crowd_.joint("head").position.y, 0.5F);
+}
+
+TEST_F(PersonPushedOver, CanBeToldToRecoverBeforeItIsLetGo) {
+  push();
+  recover(ticks_per_second / 10);
+  crowd_.step(30);
+  EXPECT_EQ(ragdoll().phase(), Phase::standing);
+  EXPECT_NEAR(crowd_.joint("head").position.y, 1.565F, 0.01F);
+}
+
+TEST_F(PersonPushedOver, GoesOnWithItsAnimationsClockWhileItLies) {
+  PersonCrowd other({.schedule = Schedule::levels});
+  other.step(2);
+  push();
+  crowd_.step(100);
+  recover(0);
+  crowd_.step(20);
+  other.step(120);
+  EXPECT_EQ(crowd_.joints(), other.joints());
+}
+
+TEST_F(PersonPushedOver, FallsTheWayItIsPushed) {
+  push({0.0F, 0.0F, -60.0F});
+  crowd_.step(300);
+  EXPECT_LT(crowd_.joint("head").position.z, -0.4F);
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -252,4 +252,36 @@ Findings folders_without_readme(const Tree& tree) {
   return findings;
 }
 
+Findings paper_rows_without_file_or_test(const Tree& tree) {
+  static const std::regex row(R"(^\|[^|]*\|[^|]*\| `([^`]+)` \| `(\w+\.\w+)` \|$)");
+  static const std::regex declaration(R"(^TEST(?:_F|_P)?\((\w+), *(\w+).*)");
+  constexpr std::string_view folder = "engine/anim/";
+  std::set<std::string> files;
+  std::set<std::string> tests;
+  const SourceFile* page = nullptr;
+  for (const SourceFile& file : tree) {
+    files.insert(file.path);
+    if (file.path == std::string(folder) + "README.md") page = &file;
+    std::smatch match;
+    for (const std::string& line : file.lines) {
+      if (file.path.starts_with("tests/") && std::regex_match(line, match, declaration)) {
+        tests.insert(match.str(1) + "." + match.str(2));
+      }
+    }
+  }
+  Findings findings;
+  std::size_t rows = 0;
+  for (std::size_t i = 0; page != nullptr && i < page->lines.size(); ++i) {
+    std::smatch match;
+    if (!std::regex_match(page->lines[i], match, row)) continue;
+    ++rows;
+    if (!files.contains(std::string(folder) + match.str(1))) {
+      findings.push_back(finding(page->path, i + 1, "there is no file " + match.str(1)));
+    }
+    if (!tests.contains(match[2])) findings.push_back(finding(page->path, i + 1, "there is no test " + match.str(2)));
+  }
+  if (rows == 0) findings.push_back(std::string(folder) + "README.md: has no table of the paper");
+  return findings;
+}
+
 }  // namespace throng::house

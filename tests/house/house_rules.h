@@ -46,4 +46,8 @@ Findings readme_program_that_differs(const Tree& tree);
 /// Every folder of engine/ with files in it says in a README what it is.
 Findings folders_without_readme(const Tree& tree);
 
+/// Each row `| section | it asks for | `file` | `Suite.Test` |` of engine/anim/README.md names a file below engine/anim
+/// and a test that are there. A page without such rows is a finding.
+Findings paper_rows_without_file_or_test(const Tree& tree);
+
 }  // namespace throng::house

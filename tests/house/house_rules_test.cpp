@@ -123,5 +123,21 @@ TEST(ReadmeProgram, IsRefusedFromTheFirstLineThatDiffers) {
   EXPECT_THAT(readme_program_that_differs({readme("int main() {\n}\n")}), testing::SizeIs(1));
 }
 
+TEST(PaperTable, NamesNeitherAFileNorATestThatIsNotThere) {
+  const SourceFile test = source_file("tests/anim/player_test.cpp", "TEST(Player, Plays) {\n}\n");
+  const SourceFile player = source_file("engine/anim/entity/player.h", "");
+  const auto page = [](const std::string& row) { return source_file("engine/anim/README.md", row + "\n"); };
+  EXPECT_THAT(
+      paper_rows_without_file_or_test({test, player, page("| 2 | plays | `entity/player.h` | `Player.Plays` |")}),
+      IsEmpty());
+  EXPECT_THAT(
+      paper_rows_without_file_or_test({test, player, page("| 2 | plays | `entity/reader.h` | `Player.Plays` |")}),
+      ElementsAre("engine/anim/README.md:1: there is no file entity/reader.h"));
+  EXPECT_THAT(
+      paper_rows_without_file_or_test({test, player, page("| 2 | plays | `entity/player.h` | `Player.Sings` |")}),
+      ElementsAre("engine/anim/README.md:1: there is no test Player.Sings"));
+  EXPECT_THAT(paper_rows_without_file_or_test({test, player, page("nothing")}), testing::SizeIs(1));
+}
+
 }  // namespace
 }  // namespace throng::house

@@ -52,5 +52,9 @@ TEST(House, TheProgramOfTheReadmeIsTheOneThatIsBuilt) {
 
 TEST(House, EveryFolderOfTheEngineSaysWhatItIs) { EXPECT_THAT(folders_without_readme(project()), IsEmpty()); }
 
+TEST(House, EverythingThatThePaperAsksForHasAFileAndATest) {
+  EXPECT_THAT(paper_rows_without_file_or_test(project()), IsEmpty());
+}
+
 }  // namespace
 }  // namespace throng::house

@@ -39,29 +39,20 @@ Status Agents::add_post_process(const EntityBuilder& build, std::uint32_t agent,
   return rebuild(build, agent);
 }
 
-void Agents::remove_last_post_process(const EntityBuilder& build, std::uint32_t agent) {
-  agents_[agent].processes.back()->destroy_entities(build);
-  agents_[agent].processes.pop_back();
+void Agents::remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
+  std::vector<Layer>& layers = agents_[agent].layers;
+  const auto layer = layers.begin() + static_cast<std::ptrdiff_t>(index);
+  layer->channel->destroy_entities(build);
+  if (layer->blender.valid()) build.destroy(layer->blender);
+  layers.erase(layer);
   [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
-  assert(rebuilt && "it did before");
+  assert(rebuilt && "fewer entities make no cycle");
 }
 
-Status Agents::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
-  if (agents_[agent].processes[index]->update(build)) return rebuild(build, agent);
-  find_next_update(agent);
-  return Done{};
-}
-
-void Agents::find_next_update(std::uint32_t agent) {
-  Ticks next = never;
-  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.channel->next_update());
-  for (const auto& process : agents_[agent].processes) next = std::min(next, process->next_update());
-  next_updates_[agent] = next;
-}
-
-void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t agent) {
-  for (const auto& process : agents_[agent].processes) process->destroy_entities(build);
-  agents_[agent].processes.clear();
+void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept) {
+  std::vector<std::unique_ptr<PostProcess>>& processes = agents_[agent].processes;
+  for (std::size_t i = kept; i < processes.size(); ++i) processes[i]->destroy_entities(build);
+  processes.resize(kept);
   [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
   assert(rebuilt && "fewer entities make no cycle");
 }
@@ -79,6 +70,19 @@ Status Agents::update(const EntityBuilder& build, std::uint32_t agent) {
   if (changed) return rebuild(build, agent);
   find_next_update(agent);
   return Done{};
+}
+
+Status Agents::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
+  if (agents_[agent].processes[index]->update(build)) return rebuild(build, agent);
+  find_next_update(agent);
+  return Done{};
+}
+
+void Agents::find_next_update(std::uint32_t agent) {
+  Ticks next = never;
+  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.channel->next_update());
+  for (const auto& process : agents_[agent].processes) next = std::min(next, process->next_update());
+  next_updates_[agent] = next;
 }
 
 // A layer whose channel plays nothing leaves what is below as it is.
@@ -105,14 +109,20 @@ Status Agents::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
     return Done{};
   }
   for (const auto& process : agent.processes) root = process->attach(build, root);
-  return compile_program(*pools_, root, agent_index, agent.program);
+  Status compiled = compile_program(*pools_, root, owners_ | agent_index, agent.program);
+  if (!compiled && !all_alive(agent.program)) agent.program.steps.clear();
+  return compiled;
+}
+
+bool Agents::all_alive(const PoseProgram& program) const {
+  return std::ranges::all_of(program.steps, [&](const PoseStep& step) { return pools_->alive(step.entity); });
 }
 
 void Agents::recompile() {
   for (std::uint32_t agent = 0; agent < count(); ++agent) {
     if (agents_[agent].program.steps.empty()) continue;
     [[maybe_unused]] const Status compiled =
-        compile_program(*pools_, agents_[agent].program.root(), agent, agents_[agent].program);
+        compile_program(*pools_, agents_[agent].program.root(), owners_ | agent, agents_[agent].program);
     assert(compiled && "it did before");
   }
 }
@@ -163,7 +173,7 @@ StoreNeeds Agents::largest_needs() const {
 }
 
 Agents Agents::clone() const {
-  Agents copy(*pools_);
+  Agents copy(*pools_, owners_);
   copy.next_updates_ = next_updates_;
   copy.agents_.reserve(agents_.size());
   for (const Agent& agent : agents_) {

@@ -26,7 +26,8 @@ struct LayerSettings {
 ///     channel 2 ──────────────┴ blender ── post process 0 ── post process 1 ── pose
 class Agents {
  public:
-  explicit Agents(EntityPools& pools) : pools_(&pools) {}
+  /// `owners`: shared_owner for graphs whose entities agents read (pose_program.h), which are "agents" here too.
+  explicit Agents(EntityPools& pools, std::uint32_t owners = 0) : pools_(&pools), owners_(owners) {}
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(agents_.size()); }
   void resize(std::uint32_t count);
@@ -37,19 +38,22 @@ class Agents {
   std::size_t channel_count(std::uint32_t agent) const { return agents_[agent].layers.size(); }
   Channel& channel(std::uint32_t agent, std::size_t index) const { return *agents_[agent].layers[index].channel; }
 
+  /// On error the channel is there until remove_channel(); the agent goes on with the program that it had.
   Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
                      const LayerSettings& settings);
+  void remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
+  Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
+  /// All but the first `kept`.
+  void remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept = 0);
   std::size_t post_process_count(std::uint32_t agent) const { return agents_[agent].processes.size(); }
   PostProcess& post_process(std::uint32_t agent, std::size_t index) const { return *agents_[agent].processes[index]; }
-  Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
-  void remove_last_post_process(const EntityBuilder& build, std::uint32_t agent);
-  void remove_post_processes(const EntityBuilder& build, std::uint32_t agent);
   /// Updates one process alone.
   Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
   void set_weight(std::uint32_t agent, std::size_t channel, float weight);
 
   /// Updates every channel and post process and rebuilds the graph if one of them changed. On error (a channel made a
-  /// graph with a cycle) the agent goes on with the graph that it had.
+  /// graph with a cycle) the agent goes on with the program that it had if all its entities still live, else it has
+  /// none.
   Status update(const EntityBuilder& build, std::uint32_t agent);
   /// After a channel was changed from outside.
   Status rebuild(const EntityBuilder& build, std::uint32_t agent);
@@ -81,8 +85,10 @@ class Agents {
   void find_next_update(std::uint32_t agent);
   void visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const;
   void destroy(Agent& agent) const;
+  bool all_alive(const PoseProgram& program) const;
 
   EntityPools* pools_;
+  std::uint32_t owners_;
   std::vector<Agent> agents_;
   std::vector<Ticks> next_updates_;
 };

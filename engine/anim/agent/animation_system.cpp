@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <limits>
 #include <utility>
 
 #include "engine/anim/base/hash.h"
@@ -11,237 +10,324 @@
 namespace throng::anim {
 namespace {
 
-ClipStreams streams_of(const BakedClip& clip) {
-  return {.keyframe = &clip.keyframe(),
-          .sampled = clip.sampled(),
-          .duration = clip.duration,
-          .root_motion = &clip.root_motion,
-          .data_keys = clip.data_keys};
-}
-
-void reserve_fades(EntityPools& pools, StreamKind stream, std::size_t agents) {
-  constexpr std::size_t players_of_a_fade = 2;
-  const bool sampled = stream == StreamKind::sampled;
-  pools.pool(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players)
-      .reserve(players_of_a_fade * agents);
-  pools.pool(EntityPools::ease_blenders).reserve(agents);
-}
-
 Residency residency_for(Schedule schedule) {
   return schedule == Schedule::fused ? Residency::transient : Residency::resident;
 }
 
 }  // namespace
 
-AnimationSystem::AnimationSystem(std::shared_ptr<const Character> character)
-    : character_(std::move(character)),
-      pools_(character_->skeleton.bone_count(), character_->skeleton.components(), Residency::transient),
-      agents_(pools_) {
-  for (const BakedClip& clip : character_->clips) clips_.push_back(streams_of(clip));
-  context_ = {.hierarchy = &character_->hierarchy,
-              .assets = {.clips = clips_,
-                         .masks = {},
-                         .selections = {},
-                         .kernels = &best_kernels(),
-                         .bone_count = character_->skeleton.bone_count(),
-                         .components = character_->skeleton.components()},
-              .level_bone_counts = character_->skeleton.level_bone_counts,
-              .pools = &pools_};
-}
-
 AnimationSystem::~AnimationSystem() = default;
 
 Result<std::unique_ptr<AnimationSystem>> AnimationSystem::create(std::shared_ptr<const Character> character,
                                                                  const SystemOptions& options) {
-  std::unique_ptr<AnimationSystem> system(new AnimationSystem(std::move(character)));
+  std::unique_ptr<AnimationSystem> system(new AnimationSystem());
+  system->casts_.push_back(std::make_unique<Cast>(std::move(character)));
   const Status configured = system->configure(options);
   if (!configured) return configured.error();
   return system;
 }
 
+Result<std::uint32_t> AnimationSystem::add_character(std::shared_ptr<const Character> character) {
+  casts_.push_back(std::make_unique<Cast>(std::move(character)));
+  const Status configured = configure(options_);
+  if (configured) return static_cast<std::uint32_t>(casts_.size()) - 1;
+  casts_.pop_back();
+  refresh_contexts();
+  return configured.error();
+}
+
+void AnimationSystem::refresh_contexts() {
+  const Kernels& kernels = options_.kernels == nullptr ? best_kernels() : *options_.kernels;
+  contexts_.clear();
+  for (const std::unique_ptr<Cast>& cast : casts_) contexts_.push_back(cast->context(kernels));
+}
+
 LocalStoreDemand AnimationSystem::demand(const SystemOptions& options) const {
-  const bool sampled = options.stream == StreamKind::sampled;
-  const auto has_sampled = [](const ClipStreams& clip) { return clip.sampled != nullptr; };
-  return {.skeleton = character_->skeleton.name,
-          .schedule = options.schedule,
-          .double_buffering = options.double_buffering,
-          .any_sampled = sampled && std::ranges::any_of(clips_, has_sampled),
-          .any_keyframe = !sampled || !std::ranges::all_of(clips_, has_sampled),
-          .largest = agents_.largest_needs()};
+  LocalStoreDemand demand = local_store_demand(casts_, options.stream);
+  demand.schedule = options.schedule;
+  demand.double_buffering = options.double_buffering;
+  return demand;
+}
+
+void AnimationSystem::convert(Schedule schedule, StreamKind stream) {
+  for (const std::unique_ptr<Cast>& cast : casts_) {
+    cast->set_residency(residency_for(schedule));
+    cast->set_stream(stream);
+  }
 }
 
 Status AnimationSystem::configure(const SystemOptions& options) {
-  const Residency before = pools_.residency();
-  set_residency(residency_for(options.schedule));
-  set_stream(options.stream);
+  convert(options.schedule, options.stream);
+  refresh_contexts();
   const LocalStoreDemand needs = demand(options);
   const std::size_t store_bytes =
-      options.local_store_bytes == 0 ? automatic_local_store({&context_, 1}, needs) : options.local_store_bytes;
-  const Result<LocalStorePlan> plan = plan_local_store({&context_, 1}, needs, store_bytes, options.tile);
+      options.local_store_bytes == 0 ? automatic_local_store(contexts_, needs) : options.local_store_bytes;
+  const Result<LocalStorePlan> plan = plan_local_store(contexts_, needs, store_bytes, options.tile);
   if (!plan) {
-    set_stream(options_.stream);
-    set_residency(before);
+    convert(options_.schedule, options_.stream);
     return plan.error();
   }
-  reserve_fades(pools_, options.stream, agent_count());
-  context_.assets.kernels = options.kernels == nullptr ? &best_kernels() : options.kernels;
-  scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options.schedule,
-                                                           .double_buffering = options.double_buffering,
-                                                           .plan = *plan,
-                                                           .local_store_bytes = store_bytes,
-                                                           .pus = options.pus},
-                                           static_cast<std::size_t>(character_->skeleton.palette_count()));
-  scheduler_->reserve(agent_count());
   if (options.executor != nullptr) {
     threads_.reset();
   } else if (threads_ == nullptr || options.pus != options_.pus) {
     threads_ = std::make_unique<PuThreads>(options.pus);
   }
   options_ = options;
+  for (const std::unique_ptr<Cast>& cast : casts_) cast->reserve_fades(options.stream, cast->agents.count());
+  refresh_contexts();
+  make_scheduler(*plan, store_bytes);
   return Done{};
 }
 
-void AnimationSystem::set_residency(Residency residency) {
-  if (residency == pools_.residency()) return;
-  pools_.set_residency(residency);
-  agents_.recompile();
-}
-
-void AnimationSystem::set_stream(StreamKind stream) {
-  for (std::uint32_t agent = 0; agent < agent_count(); ++agent) {
-    agents_.restream(EntityBuilder(pools_, clips_, {.owner = agent, .stream = stream}), agent);
+void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t store_bytes) {
+  std::size_t most_entries = 0;
+  for (const std::unique_ptr<Cast>& cast : casts_) {
+    most_entries = std::max(most_entries, static_cast<std::size_t>(cast->skeleton().palette_count()));
   }
-  agents_.recompile();
+  scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options_.schedule,
+                                                           .double_buffering = options_.double_buffering,
+                                                           .plan = plan,
+                                                           .local_store_bytes = store_bytes,
+                                                           .pus = options_.pus},
+                                           most_entries);
+  scheduler_->reserve(agent_count());
 }
 
 void AnimationSystem::set_agent_count(std::uint32_t agents) {
-  reserve_fades(pools_, options_.stream, agents);
-  agents_.resize(agents);
-  posed_at_.resize(agents, clock_);
-  agent_hashes_.resize(agents, 0);
-  work_.reserve(agents);
-  scheduler_->reserve(agents);
+  if (agents == 0) {
+    for (const std::unique_ptr<Cast>& cast : casts_) cast->agents.resize(0);
+  } else {
+    assert(casts_.front()->agents.count() == agent_count() && "agents of several characters: use add_agents");
+    casts_.front()->reserve_fades(options_.stream, agents);
+    casts_.front()->agents.resize(agents);
+  }
+  for (std::uint32_t agent = agent_count(); agent < agents; ++agent) members_.push_back({.cast = 0, .local = agent});
+  members_.resize(agents);
+  reserve_work();
+}
+
+std::uint32_t AnimationSystem::add_agents(std::uint32_t count, std::uint32_t character) {
+  const std::uint32_t first = agent_count();
+  Cast& cast = *casts_[character];
+  for (std::uint32_t i = 0; i < count; ++i) members_.push_back({character, cast.agents.count() + i});
+  cast.reserve_fades(options_.stream, cast.agents.count() + count);
+  cast.agents.resize(cast.agents.count() + count);
+  reserve_work();
+  return first;
+}
+
+void AnimationSystem::reserve_work() {
+  posed_at_.resize(agent_count(), clock_);
+  agent_hashes_.resize(agent_count(), 0);
+  work_.reserve(agent_count());
+  scheduler_->reserve(agent_count());
 }
 
 EntityBuilder AnimationSystem::builder(std::uint32_t agent) {
-  return {pools_, clips_, {.owner = agent, .now = clock_, .posed_at = posed_at_[agent], .stream = options_.stream}};
+  return {cast(agent).pools,
+          cast(agent).clips,
+          {.owner = local(agent), .now = clock_, .posed_at = posed_at_[agent], .stream = options_.stream}};
 }
 
-int AnimationSystem::add_mask(BoneMask mask) {
-  assert(mask.packets() == packets_for(character_->skeleton.bone_count()) && "a mask of another skeleton");
-  assert(masks_.size() < std::numeric_limits<std::int16_t>::max());
-  mask_weights_.push_back(mask.packet(0));
-  masks_.push_back(std::move(mask));
-  context_.assets.masks = mask_weights_;
-  return static_cast<int>(masks_.size()) - 1;
+int AnimationSystem::add_mask(BoneMask mask, std::uint32_t character) {
+  const int index = casts_[character]->add_mask(std::move(mask));
+  refresh_contexts();
+  return index;
 }
 
-std::uint32_t AnimationSystem::add_bone_selection(BoneSelection selection) {
-  assert(selection.packets() == packets_for(character_->skeleton.bone_count()) && "a selection of another skeleton");
-  selections_.push_back(std::move(selection));
-  context_.assets.selections = selections_;
-  return static_cast<std::uint32_t>(selections_.size());
+std::uint32_t AnimationSystem::add_bone_selection(BoneSelection selection, std::uint32_t character) {
+  const std::uint32_t index = casts_[character]->add_selection(std::move(selection));
+  refresh_contexts();
+  return index;
 }
 
 bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
-  assert(request.mask >= PlayRequest::no_mask && request.mask < static_cast<int>(masks_.size()) &&
+  assert(request.mask >= PlayRequest::no_mask && request.mask < static_cast<int>(cast(agent).masks.size()) &&
          "PlayRequest::mask is not one that add_mask returned");
   const EntityBuilder build = builder(agent);
-  if (agents_.channel_count(agent) == 0) {
-    [[maybe_unused]] const Status added = agents_.add_channel(build, agent, std::make_unique<CrossFadeChannel>(), {});
+  if (agents(agent).channel_count(local(agent)) == 0) {
+    [[maybe_unused]] const Status added =
+        agents(agent).add_channel(build, local(agent), std::make_unique<CrossFadeChannel>(), {});
     assert(added && "a channel that plays nothing yet");
   }
-  assert(dynamic_cast<CrossFadeChannel*>(&agents_.channel(agent, 0)) != nullptr && "another kind of channel was added");
-  const bool taken = static_cast<CrossFadeChannel&>(agents_.channel(agent, 0)).play(build, request);
-  [[maybe_unused]] const Status changed = settled(agent, agents_.rebuild(build, agent));
-  assert(changed && "room for an interrupted fade of every agent is set aside");
-  return taken;
+  assert(dynamic_cast<CrossFadeChannel*>(&agents(agent).channel(local(agent), 0)) != nullptr &&
+         "another kind of channel was added");
+  auto& channel = static_cast<CrossFadeChannel&>(agents(agent).channel(local(agent), 0));
+  const bool taken = channel.play(build, request);
+  if (settled(agent, agents(agent).rebuild(build, local(agent)))) return taken;
+  PlayRequest at_once = request;
+  at_once.fade = 0;
+  at_once.held_fraction.reset();
+  at_once.mask = PlayRequest::no_mask;
+  channel.play(build, at_once);
+  [[maybe_unused]] const Status cut = settled(agent, agents(agent).rebuild(build, local(agent)));
+  assert(cut && "a player alone is the least that there can be");
+  return false;
 }
 
 void AnimationSystem::set_speed(std::uint32_t agent, double speed) {
-  static_cast<CrossFadeChannel&>(agents_.channel(agent, 0)).set_speed(builder(agent), speed);
+  static_cast<CrossFadeChannel&>(agents(agent).channel(local(agent), 0)).set_speed(builder(agent), speed);
 }
 
 Status AnimationSystem::add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel,
                                     const LayerSettings& settings) {
-  return settled(agent, agents_.add_channel(builder(agent), agent, std::move(channel), settings));
+  const EntityBuilder build = builder(agent);
+  Status added = settled(agent, agents(agent).add_channel(build, local(agent), std::move(channel), settings));
+  if (!added) agents(agent).remove_channel(build, local(agent), agents(agent).channel_count(local(agent)) - 1);
+  return added;
+}
+
+void AnimationSystem::remove_channel(std::uint32_t agent, std::size_t channel) {
+  agents(agent).remove_channel(builder(agent), local(agent), channel);
 }
 
 Status AnimationSystem::add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process) {
-  const Status added = settled(agent, agents_.add_post_process(builder(agent), agent, std::move(process)));
-  if (!added) agents_.remove_last_post_process(builder(agent), agent);
+  const EntityBuilder build = builder(agent);
+  Status added = settled(agent, agents(agent).add_post_process(build, local(agent), std::move(process)));
+  if (!added)
+    agents(agent).remove_post_processes(build, local(agent), agents(agent).post_process_count(local(agent)) - 1);
   return added;
 }
 
 Status AnimationSystem::process_changed(std::uint32_t agent, std::size_t index) {
-  const Status changed = settled(agent, agents_.update_post_process(builder(agent), agent, index));
+  const Status changed = settled(agent, agents(agent).update_post_process(builder(agent), local(agent), index));
   if (changed) return changed;
-  agents_.post_process(agent, index).destroy_entities(builder(agent));
-  [[maybe_unused]] const Status rebuilt = agents_.rebuild(builder(agent), agent);
+  agents(agent).post_process(local(agent), index).destroy_entities(builder(agent));
+  [[maybe_unused]] const Status rebuilt = agents(agent).rebuild(builder(agent), local(agent));
   assert(rebuilt && "it did before");
   return changed;
 }
 
 void AnimationSystem::remove_post_processes(std::uint32_t agent) {
-  agents_.remove_post_processes(builder(agent), agent);
+  agents(agent).remove_post_processes(builder(agent), local(agent));
 }
 
 void AnimationSystem::set_channel_weight(std::uint32_t agent, std::size_t channel, float weight) {
-  agents_.set_weight(agent, channel, weight);
+  agents(agent).set_weight(local(agent), channel, weight);
 }
 
 // What an agent asks of the local store after a change may be more than any did before.
 Status AnimationSystem::settled(std::uint32_t agent, Status changed) {
   if (!changed) return changed;
-  const StoreNeeds& needs = agents_.program(agent).needs;
-  if (plan_holds(schedule().plan, context_, options_.schedule, needs)) return changed;
-  LocalStoreDemand larger = demand(options_);
-  larger.largest.widen(needs);
-  const Result<LocalStorePlan> plan =
-      plan_local_store({&context_, 1}, larger, schedule().local_store_bytes, options_.tile);
+  const StoreNeeds& needs = program(agent).needs;
+  if (plan_holds(schedule().plan, contexts_[cast_of(agent)], options_.schedule, needs)) return changed;
+  return fit_stores(demand(options_));
+}
+
+Status AnimationSystem::fit_stores(const LocalStoreDemand& needs) {
+  std::size_t bytes = schedule().local_store_bytes;
+  if (options_.local_store_bytes == 0) bytes = std::max(bytes, automatic_local_store(contexts_, needs));
+  const Result<LocalStorePlan> plan = plan_local_store(contexts_, needs, bytes, options_.tile);
   if (!plan) return plan.error();
-  scheduler_->set_plan(*plan);
-  return changed;
+  if (bytes == schedule().local_store_bytes) {
+    scheduler_->set_plan(*plan);
+  } else {
+    make_scheduler(*plan, bytes);
+  }
+  return Done{};
+}
+
+EntityBuilder AnimationSystem::shared_builder(Cast& cast, std::uint32_t graph) {
+  return {cast.pools,
+          cast.clips,
+          {.owner = shared_owner | graph, .now = clock_, .posed_at = shared_posed_at_, .stream = options_.stream}};
+}
+
+Result<Handle> AnimationSystem::add_shared(std::unique_ptr<Channel> channel, std::uint32_t character) {
+  Cast& cast = *casts_[character];
+  const std::uint32_t graph = cast.shared.count();
+  cast.shared.resize(graph + 1);
+  Status added = cast.shared.add_channel(shared_builder(cast, graph), graph, std::move(channel), {});
+  if (added && cast.shared.program(graph).steps.empty()) added = Error{"a shared channel must play something"};
+  if (added) added = fit_stores(demand(options_));
+  if (!added) {
+    cast.shared.resize(graph);
+    return added.error();
+  }
+  return cast.shared.program(graph).root();
 }
 
 void AnimationSystem::update(std::span<const AgentUpdate> agents) {
   ++frame_;
   report_ = {};
+  begin_shared_work();
   begin_work(agents);
-  scheduler_->update({&context_, 1}, {}, work_, executor());
+  report_work();
+  scheduler_->update(contexts_, shared_work_, work_, executor());
   end_work();
 }
 
 void AnimationSystem::update_channels(std::uint32_t agent) {
-  [[maybe_unused]] const Status updated = settled(agent, agents_.update(builder(agent), agent));
+  [[maybe_unused]] const Status updated = settled(agent, agents(agent).update(builder(agent), local(agent)));
   assert(updated && "a channel changed by itself to a graph that cannot be run");
+}
+
+bool AnimationSystem::update_shared(Cast& cast) {
+  bool changed = false;
+  for (std::uint32_t graph = 0; graph < cast.shared.count(); ++graph) {
+    if (cast.shared.next_update(graph) > clock_) continue;
+    [[maybe_unused]] const Handle root = cast.shared.program(graph).root();
+    [[maybe_unused]] const Status updated = cast.shared.update(shared_builder(cast, graph), graph);
+    assert(updated && cast.shared.program(graph).root() == root && "a shared channel changed to another state");
+    changed = true;
+  }
+  if (changed) cast.shared.recompile();  // later graphs may read earlier ones, whose depth may have changed
+  return changed;
+}
+
+void AnimationSystem::begin_shared_work() {
+  shared_work_.clear();
+  bool changed = false;
+  for (const std::unique_ptr<Cast>& cast : casts_) changed = update_shared(*cast) || changed;
+  [[maybe_unused]] const Status fits = changed ? fit_stores(demand(options_)) : Status(Done{});
+  assert(fits && "a shared channel changed by itself to a graph that cannot be run");
+  for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
+    const Agents& shared = casts_[cast]->shared;
+    for (std::uint32_t graph = 0; graph < shared.count(); ++graph) {
+      shared_work_.push_back({.program = &shared.program(graph),
+                              .delta = clock_ - shared_posed_at_,
+                              .agent = graph,
+                              .skeleton = static_cast<std::uint8_t>(cast)});
+    }
+  }
+  shared_posed_at_ = clock_;
 }
 
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   work_.clear();
-  std::array<std::uint64_t, max_bone_levels> agents_by_level{};
   for (const AgentUpdate& update : agents) {
-    const Ticks time = std::max(clock_ + update.look_ahead, posed_at_[update.agent]);
-    if (agents_.next_update(update.agent) <= clock_) update_channels(update.agent);
-    const PoseProgram& program = agents_.program(update.agent);
+    const Member member = members_[update.agent];
+    const Agents& cast = casts_[member.cast]->agents;
+    if (cast.next_update(member.local) <= clock_) update_channels(update.agent);
+    const PoseProgram& program = cast.program(member.local);
+    const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
+    const Ticks time = std::max(clock_ + look_ahead, posed_at_[update.agent]);
     assert(!program.steps.empty() && "an agent must play something before it is updated");
     work_.push_back({.program = &program,
                      .delta = time - posed_at_[update.agent],
                      .palette = update.palette,
                      .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
                      .agent = update.agent,
+                     .skeleton = static_cast<std::uint8_t>(member.cast),
                      .level = update.level,
                      .entity_count = program.own_count,
                      .held = program.needs.held});
     posed_at_[update.agent] = time;
-    ++agents_by_level[update.level];
   }
-  report_.agents_updated = static_cast<std::uint32_t>(agents.size());
-  for (std::size_t level = 0; level < context_.level_bone_counts.size(); ++level) {
-    const int bones = context_.level_bone_counts[level];
-    const int entries = palette_count_for_bones(character_->skeleton, bones);
-    report_.bones_evaluated += agents_by_level[level] * static_cast<std::uint64_t>(bones);
-    report_.palette_bytes += agents_by_level[level] * static_cast<std::uint64_t>(entries) * sizeof(PaletteMatrix);
+}
+
+void AnimationSystem::report_work() {
+  std::array<std::array<std::uint64_t, max_bone_levels>, most_characters> agents_by_level{};
+  for (const AgentWork& work : work_) ++agents_by_level[work.skeleton][work.level];
+  report_.agents_updated = static_cast<std::uint32_t>(work_.size());
+  for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
+    const Skeleton& skeleton = casts_[cast]->skeleton();
+    for (std::size_t level = 0; level < skeleton.level_bone_counts.size(); ++level) {
+      const int bones = skeleton.level_bone_counts[level];
+      const auto entries = static_cast<std::uint64_t>(palette_count_for_bones(skeleton, bones));
+      report_.bones_evaluated += agents_by_level[cast][level] * static_cast<std::uint64_t>(bones);
+      report_.palette_bytes += agents_by_level[cast][level] * entries * sizeof(PaletteMatrix);
+    }
   }
 }
 
@@ -261,25 +347,20 @@ void AnimationSystem::end_work() {
 }
 
 double AnimationSystem::bytes_per_agent() const {
-  std::size_t bytes = agents_.bytes() + agent_count() * (sizeof(Ticks) + sizeof(std::uint64_t));
-  for (EntityPools::Kind kind = 0; kind < pools_.kind_count(); ++kind) bytes += pools_.pool(kind).memory().bytes_alive;
+  std::size_t bytes = agent_count() * (sizeof(Member) + sizeof(Ticks) + sizeof(std::uint64_t));
+  for (const std::unique_ptr<Cast>& cast : casts_) bytes += cast->bytes_alive();
   return static_cast<double>(bytes) / std::max<double>(agent_count(), 1.0);
 }
 
 std::vector<KindMemory> AnimationSystem::memory() const {
   std::vector<KindMemory> kinds;
-  for (EntityPools::Kind kind = 0; kind < pools_.kind_count(); ++kind) {
-    kinds.push_back({.kind = pools_.layout(kind).kind->name,
-                     .own = pools_.pool(kind).memory(),
-                     .shared = pools_.shared_pool(kind).memory()});
-  }
+  for (const std::unique_ptr<Cast>& cast : casts_) cast->add_memory(kinds);
   return kinds;
 }
 
 std::span<const float> AnimationSystem::pose(std::uint32_t agent) const {
-  const Handle root = agents_.program(agent).root();
-  const std::size_t floats = pose_bytes(context_.assets.bone_count, context_.assets.components) / sizeof(float);
-  return {transforms_of(pools_.as<AnimationStateHeader>(root)), floats};
+  const auto& state = pools(agent).as<AnimationStateHeader>(program(agent).root());
+  return {transforms_of(state), pose_bytes(state.bone_count, state.components) / sizeof(float)};
 }
 
 }  // namespace throng::anim

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/anim/agent/agents.h"
+#include "engine/anim/agent/cast.h"
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/asset/character.h"
@@ -19,7 +20,7 @@ namespace throng::anim {
 
 struct SystemOptions {
   int pus = 1;                        ///< 1 to max_pus
-  std::size_t local_store_bytes = 0;  ///< of each PU; 0: automatic, see automatic_local_store
+  std::size_t local_store_bytes = 0;  ///< of each PU; 0: automatic (automatic_local_store), grows with the graphs
   int tile = 0;                       ///< characters a tile: 1, 2, 4, 8, 16; 0: what fits
   Schedule schedule = Schedule::fused;
   /// Who runs the PUs: a host's job system, which outlives the system; null: threads of the system's own.
@@ -32,6 +33,7 @@ struct SystemOptions {
   friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
 };
 inline constexpr int max_pus = 256;
+inline constexpr std::size_t most_characters = 16;
 
 /// One agent to be posed in this frame.
 struct AgentUpdate {
@@ -49,17 +51,11 @@ struct UpdateReport {
   CopyCounts copies;
 };
 
-/// Main memory of the blocks of one kind, those that agents own and those that they share.
-struct KindMemory {
-  const char* kind = "";
-  PoolMemory own;
-  PoolMemory shared;
-};
-
 /// A crowd as it was: the bytes of its blocks, and what its agents remember. See AnimationSystem::snapshot.
 class SystemSnapshot;
 
-/// The façade (paper 2.1.2): a crowd of agents that share one character. Requests between frames, then a frame:
+/// The façade (paper 2.1.2): a crowd of agents, mostly of one character, of several if they are added. Requests between
+/// frames, then a frame:
 ///     advance(dt)       the clock of every agent, updated or not
 ///     update(agents)    poses those that level of detail chose, on all PUs; returns when they are done
 /// One thread; the PUs are inside.
@@ -72,58 +68,81 @@ class AnimationSystem {
   /// At a frame boundary. Poses do not depend on any of the options but the stream. On error nothing has changed.
   Status configure(const SystemOptions& options);
 
+  /// Another character (a camera and a prop are characters too), at load time: its number for add_agents and for what
+  /// belongs to a skeleton. The one of create() is 0. On error, the local store is too small for it, nothing has
+  /// changed.
+  Result<std::uint32_t> add_character(std::shared_ptr<const Character> character);
+
   /// New agents play nothing until asked; every agent must play something before it is updated.
   void set_agent_count(std::uint32_t agents);
-  std::uint32_t agent_count() const { return agents_.count(); }
+  /// `count` more agents of a character, numbered on from those that there are: the first one's number. Afterwards
+  /// set_agent_count can only be told 0.
+  std::uint32_t add_agents(std::uint32_t count, std::uint32_t character);
+  std::uint32_t agent_count() const { return static_cast<std::uint32_t>(members_.size()); }
 
   /// Per-bone weights for requests and layers, to be added at load time; the index for `PlayRequest::mask`. The mask
   /// was made for this character's skeleton.
-  int add_mask(BoneMask mask);
+  int add_mask(BoneMask mask, std::uint32_t character = 0);
 
   /// Bones that a player evaluates, the others standing still (paper 3.2, per-bone priorities); for
   /// `PlayRequest::bone_selection`. Made for this character's skeleton, added at load time.
-  std::uint32_t add_bone_selection(BoneSelection selection);
+  std::uint32_t add_bone_selection(BoneSelection selection, std::uint32_t character = 0);
 
   /// A kind of entity of the host's own, to be added at load time: for channels and post processes that make such
   /// entities. `kind` outlives the system.
-  EntityPools::Kind add_entity_kind(const EntityKind& kind) { return pools_.add_kind(kind); }
+  EntityPools::Kind add_entity_kind(const EntityKind& kind, std::uint32_t character = 0) {
+    return casts_[character]->pools.add_kind(kind);
+  }
 
   /// Plays a clip on the agent's first channel, which is a CrossFadeChannel unless another was added first. False: all
-  /// places of the channel's tree are taken by blends that stay (masked or held).
+  /// places of the channel's tree are taken by blends that stay (masked or held); or a local store of fixed size has no
+  /// room for the fade, and the clip replaced all at once.
   bool play(std::uint32_t agent, const PlayRequest& request);
 
   /// Plays what the agent asked for last at another speed from now on, without a jump. The first channel is as for
   /// play.
   void set_speed(std::uint32_t agent, double speed);
 
-  /// Lays a channel over those that the agent has. Errors: its graph has a cycle, or is too large for the local store.
+  /// Lays a channel over those that the agent has. Errors, and then the agent is as it was: its graph has a cycle, or
+  /// is too large for a local store of fixed size.
   Status add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel, const LayerSettings& settings = {});
-  /// The agent's pose passes through it, after those that were added before. On error it is not added.
+  /// The channels after it move up one place.
+  void remove_channel(std::uint32_t agent, std::size_t channel);
+  /// The agent's pose passes through it, after those that were added before. Errors as for add_channel.
   Status add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process);
   void remove_post_processes(std::uint32_t agent);
+
+  /// A graph that is updated once a frame, to the clock and before all agents, for agents to read: the entity whose
+  /// state it is, a source for what their channels make. Lives as long as the system. The channel may change its
+  /// parameters by itself, but its state() stays the same entity. Agents that read it are posed without look-ahead, and
+  /// its players keep the stream that they were made for. Errors: as for add_channel.
+  Result<Handle> add_shared(std::unique_ptr<Channel> channel, std::uint32_t character = 0);
+
   /// Of a channel but the first, over those before it.
   void set_channel_weight(std::uint32_t agent, std::size_t channel, float weight);
 
-  std::size_t channel_count(std::uint32_t agent) const { return agents_.channel_count(agent); }
-  const Channel& channel(std::uint32_t agent, std::size_t index) const { return agents_.channel(agent, index); }
+  std::size_t channel_count(std::uint32_t agent) const { return agents(agent).channel_count(local(agent)); }
+  const Channel& channel(std::uint32_t agent, std::size_t index) const {
+    return agents(agent).channel(local(agent), index);
+  }
   /// Sets parameters of a channel, which is then updated: system.change<BlendSpaceChannel>(agent, 0, [&](auto& walk) {
   /// walk.set_parameter(speed); }).
   template <typename Derived, typename Change>
   Status change(std::uint32_t agent, std::size_t index, Change&& change_parameters) {
-    change_parameters(static_cast<Derived&>(agents_.channel(agent, index)));
-    return settled(agent, agents_.update(builder(agent), agent));
+    change_parameters(static_cast<Derived&>(agents(agent).channel(local(agent), index)));
+    return settled(agent, agents(agent).update(builder(agent), local(agent)));
   }
 
-  std::size_t post_process_count(std::uint32_t agent) const { return agents_.post_process_count(agent); }
+  std::size_t post_process_count(std::uint32_t agent) const { return agents(agent).post_process_count(local(agent)); }
   template <typename Derived>
   const Derived& post_process(std::uint32_t agent, std::size_t index) const {
-    return static_cast<const Derived&>(agents_.post_process(agent, index));
+    return static_cast<const Derived&>(agents(agent).post_process(local(agent), index));
   }
   /// Sets parameters of a post process, which alone is then updated: system.change_process<LookAtProcess>(agent, 0,
   /// [&](auto& look) { look.look_at(target); }). On error the process lets go of its entities.
   template <typename Derived, typename Change>
   Status change_process(std::uint32_t agent, std::size_t index, Change&& change_parameters) {
-    change_parameters(static_cast<Derived&>(agents_.post_process(agent, index)));
+    change_parameters(static_cast<Derived&>(agents(agent).post_process(local(agent), index)));
     return process_changed(agent, index);
   }
 
@@ -133,7 +152,9 @@ class AnimationSystem {
 
   /// Root motion, data keys and absolute root of an agent, at a frame boundary: after advance(), ask for the interval
   /// from the clock before to the clock now, before any request.
-  AgentMotion motion(std::uint32_t agent) const { return {pools_, clips_, agents_.program(agent), posed_at_[agent]}; }
+  AgentMotion motion(std::uint32_t agent) const {
+    return {pools(agent), cast(agent).clips, program(agent), posed_at_[agent]};
+  }
 
   /// Block copies of everything that changes: a crowd that is restored goes on to the same poses, bit for bit. Reuses
   /// the snapshot's memory. Restoring is refused, and changes nothing, under a schedule whose blocks have other sizes.
@@ -149,10 +170,11 @@ class AnimationSystem {
   std::span<const ProcessingUnit> units() const { return scheduler_->units(); }
   const ScheduleOptions& schedule() const { return scheduler_->options(); }
   const SystemOptions& options() const { return options_; }
-  const Kernels& kernels() const { return *context_.assets.kernels; }
-  const Character& character() const { return *character_; }
-  const EntityPools& pools() const { return pools_; }
-  const PoseProgram& program(std::uint32_t agent) const { return agents_.program(agent); }
+  const Kernels& kernels() const { return *contexts_.front().assets.kernels; }
+  /// Of the agent; the one of create() if there is no agent yet.
+  const Character& character(std::uint32_t agent = 0) const { return *cast(agent).character; }
+  const EntityPools& pools(std::uint32_t agent = 0) const { return cast(agent).pools; }
+  const PoseProgram& program(std::uint32_t agent) const { return cast(agent).agents.program(local(agent)); }
   /// Over the palettes of all updates so far: an agent's is seeded by agent and frame, summed over agents, chained.
   std::uint64_t pose_hash() const { return pose_hash_; }
   /// Main memory of an agent, without palettes: blocks and bookkeeping.
@@ -166,35 +188,53 @@ class AnimationSystem {
  private:
   friend class SystemSnapshot;
 
-  AnimationSystem(std::shared_ptr<const Character> character);
+  /// Which character an agent plays, and its number among those that do.
+  struct Member {
+    std::uint32_t cast;
+    std::uint32_t local;
+  };
+
+  AnimationSystem() = default;
+  std::uint32_t cast_of(std::uint32_t agent) const { return agent < members_.size() ? members_[agent].cast : 0; }
+  Cast& cast(std::uint32_t agent) { return *casts_[cast_of(agent)]; }
+  const Cast& cast(std::uint32_t agent) const { return *casts_[cast_of(agent)]; }
+  std::uint32_t local(std::uint32_t agent) const { return members_[agent].local; }
+  Agents& agents(std::uint32_t agent) { return cast(agent).agents; }
+  const Agents& agents(std::uint32_t agent) const { return cast(agent).agents; }
   EntityBuilder builder(std::uint32_t agent);
+  EntityBuilder shared_builder(Cast& cast, std::uint32_t graph);
+  void refresh_contexts();
+
   LocalStoreDemand demand(const SystemOptions& options) const;
   Status settled(std::uint32_t agent, Status changed);
+  Status fit_stores(const LocalStoreDemand& needs);
+  void make_scheduler(const LocalStorePlan& plan, std::size_t store_bytes);
+  void convert(Schedule schedule, StreamKind stream);
   Status process_changed(std::uint32_t agent, std::size_t index);
+  void reserve_work();
+
   void update_channels(std::uint32_t agent);
-  void set_stream(StreamKind stream);
-  void set_residency(Residency residency);
+  void begin_shared_work();
+  bool update_shared(Cast& cast);
   void begin_work(std::span<const AgentUpdate> agents);
+  void report_work();
   void end_work();
 
-  std::shared_ptr<const Character> character_;
   SystemOptions options_;
-  std::vector<ClipStreams> clips_;
-  std::vector<BoneMask> masks_;
-  std::vector<const float*> mask_weights_;  // of masks_, as the context lists them
-  std::vector<BoneSelection> selections_;
-  EntityPools pools_;
-  Agents agents_;
-  UpdateContext context_;
+  std::vector<std::unique_ptr<Cast>> casts_;
+  std::vector<UpdateContext> contexts_;  // [cast]
+  std::vector<Member> members_;          // [agent]
   std::unique_ptr<Scheduler> scheduler_;
   std::unique_ptr<PuThreads> threads_;  // null where a host's executor runs the PUs
 
   Ticks clock_ = 0;
   std::uint64_t frame_ = 0;
   std::uint64_t pose_hash_ = 0;
-  std::vector<Ticks> posed_at_;              // one an agent: the time its entities stand at
-  std::vector<std::uint64_t> agent_hashes_;  // one an agent: of its last update
+  Ticks shared_posed_at_ = 0;
+  std::vector<Ticks> posed_at_;              // [agent] the time its entities stand at
+  std::vector<std::uint64_t> agent_hashes_;  // [agent] of its last update
   std::vector<AgentWork> work_;
+  std::vector<AgentWork> shared_work_;
   UpdateReport report_;
 };
 

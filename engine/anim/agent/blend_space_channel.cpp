@@ -52,6 +52,7 @@ void BlendSpaceChannel::set_in_step(const EntityBuilder& build, Handle player, s
 bool BlendSpaceChannel::update(const EntityBuilder& build) {
   const Place at = place(build);
   const double phase_now = phase(build);
+  in_step_at_ = build.now();
   const bool two = at.fraction > 0.0F;
   const bool same = players_[0].valid() && playing_[0] == at.lower && blender_.valid() == two;
   if (!same) {

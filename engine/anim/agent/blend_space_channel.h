@@ -29,11 +29,15 @@ class BlendSpaceChannel final : public Channel {
 
   Handle state() const override { return blender_.valid() ? blender_ : players_[0]; }
   bool update(const EntityBuilder& build) override;
+  /// Speeds are rounded to 1/65536: two players drift apart by up to 1e-3 of a cycle a minute unless put in step again.
+  Ticks next_update() const override { return blender_.valid() ? in_step_at_ + in_step_for : never; }
   void visit_handles(const std::function<void(Handle&)>& visit) override;
   void destroy_entities(const EntityBuilder& build) override;
   std::unique_ptr<Channel> clone() const override { return std::make_unique<BlendSpaceChannel>(*this); }
 
  private:
+  static constexpr Ticks in_step_for = 10 * ticks_per_second;
+
   struct Place {
     std::size_t lower;  ///< point at or below the parameter
     float fraction;     ///< towards the next one, 0 to below 1
@@ -48,7 +52,8 @@ class BlendSpaceChannel final : public Channel {
   bool is_ground_speed_;
   std::array<Handle, 2> players_;         // of the points around the parameter, the lower first
   std::array<std::size_t, 2> playing_{};  // which points these are
-  Handle blender_;                        // between the two; invalid where one plays alone
+  Ticks in_step_at_ = 0;
+  Handle blender_;  // between the two; invalid where one plays alone
 };
 
 }  // namespace throng::anim

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/anim/run/pose_program.h"
+
 namespace throng::anim {
 namespace {
 
@@ -24,7 +26,7 @@ EntityPools::Kind EntityBuilder::player_kind(std::uint32_t clip) const {
 }
 
 Handle EntityBuilder::create(EntityPools::Kind kind) const {
-  const Handle entity = pools_->create(kind);
+  const Handle entity = pools_->create(kind, (about_.owner & shared_owner) != 0);
   pools_->state(entity).owner = about_.owner;
   return entity;
 }

@@ -27,7 +27,7 @@ struct PlayerStart {
 class EntityBuilder {
  public:
   struct About {
-    std::uint32_t owner = 0;  ///< the agent
+    std::uint32_t owner = 0;  ///< the agent; with the bit shared_owner what is made may be read by all agents
     Ticks now = 0;            ///< the clock
     Ticks posed_at = 0;       ///< where the agent's entities stand
     StreamKind stream = StreamKind::sampled;

@@ -29,7 +29,7 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
   /// 0 (in the air) to 1 (on the ground), or planted_by_pose: by how high the pose has the ankle.
   void set_planted(int leg, float planted) { planted_[static_cast<std::size_t>(leg)] = planted; }
 
-  /// Of a leg at the last update, as the animation has it before it is placed; world space.
+  /// Of a leg at the last update, as the animation has it before it is placed; world space. Once it was added.
   glm::vec3 ankle(const EntityPools& pools, int leg) const {
     const auto& memory = pools.private_as<FootPlacementMemory>(entity());
     return memory.model_in_world.position + memory.model_in_world.rotation * memory.ankles[leg];

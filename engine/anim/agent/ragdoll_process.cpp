@@ -35,7 +35,7 @@ bool RagdollProcess::take_push(const EntityBuilder& build) {
   }
   recovers_ = false;
   if (phase_ != Phase::recovering) return was_standing;
-  turn_round(build, Phase::down, fade_);
+  turn_round(build, Phase::down, build.as<EaseBlender>(blender_).total);  // back as fast as it came
   return true;
 }
 
@@ -57,7 +57,7 @@ bool RagdollProcess::update(const EntityBuilder& build) {
     build.as<RagdollEntity>(ragdoll_).source = {};
     auto& blender = build.as<EaseBlender>(blender_);
     blender.flags = 0;
-    blender.elapsed = build.lead();
+    blender.elapsed = 0;  // from the pose in which it was let go
     blender.total = fade_;
     phase_ = Phase::down;
     return true;

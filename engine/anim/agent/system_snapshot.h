@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "engine/anim/agent/agents.h"
-#include "engine/anim/base/pool.h"
+#include "engine/anim/agent/animation_system.h"
 
 namespace throng::anim {
 
@@ -17,11 +15,12 @@ class SystemSnapshot {
  private:
   friend class AnimationSystem;
 
-  std::vector<PoolSnapshot> pools_;  // own and shared of each kind, in turns
-  std::optional<Agents> agents_;
+  std::vector<CastSnapshot> casts_;
+  std::vector<AnimationSystem::Member> members_;
   Ticks clock_ = 0;
   std::uint64_t frame_ = 0;
   std::uint64_t pose_hash_ = 0;
+  Ticks shared_posed_at_ = 0;
   std::vector<Ticks> posed_at_;
   std::vector<std::uint64_t> agent_hashes_;
 };

@@ -18,11 +18,11 @@ enum class EntityType : std::uint32_t {
   additive_layer,
   inertialiser,
   noise_maker,
-  socket,
   look_at,
   foot_placement,
   two_bone_ik,
   ragdoll,
+  socket,
   user
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace throng::anim {
 namespace {
@@ -29,6 +30,11 @@ void advance_entity(const EntityInStore& entity, std::span<const AnimationStateH
 void blend_packet(const EntityInStore& entity, const PacketJob& job) {
   const auto& blender = entity.as<EaseBlender>();
   const float* weights = entity.assets->mask(blender.mask);
+  if (weights == nullptr && (blender.fraction == 0.0F || blender.fraction == 1.0F)) {
+    const float* const all = job.sources[blender.fraction == 0.0F ? 0 : 1];
+    std::memmove(job.out, all, packet_bytes(entity.assets->components));
+    return;
+  }
   entity.assets->kernels->blend({.from = job.sources[0],
                                  .to = job.sources[1],
                                  .bone_weights = weights == nullptr ? nullptr : weights + job.packet * packet_bones,

@@ -33,9 +33,9 @@ struct EntityLayout {
 
 /// Read-only memory that entities of one skeleton may read beside their own block.
 struct EntityAssets {
-  std::span<const ClipStreams> clips;
-  std::span<const float* const> masks;  ///< each [packets][16]
-  std::span<const BoneSelection> selections;
+  std::span<const ClipStreams> clips{};
+  std::span<const float* const> masks{};  ///< each [packets][16]
+  std::span<const BoneSelection> selections{};
   const Kernels* kernels = nullptr;
   int bone_count = 0;
   int components = rigid_components;

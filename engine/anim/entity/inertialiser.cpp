@@ -22,6 +22,7 @@ struct Plan {
   Capture capture;
   OffsetDecay decay;      ///< of the offset that there is
   float seconds_between;  ///< the two updates of a capture
+  int captured;           ///< packets that have an offset
 };
 constexpr OffsetDecay undiminished = {.offset = 1.0F, .velocity = 0.0F};
 
@@ -32,7 +33,7 @@ std::size_t private_bytes(int bone_count, int) {
 std::span<Handle> sources(std::byte* block, const EntityLayout&) {
   static_assert(offsetof(Inertialiser, leaving) == offsetof(Inertialiser, target) + sizeof(Handle));
   auto& inertialiser = *reinterpret_cast<Inertialiser*>(block);
-  return {&inertialiser.target, inertialiser.leaving.valid() ? 2U : 1U};
+  return {&inertialiser.target, has_left(inertialiser) ? 1U : 2U};
 }
 
 OffsetDecay decay_now(const Inertialiser& inertialiser) {
@@ -54,7 +55,8 @@ void advance_inertialiser(const EntityInStore& entity, std::span<const Animation
   inertialiser.since_capture += delta;
   const Plan plan = {.capture = next_capture(inertialiser, delta),
                      .decay = decay_now(inertialiser),
-                     .seconds_between = static_cast<float>(to_seconds(delta))};
+                     .seconds_between = static_cast<float>(to_seconds(delta)),
+                     .captured = inertialiser.captured};
   entity.prepared_as<Plan>() = plan;
   inertialiser.settled = plan.capture == Capture::first ? 1 : 0;
   inertialiser.capture = plan.capture == Capture::first ? Capture::second : Capture::none;
@@ -117,7 +119,12 @@ void measure(const EntityInStore& entity, const float* shown, const float* targe
 void inertialise_packet(const EntityInStore& entity, const PacketJob& job) {
   const auto& plan = entity.prepared_as<Plan>();
   Offsets& offsets = reinterpret_cast<Offsets*>(entity.private_part().data())[job.packet];
-  if (plan.capture == Capture::none) return apply(entity, offsets, plan.decay, job.sources[0], job.out);
+  const bool has_offset = job.packet < plan.captured;
+  if (plan.capture == Capture::none) {
+    return apply(entity, offsets, has_offset ? plan.decay : OffsetDecay{}, job.sources[0], job.out);
+  }
+  if (!has_offset) offsets = {};
+  entity.as<Inertialiser>().captured = static_cast<std::uint16_t>(job.packet + 1);
   alignas(64) float shown[general_components * packet_bones];
   apply(entity, offsets, plan.decay, job.sources[1], shown);
   if (plan.capture == Capture::first) {
@@ -125,7 +132,7 @@ void inertialise_packet(const EntityInStore& entity, const PacketJob& job) {
     measure(entity, shown, job.sources[0], offsets.velocities[0]);
   } else {
     measure(entity, shown, job.sources[0], offsets.offsets[0]);
-    differentiate(offsets, plan.seconds_between);
+    if (has_offset) differentiate(offsets, plan.seconds_between);
   }
   std::memcpy(job.out, shown, packet_bytes(entity.assets->components));
 }

@@ -22,12 +22,13 @@ struct alignas(64) Inertialiser {
 
   AnimationStateHeader state;  //   0
   Handle target;               //  96  what is followed
-  Handle leaving;              // 100  what was followed before: read while a change is captured, else invalid
+  Handle leaving;              // 100  what was followed before: read while a change is captured
   Ticks since_capture;         // 104
   float half_life;             // 112  seconds in which an offset halves
   float old_half_life;         // 116  of the offset that decays until a new one is captured
   Capture capture;             // 120  what the next update does
-  std::uint32_t settled;       // 124  1 between the halves of a capture: the old offset stands still
+  std::uint16_t settled;       // 124  1 between the halves of a capture: the old offset stands still
+  std::uint16_t captured;      // 126  packets that have offsets: bones of a finer level that comes later have none
 };
 static_assert(sizeof(Inertialiser) == entity_header_bytes);
 static_assert(offsetof(Inertialiser, since_capture) == 104 && offsetof(Inertialiser, capture) == 120);

@@ -21,7 +21,7 @@ struct ClipStreams {
   const SampledStream* sampled = nullptr;  ///< null: the clip plays from its keyframe stream
   Ticks duration = 0;
   const RootCurve* root_motion = nullptr;  ///< what was taken out of the pose; null: nothing
-  std::span<const DataKey> data_keys;      ///< ascending
+  std::span<const DataKey> data_keys{};    ///< ascending
 };
 
 /// Paper 2.2.2. Plays one clip: an animation state with a position in an animation stream.

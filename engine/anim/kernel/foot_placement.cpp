@@ -78,6 +78,15 @@ bool has_all_legs(const FootPlacementRig& rig, const PoseView& pose) {
                      [&](const PlacedLeg& leg) { return is_within(leg.limb.chain, pose); });
 }
 
+/// Smoothed, but in time for a foot that lands.
+DampedValue next_drop(const FootPlacementJob& job, float wanted) {
+  const DampedValue& last = job.state->drop;
+  DampedValue next = smooth_damp(last, wanted, job.options.drop_smooth_seconds, job.seconds);
+  const float in_time = std::min(wanted - job.options.most_gap, last.value + job.options.fastest_drop * job.seconds);
+  next.value = std::max(next.value, in_time);
+  return next;
+}
+
 void lower_pelvis(const FootPlacementJob& job, float drop, ChainMotion motions) {
   if (drop > 0.0F) shift_joint(job.rig->legs[0].limb.chain, job.rig->pelvis, -drop * up, job.pose, motions);
 }
@@ -149,8 +158,7 @@ FootPlacementResult place_feet(const FootPlacementJob& job) {
   }
   FootPlacementState& state = *job.state;
   wanted_drop = std::min(wanted_drop, job.options.max_drop);
-  state.drop = state.started ? smooth_damp(state.drop, wanted_drop, job.options.drop_smooth_seconds, job.seconds)
-                             : DampedValue{.value = wanted_drop};
+  state.drop = state.started ? next_drop(job, wanted_drop) : DampedValue{.value = wanted_drop};
   state.started = true;
   result.drop = state.drop.value * job.weight;
   lower_pelvis(job, result.drop, posed[0].motions);

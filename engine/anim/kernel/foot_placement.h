@@ -50,6 +50,8 @@ Result<FootPlacementRig> make_foot_placement_rig(const Skeleton& skeleton, std::
 struct FootPlacementOptions {
   float max_drop = 0.4F;              ///< metres that the pelvis may be lowered
   float drop_smooth_seconds = 0.08F;  ///< see smooth_damp
+  float most_gap = 0.005F;            ///< metres that the pelvis may lag behind what planted feet need, ...
+  float fastest_drop = 1.5F;          ///< ... if metres a second of this are enough
   float least_tilt_cosine = 0.76F;    ///< feet follow slopes up to this angle (40 degrees)
   FootLockOptions lock{};
 };

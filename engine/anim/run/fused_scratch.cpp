@@ -1,5 +1,7 @@
 #include "engine/anim/run/fused_scratch.h"
 
+#include "engine/anim/run/local_store_plan.h"
+
 namespace throng::anim {
 
 FusedScratch FusedScratch::carve(ScratchCarver& carver, const UpdateContext& context, const StoreNeeds& needs,
@@ -23,11 +25,11 @@ std::size_t FusedScratch::bytes(const UpdateContext& context, const StoreNeeds& 
   return carver.used();
 }
 
-int widest_fused_tile(const UpdateContext& context, const StoreNeeds& needs, std::size_t fetch_bytes,
-                      std::size_t scratch_bytes) {
+int widest_fused_tile(const UpdateContext& context, const StoreNeeds& needs, std::size_t shared_bytes,
+                      const LocalStorePlan& plan) {
   int width = widest_tile;
-  while (width > 0 && (static_cast<std::size_t>(width) * needs.fetch_bytes > fetch_bytes ||
-                       FusedScratch::bytes(context, needs, width) > scratch_bytes)) {
+  while (width > 0 && (shared_bytes + static_cast<std::size_t>(width) * needs.fetch_bytes > plan.fetch_bytes ||
+                       FusedScratch::bytes(context, needs, width) > plan.scratch_bytes)) {
     width /= 2;
   }
   return width;

@@ -8,6 +8,8 @@
 
 namespace throng::anim {
 
+struct LocalStorePlan;
+
 /// The scratch of a tile of `width` characters in the `fused` schedule.
 ///
 ///     model      see tile_scratch.h; a held tile's local poses are the held ones
@@ -26,8 +28,9 @@ struct FusedScratch {
   static std::size_t bytes(const UpdateContext& context, const StoreNeeds& needs, int width);
 };
 
-/// The widest tile, 16 or less, of characters of these needs whose blocks and scratch fit; 0: not even one.
-int widest_fused_tile(const UpdateContext& context, const StoreNeeds& needs, std::size_t fetch_bytes,
-                      std::size_t scratch_bytes);
+/// The widest tile, 16 or less, of characters of these needs, that read `shared_bytes` together, whose blocks and
+/// scratch fit; 0: not even one.
+int widest_fused_tile(const UpdateContext& context, const StoreNeeds& needs, std::size_t shared_bytes,
+                      const LocalStorePlan& plan);
 
 }  // namespace throng::anim

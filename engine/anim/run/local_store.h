@@ -65,13 +65,16 @@ class CopyEngine {
 
   CopyCounts take_counts();
 
- private:
   struct Transfer {
     const std::byte* from;
     std::byte* to;
     std::size_t size;
-    bool inward;
+    bool inward;  ///< to the local store
   };
+  /// Since the last finish().
+  std::span<const Transfer> queued() const { return queue_; }
+
+ private:
   void move(std::size_t bytes);
 
   std::vector<Transfer> queue_;

@@ -41,21 +41,32 @@ StoreNeeds interrupted_fade_needs(const UpdateContext& context, const LocalStore
           .registers = 3};
 }
 
+/// Of each buffer, so that all together hold `bytes`.
+std::size_t share_of_buffers(std::size_t bytes, int buffers) {
+  return (bytes / static_cast<std::size_t>(buffers) + 63) / 64 * 64;
+}
+
 LocalStorePlan plan_for_context(const UpdateContext& context, const LocalStoreDemand& demand, int width) {
   const StoreNeeds usual = usual_needs(context, demand);
   StoreNeeds largest = demand.largest;
   largest.widen(interrupted_fade_needs(context, demand));
   const auto lanes = static_cast<std::size_t>(width);
+  const int buffers = demand.double_buffering == DoubleBuffering::off ? 1 : 2;
+  const std::size_t shared_entity = share_of_buffers(demand.shared_entity_bytes, buffers);
   if (demand.schedule == Schedule::fused) {
-    return {.width = width,
-            .fetch_bytes =
-                std::max<std::size_t>({lanes * usual.fetch_bytes, largest.fetch_bytes, demand.shared_entity_bytes}),
-            .scratch_bytes =
-                std::max(FusedScratch::bytes(context, usual, width), FusedScratch::bytes(context, largest, 1))};
+    const std::size_t tile = std::max<std::size_t>(lanes * usual.fetch_bytes, largest.fetch_bytes);
+    return {
+        .width = width,
+        .fetch_bytes = std::max(tile + largest.shared_bytes, shared_entity),
+        .fetch_buffers = buffers,
+        .scratch_bytes = std::max(FusedScratch::bytes(context, usual, width), FusedScratch::bytes(context, largest, 1)),
+        .shared_bytes = largest.shared_bytes};
   }
+  const std::size_t large_entity = share_of_buffers(largest.entity_bytes, buffers);
   return {.width = width,
-          .fetch_bytes = std::max<std::size_t>({usual.entity_bytes, largest.entity_bytes, demand.shared_entity_bytes,
-                                                PaletteTasks::fetch_bytes(context, width)}),
+          .fetch_bytes = std::max<std::size_t>(
+              {usual.entity_bytes, large_entity, shared_entity, PaletteTasks::fetch_bytes(context, width)}),
+          .fetch_buffers = buffers,
           .scratch_bytes = std::max(EntityTasks::scratch_bytes, PaletteTasks::scratch_bytes(context, width))};
 }
 
@@ -64,13 +75,11 @@ LocalStorePlan plan_for_width(std::span<const UpdateContext> contexts, const Loc
   for (const UpdateContext& context : contexts) {
     const LocalStorePlan part = plan_for_context(context, demand, width);
     plan.fetch_bytes = std::max(plan.fetch_bytes, part.fetch_bytes);
+    plan.fetch_buffers = part.fetch_buffers;
     plan.scratch_bytes = std::max(plan.scratch_bytes, part.scratch_bytes);
+    plan.shared_bytes = std::max(plan.shared_bytes, part.shared_bytes);
   }
   return plan;
-}
-
-std::size_t plan_bytes(const LocalStorePlan& plan, DoubleBuffering mode) {
-  return plan.fetch_bytes * (mode == DoubleBuffering::off ? 1 : 2) + plan.scratch_bytes;
 }
 
 int widest(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, std::size_t size) {
@@ -101,7 +110,8 @@ Error too_wide(const LocalStoreDemand& demand, std::size_t size, int tile, int f
 }  // namespace
 
 std::size_t local_store_bytes(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width) {
-  return plan_bytes(plan_for_width(contexts, demand, width), demand.double_buffering);
+  const LocalStorePlan plan = plan_for_width(contexts, demand, width);
+  return plan.all_fetch_bytes() + plan.scratch_bytes;
 }
 
 Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand,
@@ -117,8 +127,8 @@ std::size_t automatic_local_store(std::span<const UpdateContext> contexts, const
 }
 
 bool plan_holds(const LocalStorePlan& plan, const UpdateContext& context, Schedule schedule, const StoreNeeds& needs) {
-  if (schedule == Schedule::levels) return needs.entity_bytes <= plan.fetch_bytes;
-  return widest_fused_tile(context, needs, plan.fetch_bytes, plan.scratch_bytes) > 0;
+  if (schedule == Schedule::levels) return needs.entity_bytes <= plan.all_fetch_bytes();
+  return needs.shared_bytes <= plan.shared_bytes && widest_fused_tile(context, needs, needs.shared_bytes, plan) > 0;
 }
 
 }  // namespace throng::anim

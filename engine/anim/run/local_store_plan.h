@@ -18,9 +18,14 @@ enum class Schedule : std::uint8_t {
 
 /// How a local store is divided for one schedule.
 struct LocalStorePlan {
-  int width = 1;  ///< characters a tile
-  std::size_t fetch_bytes = 0;
+  int width = 1;                ///< characters a tile
+  std::size_t fetch_bytes = 0;  ///< of each fetch buffer
+  int fetch_buffers = 2;        ///< 1 without double buffering
   std::size_t scratch_bytes = 0;
+  std::size_t shared_bytes = 0;  ///< of a fetch buffer, for what others own
+
+  /// What the rare entity of `levels` that one buffer cannot hold has, by itself.
+  std::size_t all_fetch_bytes() const { return fetch_bytes * static_cast<std::size_t>(fetch_buffers); }
 };
 
 /// What the store must hold: tiles of usual graphs, up to four players and the blenders over them, and at least one

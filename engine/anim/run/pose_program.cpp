@@ -42,7 +42,11 @@ class Flattening {
  private:
   Status push_after_sources(Handle entity) {
     PoseStep step{.entity = entity};
-    for (const Handle source : pools_->sources(entity)) {
+    const std::span<const Handle> sources = pools_->sources(entity);
+    if (sources.size() > max_sources) {
+      return Error{"the " + named(*pools_, entity) + " reads more than " + std::to_string(max_sources) + " sources"};
+    }
+    for (const Handle source : sources) {
       std::uint8_t at = no_step;
       if (Status visited = visit(source, at); !visited) return visited;
       step.sources[step.source_count++] = at;
@@ -59,6 +63,10 @@ class Flattening {
 
   Status push(const PoseStep& step) {
     if (count_ == steps_.size()) return too_large();
+    if (step.below_highest >= PoseProgram::max_depth) {
+      return Error{"the " + named(*pools_, step.entity) + " has more than " + std::to_string(PoseProgram::max_depth) +
+                   " entities below it"};
+    }
     steps_[count_++] = step;
     return Done{};
   }
@@ -115,9 +123,11 @@ std::uint8_t assign_registers(std::span<PoseStep> steps, const EntityPools& pool
 
 void StoreNeeds::widen(const StoreNeeds& other) {
   fetch_bytes = std::max(fetch_bytes, other.fetch_bytes);
+  shared_bytes = std::max(shared_bytes, other.shared_bytes);
   entity_bytes = std::max(entity_bytes, other.entity_bytes);
   prepared_bytes = std::max(prepared_bytes, other.prepared_bytes);
   registers = std::max(registers, other.registers);
+  shared = std::max(shared, other.shared);
   held = held || other.held;
 }
 
@@ -130,9 +140,13 @@ Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, Pos
   program.own_count = 0;
   for (const PoseStep& step : steps) {
     const EntityLayout& layout = pools.layout(step.entity);
-    program.needs.fetch_bytes += step.shared ? layout.source_bytes() : layout.total_size;
-    if (step.shared) continue;
+    if (step.shared) {
+      program.needs.shared_bytes += layout.source_bytes();
+      ++program.needs.shared;
+      continue;
+    }
     ++program.own_count;
+    program.needs.fetch_bytes += layout.total_size;
     std::uint32_t entity_bytes = layout.total_size;
     for (std::size_t k = 0; k < step.source_count; ++k) {
       entity_bytes += pools.layout(steps[step.sources[k]].entity).source_bytes();

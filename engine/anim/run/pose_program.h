@@ -26,10 +26,12 @@ static_assert(sizeof(PoseStep) == 16);
 
 /// What a program asks of the local store.
 struct StoreNeeds {
-  std::uint32_t fetch_bytes = 0;     ///< all blocks
+  std::uint32_t fetch_bytes = 0;     ///< blocks of its own
+  std::uint32_t shared_bytes = 0;    ///< of others, once a tile
   std::uint32_t entity_bytes = 0;    ///< the most that one entity and its sources take, for `levels`
   std::uint32_t prepared_bytes = 0;  ///< of all kinds
   std::uint8_t registers = 1;        ///< poses that live at once
+  std::uint8_t shared = 0;           ///< blocks of others that it reads
   bool held = false;                 ///< some entity needs whole poses, so all are
 
   void widen(const StoreNeeds& other);
@@ -40,6 +42,8 @@ struct StoreNeeds {
 /// several entities read is evaluated once. Any shape and depth without cycles.
 struct PoseProgram {
   static constexpr std::size_t max_steps = 64;
+  /// Steps below the highest priority, by way of shared entities too.
+  static constexpr std::size_t max_depth = 128;
 
   std::vector<PoseStep> steps;
   StoreNeeds needs;
@@ -53,8 +57,8 @@ inline constexpr std::uint32_t shared_owner = 1U << 31;
 
 /// Flattens what `root` reads and gives each entity of `owner` its priority: the lowest of its sources' minus one,
 /// players highest. Shared entities of another owner are read as they are. Reuses the program's memory. Errors, and
-/// then the program is as it was: a handle to nothing, a cycle, an entity of another owner that is not shared, more
-/// than max_steps entities.
+/// then the program is as it was: a handle to nothing, a cycle, an entity of another owner that is not shared, one
+/// that reads more than max_sources, more than max_steps entities or max_depth below each other.
 Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, PoseProgram& program);
 
 }  // namespace throng::anim

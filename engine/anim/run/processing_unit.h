@@ -25,10 +25,11 @@ class alignas(block_alignment) ProcessingUnit {
   ProcessingUnit(std::size_t local_store_bytes, std::size_t palette_entries)
       : store_(local_store_bytes), unseen_(allocate_aligned((palette_entries + 3) / 4 * 4 * sizeof(PaletteMatrix))) {}
 
-  /// At a frame boundary.
-  void divide_store(const LocalStorePlan& plan, int fetch_buffers) {
-    store_.divide(plan.fetch_bytes, fetch_buffers, plan.scratch_bytes);
-    engine_.reserve(2 * plan.fetch_bytes / entity_header_bytes + 2 * widest_tile);  // one tile out while one comes in
+  /// While no task is under way.
+  void divide_store(const LocalStorePlan& plan) {
+    store_.divide(plan.fetch_bytes, plan.fetch_buffers, plan.scratch_bytes);
+    engine_.reserve(2 * plan.all_fetch_bytes() / entity_header_bytes +
+                    2 * widest_tile);  // one tile out while one comes in
   }
 
   LocalStore& store() { return store_; }

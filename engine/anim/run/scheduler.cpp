@@ -29,13 +29,12 @@ Scheduler::Scheduler(const ScheduleOptions& options, std::size_t palette_entries
   units_.reserve(static_cast<std::size_t>(options.pus));
   for (int pu = 0; pu < options.pus; ++pu) units_.emplace_back(options.local_store_bytes, palette_entries);
   set_plan(options.plan);
-  priorities_.resize(PoseProgram::max_steps);
+  priorities_.resize(PoseProgram::max_depth);
 }
 
 void Scheduler::set_plan(const LocalStorePlan& plan) {
   options_.plan = plan;
-  const int buffers = options_.double_buffering == DoubleBuffering::off ? 1 : 2;
-  for (ProcessingUnit& unit : units_) unit.divide_store(plan, buffers);
+  for (ProcessingUnit& unit : units_) unit.divide_store(plan);
 }
 
 void Scheduler::reserve(std::size_t agents) {
@@ -77,28 +76,41 @@ std::span<const AgentWork> Scheduler::sorted(std::span<const AgentWork> work) {
   return sorted_;
 }
 
-int Scheduler::tile_limit(const UpdateContext& context, const StoreNeeds& needs) const {
+int Scheduler::tile_limit(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared) const {
   if (options_.schedule == Schedule::levels) return options_.plan.width;
-  const int fits = widest_fused_tile(context, needs, options_.plan.fetch_bytes, options_.plan.scratch_bytes);
-  assert(fits > 0 && "a program that does not fit the local store was let in");
-  return std::min(options_.plan.width, fits);
+  return std::min(options_.plan.width, widest_fused_tile(context, needs, shared.bytes(*context.pools), options_.plan));
 }
 
 void Scheduler::cut_tiles(std::span<const UpdateContext> contexts, std::span<const AgentWork> work) {
   tiles_.clear();
-  StoreNeeds needs;
-  int limit = 0;
+  StoreNeeds needs;  // of the last tile
+  SharedSources shared;
+  int limit = 0;  // characters of these needs in a tile
   for (std::uint32_t i = 0; i < work.size(); ++i) {
-    const bool begins = tiles_.empty() || !share_a_tile(work[tiles_.back().first], work[i]);
-    StoreNeeds with_this = begins ? StoreNeeds{} : needs;
-    with_this.widen(work[i].program->needs);
-    if (begins || with_this != needs) limit = tile_limit(contexts[work[i].skeleton], with_this);
-    needs = with_this;
-    if (begins || tiles_.back().count >= static_cast<std::uint32_t>(limit)) {
-      tiles_.push_back({i, 1});
-    } else {
+    const UpdateContext& context = contexts[work[i].skeleton];
+    const PoseProgram& program = *work[i].program;
+    const bool joins = !tiles_.empty() && share_a_tile(work[tiles_.back().first], work[i]);
+    StoreNeeds wider = needs;
+    wider.widen(program.needs);
+    if (joins && wider == needs && program.needs.shared == 0) {
+      if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({i, 0});
       ++tiles_.back().count;
+      continue;
     }
+    SharedSources more = shared;
+    const int wider_limit = joins && more.add(program) ? tile_limit(context, wider, more) : 0;
+    if (joins && wider_limit > static_cast<int>(tiles_.back().count)) {
+      ++tiles_.back().count;
+      needs = wider;
+      shared = more;
+      limit = wider_limit;
+      continue;
+    }
+    tiles_.push_back({i, 1});
+    needs = program.needs;
+    shared = SharedSources(work.subspan(i, 1));
+    limit = tile_limit(context, needs, shared);
+    assert(limit > 0 && "a program that does not fit the local store was let in");
   }
 }
 
@@ -129,14 +141,29 @@ void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<con
 void Scheduler::run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                              Executor& executor) {
   collect_entities(work);
-  for (const std::vector<EntityUpdate>& updates : priorities_) {
-    if (updates.empty()) continue;
-    on_all_units(static_cast<int>(updates.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-      EntityTasks tasks(contexts, updates, queue, unit.store());
-      unit.run(tasks, options_.double_buffering);
-      unit.activity().tasks += tasks.entities_done();
+  const LocalStorePlan one_at_a_time{
+      .fetch_bytes = options_.plan.all_fetch_bytes(), .fetch_buffers = 1, .scratch_bytes = options_.plan.scratch_bytes};
+  for (std::vector<EntityUpdate>& updates : priorities_) {
+    const auto large = std::partition(updates.begin(), updates.end(), [&](const EntityUpdate& update) {
+      return update.program->needs.entity_bytes <= options_.plan.fetch_bytes;
     });
+    run_updates(contexts, {updates.begin(), large}, options_.plan, executor);
+    run_updates(contexts, {large, updates.end()}, one_at_a_time, executor);
   }
+}
+
+// Updates that need both fetch buffers go without double buffering.
+void Scheduler::run_updates(std::span<const UpdateContext> contexts, std::span<const EntityUpdate> updates,
+                            const LocalStorePlan& plan, Executor& executor) {
+  if (updates.empty()) return;
+  const DoubleBuffering mode = plan.fetch_buffers == 1 ? DoubleBuffering::off : options_.double_buffering;
+  on_all_units(static_cast<int>(updates.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
+    unit.divide_store(plan);
+    EntityTasks tasks(contexts, updates, queue, unit.store());
+    unit.run(tasks, mode);
+    unit.divide_store(options_.plan);
+    unit.activity().tasks += tasks.entities_done();
+  });
 }
 
 void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,

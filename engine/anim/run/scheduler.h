@@ -9,6 +9,7 @@
 #include "engine/anim/run/fused_tasks.h"
 #include "engine/anim/run/level_tasks.h"
 #include "engine/anim/run/processing_unit.h"
+#include "engine/anim/run/shared_sources.h"
 #include "engine/anim/run/task_queue.h"
 
 namespace throng::anim {
@@ -44,10 +45,12 @@ class Scheduler {
 
  private:
   std::span<const AgentWork> sorted(std::span<const AgentWork> work);
-  int tile_limit(const UpdateContext& context, const StoreNeeds& needs) const;
+  int tile_limit(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared) const;
   void cut_tiles(std::span<const UpdateContext> contexts, std::span<const AgentWork> work);
   void collect_entities(std::span<const AgentWork> work);
   void run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
+  void run_updates(std::span<const UpdateContext> contexts, std::span<const EntityUpdate> updates,
+                   const LocalStorePlan& plan, Executor& executor);
   void run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
   void run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
   template <typename RunUnit>

@@ -14,13 +14,26 @@ class SharedSources {
  public:
   static constexpr std::size_t most = PoseProgram::max_steps;
 
+  SharedSources() = default;
   explicit SharedSources(std::span<const AgentWork> tile) {
-    for (const AgentWork& work : tile) {
-      if (work.program->own_count == work.program->steps.size()) continue;
-      for (const PoseStep& step : work.program->steps) {
-        if (step.shared && std::ranges::find(all(), step.entity) == all().end()) entities_[count_++] = step.entity;
-      }
+    for (const AgentWork& work : tile) add(*work.program);
+  }
+
+  /// What the program reads. False: the list has no room for all of it, and is of no use then.
+  bool add(const PoseProgram& program) {
+    if (program.needs.shared == 0) return true;
+    for (const PoseStep& step : program.steps) {
+      if (!step.shared || std::ranges::find(all(), step.entity) != all().end()) continue;
+      if (count_ == most) return false;
+      entities_[count_++] = step.entity;
     }
+    return true;
+  }
+
+  std::size_t bytes(const EntityPools& pools) const {
+    std::size_t bytes = 0;
+    for (const Handle entity : all()) bytes += pools.layout(entity).source_bytes();
+    return bytes;
   }
 
   std::span<const Handle> all() const { return {entities_.data(), count_}; }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/simple_channel.h"
 #include "engine/anim/asset/synthetic_model.h"
 
 namespace throng::anim {
@@ -25,6 +26,7 @@ struct Crowd {
     }
   }
   std::uint64_t fetched_blocks() const { return system->report().copies.bytes_in / entity_header_bytes; }
+  std::size_t entities() const { return system->program(0).steps.size(); }
   std::unique_ptr<AnimationSystem> system;
 };
 
@@ -40,37 +42,66 @@ TEST(Fade, TakesTwoPlayersAndABlenderWhileItRunsAndOnePlayerAfterwards) {
   EXPECT_EQ(crowd.fetched_blocks(), 1U);
 }
 
-TEST(Fade, AnInterruptedFadeFadesOnFromWhereItStands) {
+// The new player, the inertialiser, and until it has seen two updates of it the old fade of three.
+TEST(Fade, ThatIsInterruptedIsLeftThroughAnInertialiser) {
   Crowd crowd;
   crowd.system->play(0, {.clip = 0});
   crowd.system->play(0, {.clip = 1, .fade = 30 * frame});
   crowd.step(5);
   crowd.system->play(0, {.clip = 2, .fade = 10 * frame});
-  crowd.step(1);
-  EXPECT_EQ(crowd.fetched_blocks(), 5U);
-  crowd.step(10);
-  EXPECT_EQ(crowd.fetched_blocks(), 1U) << "the outer fade is over, so nothing below it counts";
-}
-
-TEST(Fade, AnInnerFadeThatEndsFirstIsReplacedByItsTarget) {
-  Crowd crowd;
-  crowd.system->play(0, {.clip = 0});
-  crowd.system->play(0, {.clip = 1, .fade = 5 * frame});
-  crowd.system->play(0, {.clip = 2, .fade = 30 * frame});
-  crowd.step(3);
-  EXPECT_EQ(crowd.fetched_blocks(), 5U);
-  crowd.step(4);
-  EXPECT_EQ(crowd.fetched_blocks(), 3U);
-}
-
-TEST(Fade, ATreeThatIsFullRefusesInsteadOfSnapping) {
-  Crowd crowd;
-  crowd.system->play(0, {.clip = 0});
-  for (int i = 0; i < BlendTree::max_players - 1; ++i) {
-    EXPECT_TRUE(crowd.system->play(0, {.clip = i % 4, .fade = ticks_per_second}));
-  }
-  EXPECT_FALSE(crowd.system->play(0, {.clip = 1, .fade = ticks_per_second}));
+  EXPECT_EQ(crowd.entities(), 5U);
+  crowd.step(2);
+  EXPECT_EQ(crowd.entities(), 5U);
   crowd.step();
+  EXPECT_EQ(crowd.entities(), 2U);
+  crowd.step(30);
+  EXPECT_EQ(crowd.entities(), 1U) << "the offset has ended";
+}
+
+TEST(Fade, ThatIsInterruptedBeforeItWasShownCostsNothing) {
+  Crowd crowd;
+  crowd.system->play(0, {.clip = 0});
+  crowd.step();
+  crowd.system->play(0, {.clip = 1, .fade = 30 * frame});
+  for (int i = 0; i < 5; ++i) crowd.system->play(0, {.clip = i % 4, .fade = 30 * frame});
+  EXPECT_EQ(crowd.entities(), 5U);
+}
+
+TEST(Fade, IsNeverRefused) {
+  Crowd crowd;
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_TRUE(crowd.system->play(0, {.clip = i % 4, .fade = ticks_per_second}));
+    EXPECT_LE(crowd.entities(), 5U);
+    crowd.step(i % 4);
+  }
+}
+
+TEST(Fade, OverBlendsThatStayIsNeverRefusedButAFifthBlendThatStaysIs) {
+  Crowd crowd;
+  crowd.system->play(0, {.clip = 0});
+  for (int i = 1; i < BlendTree::max_players; ++i) {
+    EXPECT_TRUE(crowd.system->play(0, {.clip = i, .held_fraction = 0.5F}));
+  }
+  EXPECT_FALSE(crowd.system->play(0, {.clip = 1, .held_fraction = 0.5F}));
+  EXPECT_TRUE(crowd.system->play(0, {.clip = 1, .fade = ticks_per_second}));
+  crowd.step(2);
+}
+
+TEST(Fade, ThatAStoreOfFixedSizeHasNoRoomForIsACutAndSaysSo) {
+  Crowd crowd({.local_store_bytes = 16 * 1024, .tile = 1});
+  ASSERT_TRUE(crowd.system->play(0, {.clip = 0}));
+  while (crowd.system->add_channel(0, std::make_unique<SimpleChannel>(PlayerStart{.clip = 1}))) {
+    ASSERT_LT(crowd.entities(), PoseProgram::max_steps);
+  }
+  const std::size_t full = crowd.entities();
+  crowd.step();
+  bool refused = false;
+  for (int clip = 1; clip < 4 && !refused; ++clip) {
+    refused = !crowd.system->play(0, {.clip = clip, .fade = ticks_per_second});
+    crowd.step();
+  }
+  EXPECT_TRUE(refused);
+  EXPECT_LE(crowd.entities(), full);
 }
 
 TEST(Fade, IsTheSameMotionWhenUpdatesAreSkipped) {

@@ -17,9 +17,9 @@ class PersonWhoIsTold : public testing::Test {
   PersonCrowd crowd_{{.schedule = Schedule::levels}};
 };
 
-class PersonLooking : public PersonWhoIsTold {
+class PersonWhoIsToldToLook : public PersonWhoIsTold {
  protected:
-  PersonLooking() {
+  PersonWhoIsToldToLook() {
     EXPECT_TRUE(crowd_.system().add_post_process(0, std::make_unique<LookAtProcess>(*crowd_.kinds().look_at)));
   }
   template <typename Change>
@@ -28,7 +28,7 @@ class PersonLooking : public PersonWhoIsTold {
   }
 };
 
-TEST_F(PersonLooking, LooksAtTheTargetAndAwayAgainWithoutAJump) {
+TEST_F(PersonWhoIsToldToLook, LooksAtTheTargetAndAwayAgainWithoutAJump) {
   tell([](auto& look) { look.look_at({2.0F, 1.5F, 2.0F}, ticks_per_second / 2); });
   glm::vec3 last = facing();
   float largest_turn = 0.0F;
@@ -49,7 +49,7 @@ TEST_F(PersonLooking, LooksAtTheTargetAndAwayAgainWithoutAJump) {
   EXPECT_LT(largest_turn, 0.12F) << "radians a frame: 7 a second";
 }
 
-TEST_F(PersonLooking, FollowsATargetThatMovesFromFrameToFrame) {
+TEST_F(PersonWhoIsToldToLook, FollowsATargetThatMovesFromFrameToFrame) {
   for (int frame = 0; frame < 200; ++frame) {
     const float side = std::sin(0.02F * static_cast<float>(frame));
     tell([&](auto& look) { look.look_at({2.0F * side, 1.5F, 2.0F}); });

@@ -61,16 +61,16 @@ TEST_F(PersonPushedOver, FallsLiesStillAndComesBack) {
   EXPECT_EQ(crowd_.system().pools().pool(*crowd_.kinds().ragdoll).memory().bytes_alive, 0U);
 }
 
-// A joint of the march goes up to 8 cm a frame, one that falls 10 cm: at the switches there is to be no more than that.
+// A joint of the march goes 3.6 cm in its fastest frame. At a switch none goes more than 2 cm farther than it might.
 TEST_F(PersonPushedOver, MakesNoJumpOnTheWayDownNorOnTheWayUp) {
   const double marching = largest_step(60);
   push();
-  EXPECT_LT(largest_step(10), marching + 0.04) << "from the animation to the rag-doll";
-  EXPECT_LT(largest_step(470), 0.2) << "on the way down";
+  EXPECT_LT(largest_step(10), marching + 0.02) << "from the animation to the rag-doll";
+  EXPECT_LT(largest_step(470), 0.15) << "on the way down: 9 m/s";
   recover();
   EXPECT_LT(largest_step(5), 0.02) << "from the rag-doll to the animation";
-  EXPECT_LT(largest_step(50), marching + 0.06);
-  EXPECT_LT(largest_step(30), marching + 0.02) << "when the blend is over";
+  EXPECT_LT(largest_step(50), marching + 0.03);
+  EXPECT_LT(largest_step(30), marching + 0.01) << "when the blend is over";
   EXPECT_EQ(ragdoll().phase(), Phase::standing);
 }
 
@@ -97,7 +97,7 @@ TEST_F(PersonPushedOver, FallsAgainFromWhereItIsWhenPushedWhileItGetsUp) {
   joints_ = crowd_.joints();
   push({0.0F, 0.0F, 10.0F});
   EXPECT_EQ(ragdoll().phase(), Phase::down);
-  EXPECT_LT(largest_step(2), 0.3);
+  EXPECT_LT(largest_step(3), 0.08) << "it came up at that speed";
   crowd_.step(300);
   EXPECT_LT(crowd_.joint("head").position.y, 0.5F);
 }

@@ -56,12 +56,5 @@ TEST(EaseBlender, WithoutDurationIsItsTarget) {
   EXPECT_EQ(blender.fraction, 1.0F);
 }
 
-TEST(EaseBlender, HasThePriorityBelowTheLowestOfItsSources) {
-  const std::int16_t one_deep = blender_priority(highest_priority, highest_priority);
-  EXPECT_EQ(one_deep, highest_priority - 1);
-  EXPECT_EQ(blender_priority(one_deep, highest_priority), highest_priority - 2);
-  EXPECT_EQ(blender_priority(highest_priority, one_deep), highest_priority - 2);
-}
-
 }  // namespace
 }  // namespace throng::anim

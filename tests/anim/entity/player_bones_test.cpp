@@ -13,6 +13,17 @@
 namespace throng::anim {
 namespace {
 
+/// As a PU would, from what `advance` prepared.
+void pose_packet(const PlayerPose& pose, const Kernels& kernels, int components, int packet, float* out) {
+  alignas(64) std::byte prepared[64];
+  std::memcpy(prepared, &pose, sizeof pose);
+  const EntityAssets assets{
+      .clips = {}, .masks = {}, .selections = {}, .kernels = &kernels, .bone_count = 0, .components = components};
+  const EntityInStore entity{.block = nullptr, .prepared = prepared, .layout = nullptr, .assets = &assets};
+  const bool sampled = pose.interpolations.empty();
+  (sampled ? sampled_player_kind : keyframe_player_kind).pose_packet(entity, {.packet = packet, .out = out});
+}
+
 /// One character in one pose: its player's packets, and the palette that they give.
 class PosedCharacter {
  public:

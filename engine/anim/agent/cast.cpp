@@ -1,0 +1,165 @@
+#include "engine/anim/agent/cast.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace throng::anim {
+namespace {
+
+ClipStreams streams_of(const BakedClip& clip) {
+  return {.keyframe = &clip.keyframe(),
+          .sampled = clip.sampled(),
+          .duration = clip.duration,
+          .root_motion = &clip.root_motion,
+          .data_keys = clip.data_keys};
+}
+
+void add(PoolMemory& sum, const PoolMemory& part) {
+  sum.blocks_alive += part.blocks_alive;
+  sum.blocks_capacity += part.blocks_capacity;
+  sum.bytes_alive += part.bytes_alive;
+  sum.bytes_reserved += part.bytes_reserved;
+  sum.bytes_of_tables += part.bytes_of_tables;
+}
+
+}  // namespace
+
+std::size_t CastSnapshot::bytes() const {
+  std::size_t bytes = agents ? agents->bytes() + shared->bytes() : 0;
+  for (const PoolSnapshot& pool : pools) bytes += pool.bytes();
+  return bytes;
+}
+
+Cast::Cast(std::shared_ptr<const Character> played)
+    : character(std::move(played)),
+      pools(skeleton().bone_count(), skeleton().components(), Residency::transient),
+      agents(pools),
+      shared(pools, shared_owner) {
+  for (const BakedClip& clip : character->clips) clips.push_back(streams_of(clip));
+}
+
+UpdateContext Cast::context(const Kernels& kernels) const {
+  return {.hierarchy = &character->hierarchy,
+          .assets = {.clips = clips,
+                     .masks = mask_weights,
+                     .selections = selections,
+                     .kernels = &kernels,
+                     .bone_count = skeleton().bone_count(),
+                     .components = skeleton().components()},
+          .level_bone_counts = skeleton().level_bone_counts,
+          .pools = &pools};
+}
+
+int Cast::add_mask(BoneMask mask) {
+  assert(mask.packets() == packets_for(skeleton().bone_count()) && "a mask of another skeleton");
+  assert(masks.size() < std::numeric_limits<std::int16_t>::max());
+  mask_weights.push_back(mask.packet(0));
+  masks.push_back(std::move(mask));
+  return static_cast<int>(masks.size()) - 1;
+}
+
+std::uint32_t Cast::add_selection(BoneSelection selection) {
+  assert(selection.packets() == packets_for(skeleton().bone_count()) && "a selection of another skeleton");
+  selections.push_back(std::move(selection));
+  return static_cast<std::uint32_t>(selections.size());
+}
+
+void Cast::set_residency(Residency residency) {
+  if (residency == pools.residency()) return;
+  pools.set_residency(residency);
+  agents.recompile();
+}
+
+void Cast::set_stream(StreamKind stream) {
+  for (std::uint32_t agent = 0; agent < agents.count(); ++agent) {
+    agents.restream(EntityBuilder(pools, clips, {.owner = agent, .stream = stream}), agent);
+  }
+  agents.recompile();
+}
+
+void Cast::reserve_fades(StreamKind stream, std::size_t agent_count) {
+  constexpr std::size_t players_of_a_fade = 2;
+  const bool sampled = stream == StreamKind::sampled;
+  pools.pool(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players)
+      .reserve(players_of_a_fade * agent_count);
+  pools.pool(EntityPools::ease_blenders).reserve(agent_count);
+}
+
+void Cast::snapshot(CastSnapshot& into) const {
+  into.pools.resize(std::size_t{2} * pools.kind_count());
+  for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
+    pools.pool(kind).snapshot(into.pools[2 * kind]);
+    pools.shared_pool(kind).snapshot(into.pools[2 * kind + 1]);
+  }
+  into.agents.emplace(agents.clone());
+  into.shared.emplace(shared.clone());
+}
+
+Status Cast::restore(const CastSnapshot& from) {
+  for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
+    // The first is refused if any is: all are of one residency.
+    if (Status restored = pools.pool(kind).restore(from.pools[2 * kind]); !restored) return restored;
+    if (Status restored = pools.shared_pool(kind).restore(from.pools[2 * kind + 1]); !restored) return restored;
+  }
+  agents = from.agents->clone();
+  shared = from.shared->clone();
+  return Done{};
+}
+
+Compaction Cast::compact() {
+  std::vector<Handle> order;
+  for (const Agents* graphs : {&shared, &agents}) {
+    for (std::uint32_t agent = 0; agent < graphs->count(); ++agent) {
+      for (const PoseStep& step : graphs->program(agent).steps) order.push_back(step.entity);
+    }
+  }
+  Compaction all{.complete = true};
+  for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
+    for (Pool* pool : {&pools.pool(kind), &pools.shared_pool(kind)}) {
+      const Compaction one = pool->compact(order);
+      all.blocks_moved += one.blocks_moved;
+      all.bytes_given_back += one.bytes_given_back;
+    }
+  }
+  return all;
+}
+
+void Cast::add_memory(std::vector<KindMemory>& kinds) const {
+  for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
+    const char* const name = pools.layout(kind).kind->name;
+    auto found = std::ranges::find(kinds, std::string_view(name), &KindMemory::kind);
+    if (found == kinds.end()) found = kinds.insert(kinds.end(), {.kind = name, .own = {}, .shared = {}});
+    add(found->own, pools.pool(kind).memory());
+    add(found->shared, pools.shared_pool(kind).memory());
+  }
+}
+
+std::size_t Cast::bytes_alive() const {
+  std::size_t bytes = agents.bytes();
+  for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) bytes += pools.pool(kind).memory().bytes_alive;
+  return bytes;
+}
+
+LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<Cast>> casts, StreamKind stream) {
+  LocalStoreDemand demand{.skeleton = {}, .any_sampled = false, .largest = {}};
+  int most_bones = 0;
+  for (const std::unique_ptr<Cast>& cast : casts) {
+    for (const ClipStreams& clip : cast->clips) {
+      const bool sampled = stream == StreamKind::sampled && clip.sampled != nullptr;
+      demand.any_sampled = demand.any_sampled || sampled;
+      demand.any_keyframe = demand.any_keyframe || !sampled;
+    }
+    demand.largest.widen(cast->agents.largest_needs());
+    demand.shared_entity_bytes =
+        std::max<std::size_t>(demand.shared_entity_bytes, cast->shared.largest_needs().entity_bytes);
+    if (cast->skeleton().bone_count() <= most_bones) continue;
+    most_bones = cast->skeleton().bone_count();
+    demand.skeleton = cast->skeleton().name;
+  }
+  return demand;
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/anim/agent/agents.h"
+#include "engine/anim/asset/bone_mask.h"
+#include "engine/anim/asset/character.h"
+#include "engine/anim/run/agent_work.h"
+#include "engine/anim/run/local_store_plan.h"
+
+namespace throng::anim {
+
+/// Main memory of the blocks of one kind, those that agents own and those that they share.
+struct KindMemory {
+  const char* kind = "";
+  PoolMemory own;
+  PoolMemory shared;
+};
+
+/// Blocks and graphs of a cast as they were.
+struct CastSnapshot {
+  std::vector<PoolSnapshot> pools;  // own and shared of each kind, in turns
+  std::optional<Agents> agents;
+  std::optional<Agents> shared;
+
+  std::size_t bytes() const;
+};
+
+/// The agents of one character and all that they share: streams, masks, pools, graphs that several of them read. Stays
+/// where it is, since its parts point at each other.
+struct Cast {
+  explicit Cast(std::shared_ptr<const Character> played);
+  Cast(const Cast&) = delete;
+  Cast& operator=(const Cast&) = delete;
+
+  const Skeleton& skeleton() const { return character->skeleton; }
+  /// As PUs read it: valid until a mask or a selection is added.
+  UpdateContext context(const Kernels& kernels) const;
+
+  int add_mask(BoneMask mask);
+  std::uint32_t add_selection(BoneSelection selection);
+
+  void set_residency(Residency residency);
+  void set_stream(StreamKind stream);
+  /// Room for one fade of every agent.
+  void reserve_fades(StreamKind stream, std::size_t agent_count);
+
+  void snapshot(CastSnapshot& into) const;
+  Status restore(const CastSnapshot& from);
+  Compaction compact();
+  void add_memory(std::vector<KindMemory>& kinds) const;
+  std::size_t bytes_alive() const;
+
+  std::shared_ptr<const Character> character;
+  std::vector<ClipStreams> clips;
+  std::vector<BoneMask> masks;
+  std::vector<const float*> mask_weights;  // of masks, as the context lists them
+  std::vector<BoneSelection> selections;
+  EntityPools pools;
+  Agents agents;
+  Agents shared;
+};
+
+/// What all casts together ask of the local stores.
+LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<Cast>> casts, StreamKind stream);
+
+}  // namespace throng::anim

@@ -1,0 +1,103 @@
+// However often a fade is interrupted nothing snaps, measured where it would be seen: at joints in model space.
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/anim/agent/crowd_rig.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr int requests = 11;  // ten of them interrupt
+constexpr int frames_of_a_fade = 18;
+
+/// The farthest that any joint moves from one frame to the next.
+struct LargestStep {
+  float metres = 0.0F;
+  std::vector<glm::vec3> before;
+
+  void look(const CrowdRig& crowd) {
+    std::vector<glm::vec3> now = crowd.joints();
+    for (std::size_t i = 0; i < before.size(); ++i) metres = std::max(metres, glm::distance(now[i], before[i]));
+    before = std::move(now);
+  }
+};
+
+struct Motion {
+  float largest_step = 0.0F;
+  std::size_t deepest = 0;
+};
+
+/// A clip after the other, each asked for `frames_between` frames after the one before.
+Motion play_in_a_row(Schedule schedule, int frames_between) {
+  CrowdRig crowd({.schedule = schedule});
+  crowd->play(0, {.clip = 0});
+  LargestStep largest;
+  Motion motion;
+  const auto run = [&](int frames) {
+    for (int i = 0; i < frames; ++i) {
+      crowd.step();
+      largest.look(crowd);
+      motion.deepest = std::max(motion.deepest, crowd.depth());
+    }
+  };
+  run(10);
+  for (int request = 1; request <= requests; ++request) {
+    crowd->play(0, {.clip = request % 5, .fade = frames_of_a_fade * frame_ticks});
+    run(frames_between);
+  }
+  run(3 * frames_of_a_fade);
+  motion.largest_step = largest.metres;
+  return motion;
+}
+
+TEST(Interruption, TenInARowStepNoFurtherThanTwiceTheMotionWithoutAny) {
+  const Motion uninterrupted = play_in_a_row(Schedule::fused, 2 * frames_of_a_fade);
+  ASSERT_GT(uninterrupted.largest_step, 0.001F);
+  for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
+    for (const int frames_between : {1, 2, 3, 5, 9, 17}) {
+      EXPECT_LE(play_in_a_row(schedule, frames_between).largest_step, 2.0F * uninterrupted.largest_step)
+          << "every " << frames_between << " frames";
+    }
+  }
+}
+
+TEST(Interruption, LeavesTheTreeNoDeeperThanThree) {
+  for (const int frames_between : {0, 1, 2, 5}) EXPECT_LE(play_in_a_row(Schedule::fused, frames_between).deepest, 3U);
+}
+
+TEST(Interruption, ACutIsFurtherThanThat) {
+  CrowdRig crowd;
+  LargestStep largest;
+  for (int request = 0; request <= requests; ++request) {
+    crowd->play(0, {.clip = request % 5});
+    for (int i = 0; i < 5; ++i) {
+      crowd.step();
+      largest.look(crowd);
+    }
+  }
+  EXPECT_GT(largest.metres, 2.0F * play_in_a_row(Schedule::fused, 2 * frames_of_a_fade).largest_step)
+      << "else the promise above could not be broken";
+}
+
+TEST(Interruption, EndsInTheClipThatWasAskedForLast) {
+  CrowdRig interrupted;
+  interrupted->play(0, {.clip = 0});
+  interrupted.step(5);
+  for (int request = 0; request < 10; ++request) {
+    interrupted->play(0, {.clip = request % 5, .fade = frames_of_a_fade * frame_ticks});
+    interrupted.step(3);
+  }
+  interrupted->play(0, {.clip = 3, .fade = frames_of_a_fade * frame_ticks});
+  CrowdRig plain;
+  plain->play(0, {.clip = 3});
+  interrupted.step(60);
+  plain.step(60);
+  EXPECT_TRUE(interrupted.bones_unlike(plain).empty());
+  EXPECT_EQ(interrupted.entities(), 1U);
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -1,0 +1,140 @@
+// Whole-crowd snapshot, rewind and restore, with every kind of entity in play.
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/agent/simple_channel.h"
+#include "tests/anim/agent/every_kind.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr int ten_seconds = 600;
+
+void expect_the_same_again(const SystemOptions& options) {
+  EveryKind crowd(options);
+  crowd.step(ten_seconds);
+  SystemSnapshot snapshot;
+  crowd->snapshot(snapshot);
+  const std::uint64_t before = crowd->pose_hash();
+  crowd.step(ten_seconds);
+  const std::uint64_t after = crowd->pose_hash();
+  EXPECT_NE(after, before);
+  ASSERT_TRUE(crowd->restore(snapshot));
+  EXPECT_EQ(crowd->pose_hash(), before);
+  crowd.step(ten_seconds);
+  EXPECT_EQ(crowd->pose_hash(), after);
+}
+
+TEST(Snapshot, RestoredGoesOnToTheSamePosesUnderFused) { expect_the_same_again({.pus = 2}); }
+
+TEST(Snapshot, RestoredGoesOnToTheSamePosesUnderLevels) { expect_the_same_again({.schedule = Schedule::levels}); }
+
+TEST(Snapshot, HasEveryKindOfEntityInPlay) {
+  EveryKind crowd;
+  crowd.step(100);
+  const EntityPools& pools = crowd->pools();
+  std::size_t shared = 0;
+  for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
+    shared += pools.shared_pool(kind).alive_count();
+    if (kind == EntityPools::keyframe_players) continue;  // the other stream's
+    EXPECT_GT(pools.pool(kind).alive_count(), 0U) << pools.layout(kind).kind->name;
+  }
+  EXPECT_EQ(shared, 3U);
+}
+
+TEST(Snapshot, MayBeRestoredAgainAndAgain) {
+  EveryKind crowd;
+  crowd.step(50);
+  SystemSnapshot snapshot;
+  crowd->snapshot(snapshot);
+  std::uint64_t hash = 0;
+  for (int time = 0; time < 3; ++time) {
+    ASSERT_TRUE(crowd->restore(snapshot));
+    crowd.step(50);
+    if (time == 0) hash = crowd->pose_hash();
+    EXPECT_EQ(crowd->pose_hash(), hash);
+  }
+}
+
+TEST(Snapshot, IsWholeWhateverWasCompactedInBetween) {
+  EveryKind crowd;
+  crowd.step(100);
+  SystemSnapshot snapshot;
+  crowd->snapshot(snapshot);
+  crowd.step(200);
+  const std::uint64_t hash = crowd->pose_hash();
+  crowd->compact();
+  ASSERT_TRUE(crowd->restore(snapshot));
+  crowd->compact();
+  crowd.step(200);
+  EXPECT_EQ(crowd->pose_hash(), hash);
+}
+
+TEST(Compaction, WhileRunningChangesNoBit) {
+  for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
+    EveryKind compacted({.schedule = schedule});
+    EveryKind left({.schedule = schedule});
+    std::size_t moved = 0;
+    for (int i = 0; i < 20; ++i) {
+      compacted.step(13);
+      left.step(13);
+      const Compaction done = compacted->compact();
+      EXPECT_TRUE(done.complete);
+      moved += done.blocks_moved;
+    }
+    EXPECT_GT(moved, 0U);
+    EXPECT_EQ(compacted->pose_hash(), left->pose_hash());
+  }
+}
+
+TEST(Snapshot, OfAnotherCrowdCountBringsItsAgentsBack) {
+  EveryKind crowd;
+  crowd.step(20);
+  SystemSnapshot snapshot;
+  crowd->snapshot(snapshot);
+  crowd.step(20);
+  const std::uint64_t hash = crowd->pose_hash();
+  crowd->set_agent_count(3);
+  ASSERT_TRUE(crowd->restore(snapshot));
+  EXPECT_EQ(crowd->agent_count(), EveryKind::agents);
+  crowd.step(20);
+  EXPECT_EQ(crowd->pose_hash(), hash);
+}
+
+TEST(Snapshot, IsRefusedUnderAScheduleOfOtherBlocksAndNothingChanges) {
+  EveryKind crowd;
+  crowd.step(20);
+  SystemSnapshot snapshot;
+  crowd->snapshot(snapshot);
+  ASSERT_TRUE(crowd->configure({.schedule = Schedule::levels}));
+  crowd.step(20);
+  const std::uint64_t hash = crowd->pose_hash();
+  EXPECT_FALSE(crowd->restore(snapshot));
+  EXPECT_EQ(crowd->pose_hash(), hash);
+  crowd.step(20);
+}
+
+TEST(Snapshot, IsRefusedWhereItsGraphsHaveNoRoom) {
+  CrowdRig crowd({.local_store_bytes = 256 * 1024});
+  crowd->play(0, {.clip = 0});
+  for (int layer = 0; layer < 30; ++layer) {
+    ASSERT_TRUE(crowd->add_channel(0, std::make_unique<SimpleChannel>(PlayerStart{.clip = 1})));
+  }
+  SystemSnapshot snapshot;
+  crowd->snapshot(snapshot);
+  while (crowd->channel_count(0) > 1) crowd->remove_channel(0, 1);
+  ASSERT_TRUE(crowd->configure({.local_store_bytes = 16 * 1024}));
+  EXPECT_FALSE(crowd->restore(snapshot));
+  EXPECT_EQ(crowd->channel_count(0), 1U);
+  crowd.step();
+}
+
+TEST(Snapshot, ThatWasNeverTakenIsRefused) {
+  CrowdRig crowd;
+  const Status restored = crowd->restore(SystemSnapshot{});
+  ASSERT_FALSE(restored);
+  EXPECT_EQ(restored.error().message, "there is no crowd in this snapshot: take one first");
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -1,0 +1,101 @@
+#include "tests/anim/entity/entity_rig.h"
+
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/run/pose_entity.h"
+#include "engine/anim/run/pose_program.h"
+
+namespace throng::anim {
+
+EntityRig::EntityRig(std::span<const ClipStreams> clips)
+    : pools_(bones, rigid_components, Residency::resident),
+      assets_{.clips = clips,
+              .masks = {},
+              .selections = {},
+              .kernels = &best_kernels(),
+              .bone_count = bones,
+              .components = rigid_components} {}
+
+Handle EntityRig::create(EntityPools::Kind kind, std::uint32_t owner) {
+  const Handle entity = pools_.create(kind);
+  pools_.state(entity).owner = owner;
+  return entity;
+}
+
+Handle EntityRig::held(float radians, float metres) {
+  const Handle entity = create(EntityPools::held_states);
+  set_pose(entity, radians, metres);
+  return entity;
+}
+
+void EntityRig::set_pose(Handle held, float radians, float metres) {
+  const PoseView view = pose(held);
+  for (int bone = 0; bone < bones; ++bone) {
+    view.set_rotation(bone, glm::angleAxis(radians, glm::vec3(0.0F, 0.0F, 1.0F)));
+    view.set_position(bone, {metres, 0.0F, 0.0F});
+  }
+}
+
+Handle EntityRig::hold(Handle from, Handle to, float fraction) {
+  const Handle entity = create(EntityPools::ease_blenders);
+  auto& blender = as<EaseBlender>(entity);
+  blender.from = from;
+  blender.to = to;
+  blender.flags = EaseBlender::held;
+  blender.fraction = fraction;
+  blender.mask = EaseBlender::no_mask;
+  return entity;
+}
+
+std::int16_t EntityRig::mask_from(int first) {
+  masks_.push_back(allocate_aligned(static_cast<std::size_t>(packets_for(bones) * packet_bones) * sizeof(float)));
+  auto* const weights = reinterpret_cast<float*>(masks_.back().get());
+  for (int bone = first; bone < bones; ++bone) weights[bone] = 1.0F;
+  mask_list_.push_back(weights);
+  assets_.masks = mask_list_;
+  return static_cast<std::int16_t>(mask_list_.size() - 1);
+}
+
+void EntityRig::update(Handle root, Ticks delta, int packets) {
+  PoseProgram program;
+  const Status compiled = compile_program(pools_, root, pools_.state(root).owner, program);
+  ASSERT_TRUE(compiled) << compiled.error().message;
+  alignas(64) std::array<std::byte, most_prepared_bytes> prepared;
+  for (const PoseStep& step : program.steps) {
+    const EntityInStore entity{.block = pools_.block(step.entity),
+                               .prepared = prepared.data(),
+                               .layout = &pools_.layout(step.entity),
+                               .assets = &assets_};
+    std::vector<const AnimationStateHeader*> states;
+    std::vector<PoseView> poses;
+    for (std::size_t i = 0; i < step.source_count; ++i) {
+      const Handle source = program.steps[step.sources[i]].entity;
+      states.push_back(&pools_.state(source));
+      poses.push_back(pose(source));
+    }
+    pools_.state(step.entity).delta_time += delta;
+    entity.layout->kind->advance(entity, states);
+    pose_entity(entity, poses, pose(step.entity), packets, nullptr);
+  }
+}
+
+PoseView EntityRig::pose(Handle entity) {
+  return {transforms_of(pools_.state(entity)), packet_bytes(rigid_components) / sizeof(float), rigid_components, bones};
+}
+
+float EntityRig::angle(Handle entity, int bone) {
+  const glm::quat rotation = pose(entity).rotation(bone);
+  return 2.0F * std::atan2(rotation.z, rotation.w);
+}
+
+float EntityRig::place(Handle entity, int bone) { return pose(entity).position(bone).x; }
+
+std::vector<float> EntityRig::floats(Handle entity) {
+  const float* const first = transforms_of(pools_.state(entity));
+  return {first, first + pose_bytes(bones, rigid_components) / sizeof(float)};
+}
+
+}  // namespace throng::anim

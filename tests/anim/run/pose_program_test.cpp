@@ -1,0 +1,242 @@
+#include "engine/anim/run/pose_program.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/anim/entity/mixer.h"
+#include "engine/anim/entity/noise_maker.h"
+#include "tests/anim/entity/entity_rig.h"
+
+namespace throng::anim {
+namespace {
+
+using testing::HasSubstr;
+
+/// A graph in transient blocks, as `fused` has it: poses live in registers.
+struct Graph {
+  explicit Graph(Residency residency = Residency::transient) : pools(20, rigid_components, residency) {}
+
+  Handle player(std::uint32_t owner = 0) {
+    const Handle entity = pools.create(EntityPools::sampled_players);
+    pools.state(entity).owner = owner;
+    return entity;
+  }
+  Handle shared_player() {
+    const Handle entity = pools.create(EntityPools::sampled_players, true);
+    pools.state(entity).owner = shared_owner;
+    return entity;
+  }
+  Handle blend(Handle from, Handle to) {
+    const Handle entity = pools.create(EntityPools::ease_blenders);
+    pools.as<EaseBlender>(entity).from = from;
+    pools.as<EaseBlender>(entity).to = to;
+    return entity;
+  }
+  Handle mix(std::initializer_list<Handle> sources) {
+    const Handle entity = pools.create(EntityPools::mixers);
+    pools.as<Mixer>(entity).source_count = static_cast<std::uint32_t>(sources.size());
+    std::ranges::copy(sources, mixer_sources(pools.block(entity), pools.layout(entity)).sources);
+    return entity;
+  }
+  Handle shaken(Handle source) {
+    const Handle entity = pools.create(EntityPools::noise_makers);
+    pools.as<NoiseMaker>(entity).source = source;
+    return entity;
+  }
+  PoseProgram compiled(Handle root) {
+    PoseProgram program;
+    const Status status = compile_program(pools, root, 0, program);
+    EXPECT_TRUE(status) << status.error().message;
+    return program;
+  }
+  std::string refusal(Handle root) {
+    PoseProgram program;
+    const Status status = compile_program(pools, root, 0, program);
+    return status ? "" : status.error().message;
+  }
+  int priority(Handle entity) { return pools.state(entity).priority; }
+
+  EntityPools pools;
+};
+
+/// Each register holds what a step reads until the step has read it.
+void expect_registers_hold(const PoseProgram& program) {
+  std::array<int, PoseProgram::max_steps> written_by{};
+  for (std::size_t i = 0; i < program.steps.size(); ++i) {
+    const PoseStep& step = program.steps[i];
+    for (std::size_t k = 0; k < step.source_count; ++k) {
+      const std::size_t source = step.sources[k];
+      ASSERT_LT(source, i) << "sources come first";
+      EXPECT_EQ(written_by[program.steps[source].target], source) << "overwritten before step " << i << " read it";
+    }
+    EXPECT_LT(step.target, program.needs.registers);
+    written_by[step.target] = static_cast<int>(i);
+  }
+}
+
+TEST(PoseProgram, OfAPlayerAloneIsOneStep) {
+  Graph graph;
+  const Handle player = graph.player();
+  const PoseProgram program = graph.compiled(player);
+  ASSERT_EQ(program.steps.size(), 1U);
+  EXPECT_EQ(program.root(), player);
+  EXPECT_EQ(program.needs.registers, 1U);
+  EXPECT_EQ(program.own_count, 1U);
+}
+
+TEST(PoseProgram, GivesAnEntityThePriorityBelowTheLowestOfItsSources) {
+  Graph graph;
+  const Handle player = graph.player();
+  const Handle one_deep = graph.blend(graph.player(), graph.player());
+  const Handle two_deep = graph.blend(one_deep, player);
+  const Handle also_two_deep = graph.blend(player, one_deep);
+  graph.compiled(graph.blend(two_deep, also_two_deep));
+  EXPECT_EQ(graph.priority(player), highest_priority);
+  EXPECT_EQ(graph.priority(one_deep), highest_priority - 1);
+  EXPECT_EQ(graph.priority(two_deep), highest_priority - 2);
+  EXPECT_EQ(graph.priority(also_two_deep), highest_priority - 2);
+}
+
+TEST(PoseProgram, EvaluatesASourceOfSeveralEntitiesOnce) {
+  Graph graph;
+  const Handle top = graph.player();
+  const Handle left = graph.shaken(top);
+  const Handle right = graph.shaken(top);
+  const PoseProgram diamond = graph.compiled(graph.blend(left, right));
+  EXPECT_EQ(diamond.steps.size(), 4U);
+  expect_registers_hold(diamond);
+}
+
+TEST(PoseProgram, OfAChainOfAnyDepthTakesTwoRegisters) {
+  Graph graph;
+  Handle root = graph.player();
+  for (int depth = 0; depth < 30; ++depth) root = graph.blend(root, graph.player());
+  const PoseProgram program = graph.compiled(root);
+  EXPECT_EQ(program.steps.size(), 61U);
+  EXPECT_EQ(program.needs.registers, 2U) << "registers are given back after their last reader";
+  expect_registers_hold(program);
+}
+
+TEST(PoseProgram, OfABalancedTreeTakesOneRegisterALevel) {
+  Graph graph;
+  const auto tree = [&](const auto& self, int depth) -> Handle {
+    return depth == 0 ? graph.player() : graph.blend(self(self, depth - 1), self(self, depth - 1));
+  };
+  const PoseProgram program = graph.compiled(tree(tree, 5));
+  EXPECT_EQ(program.steps.size(), 63U);
+  EXPECT_EQ(program.needs.registers, 6U);
+  expect_registers_hold(program);
+}
+
+TEST(PoseProgram, OfManySourcesInAnyShapeKeepsWhatIsStillRead) {
+  Graph graph;
+  const Handle a = graph.player();
+  const Handle b = graph.player();
+  const Handle c = graph.player();
+  const Handle ab = graph.blend(a, b);
+  const Handle mixed = graph.mix({a, ab, c, graph.shaken(ab), b});
+  const PoseProgram program = graph.compiled(graph.blend(mixed, graph.blend(a, mixed)));
+  EXPECT_EQ(program.steps.size(), 8U);
+  expect_registers_hold(program);
+}
+
+TEST(PoseProgram, NeedsNoRegisterForABlockThatKeepsItsTransforms) {
+  Graph graph;
+  const Handle held = graph.pools.create(EntityPools::held_states);
+  const PoseProgram program = graph.compiled(graph.blend(held, graph.player()));
+  EXPECT_EQ(program.needs.registers, 1U);
+}
+
+TEST(PoseProgram, ReadsASharedEntityAndNothingBelowIt) {
+  Graph graph;
+  const Handle shared = graph.shared_player();
+  const PoseProgram program = graph.compiled(graph.blend(shared, graph.player()));
+  ASSERT_EQ(program.steps.size(), 3U);
+  EXPECT_TRUE(program.steps[0].shared);
+  EXPECT_EQ(program.own_count, 2U);
+  EXPECT_EQ(program.needs.shared, 1U);
+}
+
+TEST(PoseProgram, RefusesACycleAndNamesTheKind) {
+  Graph graph;
+  const Handle outer = graph.blend({}, graph.player());
+  const Handle inner = graph.shaken(outer);
+  graph.pools.as<EaseBlender>(outer).from = inner;
+  EXPECT_THAT(graph.refusal(outer), HasSubstr("the ease blender 0 is among its own sources"));
+  EXPECT_THAT(graph.refusal(inner), HasSubstr("the noise maker 0 is among its own sources"));
+}
+
+TEST(PoseProgram, RefusesAnEntityThatReadsItself) {
+  Graph graph;
+  const Handle blender = graph.blend({}, graph.player());
+  graph.pools.as<EaseBlender>(blender).from = blender;
+  EXPECT_THAT(graph.refusal(blender), HasSubstr("among its own sources"));
+}
+
+TEST(PoseProgram, RefusesAHandleToNothing) {
+  Graph graph;
+  const Handle dead = graph.player();
+  const Handle blender = graph.blend(dead, graph.player());
+  graph.pools.destroy(dead);
+  EXPECT_EQ(graph.refusal(blender), "the ease blender 0 is to read an entity that does not exist");
+  EXPECT_EQ(graph.refusal({}), "an agent is to read an entity that does not exist");
+}
+
+TEST(PoseProgram, RefusesAnEntityOfAnotherAgent) {
+  Graph graph;
+  const Handle theirs = graph.player(7);
+  EXPECT_THAT(graph.refusal(graph.blend(graph.player(), theirs)),
+              HasSubstr("the sampled player 0, which belongs to another agent: create it as shared"));
+}
+
+TEST(PoseProgram, RefusesMoreThan64Entities) {
+  Graph graph;
+  Handle root = graph.player();
+  for (int i = 1; i < 64; ++i) root = graph.shaken(root);
+  EXPECT_EQ(graph.refusal(root), "");
+  EXPECT_THAT(graph.refusal(graph.shaken(root)), HasSubstr("more than 64 entities"));
+}
+
+TEST(PoseProgram, RefusesAnEntityOfMoreThanEightSources) {
+  Graph graph;
+  const Handle player = graph.player();
+  const Handle mixer = graph.mix({player, player, player, player, player, player, player, player});
+  EXPECT_EQ(graph.refusal(mixer), "");
+  graph.pools.as<Mixer>(mixer).source_count = 9;
+  EXPECT_EQ(graph.refusal(mixer), "the mixer 0 reads more than 8 sources");
+}
+
+TEST(PoseProgram, RefusesMoreThan128EntitiesBelowEachOtherByWayOfSharedOnes) {
+  Graph graph;
+  Handle below = graph.shared_player();
+  PoseProgram program;
+  Status status = Done{};
+  for (std::uint32_t owner = shared_owner + 1; status && owner < shared_owner + 10; ++owner) {
+    for (int i = 0; i < 40; ++i) {
+      const Handle above = graph.pools.create(EntityPools::noise_makers, true);
+      graph.pools.state(above).owner = owner;
+      graph.pools.as<NoiseMaker>(above).source = below;
+      below = above;
+    }
+    status = compile_program(graph.pools, below, owner, program);
+    EXPECT_EQ(status.has_value(), owner < shared_owner + 4) << "three graphs of 40 fit, a fourth does not";
+  }
+  ASSERT_FALSE(status);
+  EXPECT_THAT(status.error().message, HasSubstr("more than 128 entities below it"));
+}
+
+TEST(PoseProgram, IsAsItWasWhenAGraphIsRefused) {
+  Graph graph;
+  PoseProgram program = graph.compiled(graph.blend(graph.player(), graph.player()));
+  const std::vector<PoseStep> before = program.steps;
+  const StoreNeeds needs = program.needs;
+  EXPECT_FALSE(compile_program(graph.pools, graph.shaken({}), 0, program));
+  EXPECT_EQ(program.needs, needs);
+  ASSERT_EQ(program.steps.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(program.steps[i].entity, before[i].entity);
+}
+
+}  // namespace
+}  // namespace throng::anim

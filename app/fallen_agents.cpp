@@ -38,7 +38,8 @@ bool FallenAgents::wants_up(Fallen& fallen) const {
   const RagdollProcess& ragdoll = process(fallen.agent);
   if (ragdoll.phase() != Phase::down) return false;
   const anim::Ticks now = system_->clock();
-  fallen.rests_since = ragdoll.is_asleep(system_->pools()) ? std::min(fallen.rests_since, now) : anim::never;
+  fallen.rests_since =
+      ragdoll.is_asleep(system_->pools(fallen.agent)) ? std::min(fallen.rests_since, now) : anim::never;
   return now - fallen.pushed_at >= most_unrest || (fallen.rests_since <= now && now - fallen.rests_since >= lies_for);
 }
 
@@ -65,12 +66,12 @@ FallenAgents::Phase FallenAgents::phase(std::uint32_t agent) const {
 }
 
 bool FallenAgents::at_rest(std::uint32_t agent) const {
-  return phase(agent) == Phase::down && process(agent).is_asleep(system_->pools());
+  return phase(agent) == Phase::down && process(agent).is_asleep(system_->pools(agent));
 }
 
 std::optional<glm::vec3> FallenAgents::hips(std::uint32_t agent) const {
   if (phase(agent) != Phase::down && phase(agent) != Phase::recovering) return std::nullopt;
-  return process(agent).hips(system_->pools());
+  return process(agent).hips(system_->pools(agent));
 }
 
 }  // namespace throng::app

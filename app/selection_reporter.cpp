@@ -26,8 +26,7 @@ bool is_player(anim::Handle entity) {
   return pool == anim::EntityPools::sampled_players || pool == anim::EntityPools::keyframe_players;
 }
 
-EntityRow row_of(const anim::PoseStep& step, const anim::AnimationSystem& system) {
-  const anim::EntityPools& pools = system.pools();
+EntityRow row_of(const anim::PoseStep& step, const anim::EntityPools& pools, const anim::Character& character) {
   const anim::EntityLayout& layout = pools.layout(step.entity);
   EntityRow row{.kind = layout.kind->name,
                 .clip = {},
@@ -40,7 +39,7 @@ EntityRow row_of(const anim::PoseStep& step, const anim::AnimationSystem& system
                 .shared = step.shared};
   if (!is_player(step.entity)) return row;
   const auto& player = pools.as<anim::Player>(step.entity);
-  const anim::BakedClip& clip = system.character().clips[player.clip];
+  const anim::BakedClip& clip = character.clips[player.clip];
   row.clip = clip.name;
   row.position_seconds = static_cast<float>(anim::to_seconds(player.position / anim::fine_ticks_per_tick));
   row.duration_seconds = static_cast<float>(anim::to_seconds(clip.duration));
@@ -51,7 +50,7 @@ void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
   const anim::PoseProgram& program = system.program(report.agent);
   const anim::PoseWeights weights = system.motion(report.agent).weights(system.clock());
   for (std::size_t i = 0; i < program.steps.size(); ++i) {
-    report.entities.push_back(row_of(program.steps[i], system));
+    report.entities.push_back(row_of(program.steps[i], system.pools(report.agent), system.character(report.agent)));
     report.entities.back().weight = weights[i];
     report.bytes += report.entities.back().bytes;
   }

@@ -12,21 +12,19 @@ using anim::RagdollProcess;
 constexpr anim::Ticks lies_for = 2 * anim::ticks_per_second;
 constexpr anim::Ticks gets_up_in = anim::ticks_per_second;
 constexpr anim::Ticks most_unrest = 12 * anim::ticks_per_second;  // who never comes to rest gets up nevertheless
-constexpr std::size_t ragdoll_process = 0;                        // the only post process that the demo's agents have
 
 }  // namespace
 
-FallenAgents::FallenAgents(const anim::CharacterRigs& rigs, anim::AnimationSystem& system)
-    : system_(&system), kind_(rigs.add_to(system).ragdoll) {}
-
 // The process stays once it is there: without a rag-doll it is nothing.
 anim::Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place) {
-  if (system_->post_process_count(agent) == ragdoll_process) {
+  if (!process_of(agent)) {
+    const std::size_t index = system_->post_process_count(agent);
     const anim::Status added = system_->add_post_process(agent, std::make_unique<RagdollProcess>(*kind_));
     if (!added) return added;
+    processes_.push_back({agent, index});
   }
   const anim::Status pushed = system_->change_process<RagdollProcess>(
-      agent, ragdoll_process, [&](RagdollProcess& ragdoll) { ragdoll.push(impulse, place); });
+      agent, *process_of(agent), [&](RagdollProcess& ragdoll) { ragdoll.push(impulse, place); });
   if (!pushed) return pushed;
   const auto found = std::ranges::find(fallen_, agent, &Fallen::agent);
   Fallen& fallen = found == fallen_.end() ? fallen_.emplace_back() : *found;
@@ -49,7 +47,7 @@ std::span<const std::uint32_t> FallenAgents::advance() {
     if (wants_up(fallen)) {
       // One that cannot get up for want of room in the local store is let go of, and then it stands.
       static_cast<void>(system_->change_process<RagdollProcess>(
-          fallen.agent, ragdoll_process, [](RagdollProcess& ragdoll) { ragdoll.recover(gets_up_in); }));
+          fallen.agent, *process_of(fallen.agent), [](RagdollProcess& ragdoll) { ragdoll.recover(gets_up_in); }));
     }
     if (phase(fallen.agent) == Phase::standing) risen_.push_back(fallen.agent);
   }
@@ -57,12 +55,17 @@ std::span<const std::uint32_t> FallenAgents::advance() {
   return risen_;
 }
 
+std::optional<std::size_t> FallenAgents::process_of(std::uint32_t agent) const {
+  const auto found = std::ranges::find(processes_, agent, &Process::agent);
+  return found == processes_.end() ? std::nullopt : std::optional(found->index);
+}
+
 const RagdollProcess& FallenAgents::process(std::uint32_t agent) const {
-  return system_->post_process<RagdollProcess>(agent, ragdoll_process);
+  return system_->post_process<RagdollProcess>(agent, *process_of(agent));
 }
 
 FallenAgents::Phase FallenAgents::phase(std::uint32_t agent) const {
-  return system_->post_process_count(agent) > ragdoll_process ? process(agent).phase() : Phase::standing;
+  return process_of(agent) ? process(agent).phase() : Phase::standing;
 }
 
 bool FallenAgents::at_rest(std::uint32_t agent) const {

@@ -8,7 +8,6 @@
 #include <glm/vec3.hpp>
 
 #include "engine/anim/agent/animation_system.h"
-#include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/agent/ragdoll_process.h"
 #include "engine/anim/base/result.h"
 
@@ -25,8 +24,9 @@ class FallenAgents {
     anim::Ticks rests_since = anim::never;
   };
 
-  /// Takes kinds of entities of the system; `rigs` and `system` outlive it.
-  FallenAgents(const anim::CharacterRigs& rigs, anim::AnimationSystem& system);
+  /// `kind`: RigKinds::ragdoll; nothing: nobody can fall. `system` outlives it.
+  FallenAgents(std::optional<anim::EntityPools::Kind> kind, anim::AnimationSystem& system)
+      : kind_(kind), system_(&system) {}
 
   /// The character's skeleton can be a rag-doll.
   bool possible() const { return kind_.has_value(); }
@@ -40,7 +40,10 @@ class FallenAgents {
   std::span<const std::uint32_t> advance();
 
   /// All agents were made anew.
-  void reset() { fallen_.clear(); }
+  void reset() {
+    fallen_.clear();
+    processes_.clear();
+  }
 
   std::span<const Fallen> fallen() const { return fallen_; }
   Phase phase(std::uint32_t agent) const;
@@ -50,12 +53,20 @@ class FallenAgents {
   std::optional<glm::vec3> hips(std::uint32_t agent) const;
 
  private:
+  /// A post process that an agent was given when it was pushed first.
+  struct Process {
+    std::uint32_t agent;
+    std::size_t index;
+  };
+
+  std::optional<std::size_t> process_of(std::uint32_t agent) const;
   const anim::RagdollProcess& process(std::uint32_t agent) const;
   bool wants_up(Fallen& fallen) const;
 
-  anim::AnimationSystem* system_;
   std::optional<anim::EntityPools::Kind> kind_;
+  anim::AnimationSystem* system_;
   std::vector<Fallen> fallen_;
+  std::vector<Process> processes_;
   std::vector<std::uint32_t> risen_;
 };
 

@@ -72,7 +72,7 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(CharacterSource character, co
   if (!system) return system.error();
   stage->system_ = std::move(*system);
   stage->rigs_ = std::make_unique<const anim::CharacterRigs>(stage->character_.model);
-  stage->fallen_ = std::make_unique<FallenAgents>(*stage->rigs_, *stage->system_);
+  stage->fallen_ = std::make_unique<FallenAgents>(stage->rigs_->add_to(*stage->system_).ragdoll, *stage->system_);
   stage->tuning_ = tuning;
   stage->populate();
   return stage;

@@ -13,6 +13,7 @@
 #include "app/settings.h"
 #include "app/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/run/lod.h"
 #include "engine/anim/run/pu_threads.h"
 #include "engine/render/camera.h"

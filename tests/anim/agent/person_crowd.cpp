@@ -64,11 +64,6 @@ Clip sway(const Skeleton& skeleton) {
                   {"head", {across, [](float phase) { return 0.2F * wave(phase); }}}});
 }
 
-std::shared_ptr<const Character> person() {
-  static const auto character = std::make_shared<const Character>(bake_character(marching_person()));
-  return character;
-}
-
 }  // namespace
 
 const Model& marching_person() {
@@ -85,6 +80,11 @@ const Model& marching_person() {
 const CharacterRigs& person_rigs() {
   static const CharacterRigs rigs(marching_person());
   return rigs;
+}
+
+std::shared_ptr<const Character> person() {
+  static const auto character = std::make_shared<const Character>(bake_character(marching_person()));
+  return character;
 }
 
 PersonCrowd::PersonCrowd(const SystemOptions& options, std::uint32_t agents)

@@ -16,6 +16,7 @@ namespace throng::anim {
 /// trunk and head, hips alone.
 const Model& marching_person();
 const CharacterRigs& person_rigs();
+std::shared_ptr<const Character> person();
 
 inline constexpr Ticks frame_at_60_hz = ticks_per_second / 60;
 

@@ -121,6 +121,22 @@ TEST_F(PersonPushedOver, GoesOnWithItsAnimationsClockWhileItLies) {
   EXPECT_EQ(crowd_.joints(), other.joints());
 }
 
+TEST(PersonInASmallStore, StaysAsItIsWhereARagdollHasNoRoom) {
+  std::size_t kib = 1;
+  while (!AnimationSystem::create(person(), {.local_store_bytes = kib * 1024})) ++kib;
+  PersonCrowd crowd({.local_store_bytes = kib * 1024});
+  PersonCrowd other({.local_store_bytes = kib * 1024});
+  ASSERT_TRUE(crowd.system().add_post_process(0, std::make_unique<RagdollProcess>(*crowd.kinds().ragdoll)));
+  const auto push = [](auto& ragdoll) { ragdoll.push({0.0F, 0.0F, -40.0F}, {0.0F, 1.3F, 0.0F}); };
+  const Status pushed = crowd.system().change_process<RagdollProcess>(0, 0, push);
+  ASSERT_FALSE(pushed);
+  EXPECT_NE(pushed.error().message.find("local store"), std::string::npos);
+  EXPECT_EQ(crowd.system().post_process<RagdollProcess>(0, 0).phase(), Phase::standing);
+  crowd.step(10);
+  other.step(10);
+  EXPECT_EQ(crowd.system().pose_hash(), other.system().pose_hash());
+}
+
 TEST_F(PersonPushedOver, FallsTheWayItIsPushed) {
   push({0.0F, 0.0F, -60.0F});
   crowd_.step(300);

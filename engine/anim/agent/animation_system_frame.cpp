@@ -1,0 +1,111 @@
+// One frame: channels that are due, the work of each agent, the PUs, the hash.
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/base/hash.h"
+
+namespace throng::anim {
+
+void AnimationSystem::update(std::span<const AgentUpdate> agents) {
+  ++frame_;
+  report_ = {};
+  begin_shared_work();
+  begin_work(agents);
+  report_work();
+  scheduler_->update(contexts_, shared_work_, work_, executor());
+  end_work();
+}
+
+void AnimationSystem::update_channels(std::uint32_t agent) {
+  [[maybe_unused]] const Status updated = settled(agent, agents(agent).update(builder(agent), local(agent)));
+  assert(updated && "a channel changed by itself to a graph that cannot be run");
+}
+
+bool AnimationSystem::update_shared(Cast& cast) {
+  bool changed = false;
+  for (std::uint32_t graph = 0; graph < cast.shared.count(); ++graph) {
+    if (cast.shared.next_update(graph) > clock_) continue;
+    [[maybe_unused]] const Handle root = cast.shared.program(graph).root();
+    [[maybe_unused]] const Status updated = cast.shared.update(shared_builder(cast, graph), graph);
+    assert(updated && cast.shared.program(graph).root() == root && "a shared channel changed to another state");
+    changed = true;
+  }
+  if (changed) cast.shared.recompile();  // later graphs may read earlier ones, whose depth may have changed
+  return changed;
+}
+
+void AnimationSystem::begin_shared_work() {
+  shared_work_.clear();
+  bool changed = false;
+  for (const std::unique_ptr<Cast>& cast : casts_) changed = update_shared(*cast) || changed;
+  [[maybe_unused]] const Status fits = changed ? fit_stores(demand(options_)) : Status(Done{});
+  assert(fits && "a shared channel changed by itself to a graph that cannot be run");
+  for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
+    const Agents& shared = casts_[cast]->shared;
+    for (std::uint32_t graph = 0; graph < shared.count(); ++graph) {
+      shared_work_.push_back({.program = &shared.program(graph),
+                              .delta = clock_ - shared_posed_at_,
+                              .agent = graph,
+                              .skeleton = static_cast<std::uint8_t>(cast)});
+    }
+  }
+  shared_posed_at_ = clock_;
+}
+
+void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
+  work_.clear();
+  for (const AgentUpdate& update : agents) {
+    const Member member = members_[update.agent];
+    const Agents& cast = casts_[member.cast]->agents;
+    if (cast.next_update(member.local) <= clock_) update_channels(update.agent);
+    const PoseProgram& program = cast.program(member.local);
+    const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
+    const Ticks time = std::max(clock_ + look_ahead, posed_at_[update.agent]);
+    assert(!program.steps.empty() && "an agent must play something before it is updated");
+    work_.push_back({.program = &program,
+                     .delta = time - posed_at_[update.agent],
+                     .palette = update.palette,
+                     .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
+                     .agent = update.agent,
+                     .skeleton = static_cast<std::uint8_t>(member.cast),
+                     .level = update.level,
+                     .entity_count = program.own_count,
+                     .held = program.needs.held});
+    posed_at_[update.agent] = time;
+  }
+}
+
+void AnimationSystem::report_work() {
+  std::array<std::array<std::uint64_t, max_bone_levels>, most_characters> agents_by_level{};
+  for (const AgentWork& work : work_) ++agents_by_level[work.skeleton][work.level];
+  report_.agents_updated = static_cast<std::uint32_t>(work_.size());
+  for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
+    const Skeleton& skeleton = casts_[cast]->skeleton();
+    for (std::size_t level = 0; level < skeleton.level_bone_counts.size(); ++level) {
+      const int bones = skeleton.level_bone_counts[level];
+      const auto entries = static_cast<std::uint64_t>(palette_count_for_bones(skeleton, bones));
+      report_.bones_evaluated += agents_by_level[cast][level] * static_cast<std::uint64_t>(bones);
+      report_.palette_bytes += agents_by_level[cast][level] * entries * sizeof(PaletteMatrix);
+    }
+  }
+}
+
+void AnimationSystem::end_work() {
+  for (const ProcessingUnit& unit : scheduler_->units()) {
+    report_.copies.bytes_in += unit.activity().copies.bytes_in;
+    report_.copies.bytes_out += unit.activity().copies.bytes_out;
+    report_.copies.transfers += unit.activity().copies.transfers;
+  }
+  if (!options_.hash) return;
+  for (const AgentWork& work : work_) {
+    agent_hashes_[work.agent] = chain_hash(chain_hash(work.agent, frame_), agent_hashes_[work.agent]);
+  }
+  std::uint64_t sum = 0;
+  for (const std::uint64_t hash : agent_hashes_) sum += hash;
+  pose_hash_ = chain_hash(pose_hash_, sum);
+}
+
+}  // namespace throng::anim

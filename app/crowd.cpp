@@ -20,6 +20,7 @@ constexpr float slowest_pace = 0.94F, fastest_pace = 1.06F;  // of walkers, over
 constexpr float least_playback = 0.4F, most_playback = 1.7F;
 constexpr float out_of_step = 0.04F;  // of a walk cycle
 constexpr double widest_in_spacings = 0.4;
+constexpr anim::Ticks slowness_to_catch_up = 4;  // who is behind makes up one second in so many
 
 constexpr std::uint64_t looks_stream = 4;
 
@@ -105,6 +106,7 @@ Crowd::Crowd(CrowdLayout layout, std::uint32_t seed, const CharacterRoles& roles
     : character_(roles),
       route_(layout.route),
       marchers_(layout.marchers),
+      behind_(marchers_.size(), 0),
       minds_(roles, habits_of(layout), seed),
       looks_(looks_of(layout, minds_.habits(), seed, roles)),
       walkers_(walkers_of(layout, looks_, roles)),
@@ -171,11 +173,20 @@ void Crowd::follow_walkers() {
   }
 }
 
+double Crowd::marching_time(std::size_t marcher, anim::Ticks dt) {
+  anim::Ticks& behind = behind_[marcher];
+  if (minds_.holds(walkers() + marcher)) {
+    behind += dt;
+  } else {
+    behind = std::max<anim::Ticks>(0, behind - dt / slowness_to_catch_up);
+  }
+  return anim::to_seconds(now_ - behind);
+}
+
 void Crowd::march(anim::Ticks dt) {
-  const double seconds = anim::to_seconds(now_);
   for (std::size_t marcher = 0; marcher < marchers_.size(); ++marcher) {
     const std::size_t agent = walkers() + marcher;
-    const LanePlace place = marcher_place(route_, marchers_[marcher], seconds);
+    const LanePlace place = marcher_place(route_, marchers_[marcher], marching_time(marcher, dt));
     const glm::vec3 position(place.position.x, 0.0, place.position.y);
     speeds_[agent] =
         static_cast<float>(static_cast<double>(glm::distance(position, positions_[agent])) / anim::to_seconds(dt));
@@ -202,6 +213,19 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& exec
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
   InOrder here;
   return advance(dt, here, 1);
+}
+
+std::optional<ClipRequest> Crowd::hold(std::uint32_t agent) {
+  const auto request = minds_.hold(agent);
+  speeds_[agent] = 0.0F;
+  match_playback(agent);
+  return request;
+}
+
+std::optional<ClipRequest> Crowd::release(std::uint32_t agent) {
+  const auto request = minds_.release(agent);
+  match_playback(agent);
+  return request;
 }
 
 CrowdSphere bounding_sphere(const Crowd& crowd) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,13 @@ class Crowd {
   /// The same in the calling thread.
   std::span<const ClipRequest> advance(anim::Ticks dt);
 
+  /// Keeps an agent where it is, in the way of all others, and lets it do nothing: it stops walking, which is the
+  /// request.
+  std::optional<ClipRequest> hold(std::uint32_t agent);
+  /// Lets it go on. A marcher catches up with its place in the file.
+  std::optional<ClipRequest> release(std::uint32_t agent);
+  bool holds(std::uint32_t agent) const { return minds_.holds(agent); }
+
   std::size_t size() const { return positions_.size(); }
   std::span<const glm::vec3> positions() const { return positions_; }  ///< metres, between the feet
   std::span<const Heading> headings() const { return headings_; }
@@ -66,12 +74,14 @@ class Crowd {
   void lead_wave();
   void follow_walkers();
   void march(anim::Ticks dt);
+  double marching_time(std::size_t marcher, anim::Ticks dt);
   void match_playback(std::size_t agent);
 
   CharacterRoles character_;
   anim::Ticks now_ = 0;
   Lane route_;
   std::vector<MarcherStart> marchers_;
+  std::vector<anim::Ticks> behind_;  // by marcher: how late it is at its places
   CrowdMinds minds_;
   CrowdLooks looks_;
   CrowdWalkers walkers_;

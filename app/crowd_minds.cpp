@@ -24,6 +24,7 @@ CrowdMinds::CrowdMinds(const CharacterRoles& character, std::vector<Habit> habit
   roles_.assign(agents, Role::other);
   clips_.assign(agents, no_clip);
   next_changes_.assign(agents, never);
+  held_.assign(agents, 0);
   whims_.reserve(agents);
   requests_.reserve(agents);
   changed_.reserve(agents);
@@ -52,7 +53,7 @@ void CrowdMinds::decide(anim::Ticks now) {
   requests_.clear();
   changed_.clear();
   for (std::size_t agent = 0; agent < habits_.size(); ++agent) {
-    if (now >= next_changes_[agent]) change_role(agent, now);
+    if (now >= next_changes_[agent] && !holds(agent)) change_role(agent, now);
   }
 }
 
@@ -70,10 +71,29 @@ void CrowdMinds::change_role(std::size_t agent, anim::Ticks now) {
 }
 
 void CrowdMinds::interrupt(std::size_t agent, Role role, anim::Ticks until) {
-  if (!character_.playable(role)) return;
+  if (!character_.playable(role) || holds(agent)) return;
   intentions_[agent] = role;
   next_changes_[agent] = until;
   show(agent, role);
+}
+
+std::optional<ClipRequest> CrowdMinds::show_apart(std::size_t agent, Role role) {
+  const std::size_t before = requests_.size();
+  show(agent, role);
+  if (requests_.size() == before) return std::nullopt;
+  const ClipRequest request = requests_.back();
+  requests_.pop_back();
+  return request;
+}
+
+std::optional<ClipRequest> CrowdMinds::hold(std::size_t agent) {
+  if (std::exchange(held_[agent], std::uint8_t{1}) != 0 || !is_gait(roles_[agent])) return std::nullopt;
+  return show_apart(agent, Role::stand);
+}
+
+std::optional<ClipRequest> CrowdMinds::release(std::size_t agent) {
+  if (std::exchange(held_[agent], std::uint8_t{0}) == 0) return std::nullopt;
+  return show_apart(agent, intentions_[agent]);
 }
 
 // Without a clip to stand with: from each of the others to the one after it.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,13 @@ class CrowdMinds {
   /// Shows `role`, which the character can play, whatever the agent has in mind.
   void show(std::size_t agent, Role role);
 
+  /// From now on it does not change what it does, but to stop walking: that change, if there is one, is returned and
+  /// not among the requests.
+  std::optional<ClipRequest> hold(std::size_t agent);
+  /// It goes on as before.
+  std::optional<ClipRequest> release(std::size_t agent);
+  bool holds(std::size_t agent) const { return held_[agent] != 0; }
+
   std::span<const Habit> habits() const { return habits_; }
   std::span<const Role> intentions() const { return intentions_; }
   std::span<const Role> roles() const { return roles_; }  ///< shown
@@ -50,12 +58,14 @@ class CrowdMinds {
   void change_role(std::size_t agent, anim::Ticks now);
   void play_next_other(std::size_t agent);
   void request(std::size_t agent, Role role, int clip);
+  std::optional<ClipRequest> show_apart(std::size_t agent, Role role);
 
   CharacterRoles character_;
   std::vector<Habit> habits_;
   std::vector<Role> intentions_, roles_;
   std::vector<int> clips_;
   std::vector<anim::Ticks> next_changes_;
+  std::vector<std::uint8_t> held_;
   std::vector<Random> whims_;  // each agent's own chance
   std::vector<ClipRequest> requests_;
   std::vector<std::uint32_t> changed_;

@@ -150,6 +150,12 @@ void CrowdWalkers::wish(std::size_t walker, Role intention) {
   wishes_[walker] = {way * (speed / left), 1.15F * speed};
 }
 
+void CrowdWalkers::stop(std::size_t walker) {
+  bodies_[walker].moves = false;
+  bodies_[walker].velocity = glm::vec2(0.0F);
+  wishes_[walker] = {};
+}
+
 void CrowdWalkers::turn(std::size_t walker, float seconds) {
   const glm::vec2 velocity = bodies_[walker].velocity;
   const float speed = glm::length(velocity);
@@ -199,12 +205,18 @@ void CrowdWalkers::advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, a
   const auto steps = static_cast<int>(std::min<anim::Ticks>((dt + longest_step - 1) / longest_step, most_steps));
   const auto seconds = static_cast<float>(anim::to_seconds(dt) / steps);
   for (int step = 0; step < steps; ++step) {
-    for (std::size_t walker = 0; walker < count(); ++walker) wish(walker, minds.intentions()[walker]);
+    for (std::size_t walker = 0; walker < count(); ++walker) {
+      if (minds.holds(walker)) {
+        stop(walker);
+      } else {
+        wish(walker, minds.intentions()[walker]);
+      }
+    }
     steering_.step(bodies_, wishes_, seconds, executor, jobs);
     for (std::size_t walker = 0; walker < count(); ++walker) turn(walker, seconds);
   }
   for (std::size_t walker = 0; walker < count(); ++walker) {
-    if (is_gait(minds.intentions()[walker])) show_gait(walker, now, minds);
+    if (is_gait(minds.intentions()[walker]) && !minds.holds(walker)) show_gait(walker, now, minds);
   }
 }
 

@@ -40,6 +40,7 @@ class CrowdWalkers {
   void turn_aside(std::size_t walker, Random& whim);
   void look_ahead(std::size_t walker);
   void wish(std::size_t walker, Role intention);
+  void stop(std::size_t walker);
   void turn(std::size_t walker, float seconds);
   Role gait(std::size_t walker, Role shown) const;
   void show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds);

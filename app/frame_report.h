@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/crowd_roles.h"
+#include "app/selection_report.h"
 #include "app/settings.h"
 
 namespace throng::app {
@@ -36,6 +37,14 @@ struct BoneRow {
   std::string name;
   int depth = 0;  ///< in the hierarchy
   int level = 0;  ///< the last level that still has it: 0 full only, 3 always
+};
+
+/// Main memory of the blocks of one kind of entity, of all agents.
+struct KindRow {
+  std::string kind;
+  std::uint64_t blocks = 0;
+  std::uint64_t bytes = 0;           ///< of living blocks
+  std::uint64_t reserved_bytes = 0;  ///< of the slabs they lie in
 };
 
 /// A const view of all that the overlay shows; filled by the demo once a frame.
@@ -72,18 +81,28 @@ struct FrameReport {
   std::uint32_t local_store_laid_out_bytes = 0;  ///< of each PU
   std::uint64_t dma_in_bytes = 0, dma_out_bytes = 0, dma_transfers = 0, palette_bytes = 0;
   std::vector<PuReport> pu;
+  std::vector<KindRow> memory;  ///< kinds that have blocks
   CameraPlace camera;
+  std::optional<SelectionReport> selected;  ///< the agent that was clicked at
+};
+
+/// A pixel from the top left of the picture.
+struct PicturePoint {
+  float x = 0, y = 0;
 };
 
 /// What the person asked for in the overlay this frame, besides the tuning it edits.
 struct OverlayCommands {
   std::optional<RoleClips> roles;  ///< other clips for the roles
   bool save_roles = false;
-  bool step = false;         ///< advance one frame while paused
-  bool frame_crowd = false;  ///< as key F
-  bool copy_camera = false;  ///< as key C
-  bool screenshot = false;   ///< as key F12
-  bool quit = false;         ///< key Esc
+  bool step = false;                      ///< advance one frame while paused
+  bool frame_crowd = false;               ///< as key F
+  bool copy_camera = false;               ///< as key C
+  bool screenshot = false;                ///< as key F12
+  bool quit = false;                      ///< key Esc, while nobody is selected
+  std::optional<PicturePoint> select_at;  ///< clicked at, not at the overlay
+  bool deselect = false;
+  bool push_over = false;  ///< whoever is selected; as key P
 };
 
 }  // namespace throng::app

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/selection_reporter.h"
+
 namespace throng::app {
 namespace {
 
@@ -110,6 +112,20 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.triangles = show.draw_counts().triangles;
   add_level_of_detail(show.stage());
   add_units(system, show.last_update_ms());
+  add_memory(system);
+  report_.selected = report_selection(show.stage());
+}
+
+void FrameReporter::add_memory(const anim::AnimationSystem& system) {
+  report_.memory.clear();
+  for (const anim::KindMemory& kind : system.memory()) {
+    const std::size_t blocks = kind.own.blocks_alive + kind.shared.blocks_alive;
+    if (blocks == 0) continue;
+    report_.memory.push_back({.kind = kind.kind,
+                              .blocks = blocks,
+                              .bytes = kind.own.bytes_alive + kind.shared.bytes_alive,
+                              .reserved_bytes = kind.own.bytes_reserved + kind.shared.bytes_reserved});
+  }
 }
 
 void FrameReporter::add_level_of_detail(const Stage& stage) {

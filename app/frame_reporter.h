@@ -24,6 +24,7 @@ class FrameReporter {
  private:
   void describe_character(const Show& show);
   void add_level_of_detail(const Stage& stage);
+  void add_memory(const anim::AnimationSystem& system);
   void add_units(const anim::AnimationSystem& system, double update_ms);
 
   FrameReport report_;

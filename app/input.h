@@ -35,6 +35,7 @@ enum class Key : std::uint8_t {
   d,
   e,
   f,
+  p,
   q,
   s,
   v,

@@ -22,7 +22,8 @@ void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod) {
     const ShownPose& pose = stage.shown().pose(agent.agent);
     const int lod = mesh_lod(agent.pixels_tall, pose.level());
     entry.run = run_of(pose.to.page, lod);
-    if (lod_as_color) entry.record.debug_color = step_color(lod, static_cast<int>(lods));
+    if (lod_as_color && agent.agent != stage.selected())
+      entry.record.debug_color = step_color(lod, static_cast<int>(lods));
     entries_.push_back(entry);
   }
   sort_into_runs();

@@ -146,6 +146,17 @@ anim::Result<std::filesystem::path> Show::save_roles() const {
   return RoleFile(model_).write(all_choices(character.roles.clips, character.clip_names));
 }
 
+void Show::select_at(float x, float y) {
+  const auto size = glm::vec2(glm::ivec2(width, height));
+  const auto picked = pick(ray_through(camera, {x, y}, size), stage_->bodies_in_view());
+  stage_->select(picked ? std::optional(picked->agent) : std::nullopt);
+}
+
+anim::Status Show::push_selected() {
+  const auto selected = stage_->selected();
+  return selected ? stage_->push_over(*selected, render::forward(camera)) : anim::Done{};
+}
+
 void Show::update_notice() {
   notice.clear();
   if (context_ != nullptr) add_line(notice, software_notice(context_->renderer(), spared_));

@@ -36,6 +36,12 @@ class Show {
   /// Keeps the roles for the next time; where, to tell people.
   anim::Result<std::filesystem::path> save_roles() const;
 
+  /// Selects whoever is seen at a pixel from the top left of the picture drawn last; nobody there deselects.
+  void select_at(float x, float y);
+  void deselect() { stage_->select({}); }
+  /// Pushes the selected agent over, away from the camera. Errors as Stage::push_over; nothing if nobody is selected.
+  anim::Status push_selected();
+
   /// Moves and poses one frame of `delta`; 0 while paused.
   void animate(anim::Ticks delta);
   /// Draws the frame as animated last, into the renderer's picture, and waits for it, so that the time is the whole

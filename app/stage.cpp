@@ -1,12 +1,19 @@
 #include "app/stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
+
+#include <glm/geometric.hpp>
 
 #include "app/agent_colors.h"
 
 namespace throng::app {
 namespace {
+
+constexpr float push_impulse = 60.0F;      // kg m/s: a hard shove
+constexpr double push_height = 0.75;       // of the character's, where it is met
+constexpr float least_body_radius = 0.2F;  // metres, to click at
 
 std::vector<std::uint32_t> entries_by_level(const anim::Skeleton& skeleton) {
   std::vector<std::uint32_t> entries;
@@ -18,6 +25,12 @@ std::vector<std::uint32_t> entries_by_level(const anim::Skeleton& skeleton) {
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
   return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed;
+}
+
+std::string joined(std::span<const std::string> sentences) {
+  std::string all;
+  for (const std::string& sentence : sentences) all += (all.empty() ? "" : "; ") + sentence;
+  return all;
 }
 
 std::uint32_t microseconds(anim::Ticks ticks) {
@@ -58,6 +71,8 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(CharacterSource character, co
   auto system = anim::AnimationSystem::create(stage->character_.character, system_options(tuning));
   if (!system) return system.error();
   stage->system_ = std::move(*system);
+  stage->rigs_ = std::make_unique<const anim::CharacterRigs>(stage->character_.model);
+  stage->fallen_ = std::make_unique<FallenAgents>(stage->rigs_->add_to(*stage->system_).ragdoll, *stage->system_);
   stage->tuning_ = tuning;
   stage->populate();
   return stage;
@@ -85,6 +100,8 @@ void Stage::set_roles(const RoleClips& clips) {
 void Stage::populate() {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, character_.roles);
+  selected_.reset();
+  fallen_->reset();
   system_->set_agent_count(0);
   system_->set_agent_count(static_cast<std::uint32_t>(agents));
   played_speeds_.assign(agents, 0.0F);
@@ -107,14 +124,17 @@ void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double
                         .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
 }
 
+void Stage::request_clip(const std::optional<ClipRequest>& request) {
+  if (!request) return;
+  request_clip(request->agent, request->clip, anim::to_ticks(static_cast<double>(request->fade_seconds)), 0.0);
+}
+
 void Stage::move(anim::Ticks delta) {
   moving_ = delta > 0;
   if (moving_) ++frames_moved_;
   system_->advance(delta);
   const auto requests = crowd_->advance(delta, system_->executor(), system_->options().pus);
-  for (const ClipRequest& request : requests) {
-    request_clip(request.agent, request.clip, anim::to_ticks(static_cast<double>(request.fade_seconds)), 0.0);
-  }
+  for (const ClipRequest& request : requests) request_clip(request);
   match_playback();
 }
 
@@ -156,6 +176,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   auto seen = selection_.visible.begin();
   for (const anim::DueAgent& due : selection_.due) {
     while (seen != selection_.visible.end() && seen->agent < due.agent) ++seen;
+    if (crowd_->holds(due.agent)) continue;  // it has fallen
     const bool visible = seen != selection_.visible.end() && seen->agent == due.agent;
     // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
     const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
@@ -165,7 +186,63 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     updates_.back().palette =
         shown_.show(due.agent, due.bone_level, now(), microseconds(system_->clock() + look_ahead), last_frame);
   }
+  pose_fallen(last_frame);
   system_->update(updates_);
+  get_up();
+}
+
+// Rag-dolls have no pose that could be looked ahead to, and fall on where nobody sees them.
+void Stage::pose_fallen(std::uint64_t last_frame) {
+  for (const FallenAgents::Fallen& fallen : fallen_->fallen()) {
+    const ShownPose& pose = shown_.pose(fallen.agent);
+    const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - now()) > 0;
+    if (looked_ahead || (!moving_ && pose.shown())) continue;
+    const bool visible = std::ranges::binary_search(selection_.visible, fallen.agent, {}, &anim::VisibleAgent::agent);
+    updates_.push_back({.agent = fallen.agent, .level = 0, .look_ahead = 0, .palette = nullptr});
+    if (visible) updates_.back().palette = shown_.show(fallen.agent, 0, now(), now(), last_frame);
+  }
+}
+
+void Stage::get_up() {
+  for (const std::uint32_t agent : fallen_->advance()) request_clip(crowd_->release(agent));
+}
+
+anim::Status Stage::push_over(std::uint32_t agent, const glm::vec3& direction) {
+  if (!can_fall()) return anim::Error{"nobody can be pushed over: " + joined(rigs_->missing())};
+  const Heading heading = crowd_->headings()[agent];
+  const glm::vec2 way(heading.cosine * direction.x - heading.sine * direction.z,
+                      heading.sine * direction.x + heading.cosine * direction.z);
+  const glm::vec2 impulse = way * (push_impulse / std::max(glm::length(way), 1e-3F));
+  const bool stood = !crowd_->holds(agent);
+  if (stood) request_clip(crowd_->hold(agent));
+  const auto chest = static_cast<float>(push_height * character_.bounds.height);
+  const anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
+  if (!pushed && stood) request_clip(crowd_->release(agent));
+  return pushed;
+}
+
+// Somebody who lies is as long as they were tall, in any direction.
+UprightBody Stage::body_of(std::uint32_t agent) const {
+  const float scale = crowd_->scales()[agent];
+  const float height = static_cast<float>(character_.bounds.height) * scale;
+  const float radius = std::max(static_cast<float>(character_.bounds.body_radius), least_body_radius) * scale;
+  UprightBody body{.agent = agent, .foot = crowd_->positions()[agent], .radius = radius, .height = height};
+  const std::optional<glm::vec3> hips = fallen_->hips(agent);
+  if (!hips || hips->y * scale > height / 4.0F) return body;
+  const Heading heading = crowd_->headings()[agent];
+  const glm::vec2 aside(heading.cosine * hips->x + heading.sine * hips->z,
+                        heading.cosine * hips->z - heading.sine * hips->x);
+  body.foot += scale * glm::vec3(aside.x, 0.0F, aside.y);
+  body.radius = height / 2.0F;
+  body.height = height / 4.0F;
+  return body;
+}
+
+std::vector<UprightBody> Stage::bodies_in_view() const {
+  std::vector<UprightBody> bodies;
+  bodies.reserve(selection_.visible.size());
+  for (const anim::VisibleAgent& agent : selection_.visible) bodies.push_back(body_of(agent.agent));
+  return bodies;
 }
 
 bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const {
@@ -173,19 +250,20 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
   if (!pose.shown()) return false;
   const glm::vec3 position = crowd_->positions()[agent.agent];
   const Heading heading = crowd_->headings()[agent.agent];
-  record = {.position = {position.x, position.y, position.z},
-            .scale = crowd_->scales()[agent.agent],
-            .heading_cosine = heading.cosine,
-            .heading_sine = heading.sine,
-            .palette_from = pose.from.first_entry,
-            .palette_to = pose.to.first_entry,
-            .blend_start = pose.from_time,
-            .blend_duration = pose.to_time - pose.from_time,
-            .agent = agent.agent,
-            .debug_color = debug_color(tuning_.debug_view, agent, pose.level()),
-            .tints = {},
-            .bone_level = pose.level(),
-            .reserved = {}};
+  record = {
+      .position = {position.x, position.y, position.z},
+      .scale = crowd_->scales()[agent.agent],
+      .heading_cosine = heading.cosine,
+      .heading_sine = heading.sine,
+      .palette_from = pose.from.first_entry,
+      .palette_to = pose.to.first_entry,
+      .blend_start = pose.from_time,
+      .blend_duration = pose.to_time - pose.from_time,
+      .agent = agent.agent,
+      .debug_color = agent.agent == selected_ ? selected_color : debug_color(tuning_.debug_view, agent, pose.level()),
+      .tints = {},
+      .bone_level = pose.level(),
+      .reserved = {}};
   std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
   return true;
 }

@@ -2,14 +2,18 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "app/character_source.h"
 #include "app/crowd.h"
+#include "app/fallen_agents.h"
+#include "app/picking.h"
 #include "app/settings.h"
 #include "app/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/run/lod.h"
 #include "engine/anim/run/pu_threads.h"
 #include "engine/render/camera.h"
@@ -38,6 +42,19 @@ class Stage {
   /// looking ahead.
   void pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step, std::uint64_t completed_frame);
 
+  /// The agent that is looked at, marked in the picture; it is forgotten when the crowd starts anew.
+  void select(std::optional<std::uint32_t> agent) { selected_ = agent; }
+  std::optional<std::uint32_t> selected() const { return selected_; }
+
+  /// Pushes an agent over, in the world's `direction` (the height of it is ignored). Errors: there is nothing in the
+  /// character that could fall, or no room for it in the local store.
+  anim::Status push_over(std::uint32_t agent, const glm::vec3& direction);
+  bool can_fall() const { return fallen_->possible(); }
+  const FallenAgents& fallen() const { return *fallen_; }
+
+  /// What can be clicked at: those in view, in ascending order of agent; allocates.
+  std::vector<UprightBody> bodies_in_view() const;
+
   /// Instance record of a visible agent; false: it has no slot and is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const;
 
@@ -54,19 +71,26 @@ class Stage {
   Stage(CharacterSource character, render::PalettePageSource& pages);
   void populate();
   void match_playback();
+  void pose_fallen(std::uint64_t last_frame);
+  void get_up();
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
+  void request_clip(const std::optional<ClipRequest>& request);
+  UprightBody body_of(std::uint32_t agent) const;
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
 
   CharacterSource character_;
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
+  std::unique_ptr<const anim::CharacterRigs> rigs_;
   std::unique_ptr<anim::AnimationSystem> system_;
+  std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<Crowd> crowd_;
   std::vector<float> played_speeds_;  // of each agent's clip, as the system was told
   anim::LodState lod_;
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;
+  std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;
   std::uint64_t frames_moved_ = 0;  // those in which time passed
   bool moving_ = true;

@@ -111,6 +111,11 @@ class WindowLoop {
       const float aspect = static_cast<float>(show_.width) / static_cast<float>(show_.height);
       fly_camera_.set_camera(render::frame_sphere(fly_camera_.camera(), crowd.centre, crowd.radius, aspect));
     }
+    if (commands.select_at) show_.select_at(commands.select_at->x, commands.select_at->y);
+    if (commands.deselect) show_.deselect();
+    if (commands.push_over) {
+      if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
+    }
     if (commands.roles) show_.set_roles(*commands.roles);
     if (commands.save_roles) {
       const auto saved = show_.save_roles();

@@ -17,13 +17,14 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"W A S D", "fly; Q and E down and up"},
     {"Right drag", "look around"},
     {"Wheel", "flying speed; Shift faster, Ctrl slower"},
+    {"Click", "select a character; P pushes it over"},
     {"F", "frame the crowd"},
     {"Space", "pause"},
     {"C", "copy the camera as an option"},
     {"Tab", "hide the overlay"},
     {"F12", "screenshot"},
     {"F1", "this card"},
-    {"Esc", "quit"},
+    {"Esc", "deselect; quit"},
 });
 
 constexpr std::array word_lines = std::to_array<HelpLine>({
@@ -71,8 +72,8 @@ void begin_fixed_window(const char* name, const Area& place, float rounding) {
   ImGui::PopStyleVar();
 }
 
-void show_notices(const Widgets& widgets, const Area& crowd, std::span<const Notice> notices) {
-  if (notices.empty()) return;
+float show_notices(const Widgets& widgets, const Area& crowd, std::span<const Notice> notices) {
+  if (notices.empty()) return crowd.from.y;
   const Theme& theme = widgets.theme();
   ImGui::SetNextWindowPos(crowd.from);
   ImGui::SetNextWindowSize({crowd.width(), crowd.height()});
@@ -82,6 +83,7 @@ void show_notices(const Widgets& widgets, const Area& crowd, std::span<const Not
   ImVec2 at(crowd.from.x + theme.px(12), crowd.from.y + theme.px(12));
   for (const Notice& notice : notices) at.y = draw_pill(theme, at, notice.colour, notice.words);
   ImGui::End();
+  return at.y;
 }
 
 void show_help_card(Widgets& widgets, const Area& crowd) {

@@ -16,8 +16,8 @@ struct Notice {
   std::string words;
 };
 
-/// What there is to say, at the top of the crowd, one below the other.
-void show_notices(const Widgets& widgets, const Area& crowd, std::span<const Notice> notices);
+/// What there is to say, at the top of the crowd, one below the other. Where they end: the y of what may follow.
+float show_notices(const Widgets& widgets, const Area& crowd, std::span<const Notice> notices);
 
 /// The keys and the words, in the middle of the crowd.
 void show_help_card(Widgets& widgets, const Area& crowd);

@@ -2,7 +2,8 @@
 
 namespace throng::app {
 
-void apply_hotkeys(const InputFrame& input, OverlaySwitches& switches, Tuning& tuning, OverlayCommands& commands) {
+void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitches& switches, Tuning& tuning,
+                   OverlayCommands& commands) {
   for (const Key key : input.pressed) {
     switch (key) {
       case Key::space:
@@ -23,8 +24,11 @@ void apply_hotkeys(const InputFrame& input, OverlaySwitches& switches, Tuning& t
       case Key::f12:
         commands.screenshot = true;
         break;
+      case Key::p:
+        commands.push_over = anybody_selected;
+        break;
       case Key::escape:
-        commands.quit = true;
+        (anybody_selected ? commands.deselect : commands.quit) = true;
         break;
       default:
         break;

@@ -12,7 +12,9 @@
 #include <imgui.h>
 
 #include "app/overlay/cards.h"
+#include "app/overlay/crowd_click.h"
 #include "app/overlay/hotkeys.h"
+#include "app/overlay/selection_card.h"
 #include "app/overlay/tabs.h"
 
 namespace throng::app {
@@ -119,6 +121,7 @@ struct Overlay::State {
   ClipboardText clipboard;
   InputFrame input;
   OverlaySwitches switches;
+  CrowdClick click;
   std::size_t tab = 0;
 
   void show_header(const Area& column) const;
@@ -159,12 +162,17 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   State& state = *state_;
   OverlayCommands commands;
   state.map.widgets.clear();
-  if (!ImGui::GetIO().WantTextInput) apply_hotkeys(state.input, state.switches, tuning, commands);
+  commands.select_at = state.click.update(state.input, !uses_pointer());
+  if (!uses_keyboard()) {
+    apply_hotkeys(state.input, report.selected.has_value(), state.switches, tuning, commands);
+  }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   if (!state.switches.hidden) {
-    show_notices(state.widgets, layout.crowd, notices_of(report, tuning, state.theme));
+    Area below_notices = layout.crowd;
+    below_notices.from.y = show_notices(state.widgets, layout.crowd, notices_of(report, tuning, state.theme));
     show_frame_strip(state.widgets, layout.strip, report);
     state.show_column(layout.column, {state.widgets, report, tuning, state.standard, commands});
+    if (report.selected) show_selection_card(state.widgets, below_notices, *report.selected, commands);
     if (state.switches.help) show_help_card(state.widgets, layout.crowd);
   }
   ImGui::Render();

@@ -150,6 +150,16 @@ void show_totals(const TabContext& context) {
                "change it."});
 }
 
+void show_memory(const TabContext& context) {
+  if (context.report.memory.empty()) return;
+  context.widgets.section("Blocks in main memory");
+  for (const KindRow& kind : context.report.memory) {
+    context.widgets.fact(kind.kind.c_str(), with_thousands(kind.blocks) + ", " + as_bytes(kind.bytes),
+                         {.what = "Living blocks of this kind of entity, of all agents, and what they take. The slabs "
+                                  "they lie in have room for more."});
+  }
+}
+
 }  // namespace
 
 void show_scheduling_tab(const TabContext& context) {
@@ -157,6 +167,7 @@ void show_scheduling_tab(const TabContext& context) {
   show_pu_table(context);
   show_timeline(context);
   show_totals(context);
+  show_memory(context);
 }
 
 }  // namespace throng::app

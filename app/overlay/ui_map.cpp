@@ -41,6 +41,20 @@ Json tuning_json(const Tuning& tuning) {
           {"bones_as_lines", tuning.bones_as_lines}};
 }
 
+Json entity_json(const EntityRow& row) {
+  return {{"kind", row.kind}, {"clip", row.clip}, {"weight", row.weight}, {"bytes", row.bytes}};
+}
+
+Json selected_json(const std::optional<SelectionReport>& selected) {
+  if (!selected) return nullptr;
+  Json entities = Json::array();
+  for (const EntityRow& row : selected->entities) entities.push_back(entity_json(row));
+  return {{"agent", selected->agent}, {"posture", word(posture_words, selected->posture)},
+          {"x", selected->x},         {"y", selected->y},
+          {"z", selected->z},         {"bytes", selected->bytes},
+          {"entities", entities}};
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"drawn", report.drawn},
@@ -48,7 +62,8 @@ Json report_json(const FrameReport& report) {
           {"pus", report.pus},
           {"local_store_kib", report.local_store_kib},
           {"tile", report.tile},
-          {"notice", report.notice}};
+          {"notice", report.notice},
+          {"selected", selected_json(report.selected)}};
 }
 
 Json camera_json(const CameraPlace& camera) {

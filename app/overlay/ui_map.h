@@ -27,8 +27,8 @@ struct UiMap {
 };
 
 /// The map with the tuning and the figures that tests wait for, as JSON: `tab`, `hidden`, `help`, `typing`, `frame`,
-/// `tuning` {agents, paused, schedule, ...}, `report` {agents, drawn, pus, tile, ...}, `camera` {x, y, z, yaw, pitch,
-/// field_of_view}, `widgets` {name: {x, y, w, h}}.
+/// `tuning` {agents, paused, schedule, ...}, `report` {agents, drawn, pus, tile, selected, ...}, `camera` {x, y, z,
+/// yaw, pitch, field_of_view}, `widgets` {name: {x, y, w, h}}.
 std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report);
 
 }  // namespace throng::app

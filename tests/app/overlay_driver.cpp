@@ -22,6 +22,9 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.screenshot |= commands.screenshot;
     all.quit |= commands.quit;
     all.save_roles |= commands.save_roles;
+    all.deselect |= commands.deselect;
+    all.push_over |= commands.push_over;
+    if (commands.select_at) all.select_at = commands.select_at;
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);
   }
   return all;

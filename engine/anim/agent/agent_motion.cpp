@@ -1,7 +1,6 @@
 #include "engine/anim/agent/agent_motion.h"
 
 #include <algorithm>
-#include <array>
 
 #include "engine/anim/asset/data_keys.h"
 #include "engine/anim/entity/ease_blender.h"
@@ -9,8 +8,6 @@
 
 namespace throng::anim {
 namespace {
-
-using Weights = std::array<float, PoseProgram::max_steps>;
 
 float fraction_at(const EaseBlender& blender, Ticks since_posed) {
   EaseBlender moved = blender;
@@ -20,7 +17,7 @@ float fraction_at(const EaseBlender& blender, Ticks since_posed) {
 }
 
 // How the weight of a step is shared out among its sources. What a mask lays over some bones moves nothing.
-void share(const EntityPools& pools, const PoseStep& step, Ticks since_posed, float weight, Weights& weights) {
+void share(const EntityPools& pools, const PoseStep& step, Ticks since_posed, float weight, PoseWeights& weights) {
   if (step.source_count == 0) return;
   if (step.entity.pool() == EntityPools::ease_blenders) {
     const auto& blender = pools.as<EaseBlender>(step.entity);
@@ -45,17 +42,23 @@ bool is_player(Handle entity) {
 
 }  // namespace
 
+PoseWeights AgentMotion::weights(Ticks at) const {
+  PoseWeights weights{};
+  const std::vector<PoseStep>& steps = program_->steps;
+  if (steps.empty()) return weights;
+  weights[steps.size() - 1] = 1.0F;
+  for (std::size_t i = steps.size(); i-- > 0;) share(*pools_, steps[i], at - posed_at_, weights[i], weights);
+  return weights;
+}
+
 template <typename Visit>
 void AgentMotion::for_each_player(Ticks at, Visit&& visit) const {
   const std::vector<PoseStep>& steps = program_->steps;
-  if (steps.empty()) return;
-  Weights weights{};
-  weights[steps.size() - 1] = 1.0F;
+  const PoseWeights shares = weights(at);
   for (std::size_t i = steps.size(); i-- > 0;) {
-    share(*pools_, steps[i], at - posed_at_, weights[i], weights);
     if (!is_player(steps[i].entity)) continue;
     const auto& player = pools_->as<Player>(steps[i].entity);
-    visit(player, clips_[player.clip], weights[i]);
+    visit(player, clips_[player.clip], shares[i]);
   }
 }
 

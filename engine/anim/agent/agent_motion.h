@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -26,6 +27,9 @@ struct AbsoluteRoot {
   glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
 };
 
+/// Of each step of a program, in its order.
+using PoseWeights = std::array<float, PoseProgram::max_steps>;
+
 /// What an agent's players do between two times of the clock, as closed forms: the agent need not be posed, and may
 /// stand ahead of the clock. Reads blocks at a frame boundary, any number of agents at a time.
 ///
@@ -36,6 +40,10 @@ class AgentMotion {
   /// `posed_at`: where the agent's entities stand.
   AgentMotion(const EntityPools& pools, std::span<const ClipStreams> clips, const PoseProgram& program, Ticks posed_at)
       : pools_(&pools), clips_(clips), program_(&program), posed_at_(posed_at) {}
+
+  /// How much of each step's state is in the agent's pose at `at`, 0 to 1: all of the root, of the others as blenders
+  /// and mixers share it out. What a mask or an additive layer lays over a pose has no share in it.
+  PoseWeights weights(Ticks at) const;
 
   /// From where the agent stood at `from`, in its own space.
   RootMotion displacement(Ticks from, Ticks to) const;

@@ -1,0 +1,143 @@
+#include "app/overlay/selection_card.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/overlay/cards.h"
+#include "app/overlay/choices.h"
+#include "app/overlay/numbers.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float card_width = 620, margin = 14, gap = 12;
+constexpr float title_height = 25, line_height = 19, row_height = 18, button_height = 34;
+constexpr std::size_t most_rows = 16;  // of a longer graph, the end: what is nearest to the pose
+
+struct Column {
+  const char* title;
+  float from, to;  // in shares of the table's width
+  float align;     // 0: from the left; 1: to the right
+};
+
+constexpr std::array columns = std::to_array<Column>({{"entity", 0.00F, 0.18F, 0},
+                                                      {"clip", 0.18F, 0.38F, 0},
+                                                      {"at, of s", 0.38F, 0.52F, 1},
+                                                      {"in pose", 0.52F, 0.61F, 1},
+                                                      {"bytes", 0.61F, 0.69F, 1},
+                                                      {"handle", 0.69F, 0.78F, 1},
+                                                      {"priority", 0.78F, 0.88F, 1},
+                                                      {"memory", 0.88F, 1.00F, 1}});
+using Cells = std::array<std::string, columns.size()>;
+
+std::string number(float value, int decimals) { return fixed(static_cast<double>(value), decimals); }
+
+Cells cells_of(const EntityRow& row) {
+  const bool plays = row.duration_seconds > 0;
+  return {row.kind,
+          row.clip,
+          plays ? number(row.position_seconds, 2) + " / " + number(row.duration_seconds, 2) : "",
+          number(100 * row.weight, 0) + " %",
+          with_thousands(row.bytes),
+          std::to_string(row.pool) + ":" + std::to_string(row.generation) + ":" + std::to_string(row.index),
+          row.priority == 0 ? "highest" : std::to_string(row.priority),
+          row.shared ? "shared" : (row.resident ? "resident" : "transient")};
+}
+
+void draw_row(const Theme& theme, const Area& row, ImU32 ink, const Cells& cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Column& column = columns.at(i);
+    const ImVec2 from(row.from.x + column.from * row.width(), row.from.y);
+    const ImVec2 to(row.from.x + column.to * row.width(), row.to.y);
+    ImGui::PushClipRect(from, to, true);
+    draw_text(theme.small, {column.align > 0 ? to.x : from.x, row.from.y}, ink, cells[i], column.align);
+    ImGui::PopClipRect();
+  }
+}
+
+std::string doing(const SelectionReport& selected) {
+  const char* const role = selected.role == Role::other ? "plays a clip" : role_names.at(index_of(selected.role));
+  const std::string habit = habit_words.at(static_cast<std::size_t>(selected.habit));
+  const std::string posture = posture_words.at(static_cast<std::size_t>(selected.posture));
+  return habit + ": " + (selected.posture == Posture::upright ? role : posture);
+}
+
+std::string whereabouts(const SelectionReport& selected) {
+  return "at " + number(selected.x, 1) + ", " + number(selected.y, 1) + ", " + number(selected.z, 1) + " m   " +
+         number(selected.speed, 2) + " m/s";
+}
+
+std::string detail(const SelectionReport& selected) {
+  if (!selected.visible) return "out of view, not posed";
+  return "posed every " + (selected.interval == 1 ? "frame" : std::to_string(selected.interval) + " frames") +
+         "   level " + std::to_string(selected.bone_level) + ", " + std::to_string(selected.bones) + " bones";
+}
+
+std::string blocks(const SelectionReport& selected) {
+  return std::to_string(selected.entities.size()) + (selected.entities.size() == 1 ? " block, " : " blocks, ") +
+         with_thousands(selected.bytes) + " bytes   " + std::to_string(selected.channels) +
+         (selected.channels == 1 ? " channel" : " channels");
+}
+
+float draw_words(const Theme& theme, const Area& card, const SelectionReport& selected) {
+  ImVec2 at(card.from.x + theme.px(margin), card.from.y + theme.px(margin - 3));
+  const float right = card.to.x - theme.px(margin);
+  draw_text(theme.strong, at, colour::accent, "Agent " + with_thousands(selected.agent));
+  draw_text(theme.regular, {right, at.y}, colour::text, doing(selected), 1);
+  at.y += theme.px(title_height);
+  draw_text(theme.small, at, colour::dim, whereabouts(selected));
+  draw_text(theme.small, {right, at.y}, colour::dim, detail(selected), 1);
+  return at.y + theme.px(line_height + 4);
+}
+
+float draw_graph(Widgets& widgets, const Area& card, float y, const SelectionReport& selected) {
+  const Theme& theme = widgets.theme();
+  Area row{.from = {card.from.x + theme.px(margin), y}, .to = {card.to.x - theme.px(margin), y + theme.px(row_height)}};
+  const auto next = [&] { row.from.y += theme.px(row_height), row.to.y += theme.px(row_height); };
+  Cells titles;
+  std::ranges::transform(columns, titles.begin(), &Column::title);
+  draw_row(theme, row, colour::faint, titles);
+  next();
+  const std::size_t count = selected.entities.size(), first = count - std::min(count, most_rows);
+  for (std::size_t i = first; i < count; ++i, next()) {
+    const EntityRow& entity = selected.entities[i];
+    draw_row(theme, row, entity.weight > 0 ? colour::text : colour::dim, cells_of(entity));
+    widgets.record("Entity " + std::to_string(i), row);
+  }
+  draw_text(theme.small, {row.from.x, row.from.y + theme.px(3)}, colour::dim, blocks(selected));
+  return row.to.y + theme.px(6);
+}
+
+void show_buttons(Widgets& widgets, ImVec2 at, const SelectionReport& selected, OverlayCommands& commands) {
+  const float width = widgets.theme().px(120);
+  ImGui::SetCursorScreenPos(at);
+  ImGui::BeginDisabled(!selected.can_fall);
+  commands.push_over |= widgets.button(
+      "Push over", {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
+      width);
+  ImGui::EndDisabled();
+  ImGui::SetCursorScreenPos({at.x + width + widgets.theme().px(8), at.y});
+  commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
+}
+
+}  // namespace
+
+void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
+                         OverlayCommands& commands) {
+  const Theme& theme = widgets.theme();
+  const auto rows = static_cast<float>(std::min(selected.entities.size(), most_rows) + 1);
+  const float height =
+      theme.px(2 * margin + title_height + line_height + 1 + row_height * (rows + 1) + 6 + button_height);
+  const float width = std::min(theme.px(card_width), place.width() - 2 * theme.px(gap));
+  const ImVec2 from(place.from.x + theme.px(gap), place.from.y + theme.px(gap));
+  const Area card{.from = from, .to = {from.x + width, from.y + height}};
+  begin_fixed_window("Selected", card, theme.px(10));
+  widgets.record("Selected", card);
+  const float y = draw_words(theme, card, selected);
+  const float below = draw_graph(widgets, card, y, selected);
+  show_buttons(widgets, {card.from.x + theme.px(margin), below}, selected, commands);
+  ImGui::End();
+}
+
+}  // namespace throng::app

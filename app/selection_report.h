@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/crowd_habits.h"
+#include "app/crowd_roles.h"
+
+namespace throng::app {
+
+/// One entity of an agent's graph, as its block stands after the last update.
+struct EntityRow {
+  std::string kind;
+  std::string clip;                                   ///< of a player; else empty
+  float position_seconds = 0;                         ///< of a player, in its clip
+  float duration_seconds = 0;                         ///< of a player's clip
+  float weight = 0;                                   ///< in the pose that is shown, 0 to 1
+  std::uint32_t bytes = 0;                            ///< of its block
+  std::uint32_t pool = 0, generation = 0, index = 0;  ///< its handle
+  int priority = 0;                                   ///< 0 highest: players; below 0 what reads them
+  bool resident = false;                              ///< keeps its transforms in main memory
+  bool shared = false;                                ///< several agents read it
+};
+
+/// How a pushed agent is: Stage::fallen in the overlay's words.
+enum class Posture : std::uint8_t { upright, falling, down, getting_up };
+
+/// All that the overlay shows of the selected agent.
+struct SelectionReport {
+  std::uint32_t agent = 0;
+  Role role = Role::other;
+  Habit habit = Habit::stand_about;
+  Posture posture = Posture::upright;
+  float x = 0, y = 0, z = 0;  ///< metres
+  float speed = 0;            ///< metres a second
+  bool visible = false;
+  int interval = 0;    ///< frames from one update to the next
+  int bone_level = 0;  ///< of the pose shown
+  int bones = 0;       ///< of that level
+  bool can_fall = false;
+  int channels = 0;
+  std::vector<EntityRow> entities;  ///< each once, sources before what reads them, the pose last
+  std::uint32_t bytes = 0;          ///< of all blocks
+};
+
+}  // namespace throng::app

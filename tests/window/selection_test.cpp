@@ -1,0 +1,81 @@
+#include <cmath>
+#include <string>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "app/fly_camera.h"
+#include "tests/window/window_driver.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The first agent of the grid, alone in its middle.
+class LoneAgent : public WindowDriver {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(WindowDriver::SetUp());
+    click("Scene:grid");
+    type_into("Agents.field", "1");
+    wait_for("one agent", [](const Json& map) {
+      return map["tuning"]["scene"] == "grid" && map["report"]["agents"] == 1 && map["report"]["drawn"] == 1;
+    });
+  }
+
+  /// Presses and lets go where the picture shows a point of the world.
+  void click_at(const glm::vec3& point) {
+    const Json camera = next_map()["camera"];
+    const CameraPlace place{.x = camera["x"],
+                            .y = camera["y"],
+                            .z = camera["z"],
+                            .yaw = camera["yaw"],
+                            .pitch = camera["pitch"],
+                            .field_of_view = camera["field_of_view"]};
+    const render::CameraView view = render::view_of(camera_at(place), 1280.0F / 720.0F);
+    const glm::vec4 clip = view.projection * view.view * glm::vec4(point, 1.0F);
+    point_at((static_cast<double>(clip.x / clip.w) * 0.5 + 0.5) * 1280,
+             (0.5 - static_cast<double>(clip.y / clip.w) * 0.5) * 720);
+    button(1, true);
+    button(1, false);
+  }
+  void wait_until_selected(bool selected) {
+    wait_for(selected ? "a selection" : "no selection",
+             [&](const Json& map) { return map["report"]["selected"].is_null() != selected; });
+  }
+};
+
+constexpr glm::vec3 chest{0.0F, 1.2F, 0.0F};
+
+TEST_F(LoneAgent, IsSelectedByAClickAndItsCardShowsItsGraph) {
+  click_at(chest);
+  const Json map = wait_for("its card", [](const Json& now) { return now["widgets"].contains("Selected"); });
+  const Json selected = map["report"]["selected"];
+  EXPECT_EQ(selected["agent"], 0);
+  EXPECT_FALSE(selected["entities"].empty());
+  EXPECT_TRUE(map["widgets"].contains("Entity 0"));
+}
+
+TEST_F(LoneAgent, IsDeselectedByAClickBesideItAndByEscape) {
+  click_at(chest);
+  wait_until_selected(true);
+  click_at(chest + glm::vec3(1.5F, 0.0F, 0.0F));
+  wait_until_selected(false);
+  click_at(chest);
+  wait_until_selected(true);
+  press("Escape");
+  wait_until_selected(false);
+}
+
+TEST_F(LoneAgent, IsPushedOverByTheButtonAndGetsUp) {
+  click_at(chest);
+  wait_until_selected(true);
+  click("Push over");
+  for (const std::string posture : {"falls", "lies", "gets up", "upright"}) {
+    wait_for(posture, [&](const Json& map) { return map["report"]["selected"]["posture"] == posture; });
+  }
+}
+
+}  // namespace
+}  // namespace throng::app

@@ -36,6 +36,13 @@ void note_place(const EntityInStore& entity, const PoseView& pose) {
 
 }  // namespace
 
+Result<SocketPlace> make_socket_place(const Skeleton& skeleton, int bone, const JointMotion& offset) {
+  Result<JointChain> chain = make_joint_chain(skeleton, bone);
+  if (!chain) return chain.error();
+  const glm::quat bind(skeleton.references[static_cast<std::size_t>(bone)].rotation);
+  return SocketPlace{.chain = *chain, .bind = bind, .offset = offset};
+}
+
 JointMotion socket_motion(const Socket& socket) {
   const glm::vec3 xyz(socket.rotation[0], socket.rotation[1], socket.rotation[2]);
   const float w = std::sqrt(std::max(0.0F, 1.0F - glm::dot(xyz, xyz)));

@@ -16,6 +16,9 @@ struct SocketPlace {
   JointMotion offset{};                    ///< of the attachment in the joint's own frame
 };
 
+/// A socket at `bone`, `offset` from it in the bone's own frame. Refused as make_joint_chain refuses.
+Result<SocketPlace> make_socket_place(const Skeleton& skeleton, int bone, const JointMotion& offset = {});
+
 /// The sockets of one skeleton; the resource of its socket kind.
 using SocketPlaces = std::vector<SocketPlace>;
 

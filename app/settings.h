@@ -34,6 +34,7 @@ struct Tuning {
   std::uint32_t seed = 1;
   bool paused = false;
   float time_scale = 1.0F;  ///< 0 to 4
+  bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
   // LOD skipping
   LodRule lod = LodRule::distance;
   float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame

@@ -72,7 +72,9 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(CharacterSource character, co
   if (!system) return system.error();
   stage->system_ = std::move(*system);
   stage->rigs_ = std::make_unique<const anim::CharacterRigs>(stage->character_.model);
-  stage->fallen_ = std::make_unique<FallenAgents>(stage->rigs_->add_to(*stage->system_).ragdoll, *stage->system_);
+  const anim::RigKinds kinds = stage->rigs_->add_to(*stage->system_);
+  stage->fallen_ = std::make_unique<FallenAgents>(kinds.ragdoll, *stage->system_);
+  stage->feet_ = std::make_unique<PlacedFeet>(kinds.foot_placement, *stage->system_);
   stage->tuning_ = tuning;
   stage->populate();
   return stage;
@@ -102,6 +104,7 @@ void Stage::populate() {
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, character_.roles);
   selected_.reset();
   fallen_->reset();
+  feet_->reset(agents);
   system_->set_agent_count(0);
   system_->set_agent_count(static_cast<std::uint32_t>(agents));
   played_speeds_.assign(agents, 0.0F);
@@ -182,6 +185,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
     const anim::Ticks look_ahead = ahead ? due.look_ahead * frame_step : 0;
     updates_.push_back({.agent = due.agent, .level = due.bone_level, .look_ahead = look_ahead, .palette = nullptr});
+    place_feet(due, visible && !ahead);
     if (!visible) continue;
     updates_.back().palette =
         shown_.show(due.agent, due.bone_level, now(), microseconds(system_->clock() + look_ahead), last_frame);
@@ -189,6 +193,16 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   pose_fallen(last_frame);
   system_->update(updates_);
   get_up();
+}
+
+// Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
+void Stage::place_feet(const anim::DueAgent& due, bool near_by) {
+  const bool everyone = tuning_.lod == LodRule::off;
+  if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && due.look_ahead <= 1))) {
+    feet_->place(*crowd_, due.agent);
+  } else {
+    feet_->let_go(due.agent);
+  }
 }
 
 // Rag-dolls have no pose that could be looked ahead to, and fall on where nobody sees them.

@@ -10,6 +10,7 @@
 #include "app/crowd.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
+#include "app/placed_feet.h"
 #include "app/settings.h"
 #include "app/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
@@ -71,6 +72,7 @@ class Stage {
   Stage(CharacterSource character, render::PalettePageSource& pages);
   void populate();
   void match_playback();
+  void place_feet(const anim::DueAgent& due, bool near_by);
   void pose_fallen(std::uint64_t last_frame);
   void get_up();
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
@@ -85,6 +87,7 @@ class Stage {
   std::unique_ptr<const anim::CharacterRigs> rigs_;
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
+  std::unique_ptr<PlacedFeet> feet_;
   std::unique_ptr<Crowd> crowd_;
   std::vector<float> played_speeds_;  // of each agent's clip, as the system was told
   anim::LodState lod_;

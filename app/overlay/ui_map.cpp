@@ -28,6 +28,7 @@ Json tuning_json(const Tuning& tuning) {
           {"interval_growth", tuning.interval_growth},
           {"largest_interval", tuning.largest_interval},
           {"smooth", tuning.smooth},
+          {"placed_feet", tuning.placed_feet},
           {"bone_lod", tuning.bone_lod},
           {"bone_level_distance", tuning.bone_level_distance},
           {"mesh_lod", tuning.mesh_lod},

@@ -134,9 +134,8 @@ std::string name_of(const testing::TestParamInfo<Scene>& tested) {
   return names[static_cast<int>(tested.param)];
 }
 
-// The plaza is not among them yet: where walkers turn on the spot, and fade from standing to walking, theirs slide
-// (5.2 cm/s on average).
-INSTANTIATE_TEST_SUITE_P(Scenes, FootSliding, testing::Values(Scene::parade, Scene::stadium, Scene::grid), name_of);
+INSTANTIATE_TEST_SUITE_P(Scenes, FootSliding, testing::Values(Scene::plaza, Scene::parade, Scene::stadium, Scene::grid),
+                         name_of);
 
 }  // namespace
 }  // namespace throng::app

@@ -26,6 +26,7 @@ constexpr double exact_tolerance = 2e-5;
 Tuning tuning_of(LodRule lod, Stream stream) {
   Tuning tuning;
   tuning.agents = 40;
+  tuning.placed_feet = false;  // the reference has none
   tuning.pus = 2;
   tuning.lod = lod;
   tuning.bone_lod = lod != LodRule::off;

@@ -26,7 +26,7 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
   /// A point of the plane and its unit normal (y above 0), world space; of one leg, or of all.
   void set_ground(int leg, const Footing& plane) { ground_[static_cast<std::size_t>(leg)] = plane; }
   void set_ground(const Footing& plane) { ground_.fill(plane); }
-  /// 0 (in the air) to 1 (on the ground), or planted_by_pose: by how high the pose has the ankle.
+  /// 0 (in the air) to 1 (on the ground), or planted_by_pose: by how high the pose has the sole.
   void set_planted(int leg, float planted) { planted_[static_cast<std::size_t>(leg)] = planted; }
 
   /// Of a leg at the last update, as the animation has it before it is placed; world space. Once it was added.

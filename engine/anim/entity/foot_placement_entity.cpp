@@ -7,10 +7,6 @@
 namespace throng::anim {
 namespace {
 
-// As for a person of 1.8 m: a foot this high above its place in the bind pose is down for certain, or up.
-constexpr float down_below = 0.02F;  // metres
-constexpr float up_above = 0.07F;
-
 std::size_t private_bytes(int, int) { return sizeof(FootPlacementMemory); }
 
 std::span<Handle> sources(std::byte* block, const EntityLayout&) {
@@ -28,12 +24,6 @@ GroundContact contact_under(const glm::vec3& ankle, const Footing& ground, const
   return {.height = has_height ? ground_height(local, ankle.x, ankle.z) : local.place.y, .normal = local.normal};
 }
 
-float planted_share(float given, const glm::vec3& ankle, const PlacedLeg& leg) {
-  if (given >= 0.0F) return given;
-  const float lift = ankle.y + leg.sole[0].y;
-  return std::clamp((up_above - lift) / (up_above - down_below), 0.0F, 1.0F);
-}
-
 void place(const EntityInStore& entity, const PoseView& pose) {
   const auto& rig = entity.resource_as<FootPlacementRig>();
   auto& placement = entity.as<FootPlacementEntity>();
@@ -43,16 +33,14 @@ void place(const EntityInStore& entity, const PoseView& pose) {
     return;
   }
   GroundContact contacts[max_legs];
-  float planted[max_legs];
   for (int leg = 0; leg < rig.leg_count; ++leg) {
     contacts[leg] = contact_under(memory.ankles[leg], memory.ground[leg], memory.model_in_world);
-    planted[leg] = planted_share(memory.planted[leg], memory.ankles[leg], rig.legs[static_cast<std::size_t>(leg)]);
   }
   const FootPlacementResult placed = place_feet({.rig = &rig,
                                                  .state = &memory.feet,
                                                  .pose = pose,
                                                  .contacts = contacts,
-                                                 .planted = planted,
+                                                 .planted = memory.planted,
                                                  .model_in_world = memory.model_in_world,
                                                  .seconds = entity.prepared_as<WholePoseStep>().seconds,
                                                  .weight = value(placement.weight),

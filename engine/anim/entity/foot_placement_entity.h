@@ -22,9 +22,6 @@ struct alignas(64) FootPlacementEntity {
 static_assert(sizeof(FootPlacementEntity) == entity_header_bytes);
 static_assert(offsetof(FootPlacementEntity, source) == 96 && offsetof(FootPlacementEntity, weight) == 112);
 
-/// A foot counts as planted by how high the pose has its ankle above where it is in the bind pose.
-inline constexpr float planted_by_pose = -1.0F;
-
 /// The ground of each leg is a plane, sampled by the host where the ankle was last. The entity finds the plane's height
 /// under the ankle as the pose has it now: exact on a plane, however old the sample; an update late on anything else.
 struct FootPlacementMemory {

@@ -73,17 +73,17 @@ Footing step_foot_lock(FootLock& lock, const Footing& posed, float planted, cons
   return free_footing(lock, posed, options);
 }
 
-void measure_slide(FootLock& lock, const glm::vec3& ankle, float planted, float seconds) {
+void measure_slide(FootLock& lock, const glm::vec3& ball, float planted, float seconds) {
   const bool is_planted = planted >= planted_from;
   if (is_planted && lock.standing) {
-    lock.slid += horizontal_distance(ankle, lock.last_ankle);
+    lock.slid += horizontal_distance(ball, lock.last_ball);
     lock.standing_seconds += seconds;
   } else if (is_planted) {
     lock.slid = 0.0F;
     lock.standing_seconds = 0.0F;
   }
   lock.standing = is_planted;
-  lock.last_ankle = ankle;
+  lock.last_ball = ball;
 }
 
 }  // namespace throng::anim

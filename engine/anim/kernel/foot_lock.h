@@ -19,11 +19,11 @@ struct FootLock {
   bool overstretched = false;          ///< let go although it is planted; locks again after the next step
   bool standing = false;               ///< was planted last frame
   float released_for = long_ago;       ///< seconds since it was let go
-  glm::vec3 place{0.0F};               ///< locked: point of the ground below the ankle
+  glm::vec3 place{0.0F};               ///< locked: point of the ground below the ball of the foot
   glm::vec3 normal{0.0F, 1.0F, 0.0F};  ///< of the ground there
   glm::vec3 offset{0.0F};              ///< let go: how far the foot was from where the pose had it; fades out
-  glm::vec3 last_ankle{0.0F};
-  float slid = 0.0F;              ///< metres that the ankle went over the ground since the foot came down
+  glm::vec3 last_ball{0.0F};
+  float slid = 0.0F;              ///< metres that the ball went over the ground since the foot came down
   float standing_seconds = 0.0F;  ///< since then
 };
 static_assert(std::is_trivially_copyable_v<FootLock>);
@@ -31,10 +31,10 @@ static_assert(std::is_trivially_copyable_v<FootLock>);
 struct FootLockOptions {
   bool enabled = true;
   float release_seconds = 0.2F;  ///< a foot that is let go is back where the pose has it after that
-  float farthest = 0.25F;        ///< metres from where the pose has it, beyond which a planted foot is let go
+  float farthest = 0.4F;        ///< metres from where the pose has it, beyond which a planted foot is let go
 };
 
-/// Ground that a foot is to stand on: the point below its ankle.
+/// Ground that a foot is to stand on: a point of it, and how it lies there.
 struct Footing {
   glm::vec3 place{0.0F};
   glm::vec3 normal{0.0F, 1.0F, 0.0F};
@@ -46,8 +46,8 @@ struct Footing {
 Footing step_foot_lock(FootLock& lock, const Footing& posed, float planted, const FootLockOptions& options,
                        float seconds);
 
-/// Adds to `slid` how far the ankle got since the last frame, if the foot was planted all the while. World space.
-void measure_slide(FootLock& lock, const glm::vec3& ankle, float planted, float seconds);
+/// Adds to `slid` how far the ball of the foot got since the last frame, if it was planted all the while. World space.
+void measure_slide(FootLock& lock, const glm::vec3& ball, float planted, float seconds);
 
 /// Height of the plane through a footing at (x, z).
 float ground_height(const Footing& footing, float x, float z);

@@ -27,6 +27,7 @@ struct FootGoal {
 struct PosedLeg {
   ChainMotion motions;
   FootGoal goal;
+  float planted = 0.0F;
 };
 
 /// How far the lowest point of the sole is below the ankle, along `normal`.
@@ -49,16 +50,40 @@ Footing to_model(const JointMotion& model, const Footing& footing) {
   return {.place = back * (footing.place - model.position), .normal = back * footing.normal};
 }
 
-FootGoal goal_of(const FootPlacementJob& job, int index, const JointMotion& ankle) {
-  const auto i = static_cast<std::size_t>(index);
+/// From the ankle to the ball of the foot, over the ground: the ball is what stands still while the heel comes and
+/// goes.
+glm::vec3 to_ball(const PlacedLeg& leg, const glm::quat& foot) {
+  const glm::vec3 ball = foot * leg.sole[1];
+  return {ball.x, 0.0F, ball.z};
+}
+
+Footing moved(const Footing& footing, const glm::vec3& place) {
+  return {.place = {place.x, ground_height(footing, place.x, place.z), place.z}, .normal = footing.normal};
+}
+
+/// Metres from flat ground to the lowest point of the sole, as the pose has the foot.
+float lift_of(const PlacedLeg& leg, const JointMotion& ankle) {
+  return ankle.position.y - clearance(leg, ankle.rotation, up);
+}
+
+float planted_share(const FootPlacementJob& job, std::size_t i, const JointMotion& ankle) {
+  if (job.planted[i] >= 0.0F) return job.planted[i];
+  const float lift = lift_of(job.rig->legs[i], ankle);
+  return std::clamp((job.options.up_above - lift) / (job.options.up_above - job.options.down_below), 0.0F, 1.0F);
+}
+
+FootGoal goal_of(const FootPlacementJob& job, std::size_t i, float planted, const JointMotion& ankle) {
   const PlacedLeg& leg = job.rig->legs[i];
-  const Footing posed = to_world(job.model_in_world, footing_under(ankle.position, job.contacts[i]));
-  const Footing footing = to_model(
-      job.model_in_world, step_foot_lock(job.state->feet[i], posed, job.planted[i], job.options.lock, job.seconds));
+  const Footing under_ankle = footing_under(ankle.position, job.contacts[i]);
+  const Footing under_ball = moved(under_ankle, ankle.position + to_ball(leg, ankle.rotation));
+  const Footing locked =
+      to_model(job.model_in_world, step_foot_lock(job.state->feet[i], to_world(job.model_in_world, under_ball), planted,
+                                                  job.options.lock, job.seconds));
   FootGoal goal;
-  goal.rotation = limited_turn(up, footing.normal, job.options.least_tilt_cosine) * ankle.rotation;
-  const float lift = ankle.position.y - clearance(leg, ankle.rotation, up);
-  const float above_ground = clearance(leg, goal.rotation, footing.normal) + lift * (1.0F - job.planted[i]);
+  goal.rotation = limited_turn(up, locked.normal, job.options.least_tilt_cosine) * ankle.rotation;
+  const Footing footing = moved(locked, locked.place - to_ball(leg, goal.rotation));
+  const float lift = lift_of(leg, ankle) * (1.0F - planted);
+  const float above_ground = clearance(leg, goal.rotation, footing.normal) + lift;
   goal.ankle = footing.place + up * (above_ground / footing.normal.y);
   return goal;
 }
@@ -153,8 +178,10 @@ FootPlacementResult place_feet(const FootPlacementJob& job) {
   for (std::size_t i = 0; i < legs; ++i) {
     const TwoBoneLimb& limb = rig.legs[i].limb;
     pose_chain(limb.chain, job.pose, posed[i].motions);
-    posed[i].goal = goal_of(job, static_cast<int>(i), posed[i].motions[static_cast<std::size_t>(limb.end())]);
-    wanted_drop = std::max(wanted_drop, job.planted[i] * needed_drop(limb, posed[i]));
+    const JointMotion& ankle = posed[i].motions[static_cast<std::size_t>(limb.end())];
+    posed[i].planted = planted_share(job, i, ankle);
+    posed[i].goal = goal_of(job, i, posed[i].planted, ankle);
+    wanted_drop = std::max(wanted_drop, posed[i].planted * needed_drop(limb, posed[i]));
   }
   FootPlacementState& state = *job.state;
   wanted_drop = std::min(wanted_drop, job.options.max_drop);
@@ -167,8 +194,9 @@ FootPlacementResult place_feet(const FootPlacementJob& job) {
     const TwoBoneLimb& limb = rig.legs[i].limb;
     result.missed_by[i] = solve_leg(job, limb, posed[i].goal);
     pose_chain(limb.chain, job.pose, posed[i].motions);
-    const glm::vec3 ankle = posed[i].motions[static_cast<std::size_t>(limb.end())].position;
-    measure_slide(state.feet[i], job.model_in_world.position + job.model_in_world.rotation * ankle, job.planted[i],
+    const JointMotion& ankle = posed[i].motions[static_cast<std::size_t>(limb.end())];
+    const glm::vec3 ball = ankle.position + ankle.rotation * rig.legs[i].sole[1];
+    measure_slide(state.feet[i], job.model_in_world.position + job.model_in_world.rotation * ball, posed[i].planted,
                   job.seconds);
   }
   return result;

@@ -46,8 +46,13 @@ Result<FootPlacementRig> make_foot_placement_rig(const Skeleton& skeleton, std::
                                                  float sole_height = 0.0F,
                                                  const glm::vec3& forward = {0.0F, 0.0F, 1.0F});
 
+/// A foot counts as planted by how high the pose has the lowest point of its sole: see down_below and up_above.
+inline constexpr float planted_by_pose = -1.0F;
+
 /// Metres as for a person of 1.8 m: scale them with the character.
 struct FootPlacementOptions {
+  float down_below = 0.012F;          ///< a sole no higher than this is down for certain,
+  float up_above = 0.03F;             ///< one as high as this is up
   float max_drop = 0.4F;              ///< metres that the pelvis may be lowered
   float drop_smooth_seconds = 0.08F;  ///< see smooth_damp
   float most_gap = 0.005F;            ///< metres that the pelvis may lag behind what planted feet need, ...
@@ -72,7 +77,7 @@ struct FootPlacementJob {
   FootPlacementState* state = nullptr;
   PoseView pose;
   std::span<const GroundContact> contacts;  ///< one a leg: model space, under the ankle as the pose has it
-  std::span<const float> planted;           ///< one a leg, 0 (in the air) to 1 (on the ground)
+  std::span<const float> planted;           ///< one a leg, 0 (in the air) to 1 (on the ground), or planted_by_pose
   JointMotion model_in_world{};             ///< turned about the vertical only
   float seconds = 0.0F;                     ///< since the last frame, not negative
   float weight = 1.0F;                      ///< 0 leaves the pose to the bit and forgets the state

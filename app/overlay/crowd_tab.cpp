@@ -25,6 +25,11 @@ void show_who(const TabContext& context) {
                   .unit = "0 to 9,999",
                   .cost = "Changing it places all agents anew."});
   tuning.seed = static_cast<std::uint32_t>(seed);
+  widgets.toggle(
+      "Placed feet", tuning.placed_feet, standard.placed_feet,
+      {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
+               "them, and slide in turns.",
+       .cost = "Some microseconds an agent."});
 }
 
 void show_time(const TabContext& context) {
@@ -35,11 +40,6 @@ void show_time(const TabContext& context) {
   widgets.number("Speed", tuning.time_scale, standard.time_scale,
                  {.lowest = 0, .highest = 4, .decimals = 2, .suffix = " x"},
                  {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
-  widgets.toggle(
-      "Placed feet", tuning.placed_feet, standard.placed_feet,
-      {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
-               "them, and slide in turns.",
-       .cost = "Some microseconds an agent."});
   const float width = widgets.theme().px(108);
   ImGui::BeginDisabled(!tuning.paused);
   commands.step = widgets.button("Step", {.what = "One frame onwards, while paused."}, width) || commands.step;

@@ -31,7 +31,7 @@ static_assert(std::is_trivially_copyable_v<FootLock>);
 struct FootLockOptions {
   bool enabled = true;
   float release_seconds = 0.2F;  ///< a foot that is let go is back where the pose has it after that
-  float farthest = 0.4F;        ///< metres from where the pose has it, beyond which a planted foot is let go
+  float farthest = 0.4F;         ///< metres from where the pose has it, beyond which a planted foot is let go
 };
 
 /// Ground that a foot is to stand on: a point of it, and how it lies there.

@@ -97,8 +97,8 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
       if (!step.shared) fetch_block(step.entity, pools.layout(step.entity).total_size);
     }
   }
-  for (const Handle source : SharedSources(agents(task)).all())
-    fetch_block(source, pools.layout(source).source_bytes());
+  const SharedSources shared(agents(task));
+  for (const Handle source : shared.all()) fetch_block(source, pools.layout(source).source_bytes());
 }
 
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {

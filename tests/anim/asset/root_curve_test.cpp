@@ -39,10 +39,9 @@ double distance(const RootMotion& a, const RootMotion& b) {
   return glm::distance(a.translation, b.translation) + std::abs(a.yaw - b.yaw);
 }
 
-/// How far a motion of that length may lead, which is what errors are relative to.
-double reach(const RootCurve& curve, FineTicks length) {
-  const double loops =
-      std::abs(static_cast<double>(length)) / static_cast<double>(curve.duration * fine_ticks_per_tick);
+/// How far a motion of that length, in fine ticks, may lead, which is what errors are relative to.
+double reach(const RootCurve& curve, double length) {
+  const double loops = length / static_cast<double>(curve.duration * fine_ticks_per_tick);
   return 10.0 * (1.0 + loops);
 }
 
@@ -90,14 +89,14 @@ TEST_P(Displacement, IsTheClosedFormAfterTenThousandRandomSteps) {
   };
   const FineTicks start = length() / 3;
   FineTicks position = start;
-  FineTicks walked = 0;
+  double walked = 0.0;  // fine ticks; more than 64 bits hold
   RootMotion total;
   for (int i = 0; i < 10'000; ++i) {
     const FineTicks sizes[] = {0, any(3), any(length() / 50), any(length()), any(length() * 300)};
     const FineTicks step = (random() % 2 == 0 ? 1 : -1) * sizes[random() % 5];
     total = compose(total, displacement(curve(), position, position + step, true));
     position += step;
-    walked += std::abs(step);
+    walked += static_cast<double>(std::abs(step));
     ASSERT_LT(distance(total, displacement(curve(), start, position, true)), 1e-9 * reach(curve(), walked)) << i;
   }
 }

@@ -1,5 +1,6 @@
 #include "app/placed_feet.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <memory>
@@ -15,8 +16,9 @@ constexpr anim::Ticks fade = anim::ticks_per_second / 5;
 // The model is as large as its agent is tall, so the world is measured in the agent's own size.
 anim::JointMotion placement_of(const Crowd& crowd, std::uint32_t agent) {
   const Heading heading = crowd.headings()[agent];
-  const float half = 0.5F * std::atan2(heading.sine, heading.cosine);
-  return {.rotation = {std::cos(half), 0.0F, std::sin(half), 0.0F},
+  const float half_cosine = std::sqrt(std::max(0.0F, 0.5F + 0.5F * heading.cosine));
+  const float half_sine = std::copysign(std::sqrt(std::max(0.0F, 0.5F - 0.5F * heading.cosine)), heading.sine);
+  return {.rotation = {half_cosine, 0.0F, half_sine, 0.0F},
           .position = crowd.positions()[agent] / crowd.scales()[agent]};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string>
 #include <utility>
 
 namespace throng::anim {
@@ -25,6 +26,10 @@ Result<std::unique_ptr<AnimationSystem>> AnimationSystem::create(std::shared_ptr
 }
 
 Result<std::uint32_t> AnimationSystem::add_character(std::shared_ptr<const Character> character) {
+  if (casts_.size() == most_skeletons) {
+    return Error{"a system animates at most " + std::to_string(most_skeletons) + " characters: use another one for \"" +
+                 character->skeleton.name + "\""};
+  }
   casts_.push_back(std::make_unique<Cast>(std::move(character)));
   const Status configured = configure(options_);
   if (configured) return static_cast<std::uint32_t>(casts_.size()) - 1;
@@ -151,13 +156,13 @@ bool AnimationSystem::play(std::uint32_t agent, const PlayRequest& request) {
          "another kind of channel was added");
   auto& channel = static_cast<CrossFadeChannel&>(agents(agent).channel(local(agent), 0));
   const bool taken = channel.play(build, request);
-  if (settled(agent, agents(agent).rebuild(build, local(agent)))) return taken;
+  if (settle(agent, [&] { return agents(agent).rebuild(build, local(agent)); })) return taken;
   PlayRequest at_once = request;
   at_once.fade = 0;
   at_once.held_fraction.reset();
   at_once.mask = PlayRequest::no_mask;
   channel.play(build, at_once);
-  [[maybe_unused]] const Status cut = settled(agent, agents(agent).rebuild(build, local(agent)));
+  [[maybe_unused]] const Status cut = settle(agent, [&] { return agents(agent).rebuild(build, local(agent)); });
   assert(cut && "a player alone is the least that there can be");
   return false;
 }
@@ -169,7 +174,8 @@ void AnimationSystem::set_speed(std::uint32_t agent, double speed) {
 Status AnimationSystem::add_channel(std::uint32_t agent, std::unique_ptr<Channel> channel,
                                     const LayerSettings& settings) {
   const EntityBuilder build = builder(agent);
-  Status added = settled(agent, agents(agent).add_channel(build, local(agent), std::move(channel), settings));
+  Status added =
+      settle(agent, [&] { return agents(agent).add_channel(build, local(agent), std::move(channel), settings); });
   if (!added) agents(agent).remove_channel(build, local(agent), agents(agent).channel_count(local(agent)) - 1);
   return added;
 }
@@ -180,14 +186,15 @@ void AnimationSystem::remove_channel(std::uint32_t agent, std::size_t channel) {
 
 Status AnimationSystem::add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process) {
   const EntityBuilder build = builder(agent);
-  Status added = settled(agent, agents(agent).add_post_process(build, local(agent), std::move(process)));
+  Status added = settle(agent, [&] { return agents(agent).add_post_process(build, local(agent), std::move(process)); });
   if (!added)
     agents(agent).remove_post_processes(build, local(agent), agents(agent).post_process_count(local(agent)) - 1);
   return added;
 }
 
 Status AnimationSystem::process_changed(std::uint32_t agent, std::size_t index) {
-  const Status changed = settled(agent, agents(agent).update_post_process(builder(agent), local(agent), index));
+  const Status changed =
+      settle(agent, [&] { return agents(agent).update_post_process(builder(agent), local(agent), index); });
   if (changed) return changed;
   agents(agent).post_process(local(agent), index).destroy_entities(builder(agent));
   [[maybe_unused]] const Status rebuilt = agents(agent).rebuild(builder(agent), local(agent));
@@ -204,10 +211,9 @@ void AnimationSystem::set_channel_weight(std::uint32_t agent, std::size_t channe
 }
 
 // What an agent asks of the local store after a change may be more than any did before.
-Status AnimationSystem::settled(std::uint32_t agent, Status changed) {
-  if (!changed) return changed;
+Status AnimationSystem::fit(std::uint32_t agent) {
   const StoreNeeds& needs = program(agent).needs;
-  if (plan_holds(schedule().plan, contexts_[cast_of(agent)], options_.schedule, needs)) return changed;
+  if (plan_holds(schedule().plan, contexts_[cast_of(agent)], options_.schedule, needs)) return Done{};
   return fit_stores(demand(options_));
 }
 

@@ -33,7 +33,6 @@ struct SystemOptions {
   friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
 };
 inline constexpr int max_pus = 256;
-inline constexpr std::size_t most_characters = 16;
 
 /// One agent to be posed in this frame.
 struct AgentUpdate {
@@ -69,8 +68,8 @@ class AnimationSystem {
   Status configure(const SystemOptions& options);
 
   /// Another character (a camera and a prop are characters too), at load time: its number for add_agents and for what
-  /// belongs to a skeleton. The one of create() is 0. On error, the local store is too small for it, nothing has
-  /// changed.
+  /// belongs to a skeleton. The one of create() is 0. On error (the local store is too small
+  /// for it, or there are most_skeletons already) nothing has changed.
   Result<std::uint32_t> add_character(std::shared_ptr<const Character> character);
 
   /// New agents play nothing until asked; every agent must play something before it is updated.
@@ -130,7 +129,7 @@ class AnimationSystem {
   template <typename Derived, typename Change>
   Status change(std::uint32_t agent, std::size_t index, Change&& change_parameters) {
     change_parameters(static_cast<Derived&>(agents(agent).channel(local(agent), index)));
-    return settled(agent, agents(agent).update(builder(agent), local(agent)));
+    return settle(agent, [&] { return agents(agent).update(builder(agent), local(agent)); });
   }
 
   std::size_t post_process_count(std::uint32_t agent) const { return agents(agent).post_process_count(local(agent)); }
@@ -206,7 +205,14 @@ class AnimationSystem {
   void refresh_contexts();
 
   LocalStoreDemand demand(const SystemOptions& options) const;
-  Status settled(std::uint32_t agent, Status changed);
+  Status fit(std::uint32_t agent);
+  /// Makes a change to an agent's graph, and fits the stores to what it then asks of them.
+  template <typename Change>
+  Status settle(std::uint32_t agent, Change&& change_graph) {
+    const StoreNeeds before = program(agent).needs;
+    Status changed = change_graph();
+    return !changed || program(agent).needs == before ? changed : fit(agent);
+  }
   Status fit_stores(const LocalStoreDemand& needs);
   void make_scheduler(const LocalStorePlan& plan, std::size_t store_bytes);
   void convert(Schedule schedule, StreamKind stream);

@@ -20,7 +20,8 @@ void AnimationSystem::update(std::span<const AgentUpdate> agents) {
 }
 
 void AnimationSystem::update_channels(std::uint32_t agent) {
-  [[maybe_unused]] const Status updated = settled(agent, agents(agent).update(builder(agent), local(agent)));
+  [[maybe_unused]] const Status updated =
+      settle(agent, [&] { return agents(agent).update(builder(agent), local(agent)); });
   assert(updated && "a channel changed by itself to a graph that cannot be run");
 }
 
@@ -72,14 +73,14 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
                      .agent = update.agent,
                      .skeleton = static_cast<std::uint8_t>(member.cast),
                      .level = update.level,
-                     .entity_count = program.own_count,
+                     .entity_count = static_cast<std::uint8_t>(program.own_count()),
                      .held = program.needs.held});
     posed_at_[update.agent] = time;
   }
 }
 
 void AnimationSystem::report_work() {
-  std::array<std::array<std::uint64_t, max_bone_levels>, most_characters> agents_by_level{};
+  std::array<std::array<std::uint64_t, max_bone_levels>, most_skeletons> agents_by_level{};
   for (const AgentWork& work : work_) ++agents_by_level[work.skeleton][work.level];
   report_.agents_updated = static_cast<std::uint32_t>(work_.size());
   for (std::size_t cast = 0; cast < casts_.size(); ++cast) {

@@ -43,7 +43,7 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<FootPlacementProcess>(*this); }
 
  private:
-  void begin(const EntityBuilder& build, Handle feet) const override {
+  void begin_private(const EntityBuilder& build, Handle feet) const override {
     auto& memory = build.private_as<FootPlacementMemory>(feet);
     memory.options = options_;
     memory.feet = {};

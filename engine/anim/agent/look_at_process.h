@@ -32,7 +32,7 @@ class LookAtProcess final : public WeightedProcess<LookAtEntity> {
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<LookAtProcess>(*this); }
 
  private:
-  void begin(const EntityBuilder& build, Handle look) const override {
+  void begin_private(const EntityBuilder& build, Handle look) const override {
     build.private_as<LookAtMemory>(look) = {.limits = limits_, .gaze = {}, .remaining = 0.0F};
   }
   void write(const EntityBuilder& build, Handle look) const override {

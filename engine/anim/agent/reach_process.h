@@ -27,7 +27,7 @@ class ReachProcess final : public WeightedProcess<IkEntity> {
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<ReachProcess>(*this); }
 
  private:
-  void begin(const EntityBuilder& build, Handle ik) const override {
+  void begin_private(const EntityBuilder& build, Handle ik) const override {
     build.private_as<IkMemory>(ik) = {.limb = settings_.limb,
                                       .softness = settings_.softness,
                                       .pole = settings_.pole,

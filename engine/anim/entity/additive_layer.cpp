@@ -21,8 +21,7 @@ void move_weight(AdditiveLayer& layer) {
 void advance_layer(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
   auto& layer = entity.as<AdditiveLayer>();
   move_weight(layer);
-  std::ranges::copy(states[0]->linear_velocity, layer.state.linear_velocity);
-  std::ranges::copy(states[0]->angular_velocity, layer.state.angular_velocity);
+  take_velocity(layer.state, *states[0]);
 }
 
 void add_packet(const EntityInStore& entity, const PacketJob& job) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -103,6 +104,18 @@ struct EntityKind {
 template <typename Resource>
 const Resource& EntityInStore::resource_as() const {
   return *static_cast<const Resource*>(layout->kind->resource);
+}
+
+/// EntityKind::sources of an entity that reads one state, its `source`.
+template <typename Entity>
+std::span<Handle> only_source(std::byte* block, const EntityLayout&) {
+  return {&reinterpret_cast<Entity*>(block)->source, 1};
+}
+
+/// The entity moves as its source does.
+inline void take_velocity(AnimationStateHeader& state, const AnimationStateHeader& source) {
+  std::ranges::copy(source.linear_velocity, state.linear_velocity);
+  std::ranges::copy(source.angular_velocity, state.angular_velocity);
 }
 
 inline constexpr std::size_t max_sources = 8;

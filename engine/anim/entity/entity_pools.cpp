@@ -24,6 +24,7 @@ EntityPools::EntityPools(int bone_count, int components, Residency residency)
 
 EntityPools::Kind EntityPools::add_kind(const EntityKind& kind) {
   assert(kind_count() < most_kinds && "at most 15 kinds of entities a skeleton");
+  assert(kind.prepared_bytes % 64 == 0 && kind.prepared_bytes <= most_prepared_bytes);
   assert((kind.pose_packet != nullptr) != (kind.pose_whole != nullptr) && "a kind poses packets or whole poses");
   const Kind index = kind_count();
   layouts_[index] = entity_layout(kind, residency_, bone_count_, components_);

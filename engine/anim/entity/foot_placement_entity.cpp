@@ -9,10 +9,6 @@ namespace {
 
 std::size_t private_bytes(int, int) { return sizeof(FootPlacementMemory); }
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
-  return {&reinterpret_cast<FootPlacementEntity*>(block)->source, 1};
-}
-
 void advance_feet(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
   advance_weight(entity.as<FootPlacementEntity>().weight, begin_whole_pose(entity, states).seconds);
 }
@@ -54,7 +50,7 @@ void place(const EntityInStore& entity, const PoseView& pose) {
 EntityKind foot_placement_kind(const FootPlacementRig& rig) {
   return {.name = "foot placement",
           .type = EntityType::foot_placement,
-          .sources = sources,
+          .sources = only_source<FootPlacementEntity>,
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
           .advance = advance_feet,

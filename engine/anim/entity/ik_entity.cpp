@@ -7,10 +7,6 @@ namespace {
 
 std::size_t private_bytes(int, int) { return sizeof(IkMemory); }
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
-  return {&reinterpret_cast<IkEntity*>(block)->source, 1};
-}
-
 void advance_ik(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
   advance_weight(entity.as<IkEntity>().weight, begin_whole_pose(entity, states).seconds);
 }
@@ -33,7 +29,7 @@ void reach(const EntityInStore& entity, const PoseView& pose) {
 EntityKind ik_kind(const std::vector<TwoBoneLimb>& limbs) {
   return {.name = "inverse kinematics",
           .type = EntityType::two_bone_ik,
-          .sources = sources,
+          .sources = only_source<IkEntity>,
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
           .advance = advance_ik,

@@ -61,8 +61,7 @@ void advance_inertialiser(const EntityInStore& entity, std::span<const Animation
   inertialiser.settled = plan.capture == Capture::first ? 1 : 0;
   inertialiser.capture = plan.capture == Capture::first ? Capture::second : Capture::none;
   if (plan.capture == Capture::second) inertialiser.since_capture = 0;
-  std::ranges::copy(states[0]->linear_velocity, inertialiser.state.linear_velocity);
-  std::ranges::copy(states[0]->angular_velocity, inertialiser.state.angular_velocity);
+  take_velocity(inertialiser.state, *states[0]);
 }
 
 // From here on the old offset is carried by its value alone.

@@ -7,10 +7,6 @@ namespace {
 
 std::size_t private_bytes(int, int) { return sizeof(LookAtMemory); }
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
-  return {&reinterpret_cast<LookAtEntity*>(block)->source, 1};
-}
-
 void advance_look(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
   advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, states).seconds);
 }
@@ -32,7 +28,7 @@ void turn_to_target(const EntityInStore& entity, const PoseView& pose) {
 EntityKind look_at_kind(const LookAtRig& rig) {
   return {.name = "look-at",
           .type = EntityType::look_at,
-          .sources = sources,
+          .sources = only_source<LookAtEntity>,
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
           .advance = advance_look,

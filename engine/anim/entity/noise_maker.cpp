@@ -5,17 +5,12 @@
 namespace throng::anim {
 namespace {
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
-  return {&reinterpret_cast<NoiseMaker*>(block)->source, 1};
-}
-
 void advance_noise(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
   auto& noise = entity.as<NoiseMaker>();
   noise.time += noise.state.delta_time;
   noise.state.delta_time = 0;
   entity.prepared_as<NoisePoint>() = noise_at(noise.time, noise.frequency);
-  std::ranges::copy(states[0]->linear_velocity, noise.state.linear_velocity);
-  std::ranges::copy(states[0]->angular_velocity, noise.state.angular_velocity);
+  take_velocity(noise.state, *states[0]);
 }
 
 void shake_packet(const EntityInStore& entity, const PacketJob& job) {
@@ -40,7 +35,7 @@ void shake_packet(const EntityInStore& entity, const PacketJob& job) {
 
 const EntityKind noise_maker_kind = {.name = "noise maker",
                                      .type = EntityType::noise_maker,
-                                     .sources = sources,
+                                     .sources = only_source<NoiseMaker>,
                                      .prepared_bytes = 64,
                                      .advance = advance_noise,
                                      .pose_packet = shake_packet};

@@ -6,15 +6,10 @@
 namespace throng::anim {
 namespace {
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
-  return {&reinterpret_cast<Socket*>(block)->source, 1};
-}
-
 void advance_socket(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
   auto& socket = entity.as<Socket>();
   socket.state.delta_time = 0;
-  std::ranges::copy(states[0]->linear_velocity, socket.state.linear_velocity);
-  std::ranges::copy(states[0]->angular_velocity, socket.state.angular_velocity);
+  take_velocity(socket.state, *states[0]);
 }
 
 void note_place(const EntityInStore& entity, const PoseView& pose) {
@@ -53,7 +48,7 @@ JointMotion socket_motion(const Socket& socket) {
 EntityKind socket_kind(const SocketPlaces& places) {
   return {.name = "socket",
           .type = EntityType::socket,
-          .sources = sources,
+          .sources = only_source<Socket>,
           .advance = advance_socket,
           .pose_whole = note_place,
           .resource = &places};

@@ -20,8 +20,7 @@ inline WholePoseStep begin_whole_pose(const EntityInStore& entity,
   auto& state = entity.as<AnimationStateHeader>();
   const WholePoseStep step{.seconds = static_cast<float>(to_seconds(state.delta_time))};
   state.delta_time = 0;
-  std::ranges::copy(sources[0]->linear_velocity, state.linear_velocity);
-  std::ranges::copy(sources[0]->angular_velocity, state.angular_velocity);
+  take_velocity(state, *sources[0]);
   entity.prepared_as<WholePoseStep>() = step;
   return step;
 }

@@ -13,6 +13,8 @@
 
 namespace throng::anim {
 
+inline constexpr std::size_t most_skeletons = 16;  ///< in one update
+
 /// One agent to be posed in this frame. Read-only while PUs run; small, since it is sorted.
 struct AgentWork {
   const PoseProgram* program = nullptr;  ///< stays where it is until the update is over
@@ -20,7 +22,7 @@ struct AgentWork {
   PaletteMatrix* palette = nullptr;      ///< written once; null: posed, but nobody draws it
   std::uint64_t* hash = nullptr;         ///< out: sum of the palette's entry hashes; or null
   std::uint32_t agent = 0;
-  std::uint8_t skeleton = 0;      ///< index of its UpdateContext
+  std::uint8_t skeleton = 0;      ///< index of its UpdateContext, below most_skeletons
   std::uint8_t level = 0;         ///< bone level
   std::uint8_t entity_count = 0;  ///< of the program
   bool held = false;              ///< of the program

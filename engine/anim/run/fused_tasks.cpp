@@ -39,7 +39,7 @@ struct LeftBySteps {
 
 template <typename Visit>
 void for_each_shared(const PoseProgram& program, Visit&& visit) {
-  if (program.own_count == program.steps.size()) return;
+  if (program.needs.shared == 0) return;
   for (std::size_t i = 0; i < program.steps.size(); ++i) {
     if (program.steps[i].shared) visit(i, program.steps[i]);
   }
@@ -68,13 +68,9 @@ StoreNeeds widest_needs(std::span<const AgentWork> tile) {
   return needs;
 }
 
-std::size_t own_bytes(const EntityPools& pools, std::span<const AgentWork> tile) {
+std::size_t own_bytes(std::span<const AgentWork> tile) {
   std::size_t bytes = 0;
-  for (const AgentWork& work : tile) {
-    for (const PoseStep& step : work.program->steps) {
-      if (!step.shared) bytes += pools.layout(step.entity).total_size;
-    }
-  }
+  for (const AgentWork& work : tile) bytes += work.program->needs.fetch_bytes;
   return bytes;
 }
 
@@ -198,12 +194,11 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
                         .packets = about.packets(tile.front().level)};
   ScratchCarver carver(store_->scratch());
   scratch_ = FusedScratch::carve(carver, about, needs, characters.width);
-  scratch_peak_bytes_ = std::max(scratch_peak_bytes_, carver.used());
   // Lanes beyond the last character compute on numbers, not on noise.
   if (tile.size() < static_cast<std::size_t>(characters.width)) {
     std::ranges::fill(needs.held ? scratch_.held : scratch_.model.local, 0.0F);
   }
-  characters.shared_blocks = characters.blocks + own_bytes(*about.pools, tile);
+  characters.shared_blocks = characters.blocks + own_bytes(tile);
   advance_entities(characters);
   begin_palettes(scratch_.model, tile, unseen_);
   if (needs.held) {

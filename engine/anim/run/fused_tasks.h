@@ -33,7 +33,6 @@ class FusedTasks {
 
   std::uint32_t tiles_done() const { return tiles_done_; }
   std::uint32_t agents_done() const { return agents_done_; }
-  std::size_t scratch_peak_bytes() const { return scratch_peak_bytes_; }
 
  private:
   struct Characters;
@@ -56,7 +55,6 @@ class FusedTasks {
   FusedScratch scratch_;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;
-  std::size_t scratch_peak_bytes_ = 0;
 };
 
 }  // namespace throng::anim

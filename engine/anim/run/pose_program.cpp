@@ -137,7 +137,6 @@ Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, Pos
   if (Status visited = flattening.visit(root, root_step); !visited) return visited;
   const std::span<PoseStep> steps = flattening.steps();
   program.needs = {.registers = assign_registers(steps, pools)};
-  program.own_count = 0;
   for (const PoseStep& step : steps) {
     const EntityLayout& layout = pools.layout(step.entity);
     if (step.shared) {
@@ -145,7 +144,6 @@ Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, Pos
       ++program.needs.shared;
       continue;
     }
-    ++program.own_count;
     program.needs.fetch_bytes += layout.total_size;
     std::uint32_t entity_bytes = layout.total_size;
     for (std::size_t k = 0; k < step.source_count; ++k) {

@@ -47,8 +47,9 @@ struct PoseProgram {
 
   std::vector<PoseStep> steps;
   StoreNeeds needs;
-  std::uint8_t own_count = 0;  ///< steps that are not shared
 
+  /// Steps that are not shared.
+  std::size_t own_count() const { return steps.size() - needs.shared; }
   Handle root() const { return steps.back().entity; }
 };
 

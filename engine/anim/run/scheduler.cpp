@@ -9,12 +9,11 @@ namespace {
 
 // Programs that are longer cost alike.
 constexpr std::size_t longest = 15;
-constexpr std::size_t most_skeletons = 16;
 constexpr std::size_t cost_classes = most_skeletons * 2 * max_bone_levels * (longest + 1);
 
 // Agents of one class are equal enough to share a tile; held tiles, more bones and larger graphs cost more.
 std::size_t cost_class(const AgentWork& work) {
-  const std::size_t group = (work.skeleton % most_skeletons * 2 + (work.held ? 0U : 1U)) * max_bone_levels + work.level;
+  const std::size_t group = (work.skeleton * std::size_t{2} + (work.held ? 0U : 1U)) * max_bone_levels + work.level;
   return group * (longest + 1) + longest - std::min<std::size_t>(work.entity_count, longest);
 }
 

@@ -103,6 +103,16 @@ TEST(SeveralCharacters, AreRefusedWhereTheLocalStoreIsTooSmallForOneAndNothingHa
   run(*system, palettes, 2);
 }
 
+TEST(SeveralCharacters, BeyondWhatASystemAnimatesAreRefused) {
+  auto system = std::move(*AnimationSystem::create(character_of(2), {}));
+  for (std::uint32_t number = 1; number < most_skeletons; ++number) {
+    ASSERT_TRUE(system->add_character(character_of(2)).has_value()) << number;
+  }
+  const auto added = system->add_character(character_of(2));
+  ASSERT_FALSE(added.has_value());
+  EXPECT_NE(added.error().message.find("at most 16"), std::string::npos) << added.error().message;
+}
+
 // Everybody in a cut scene is placed by the scene: the same point of the world, from which each moves on by its own
 // clip's root motion.
 TEST(CutScene, PlacesAgentsACameraAndAPropByTheirAbsoluteRoots) {

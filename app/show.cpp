@@ -109,6 +109,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   if (!character) return fail(failure, exit_job_failed, character.error().message), nullptr;
   if (!choose_roles(options, *character, failure)) return nullptr;
   show->model_ = options.model;
+  if (!options.trace.empty()) show->timeline_.emplace();
   if (!show->open_context(options, failure) || !show->open_renderer(options, *character, failure)) return nullptr;
   Tuning tuning = options.tuning;
   if (options.context == ContextKind::window && show->on_software() && !options.agents_given) {
@@ -118,7 +119,9 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   if (show->renderer_ == nullptr) show->heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
   render::PalettePageSource& pages = show->renderer_ != nullptr ? show->renderer_->palette_pages() : *show->heap_pages_;
   const CharacterRoles roles = character->roles;
+  const auto start = TimelineLog::Clock::now();
   auto stage = Stage::create(std::move(*character), tuning, pages);
+  show->statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
   if (!stage) return fail(failure, exit_usage, stage.error().message), nullptr;
   show->stage_ = std::move(*stage);
 
@@ -173,11 +176,13 @@ std::uint64_t Show::completed_frame() {
 void Show::animate(anim::Ticks delta) {
   const std::uint64_t completed = completed_frame();
   const bool had_memory = !stage_->shown().out_of_memory();
+  const auto start = TimelineLog::Clock::now();
   update_ms_ = milliseconds_of([&] {
     stage_->move(delta);
     stage_->pose(camera, width, height, delta, completed);
   });
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
+  if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
   statistics_.add_report(*stage_);
 }
@@ -190,6 +195,7 @@ int Show::pick_mesh_lod(float pixels_tall, int at_least) const {
 }
 
 void Show::draw() {
+  const auto start = TimelineLog::Clock::now();
   draw_ms_ = milliseconds_of([&] {
     picture_.compose(*stage_, [this](float pixels, int at_least) { return pick_mesh_lod(pixels, at_least); });
     draw_counts_ =
@@ -201,6 +207,7 @@ void Show::draw() {
     renderer_->fences().insert(stage_->frame());
     renderer_->finish();
   });
+  if (timeline_) timeline_->add_part("draw", start, TimelineLog::Clock::now());
   statistics_.set_draw(draw_counts_.draw_calls, draw_counts_.triangles);
   statistics_.add_drawn_frame(update_ms_ + draw_ms_);
 }

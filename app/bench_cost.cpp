@@ -1,5 +1,6 @@
 // The coefficients of anim::CostModel, by least squares over crowds of many shapes on one PU.
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -15,7 +16,6 @@
 #include "app/bench_sweeps.h"
 #include "app/bench_table.h"
 #include "app/least_squares.h"
-#include "app/statistics.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/agent/look_at_process.h"
 
@@ -117,7 +117,7 @@ double wake_up_time(const BenchOptions& options) {
     (*system)->executor().run((*system)->options().pus, {[](void*, int) {}, nullptr});
     times.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
   }
-  return median(std::move(times));
+  return *std::ranges::min_element(times);
 }
 
 std::string key_of(std::size_t index) { return std::to_string(index); }
@@ -138,7 +138,7 @@ anim::Result<BenchReport> sweep_cost(const BenchOptions& options) {
   LeastSquares fit(names.size());
   std::vector<Json> rows;
   for (std::size_t i = 0; i < crowds.size(); ++i) {
-    const double agent_ns = rounds.median(key_of(i)) / agents_of_a_crowd;
+    const double agent_ns = rounds.fastest(key_of(i)) / agents_of_a_crowd;
     fit.add(parts_of(crowds[i]->shape), agent_ns, 1.0 / agent_ns);
     const Shape& shape = crowds[i]->shape;
     rows.push_back({{"bones", shape.bones},

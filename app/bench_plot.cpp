@@ -18,7 +18,7 @@ constexpr const char* quiet = "#6b747e";
 
 std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof(text), value >= 1e5 ? "%.0f" : "%.3g", value);
+  std::snprintf(text, sizeof(text), value >= 1000 ? "%.0f" : "%.3g", value);
   return text;
 }
 

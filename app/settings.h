@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -59,9 +60,11 @@ struct Tuning {
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
+inline constexpr std::size_t most_models = 16;  ///< in one crowd
+
 /// What the command line of the demo says (README "Options"); Tuning are its starting values.
 struct DemoOptions {
-  std::string model;  ///< empty: the built-in character
+  std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <thread>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -14,13 +16,39 @@ namespace {
 constexpr float push_impulse = 60.0F;      // kg m/s: a hard shove
 constexpr double push_height = 0.75;       // of the character's, where it is met
 constexpr float least_body_radius = 0.2F;  // metres, to click at
+constexpr double person_height = 1.8;      // metres, that a spot of contact scale 1 lies below
 
-std::vector<std::uint32_t> entries_by_level(const anim::Skeleton& skeleton) {
-  std::vector<std::uint32_t> entries;
-  for (const int bones : skeleton.level_bone_counts) {
-    entries.push_back(static_cast<std::uint32_t>(anim::palette_count_for_bones(skeleton, bones)));
+using EntriesByLevel = std::vector<std::vector<std::uint32_t>>;  // [character][bone level]
+
+EntriesByLevel entries_by_level(std::span<const CharacterSource> characters) {
+  EntriesByLevel entries;
+  for (const CharacterSource& source : characters) {
+    const anim::Skeleton& skeleton = source.character->skeleton;
+    std::vector<std::uint32_t>& of_character = entries.emplace_back();
+    for (const int bones : skeleton.level_bone_counts) {
+      of_character.push_back(static_cast<std::uint32_t>(anim::palette_count_for_bones(skeleton, bones)));
+    }
   }
   return entries;
+}
+
+std::vector<std::uint32_t> all_sizes(const EntriesByLevel& entries) {
+  std::vector<std::uint32_t> sizes;
+  for (const auto& of_character : entries) sizes.insert(sizes.end(), of_character.begin(), of_character.end());
+  return sizes;
+}
+
+std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters) {
+  std::vector<CharacterRoles> roles;
+  for (const CharacterSource& character : characters) roles.push_back(character.roles);
+  return roles;
+}
+
+anim::LodCharacter lod_character(const CharacterSource& source) {
+  return {.centre_height = static_cast<float>(source.bounds.height / 2.0),
+          .radius = static_cast<float>(source.bounds.reach),
+          .height = static_cast<float>(source.bounds.height),
+          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size())};
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
@@ -49,36 +77,55 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe};
 }
 
-anim::LodRules lod_rules(const Tuning& tuning, int level_count) {
+anim::LodRules lod_rules(const Tuning& tuning) {
   return {
       .rule = tuning.lod == LodRule::off ? anim::LodRule::off : anim::LodRule::distance,
       .full_rate_distance = tuning.full_rate_distance,
       .interval_growth = tuning.interval_growth,
       .largest_interval = tuning.largest_interval,
       .bone_lod = tuning.bone_lod,
-      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]},
-      .level_count = level_count};
+      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]}};
 }
 
-Stage::Stage(CharacterSource character, render::PalettePageSource& pages)
-    : character_(std::move(character)),
-      slots_(pages, entries_by_level(character_.character->skeleton)),
-      shown_(slots_) {}
+Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
+    : characters_(std::move(characters)),
+      palette_entries_(entries_by_level(characters_)),
+      slots_(pages, all_sizes(palette_entries_)),
+      shown_(slots_) {
+  std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
+}
 
-anim::Result<std::unique_ptr<Stage>> Stage::create(CharacterSource character, const Tuning& tuning,
+anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                    render::PalettePageSource& pages) {
-  std::unique_ptr<Stage> stage(new Stage(std::move(character), pages));
-  auto system = anim::AnimationSystem::create(stage->character_.character, system_options(tuning));
-  if (!system) return system.error();
-  stage->system_ = std::move(*system);
-  stage->rigs_ = std::make_unique<const anim::CharacterRigs>(stage->character_.model);
-  const anim::RigKinds kinds = stage->rigs_->add_to(*stage->system_);
-  stage->fallen_ = std::make_unique<FallenAgents>(kinds.ragdoll, *stage->system_);
-  stage->feet_ = std::make_unique<PlacedFeet>(kinds.foot_placement, *stage->system_);
+  std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
   stage->tuning_ = tuning;
+  if (const anim::Status opened = stage->open_system(); !opened) return opened.error();
   stage->populate();
   return stage;
 }
+
+anim::Status Stage::open_system() {
+  auto system = anim::AnimationSystem::create(characters_.front().character, system_options(tuning_));
+  if (!system) return system.error();
+  system_ = std::move(*system);
+  for (const CharacterSource& more : std::span(characters_).subspan(1)) {
+    if (const auto added = system_->add_character(more.character); !added) {
+      return anim::Error{more.name + ": " + added.error().message};
+    }
+  }
+  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
+  for (std::uint32_t character = 0; character < characters_.size(); ++character) {
+    rigs_.push_back(std::make_unique<const anim::CharacterRigs>(characters_[character].model));
+    const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
+    ragdolls.push_back(kinds.ragdoll);
+    feet.push_back(kinds.foot_placement);
+  }
+  fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
+  feet_ = std::make_unique<PlacedFeet>(std::move(feet), *system_);
+  return anim::Done{};
+}
+
+CharacterRoles Stage::common_roles() const { return app::common_roles(roles_of(characters_)); }
 
 anim::Status Stage::apply(const Tuning& tuning) {
   const anim::SystemOptions options = system_options(tuning);
@@ -93,20 +140,20 @@ anim::Status Stage::apply(const Tuning& tuning) {
   return anim::Done{};
 }
 
-void Stage::set_roles(const RoleClips& clips) {
-  assign_roles(character_, clips);
+void Stage::set_roles(std::size_t character, const RoleClips& clips) {
+  assign_roles(characters_[character], clips);
   if (!moving_) lod_.make_all_due();
   populate();
 }
 
 void Stage::populate() {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
-  crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, character_.roles);
+  crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
   selected_.reset();
   fallen_->reset();
   feet_->reset(agents);
   system_->set_agent_count(0);
-  system_->set_agent_count(static_cast<std::uint32_t>(agents));
+  system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     request_clip(agent, crowd_->clips()[agent], 0, static_cast<double>(crowd_->start_phases()[agent]));
@@ -118,7 +165,7 @@ void Stage::populate() {
 
 void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
   const int index = clip == no_clip ? 0 : clip;
-  const anim::Ticks duration = character_.character->clips[static_cast<std::size_t>(index)].duration;
+  const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
   system_->play(agent, {.clip = index,
@@ -156,16 +203,14 @@ std::uint32_t Stage::now() const { return microseconds(system_->clock()); }
 
 anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) const {
   const render::CameraView view = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height));
-  const anim::Character& character = *character_.character;
   return {.positions = crowd_->positions(),
           .scales = crowd_->scales(),
-          .bounds = {.centre_height = static_cast<float>(character_.bounds.height / 2.0),
-                     .radius = static_cast<float>(character_.bounds.reach),
-                     .height = static_cast<float>(character_.bounds.height)},
+          .characters = lod_characters_,
+          .character_of = crowd_->characters(),
           .camera = {.position = camera.position,
                      .frustum = render::frustum_planes(view),
                      .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F)},
-          .rules = lod_rules(tuning_, static_cast<int>(character.skeleton.level_bone_counts.size())),
+          .rules = lod_rules(tuning_),
           .number = frames_moved_};
 }
 
@@ -187,12 +232,17 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     updates_.push_back({.agent = due.agent, .level = due.bone_level, .look_ahead = look_ahead, .palette = nullptr});
     place_feet(due, visible && !ahead);
     if (!visible) continue;
-    updates_.back().palette =
-        shown_.show(due.agent, due.bone_level, now(), microseconds(system_->clock() + look_ahead), last_frame);
+    updates_.back().palette = show(due.agent, due.bone_level, microseconds(system_->clock() + look_ahead), last_frame);
   }
   pose_fallen(last_frame);
   system_->update(updates_);
   get_up();
+}
+
+anim::PaletteMatrix* Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                 std::uint64_t last_frame) {
+  const std::uint32_t entries = palette_entries_[crowd_->characters()[agent]][level];
+  return shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
 }
 
 // Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
@@ -213,7 +263,7 @@ void Stage::pose_fallen(std::uint64_t last_frame) {
     if (looked_ahead || (!moving_ && pose.shown())) continue;
     const bool visible = std::ranges::binary_search(selection_.visible, fallen.agent, {}, &anim::VisibleAgent::agent);
     updates_.push_back({.agent = fallen.agent, .level = 0, .look_ahead = 0, .palette = nullptr});
-    if (visible) updates_.back().palette = shown_.show(fallen.agent, 0, now(), now(), last_frame);
+    if (visible) updates_.back().palette = show(fallen.agent, 0, now(), last_frame);
   }
 }
 
@@ -222,14 +272,18 @@ void Stage::get_up() {
 }
 
 anim::Status Stage::push_over(std::uint32_t agent, const glm::vec3& direction) {
-  if (!can_fall()) return anim::Error{"nobody can be pushed over: " + joined(rigs_->missing())};
+  const CharacterSource& character = character_of(agent);
+  if (!can_fall(agent)) {
+    const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing());
+    return anim::Error{character.name + " cannot be pushed over: " + missing};
+  }
   const Heading heading = crowd_->headings()[agent];
   const glm::vec2 way(heading.cosine * direction.x - heading.sine * direction.z,
                       heading.sine * direction.x + heading.cosine * direction.z);
   const glm::vec2 impulse = way * (push_impulse / std::max(glm::length(way), 1e-3F));
   const bool stood = !crowd_->holds(agent);
   if (stood) request_clip(crowd_->hold(agent));
-  const auto chest = static_cast<float>(push_height * character_.bounds.height);
+  const auto chest = static_cast<float>(push_height * character.bounds.height);
   const anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
   if (!pushed && stood) request_clip(crowd_->release(agent));
   return pushed;
@@ -238,8 +292,9 @@ anim::Status Stage::push_over(std::uint32_t agent, const glm::vec3& direction) {
 // Somebody who lies is as long as they were tall, in any direction.
 UprightBody Stage::body_of(std::uint32_t agent) const {
   const float scale = crowd_->scales()[agent];
-  const float height = static_cast<float>(character_.bounds.height) * scale;
-  const float radius = std::max(static_cast<float>(character_.bounds.body_radius), least_body_radius) * scale;
+  const anim::CharacterBounds& bounds = character_of(agent).bounds;
+  const float height = static_cast<float>(bounds.height) * scale;
+  const float radius = std::max(static_cast<float>(bounds.body_radius), least_body_radius) * scale;
   UprightBody body{.agent = agent, .foot = crowd_->positions()[agent], .radius = radius, .height = height};
   const std::optional<glm::vec3> hips = fallen_->hips(agent);
   if (!hips || hips->y * scale > height / 4.0F) return body;
@@ -277,6 +332,7 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
       .debug_color = agent.agent == selected_ ? selected_color : debug_color(tuning_.debug_view, agent, pose.level()),
       .tints = {},
       .bone_level = pose.level(),
+      .contact_scale = static_cast<float>(character_of(agent.agent).bounds.height / person_height),
       .reserved = {}};
   std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
   return true;

@@ -116,11 +116,13 @@ class WindowLoop {
     if (commands.push_over) {
       if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
     }
-    if (commands.roles) show_.set_roles(*commands.roles);
+    const std::size_t character = reporter_.report().character;
+    if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) {
-      const auto saved = show_.save_roles();
+      const auto saved = show_.save_roles(character);
       notice_ = saved ? "Wrote " + saved->string() : saved.error().message;
     }
+    if (commands.character) reporter_.describe_character(show_, *commands.character);
     if (!commands.copy_camera) return;
     const std::string option = camera_option(fly_camera_.place());
     input_.clipboard().set(option);

@@ -78,7 +78,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"ShortOption", "-a", "-a: unknown option; throng --help lists them all"},
         Refused{"OptionOfAnotherCommand", "pose a --clip 0 --time 0 --json - --pus 2",
                 "--pus: unknown option; throng pose --help lists them all"},
-        Refused{"SecondModel", "a.glb b.glb", "b.glb: unexpected; options begin with --, and one model is the most"}),
+        Refused{"SecondModel", "inspect a.glb b.glb",
+                "b.glb: unexpected; options begin with --, and one model is the most"},
+        Refused{"SeventeenthModel", "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 q.glb", "q.glb: 16 models are the most"}),
     name_of);
 
 const std::string roles = "roles are stand, look_around, walk, jog, run, wave, cheer, clap and sit";

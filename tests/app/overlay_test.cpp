@@ -132,6 +132,18 @@ TEST(Overlay, AnotherClipForARoleIsPickedKeptAndTakenBack) {
   EXPECT_EQ((*reset.roles)[index_of(Role::walk)], 1);
 }
 
+TEST(Overlay, OfSeveralCharactersOneIsChosenToShowItsRoles) {
+  OverlayDriver driver;
+  EXPECT_FALSE(driver.sees("Model:knight.glb")) << "one character is a fact";
+  driver.report.characters = {"models/person.glb", "models/knight.glb"};
+  driver.frames();
+  driver.click("Model");
+  ASSERT_TRUE(driver.sees("Model:knight.glb"));
+  const OverlayCommands picked = driver.click("Model:knight.glb");
+  ASSERT_TRUE(picked.character);
+  EXPECT_EQ(*picked.character, 1U);
+}
+
 TEST(Overlay, EveryChoiceCanBeMade) {
   OverlayDriver driver;
   driver.click("Scene:grid");

@@ -47,6 +47,9 @@ class Crowd {
   /// The same in the calling thread.
   std::span<const ClipRequest> advance(anim::Ticks dt);
 
+  /// Where somebody who acts stands now.
+  void put(std::uint32_t agent, const glm::vec3& position, const Heading& heading);
+
   /// Keeps an agent where it is, in the way of all others, and lets it do nothing: it stops walking, which is the
   /// request.
   std::optional<ClipRequest> hold(std::uint32_t agent);

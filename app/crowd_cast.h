@@ -14,8 +14,9 @@ namespace throng::app {
 class CrowdCast {
  public:
   /// Chooses for every place of `layout`, by chance but the same for the same seed: of those that can walk for the
-  /// walkers, of all for the standers. Those who march keep step, so they are all one character, the first that can
-  /// walk. `characters`: 1 to 256.
+  /// walkers, of all people for the standers, of all props where the layout asks for one. Those who march keep step, so
+  /// they are all one character, the first that can walk; an actor is that one too. `characters`: 1 to 256, the first
+  /// is no prop.
   CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayout& layout, std::uint32_t seed);
 
   const CharacterRoles& of(std::size_t agent) const { return characters_[numbers_[agent]]; }
@@ -28,7 +29,7 @@ class CrowdCast {
   double spacing_;
 };
 
-/// What a scene is laid out for: the gait of the first character that can walk, the room of the largest.
+/// What a scene is laid out for: the gait of the first character that can walk, the room of the largest person.
 CharacterRoles common_roles(std::span<const CharacterRoles> characters);
 
 }  // namespace throng::app

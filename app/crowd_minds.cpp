@@ -46,7 +46,8 @@ void CrowdMinds::begin(std::size_t agent) {
     clips_[agent] = others[agent % others.size()];
   }
   // Uniform from now on, so that the first changes come as evenly as all later ones.
-  const bool changes = habits_[agent] != Habit::march && (intentions_[agent] != Role::other || others.size() > 1);
+  const bool follows = habits_[agent] == Habit::march || habits_[agent] == Habit::act;
+  const bool changes = !follows && (intentions_[agent] != Role::other || others.size() > 1);
   if (changes) next_changes_[agent] = some_time(whim, {0.5F, stay_in(intentions_[agent]).most});
 }
 

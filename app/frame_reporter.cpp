@@ -72,7 +72,7 @@ void count(std::vector<int>& counts, std::size_t place) {
 }  // namespace
 
 FrameReporter::FrameReporter(const Show& show) {
-  for (const CharacterSource& character : show.stage().characters()) report_.characters.push_back(character.name);
+  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
   describe_device(show);
   describe_character(show, 0);
 }
@@ -112,7 +112,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.draw_ms = static_cast<float>(show.last_draw_ms());
   remember(report_.frame_ms_history, frame_ms);
   remember(report_.update_ms_history, show.last_update_ms());
-  report_.agents = static_cast<int>(system.agent_count());
+  report_.agents = static_cast<int>(show.stage().crowd().size());
   report_.drawn = static_cast<int>(show.picture().instances().size());
   report_.agents_updated = static_cast<int>(system.report().agents_updated);
   report_.bones_evaluated = system.report().bones_evaluated;

@@ -13,11 +13,12 @@ void declare_crowd(OptionReader& reader, DemoOptions& options) {
   reader.value("--agents", "N", "Agents, 1 to 100000 (1000)", whole_number(tuning.agents, 1, 100000));
   reader.value("--clips", "ROLE=NAME,...", "Clips to play for what, of each model that has them (guessed from names)",
                role_choices(options.clips));
-  reader.value(
-      "--scene", "NAME", "plaza, parade, stadium or grid (plaza)",
-      choice<Scene>(
-          tuning.scene,
-          {{"plaza", Scene::plaza}, {"parade", Scene::parade}, {"stadium", Scene::stadium}, {"grid", Scene::grid}}));
+  reader.value("--scene", "NAME", "plaza, parade, stadium, grid or film (plaza)",
+               choice<Scene>(tuning.scene, {{"plaza", Scene::plaza},
+                                            {"parade", Scene::parade},
+                                            {"stadium", Scene::stadium},
+                                            {"grid", Scene::grid},
+                                            {"film", Scene::film}}));
   reader.value("--seed", "S", "Another seed, another crowd (1)", seed_number(tuning.seed));
 }
 

@@ -108,7 +108,7 @@ bool Show::open_context(const DemoOptions& options, Failure& failure) {
   return true;
 }
 
-bool Show::open_renderer(const DemoOptions& options, std::span<const CharacterSource> characters, Failure& failure) {
+bool Show::open_renderer(const DemoOptions& options, Failure& failure) {
   if (context_ == nullptr) return true;
   const auto data = find_data(data_folders(options.data), "shaders");
   if (!data) return fail(failure, exit_job_failed, data.error().message);
@@ -124,11 +124,15 @@ bool Show::open_renderer(const DemoOptions& options, std::span<const CharacterSo
                   .shadows = options.shadows && !spared_.shadows});
   if (!renderer) return fail(failure, exit_job_failed, renderer.error().message);
   renderer_ = std::move(*renderer);
-  std::vector<render::CrowdMeshData> meshes;
-  for (const CharacterSource& character : characters) meshes.push_back(mesh_data(character.model));
-  const render::Status loaded = renderer_->load_characters(meshes);
-  if (!loaded) return fail(failure, exit_job_failed, loaded.error().message);
   return true;
+}
+
+bool Show::load_meshes(Failure& failure) {
+  if (renderer_ == nullptr) return true;
+  std::vector<render::CrowdMeshData> meshes;
+  for (const CharacterSource& character : stage_->characters()) meshes.push_back(mesh_data(character.model));
+  const render::Status loaded = renderer_->load_characters(meshes);
+  return loaded || fail(failure, exit_job_failed, loaded.error().message);
 }
 
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure) {
@@ -157,6 +161,7 @@ bool Show::place_camera(const DemoOptions& options, Failure& failure) {
                 "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
   }
   camera = camera_at(options.camera.value_or(named->place));
+  films = !options.camera && options.camera_name.empty();
   return true;
 }
 
@@ -167,15 +172,17 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   auto characters = load(options);
   if (!characters) return fail(failure, exit_job_failed, characters.error().message), nullptr;
   if (!choose_roles(options, *characters, failure)) return nullptr;
-  if (!show->open_context(options, failure) || !show->open_renderer(options, *characters, failure)) return nullptr;
-  if (!show->open_stage(std::move(*characters), options, failure) || !show->place_camera(options, failure))
-    return nullptr;
+  if (!show->open_context(options, failure) || !show->open_renderer(options, failure)) return nullptr;
+  if (!show->open_stage(std::move(*characters), options, failure)) return nullptr;
+  if (!show->load_meshes(failure) || !show->place_camera(options, failure)) return nullptr;
   show->update_notice();
   return show;
 }
 
 anim::Status Show::apply(const Tuning& tuning) {
+  const bool another_scene = tuning.scene != stage_->tuning().scene;
   const anim::Status applied = stage_->apply(tuning);
+  if (applied && another_scene) films = true;
   if (applied) update_notice();
   return applied;
 }
@@ -214,6 +221,7 @@ void Show::animate(anim::Ticks delta) {
   const bool had_memory = !stage_->shown().out_of_memory();
   update_ms_ = milliseconds_of([&] {
     stage_->move(delta);
+    if (films && stage_->cut_scene() != nullptr) camera = stage_->cut_scene()->film(camera);
     stage_->pose(camera, width, height, delta, completed);
   });
   if (had_memory && stage_->shown().out_of_memory()) update_notice();

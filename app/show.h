@@ -63,6 +63,7 @@ class Show {
   bool on_software() const { return context_ != nullptr && context_->is_software(); }
 
   render::Camera camera;
+  bool films = false;  ///< the camera of a cut scene sets `camera` in each frame, where there is one
   int width = 0;
   int height = 0;
   /// Lines for people, of what is otherwise than they would expect (app/notices.h); may be empty.
@@ -71,8 +72,9 @@ class Show {
  private:
   Show() = default;
   bool open_context(const DemoOptions& options, Failure& failure);
-  bool open_renderer(const DemoOptions& options, std::span<const CharacterSource> characters, Failure& failure);
+  bool open_renderer(const DemoOptions& options, Failure& failure);
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure);
+  bool load_meshes(Failure& failure);
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
   std::uint64_t completed_frame();

@@ -8,6 +8,7 @@
 
 #include "app/character_source.h"
 #include "app/crowd.h"
+#include "app/cut_scene.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
 #include "app/placed_feet.h"
@@ -29,7 +30,7 @@ namespace throng::app {
 /// after which selection() and records() say what to draw.
 class Stage {
  public:
-  /// `characters`: 1 to most_models, of which every agent is one.
+  /// `characters`: 1 to most_models people, then props; every agent is one of them.
   static anim::Result<std::unique_ptr<Stage>> create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                      render::PalettePageSource& pages);
 
@@ -51,7 +52,7 @@ class Stage {
   /// Pushes an agent over, in the world's `direction` (the height of it is ignored). Errors: there is nothing in its
   /// character that could fall, or no room for it in the local store.
   anim::Status push_over(std::uint32_t agent, const glm::vec3& direction);
-  bool can_fall(std::uint32_t agent) const { return fallen_->possible(agent); }
+  bool can_fall(std::uint32_t agent) const;
   const FallenAgents& fallen() const { return *fallen_; }
 
   /// What can be clicked at: those in view, in ascending order of agent; allocates.
@@ -67,8 +68,11 @@ class Stage {
   /// What the scene is laid out for.
   CharacterRoles common_roles() const;
   std::span<const CharacterSource> characters() const { return characters_; }
+  std::span<const CharacterSource> people() const;  ///< those that are no props
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd_->characters()[agent]]; }
   const Tuning& tuning() const { return tuning_; }
+  /// The camera of the cut scene; null in the other scenes.
+  const CutScene* cut_scene() const { return cut_scene_.get(); }
   std::uint64_t frame() const { return frame_; }
   std::uint32_t now() const;  ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
 
@@ -93,11 +97,13 @@ class Stage {
   render::PaletteSlots slots_;
   ShownPoses shown_;
   std::vector<std::unique_ptr<const anim::CharacterRigs>> rigs_;  // [character]
+  std::uint32_t film_camera_ = 0;                                 // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
   std::unique_ptr<Crowd> crowd_;
-  std::vector<float> played_speeds_;  // of each agent's clip, as the system was told
+  std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
+  std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
   anim::LodState lod_;
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;

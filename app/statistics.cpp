@@ -28,7 +28,7 @@ Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr
 // A whole number where every agent has as many.
 Json bones_per_agent(const Stage& stage) {
   std::uint64_t bones = 0;
-  const std::uint32_t agents = stage.system().agent_count();
+  const std::size_t agents = stage.crowd().size();
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     bones += static_cast<std::uint64_t>(stage.system().character(agent).skeleton.bone_count());
   }
@@ -81,7 +81,7 @@ void Statistics::add_report(const Stage& stage) {
 
 anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
   Json json;
-  json["agents"] = stage.system().agent_count();
+  json["agents"] = stage.crowd().size();
   json["bones_per_agent"] = bones_per_agent(stage);
   json["frames"] = frames_;
   add_scheduling(json, stage);

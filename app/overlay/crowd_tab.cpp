@@ -34,7 +34,8 @@ void show_who(const TabContext& context) {
   show_characters(context);
   widgets.choice("Scene", tuning.scene, standard.scene, scene_words,
                  {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
-                          "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows.",
+                          "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
+                          "film: a cut scene with an actor, a balloon and a camera.",
                   .cost = "Changing it places all agents anew."});
   widgets.number("Agents", tuning.agents, standard.agents, {.lowest = 1, .highest = 100000, .logarithmic = true},
                  {.what = "Characters in the crowd, each in a pose of its own.",

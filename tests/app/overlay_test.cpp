@@ -335,22 +335,5 @@ TEST(Overlay, ShowsEachLineOfTheNoticeByItself) {
   EXPECT_GT(driver.overlay.vertex_count(), on_one_line);
 }
 
-TEST(UiMap, SaysWhereWidgetsAreAndWhatIsSet) {
-  OverlayDriver driver;
-  driver.click("Scene:grid");
-  const auto map = nlohmann::json::parse(to_json(driver.overlay.ui_map(), driver.tuning, driver.report));
-  EXPECT_EQ(map["tab"], "Crowd");
-  EXPECT_EQ(map["tuning"]["scene"], "grid");
-  EXPECT_EQ(map["tuning"]["agents"], 1000);
-  EXPECT_EQ(map["report"]["pus"], 2);
-  EXPECT_GT(map["widgets"]["Agents"]["w"], 50);
-}
-
-TEST(UiMap, SurvivesNamesThatAreNotText) {
-  FrameReport report;
-  report.notice = "\xFF\xFE";
-  EXPECT_TRUE(nlohmann::json::accept(to_json({}, {}, report)));
-}
-
 }  // namespace
 }  // namespace throng::app

@@ -92,20 +92,29 @@ void count(std::vector<int>& counts, std::size_t place) {
 
 }  // namespace
 
-FrameReporter::FrameReporter(const Show& show) { describe_character(show); }
+FrameReporter::FrameReporter(const Show& show) {
+  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
+  describe_device(show);
+  describe_character(show, 0);
+}
 
-void FrameReporter::describe_character(const Show& show) {
-  const anim::Skeleton& skeleton = show.stage().character().character->skeleton;
+void FrameReporter::describe_device(const Show& show) {
   const DrawnBy drawn_by = show.drawn_by();
-  report_.model = show.stage().character().name;
-  report_.clip_names = show.stage().character().clip_names;
-  report_.suggested_role_clips = show.stage().character().suggested;
   report_.context = drawn_by.context;
   report_.gl_version = drawn_by.gl_version;
   report_.gl_renderer = drawn_by.gl_renderer;
   report_.software_renderer = show.on_software();
-  report_.level_bone_counts = skeleton.level_bone_counts;
   report_.hardware_threads = static_cast<int>(std::thread::hardware_concurrency());
+}
+
+void FrameReporter::describe_character(const Show& show, std::size_t character) {
+  const CharacterSource& source = show.stage().characters()[character];
+  const anim::Skeleton& skeleton = source.character->skeleton;
+  report_.character = character;
+  report_.clip_names = source.clip_names;
+  report_.suggested_role_clips = source.suggested;
+  report_.level_bone_counts = skeleton.level_bone_counts;
+  report_.bones.clear();
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
     report_.bones.push_back({.name = skeleton.bones[static_cast<std::size_t>(bone)].name,
                              .depth = depth_of(skeleton, bone),
@@ -117,14 +126,14 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   const anim::AnimationSystem& system = show.stage().system();
   ++report_.frame;
   report_.notice = notice;
-  report_.role_clips = show.stage().character().roles.clips;
+  report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.last_update_ms());
   report_.draw_ms = static_cast<float>(show.last_draw_ms());
   remember(report_.frame_ms_history, frame_ms);
   remember(report_.update_ms_history, show.last_update_ms());
-  report_.agents = static_cast<int>(system.agent_count());
+  report_.agents = static_cast<int>(show.stage().crowd().size());
   report_.drawn = static_cast<int>(show.picture().instances().size());
   report_.agents_updated = static_cast<int>(system.report().agents_updated);
   report_.bones_evaluated = system.report().bones_evaluated;

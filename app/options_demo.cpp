@@ -11,13 +11,14 @@ void declare_crowd(OptionReader& reader, DemoOptions& options) {
   Tuning& tuning = options.tuning;
   reader.heading("Crowd");
   reader.value("--agents", "N", "Agents, 1 to 100000 (1000)", whole_number(tuning.agents, 1, 100000));
-  reader.value("--clips", "ROLE=NAME,...", "Clips of the model to play for what (guessed from their names)",
+  reader.value("--clips", "ROLE=NAME,...", "Clips to play for what, of each model that has them (guessed from names)",
                role_choices(options.clips));
-  reader.value(
-      "--scene", "NAME", "plaza, parade, stadium or grid (plaza)",
-      choice<Scene>(
-          tuning.scene,
-          {{"plaza", Scene::plaza}, {"parade", Scene::parade}, {"stadium", Scene::stadium}, {"grid", Scene::grid}}));
+  reader.value("--scene", "NAME", "plaza, parade, stadium, grid or film (plaza)",
+               choice<Scene>(tuning.scene, {{"plaza", Scene::plaza},
+                                            {"parade", Scene::parade},
+                                            {"stadium", Scene::stadium},
+                                            {"grid", Scene::grid},
+                                            {"film", Scene::film}}));
   reader.value("--seed", "S", "Another seed, another crowd (1)", seed_number(tuning.seed));
 }
 
@@ -121,8 +122,8 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   DemoOptions options;
   OptionReader reader("throng", "Throng: a crowd of skinned characters, each in a pose of its own.");
   reader.heading("What is shown");
-  reader.model(options.model, "A glTF file (.glb or .gltf); without it, the built-in character",
-               OptionReader::Need::optional);
+  reader.models(options.models, most_models,
+                "glTF files (.glb or .gltf), up to 16 in one crowd; without any, the built-in character");
   declare_crowd(reader, options);
   declare_level_of_detail(reader, options.tuning);
   declare_scheduling(reader, options.tuning);

@@ -63,7 +63,7 @@ void add_level_of_detail(const Stage& stage, SelectionReport& report) {
   report.visible = true;
   report.interval = report.posture == Posture::upright ? found->interval : 1;
   report.bone_level = stage.shown().pose(report.agent).to_level;
-  const anim::Skeleton& skeleton = stage.character().character->skeleton;
+  const anim::Skeleton& skeleton = stage.character_of(report.agent).character->skeleton;
   report.bones = skeleton.level_bone_counts[static_cast<std::size_t>(report.bone_level)];
 }
 
@@ -82,7 +82,7 @@ std::optional<SelectionReport> report_selection(const Stage& stage) {
                          .y = position.y,
                          .z = position.z,
                          .speed = crowd.speeds()[agent],
-                         .can_fall = stage.can_fall(),
+                         .can_fall = stage.can_fall(agent),
                          .channels = static_cast<int>(stage.system().channel_count(agent)),
                          .entities = {}};
   add_level_of_detail(stage, report);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace throng::app {
 
-enum class Scene : std::uint8_t { plaza, parade, stadium, grid };
+enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film };
 enum class Schedule : std::uint8_t { fused, levels };
 enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
 enum class Stream : std::uint8_t { sampled, keyframe };
@@ -59,9 +60,11 @@ struct Tuning {
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
+inline constexpr std::size_t most_models = 16;  ///< of people in one crowd
+
 /// What the command line of the demo says (README "Options"); Tuning are its starting values.
 struct DemoOptions {
-  std::string model;  ///< empty: the built-in character
+  std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all

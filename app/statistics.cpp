@@ -25,6 +25,17 @@ double mean(std::uint64_t sum, std::uint64_t count) {
 
 Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
+// A whole number where every agent has as many.
+Json bones_per_agent(const Stage& stage) {
+  std::uint64_t bones = 0;
+  const std::size_t agents = stage.crowd().size();
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    bones += static_cast<std::uint64_t>(stage.system().character(agent).skeleton.bone_count());
+  }
+  if (bones % agents == 0) return bones / agents;
+  return mean(bones, agents);
+}
+
 void add_scheduling(Json& json, const Stage& stage) {
   const anim::ScheduleOptions& schedule = stage.system().schedule();
   std::size_t laid_out = 0;
@@ -71,8 +82,8 @@ void Statistics::add_report(const Stage& stage) {
 
 anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
   Json json;
-  json["agents"] = stage.system().agent_count();
-  json["bones_per_agent"] = stage.character().character->skeleton.bone_count();
+  json["agents"] = stage.crowd().size();
+  json["bones_per_agent"] = bones_per_agent(stage);
   json["frames"] = frames_;
   add_scheduling(json, stage);
   json["spawn_ms"] = spawn_ms_;

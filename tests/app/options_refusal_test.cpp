@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     UnknownWord, Refusal,
     testing::Values(
-        Refused{"Scene", "--scene moon", "--scene moon: must be plaza, parade, stadium or grid"},
+        Refused{"Scene", "--scene moon", "--scene moon: must be plaza, parade, stadium, grid or film"},
         Refused{"Schedule", "--schedule none", "--schedule none: must be fused or levels"},
         Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
         Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},
@@ -80,7 +80,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"ShortOption", "-a", "-a: unknown option; throng --help lists them all"},
         Refused{"OptionOfAnotherCommand", "pose a --clip 0 --time 0 --json - --pus 2",
                 "--pus: unknown option; throng pose --help lists them all"},
-        Refused{"SecondModel", "a.glb b.glb", "b.glb: unexpected; options begin with --, and one model is the most"}),
+        Refused{"SecondModel", "inspect a.glb b.glb",
+                "b.glb: unexpected; options begin with --, and one model is the most"},
+        Refused{"SeventeenthModel", "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 q.glb", "q.glb: 16 models are the most"}),
     name_of);
 
 const std::string roles = "roles are stand, look_around, walk, jog, run, wave, cheer, clap and sit";

@@ -29,7 +29,7 @@ std::string shown(const std::string& line) {
 
 TEST(DemoDefaults, AreThoseOfTheHelp) {
   const DemoOptions options = demo("");
-  EXPECT_EQ(options.model, "");
+  EXPECT_TRUE(options.models.empty());
   EXPECT_EQ(options.context, ContextKind::window);
   EXPECT_EQ(options.draw, std::nullopt);
   EXPECT_EQ(options.frames, 60);
@@ -106,7 +106,7 @@ TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
   const DemoOptions options = demo(
       "model.glb --headless=osmesa --draw all --frames 5 --dt 0.5 --size 640x360 --ui=fixed --msaa 4 --shadows off "
       "--screenshot a.png --stats b.json --ui-map c.json --data .");
-  EXPECT_EQ(options.model, "model.glb");
+  EXPECT_THAT(options.models, ElementsAre("model.glb"));
   EXPECT_EQ(options.context, ContextKind::osmesa);
   EXPECT_EQ(options.draw, DrawWhich::all);
   EXPECT_EQ(options.frames, 5);
@@ -122,14 +122,19 @@ TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
               ElementsAre("a.png", "b.json", "c.json", "."));
 }
 
+TEST(DemoOptions, TakeUpToSixteenModelsInOneCrowd) {
+  EXPECT_THAT(demo("a.glb --agents 5 b.glb c.glb").models, ElementsAre("a.glb", "b.glb", "c.glb"));
+  EXPECT_EQ(demo("1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16").models.size(), 16U);
+}
+
 TEST(OptionalValue, IsTakenOnlyAfterAnEqualsSign) {
   const DemoOptions before_a_model = demo("--headless model.glb");
   EXPECT_EQ(before_a_model.context, ContextKind::headless_default);
-  EXPECT_EQ(before_a_model.model, "model.glb");
-  EXPECT_EQ(demo("--headless egl").model, "egl");
+  EXPECT_THAT(before_a_model.models, ElementsAre("model.glb"));
+  EXPECT_THAT(demo("--headless egl").models, ElementsAre("egl"));
   EXPECT_EQ(demo("--headless=egl").context, ContextKind::egl);
   EXPECT_EQ(demo("--headless=none").context, ContextKind::none);
-  EXPECT_EQ(demo("--headless --draw last --ui fixed").model, "fixed");
+  EXPECT_THAT(demo("--headless --draw last --ui fixed").models, ElementsAre("fixed"));
   EXPECT_FALSE(demo("--headless --draw last --ui").ui_fixed);
 }
 

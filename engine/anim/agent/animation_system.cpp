@@ -1,6 +1,7 @@
 #include "engine/anim/agent/animation_system.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <string>
 #include <utility>
@@ -117,12 +118,33 @@ void AnimationSystem::set_agent_count(std::uint32_t agents) {
 
 std::uint32_t AnimationSystem::add_agents(std::uint32_t count, std::uint32_t character) {
   const std::uint32_t first = agent_count();
-  Cast& cast = *casts_[character];
-  for (std::uint32_t i = 0; i < count; ++i) members_.push_back({character, cast.agents.count() + i});
-  cast.reserve_fades(options_.stream, cast.agents.count() + count);
-  cast.agents.resize(cast.agents.count() + count);
-  reserve_work();
+  for (std::uint32_t i = 0; i < count; ++i) members_.push_back({character, casts_[character]->agents.count() + i});
+  make_agents(first);
   return first;
+}
+
+std::uint32_t AnimationSystem::add_agents(std::span<const std::uint8_t> characters) {
+  const std::uint32_t first = agent_count();
+  std::array<std::uint32_t, most_skeletons> next{};
+  for (std::size_t cast = 0; cast < casts_.size(); ++cast) next[cast] = casts_[cast]->agents.count();
+  members_.reserve(first + characters.size());
+  for (const std::uint8_t character : characters) members_.push_back({character, next[character]++});
+  make_agents(first);
+  return first;
+}
+
+// For the members from `first` on, each cast's all at once.
+void AnimationSystem::make_agents(std::uint32_t first) {
+  std::array<std::uint32_t, most_skeletons> added{};
+  for (const Member& member : std::span(members_).subspan(first)) ++added[member.cast];
+  for (std::size_t i = 0; i < casts_.size(); ++i) {
+    if (added[i] == 0) continue;
+    Cast& cast = *casts_[i];
+    const std::uint32_t count = cast.agents.count() + added[i];
+    cast.reserve_fades(options_.stream, count);
+    cast.agents.resize(count);
+  }
+  reserve_work();
 }
 
 void AnimationSystem::reserve_work() {

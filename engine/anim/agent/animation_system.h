@@ -80,6 +80,10 @@ class AnimationSystem {
   /// `count` more agents of a character, numbered on from those that there are: the first one's number. Afterwards
   /// set_agent_count can only be told 0.
   std::uint32_t add_agents(std::uint32_t count, std::uint32_t character);
+  /// One more agent of each of these characters, in this order: the first one's number.
+  std::uint32_t add_agents(std::span<const std::uint8_t> characters);
+  /// Which character the agent is, as add_agents was told.
+  std::uint32_t character_number(std::uint32_t agent) const { return members_[agent].cast; }
   std::uint32_t agent_count() const { return static_cast<std::uint32_t>(members_.size()); }
 
   /// Per-bone weights for requests and layers, to be added at load time; the index for `PlayRequest::mask`. The mask
@@ -230,6 +234,7 @@ class AnimationSystem {
   void make_scheduler(const LocalStorePlan& plan, std::size_t store_bytes);
   void convert(Schedule schedule, StreamKind stream);
   Status process_changed(std::uint32_t agent, std::size_t index);
+  void make_agents(std::uint32_t first);
   void reserve_work();
 
   void update_channels(std::uint32_t agent);

@@ -13,7 +13,7 @@
 
 namespace throng::anim {
 
-inline constexpr std::size_t most_skeletons = 16;  ///< in one update
+inline constexpr std::size_t most_skeletons = 32;  ///< in one update
 
 /// One agent to be posed in this frame. Read-only while PUs run; small, since it is sorted.
 struct AgentWork {

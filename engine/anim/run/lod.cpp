@@ -44,11 +44,9 @@ int interval_at(float squared_distance, const LodRules& rules, const Thresholds&
 }
 
 // `current` is the level shown now; pass 0 and `fresh` for an agent that was out of view.
-int bone_level_at(float squared_distance, int current, bool fresh, const LodRules& rules, const Thresholds& squares) {
-  if (!rules.bone_lod) return 0;
-  int level = std::min(current, rules.level_count - 1);
-  while (level + 1 < rules.level_count && squared_distance >= squares.next_level[static_cast<std::size_t>(level)])
-    ++level;
+int bone_level_at(float squared_distance, int current, bool fresh, int level_count, const Thresholds& squares) {
+  int level = std::min(current, level_count - 1);
+  while (level + 1 < level_count && squared_distance >= squares.next_level[static_cast<std::size_t>(level)]) ++level;
   while (!fresh && level > 0 && squared_distance < squares.level_back[static_cast<std::size_t>(level - 1)]) --level;
   return level;
 }
@@ -74,10 +72,11 @@ struct Decision {
 };
 
 Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState& state, std::size_t agent,
-                float squared_distance) {
+                int level_count, float squared_distance) {
   const bool fresh = state.was_visible[agent] == 0;
   const int shown = fresh ? 0 : state.bone_level[agent];
-  const int bone_level = bone_level_at(squared_distance, shown, fresh, frame.rules, squares);
+  const int levels = frame.rules.bone_lod ? level_count : 1;
+  const int bone_level = bone_level_at(squared_distance, shown, fresh, levels, squares);
   if (frame.rules.rule == LodRule::off) return {1, 1, bone_level};
   const int interval = interval_at(squared_distance, frame.rules, squares);
   const int own_turn = frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval));
@@ -94,7 +93,8 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.positions.size() == frame.scales.size());
   assert(frame.positions.size() == state.next_update.size());
   assert(frame.rules.largest_interval >= 1 && frame.rules.largest_interval <= longest_interval);
-  assert(frame.rules.level_count >= 1 && frame.rules.level_count <= most_bone_levels);
+  assert(!frame.characters.empty());
+  assert(frame.character_of.empty() || frame.character_of.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
   static_cast<void>(frame);
   static_cast<void>(state);
@@ -130,13 +130,14 @@ struct LodTile {
  private:
   void decide_one(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection,
                   std::size_t agent) {
+    const LodCharacter& character = frame.characters[frame.character_of.empty() ? 0 : frame.character_of[agent]];
     const float scale = frame.scales[agent];
-    const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, frame.bounds.centre_height * scale, 0.0F);
-    const bool is_visible = in_view(centre, frame.bounds.radius * scale, frame.camera);
+    const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, character.centre_height * scale, 0.0F);
+    const bool is_visible = in_view(centre, character.radius * scale, frame.camera);
     const float squared_distance = squared(centre - frame.camera.position);
     const bool turn_has_come = state.was_visible[agent] == 0 || frame.number >= state.next_update[agent];
     if (frame.rules.rule == LodRule::off || (is_visible && turn_has_come)) {
-      const Decision decision = decide(frame, squares, state, agent, squared_distance);
+      const Decision decision = decide(frame, squares, state, agent, character.level_count, squared_distance);
       update(state, agent, frame.number, decision);
       selection.room_for_due[first + due++] = {static_cast<std::uint32_t>(agent),
                                                static_cast<std::uint8_t>(decision.look_ahead), state.bone_level[agent]};
@@ -144,7 +145,7 @@ struct LodTile {
     if (is_visible) {
       const float distance = std::max(std::sqrt(squared_distance), near_enough_to_divide);
       selection.room_for_visible[first + visible++] = {
-          static_cast<std::uint32_t>(agent), frame.bounds.height * scale * frame.camera.pixels_per_unit / distance,
+          static_cast<std::uint32_t>(agent), character.height * scale * frame.camera.pixels_per_unit / distance,
           state.interval[agent], state.bone_level[agent]};
     }
     state.was_visible[agent] = is_visible ? 1 : 0;

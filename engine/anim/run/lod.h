@@ -33,7 +33,6 @@ struct LodRules {
   int largest_interval = 8;          ///< frames, 1 to longest_interval
   bool bone_lod = true;              ///< fewer bones by distance, whatever the rule
   std::array<float, most_bone_levels - 1> level_distances{15.0F, 30.0F, 60.0F};  ///< metres, ascending
-  int level_count = most_bone_levels;  ///< levels that the character has, 1 to most_bone_levels
 };
 
 /// What the rule needs to know of the camera.
@@ -43,11 +42,13 @@ struct LodCamera {
   float pixels_per_unit = 1.0F;        ///< pixels that one metre covers at a distance of one metre
 };
 
-/// A sphere about the vertical axis of an agent that holds every pose; all scaled with the agent.
-struct LodBounds {
-  float centre_height = 0.9F;  ///< metres above the feet
-  float radius = 1.2F;         ///< metres
-  float height = 1.8F;         ///< metres, of the standing character
+/// What the rule needs to know of a character: a sphere about the vertical axis that holds every pose, its height and
+/// its bone levels. All scaled with the agent.
+struct LodCharacter {
+  float centre_height = 0.9F;          ///< metres above the feet
+  float radius = 1.2F;                 ///< metres
+  float height = 1.8F;                 ///< metres, of the standing character
+  int level_count = most_bone_levels;  ///< 1 to most_bone_levels
 };
 
 /// An agent in view, in ascending order of `agent`.
@@ -91,11 +92,12 @@ struct LodState {
   void make_all_due();
 };
 
-/// Everything about one frame of a crowd; spans are parallel, one element an agent.
+/// Everything about one frame of a crowd; spans but `characters` are parallel, one element an agent.
 struct LodFrame {
   std::span<const glm::vec3> positions;  ///< metres, world space, between the feet
   std::span<const float> scales;
-  LodBounds bounds;
+  std::span<const LodCharacter> characters;    ///< one or more
+  std::span<const std::uint8_t> character_of;  ///< index among them; empty: everybody is the first
   LodCamera camera;
   LodRules rules;
   std::uint64_t number = 0;  ///< grows by one each frame in which time passes

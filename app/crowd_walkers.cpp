@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd_tiles.h"
 #include "app/crowd_turn.h"
 
 namespace throng::app {
@@ -206,15 +207,15 @@ void CrowdWalkers::advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, a
   const auto steps = static_cast<int>(std::min<anim::Ticks>((dt + longest_step - 1) / longest_step, most_steps));
   const auto seconds = static_cast<float>(anim::to_seconds(dt) / steps);
   for (int step = 0; step < steps; ++step) {
-    for (std::size_t walker = 0; walker < count(); ++walker) {
+    visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {
       if (minds.holds(walker)) {
         stop(walker);
       } else {
         wish(walker, minds.intentions()[walker]);
       }
-    }
+    });
     steering_.step(bodies_, wishes_, seconds, executor, jobs);
-    for (std::size_t walker = 0; walker < count(); ++walker) turn(walker, seconds);
+    visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) { turn(walker, seconds); });
   }
   for (std::size_t walker = 0; walker < count(); ++walker) {
     if (is_gait(minds.intentions()[walker]) && !minds.holds(walker)) show_gait(walker, now, minds);

@@ -35,19 +35,43 @@ int last_level_with(const anim::Skeleton& skeleton, int bone) {
   return level;
 }
 
-PuSpan::Kind kind_of(anim::TraceSpan::Kind kind) {
+constexpr double most_spans_in_a_lane = 512;
+
+std::optional<PuSpan::Kind> kind_of(anim::TraceSpan::Kind kind) {
   switch (kind) {
     case anim::TraceSpan::Kind::fetch:
       return PuSpan::Kind::fetch;
     case anim::TraceSpan::Kind::compute:
       return PuSpan::Kind::compute;
     case anim::TraceSpan::Kind::write_back:
+      return PuSpan::Kind::write_back;
+    case anim::TraceSpan::Kind::wait:
+      return PuSpan::Kind::wait;
+    case anim::TraceSpan::Kind::schedule:
+    case anim::TraceSpan::Kind::copy_slice:
       break;
   }
-  return PuSpan::Kind::write_back;
+  return {};
 }
 
-PuReport report_of(const anim::ProcessingUnit& unit, double update_ms) {
+// Tasks too short to be told apart in a lane become one span.
+std::vector<PuSpan> spans_of(const anim::Trace& trace, const anim::UpdateTime& time) {
+  const auto shortest = static_cast<float>(time.milliseconds / most_spans_in_a_lane);
+  std::vector<PuSpan> spans;
+  for (const anim::TraceSpan& span : trace.spans()) {
+    const auto kind = kind_of(span.kind);
+    if (!kind) continue;
+    const auto end = static_cast<float>(time.ms(span.end));
+    if (!spans.empty() && spans.back().kind == *kind && end - spans.back().begin_ms < shortest) {
+      spans.back().end_ms = end;
+    } else {
+      spans.push_back({*kind, static_cast<float>(time.ms(span.begin)), end});
+    }
+  }
+  return spans;
+}
+
+PuReport report_of(const anim::ProcessingUnit& unit, const anim::UpdateTime& time, double update_ms) {
   const anim::PuActivity& activity = unit.activity();
   PuReport report{.tiles = activity.tasks,
                   .agents = activity.agents,
@@ -57,10 +81,7 @@ PuReport report_of(const anim::ProcessingUnit& unit, double update_ms) {
                   .dma_out_bytes = activity.copies.bytes_out,
                   .dma_transfers = activity.copies.transfers,
                   .local_store_laid_out_bytes = static_cast<std::uint32_t>(unit.store().bytes_used()),
-                  .spans = {}};
-  for (const anim::TraceSpan& span : unit.trace().spans()) {
-    report.spans.push_back({kind_of(span.kind), span.begin_ms, span.end_ms});
-  }
+                  .spans = spans_of(unit.trace(), time)};
   return report;
 }
 
@@ -160,7 +181,7 @@ void FrameReporter::add_units(const anim::AnimationSystem& system, double update
   report_.pu.clear();
   report_.local_store_laid_out_bytes = 0;
   for (const anim::ProcessingUnit& unit : system.units()) {
-    report_.pu.push_back(report_of(unit, update_ms));
+    report_.pu.push_back(report_of(unit, system.update_time(), update_ms));
     report_.local_store_laid_out_bytes =
         std::max(report_.local_store_laid_out_bytes, report_.pu.back().local_store_laid_out_bytes);
   }

@@ -35,6 +35,15 @@ void declare_level_of_detail(OptionReader& reader, Tuning& tuning) {
   reader.later("--error-px");
 }
 
+void declare_scheduling(OptionReader& reader, Tuning& tuning) {
+  reader.heading("Scheduling");
+  reader.value("--pus", "N", "PUs, the calling thread among them, 1 to 256 (all cores)",
+               whole_number(tuning.pus, 1, 256));
+  declare_local_store(reader, tuning);
+  reader.value("--schedule", "NAME", "fused or levels (fused)", choice<Schedule>(tuning.schedule, schedule_names()));
+  reader.value("--stream", "NAME", "sampled or keyframe (sampled)", choice<Stream>(tuning.stream, stream_names()));
+}
+
 void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.heading("Picture");
   reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
@@ -72,9 +81,10 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.heading("Files");
   reader.value("--screenshot", "FILE.png", "Write the last frame", png_file(options.screenshot));
   reader.value("--stats", "FILE|-", "Write what the run did and how long it took, as JSON", any_text(options.stats));
+  reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
   reader.value("--ui-map", "FILE", "Write where every widget of the overlay is, as JSON", file_name(options.ui_map));
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
-  for (const char* const name : {"--trace", "--preset", "--record"}) reader.later(name);
+  for (const char* const name : {"--preset", "--record"}) reader.later(name);
 }
 
 /// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly.

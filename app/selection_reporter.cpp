@@ -57,7 +57,7 @@ void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
 }
 
 void add_level_of_detail(const Stage& stage, SelectionReport& report) {
-  const std::vector<anim::VisibleAgent>& visible = stage.selection().visible;
+  const std::span<const anim::VisibleAgent> visible = stage.selection().visible;
   const auto found = std::ranges::lower_bound(visible, report.agent, {}, &anim::VisibleAgent::agent);
   if (found == visible.end() || found->agent != report.agent) return;
   report.visible = true;

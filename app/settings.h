@@ -84,7 +84,7 @@ struct DemoOptions {
   bool force_software = false;    ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   std::string camera_name;                      ///< named camera of the scene, empty: the scene's first
-  std::string screenshot, stats, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
+  std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 
 /// Of a headless run: what was asked for, else the last where something of it is written, else none.

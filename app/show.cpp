@@ -143,7 +143,9 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   }
   if (renderer_ == nullptr) heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
   render::PalettePageSource& pages = renderer_ != nullptr ? renderer_->palette_pages() : *heap_pages_;
+  const auto start = TimelineLog::Clock::now();
   auto stage = Stage::create(std::move(characters), tuning, pages);
+  statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
   if (!stage) return fail(failure, exit_usage, stage.error().message);
   stage_ = std::move(*stage);
   return true;
@@ -172,6 +174,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   auto characters = load(options);
   if (!characters) return fail(failure, exit_job_failed, characters.error().message), nullptr;
   if (!choose_roles(options, *characters, failure)) return nullptr;
+  if (!options.trace.empty()) show->timeline_.emplace();
   if (!show->open_context(options, failure) || !show->open_renderer(options, failure)) return nullptr;
   if (!show->open_stage(std::move(*characters), options, failure)) return nullptr;
   if (!show->load_meshes(failure) || !show->place_camera(options, failure)) return nullptr;
@@ -219,12 +222,14 @@ std::uint64_t Show::completed_frame() {
 void Show::animate(anim::Ticks delta) {
   const std::uint64_t completed = completed_frame();
   const bool had_memory = !stage_->shown().out_of_memory();
+  const auto start = TimelineLog::Clock::now();
   update_ms_ = milliseconds_of([&] {
     stage_->move(delta);
     if (films && stage_->cut_scene() != nullptr) camera = stage_->cut_scene()->film(camera);
     stage_->pose(camera, width, height, delta, completed);
   });
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
+  if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
   statistics_.add_report(*stage_);
 }
@@ -237,6 +242,7 @@ int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least)
 }
 
 void Show::draw() {
+  const auto start = TimelineLog::Clock::now();
   draw_ms_ = milliseconds_of([&] {
     picture_.compose(*stage_, [this](std::uint8_t character, float pixels, int at_least) {
       return pick_mesh_lod(character, pixels, at_least);
@@ -250,6 +256,7 @@ void Show::draw() {
     renderer_->fences().insert(stage_->frame());
     renderer_->finish();
   });
+  if (timeline_) timeline_->add_part("draw", start, TimelineLog::Clock::now());
   statistics_.set_draw(draw_counts_.draw_calls, draw_counts_.triangles);
   statistics_.add_drawn_frame(update_ms_ + draw_ms_);
 }

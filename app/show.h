@@ -12,6 +12,7 @@
 #include "app/settings.h"
 #include "app/stage.h"
 #include "app/statistics.h"
+#include "app/timeline_log.h"
 #include "engine/render/camera.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/renderer.h"
@@ -56,6 +57,8 @@ class Show {
   const Stage& stage() const { return *stage_; }
   const Picture& picture() const { return picture_; }
   const Statistics& statistics() const { return statistics_; }
+  /// What `--trace` writes; nothing unless it was asked for.
+  const std::optional<TimelineLog>& timeline() const { return timeline_; }
   DrawnBy drawn_by() const;
   const render::DrawCounts& draw_counts() const { return draw_counts_; }
   double last_update_ms() const { return update_ms_; }
@@ -86,6 +89,7 @@ class Show {
   std::unique_ptr<Stage> stage_;
   Picture picture_;
   Statistics statistics_;
+  std::optional<TimelineLog> timeline_;
   Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;

@@ -60,7 +60,8 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                  std::uint64_t completed_frame) {
   const std::uint64_t last_frame = frame_++;
   slots_.reclaim(completed_frame);
-  anim::select_for_update(lod_frame(camera, width, height), lod_, selection_);
+  anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
+                          system_->options().pus);
   shown_.hide_unseen(selection_.visible, last_frame);
   updates_.clear();
   auto seen = selection_.visible.begin();

@@ -196,13 +196,16 @@ TEST(Inspect, TakesAModel) {
 TEST(Bench, HasDefaults) {
   const auto options = accepted<BenchOptions>("bench");
   EXPECT_EQ(options.model, "");
-  EXPECT_EQ(options.agents, 1000);
-  EXPECT_EQ(options.bones, 62);
-  EXPECT_EQ(options.clips, 2);
+  EXPECT_THAT(options.agents, ElementsAre(1000));
+  EXPECT_THAT(options.bones, ElementsAre(62));
+  EXPECT_THAT(options.clips, ElementsAre(2));
   EXPECT_EQ(options.frames, 60);
-  EXPECT_EQ(options.pus + options.local_store_kib + options.tile, 0);
-  EXPECT_EQ(options.schedule, Schedule::fused);
-  EXPECT_EQ(options.stream, Stream::sampled);
+  EXPECT_THAT(options.pus, ElementsAre(0));
+  EXPECT_EQ(options.local_store_kib + options.tile, 0);
+  EXPECT_THAT(options.schedules, ElementsAre(Schedule::fused));
+  EXPECT_THAT(options.streams, ElementsAre(Stream::sampled));
+  EXPECT_EQ(options.sweep, Sweep::none);
+  EXPECT_EQ(options.machine + options.plot + options.trace, "");
   EXPECT_EQ(options.double_buffer, DoubleBuffer::interleaved);
   EXPECT_EQ(options.json, "");
 }
@@ -212,16 +215,37 @@ TEST(Bench, TakesTheSchedulingOptionsOfTheDemo) {
       "bench --agents 10000 --bones 30 --clips 5 --pus 2 --schedule levels --stream keyframe --local-store auto --tile "
       "16 "
       "--double-buffer off --frames 9 --json -");
-  EXPECT_EQ(options.agents, 10000);
-  EXPECT_EQ(options.bones, 30);
-  EXPECT_EQ(options.clips, 5);
-  EXPECT_EQ(options.pus, 2);
-  EXPECT_EQ(options.schedule, Schedule::levels);
-  EXPECT_EQ(options.stream, Stream::keyframe);
+  EXPECT_THAT(options.agents, ElementsAre(10000));
+  EXPECT_THAT(options.bones, ElementsAre(30));
+  EXPECT_THAT(options.clips, ElementsAre(5));
+  EXPECT_THAT(options.pus, ElementsAre(2));
+  EXPECT_THAT(options.schedules, ElementsAre(Schedule::levels));
+  EXPECT_THAT(options.streams, ElementsAre(Stream::keyframe));
   EXPECT_EQ(options.tile, 16);
   EXPECT_EQ(options.double_buffer, DoubleBuffer::off);
   EXPECT_EQ(options.frames, 9);
   EXPECT_EQ(options.json, "-");
+}
+
+TEST(Bench, TakesListsOfWhatATableHas) {
+  const auto options = accepted<BenchOptions>(
+      "bench --agents 1000,10000 --bones 16,62 --clips 2,24 --pus 1,2 --schedule fused,levels --stream "
+      "sampled,keyframe --plot a.svg --trace t.json");
+  EXPECT_THAT(options.agents, ElementsAre(1000, 10000));
+  EXPECT_THAT(options.bones, ElementsAre(16, 62));
+  EXPECT_THAT(options.clips, ElementsAre(2, 24));
+  EXPECT_THAT(options.pus, ElementsAre(1, 2));
+  EXPECT_THAT(options.schedules, ElementsAre(Schedule::fused, Schedule::levels));
+  EXPECT_THAT(options.streams, ElementsAre(Stream::sampled, Stream::keyframe));
+  EXPECT_EQ(options.plot, "a.svg");
+  EXPECT_EQ(options.trace, "t.json");
+}
+
+TEST(Bench, TakesASweepOrAMachineInstead) {
+  EXPECT_EQ(accepted<BenchOptions>("bench --sweep grain").sweep, Sweep::grain);
+  EXPECT_EQ(accepted<BenchOptions>("bench --sweep streams").sweep, Sweep::streams);
+  EXPECT_EQ(accepted<BenchOptions>("bench --sweep cost").sweep, Sweep::cost);
+  EXPECT_EQ(accepted<BenchOptions>("bench --machine ps2").machine, "ps2");
 }
 
 TEST(Help, IsThereForEveryCommand) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/anim/run/stream_reads.h"
+
 namespace throng::anim {
 namespace {
 
@@ -42,7 +44,10 @@ Result<std::uint32_t> AnimationSystem::add_character(std::shared_ptr<const Chara
 void AnimationSystem::refresh_contexts() {
   const Kernels& kernels = options_.kernels == nullptr ? best_kernels() : *options_.kernels;
   contexts_.clear();
-  for (const std::unique_ptr<Cast>& cast : casts_) contexts_.push_back(cast->context(kernels));
+  for (const std::unique_ptr<Cast>& cast : casts_) {
+    contexts_.push_back(cast->context(kernels));
+    contexts_.back().assets.prefetch = options_.prefetch;
+  }
 }
 
 LocalStoreDemand AnimationSystem::demand(const SystemOptions& options) const {
@@ -91,7 +96,9 @@ void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t sto
                                                            .double_buffering = options_.double_buffering,
                                                            .plan = plan,
                                                            .local_store_bytes = store_bytes,
-                                                           .pus = options_.pus},
+                                                           .pus = options_.pus,
+                                                           .cost = options_.cost,
+                                                           .trace = options_.trace},
                                            most_entries);
   scheduler_->reserve(agent_count());
 }
@@ -276,6 +283,14 @@ double AnimationSystem::bytes_per_agent() const {
   std::size_t bytes = agent_count() * (sizeof(Member) + sizeof(Ticks) + sizeof(std::uint64_t));
   for (const std::unique_ptr<Cast>& cast : casts_) bytes += cast->bytes_alive();
   return static_cast<double>(bytes) / std::max<double>(agent_count(), 1.0);
+}
+
+std::uint64_t AnimationSystem::stream_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const std::span<const AgentWork> all : {std::span(shared_work_), std::span(work_)}) {
+    for (const AgentWork& work : all) bytes += stream_bytes_read(contexts_[work.skeleton], work);
+  }
+  return bytes;
 }
 
 std::vector<KindMemory> AnimationSystem::memory() const {

@@ -28,6 +28,9 @@ struct SystemOptions {
   DoubleBuffering double_buffering = DoubleBuffering::interleaved;
   StreamKind stream = StreamKind::sampled;
   bool hash = true;                  ///< hash every palette that is written
+  bool trace = true;                 ///< record what each PU does, for units() and update_time()
+  bool prefetch = false;             ///< players ask for their rows before the first packet is sampled (paper, note 5)
+  CostModel cost{};                  ///< what orders tasks and cuts tiles
   const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
 
   friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
@@ -170,7 +173,17 @@ class AnimationSystem {
   /// Who runs the PUs: between updates it is free for the host's own jobs, at most options().pus at once.
   Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
   const UpdateReport& report() const { return report_; }
+  /// Bytes of streams that the players of the last update read, however often several read the same (paper 2.2.3: the
+  /// resource that stays shared). Of sampled streams the two rows around the time; of keyframe streams the share of
+  /// their keys that the time passed over.
+  std::uint64_t stream_bytes() const;
   std::span<const ProcessingUnit> units() const { return scheduler_->units(); }
+  /// SystemOptions::trace, without making anything anew.
+  void record_trace(bool on) {
+    options_.trace = on;
+    scheduler_->record_trace(on, agent_count());
+  }
+  const UpdateTime& update_time() const { return scheduler_->time(); }
   const ScheduleOptions& schedule() const { return scheduler_->options(); }
   const SystemOptions& options() const { return options_; }
   const Kernels& kernels() const { return *contexts_.front().assets.kernels; }

@@ -109,40 +109,103 @@ void LodState::resize(std::size_t agents, LodSelection& selection) {
   interval.assign(agents, 1);
   bone_level.assign(agents, 0);
   was_visible.assign(agents, 0);
-  selection.visible.clear();
-  selection.due.clear();
-  selection.visible.reserve(agents);
-  selection.due.reserve(agents);
+  selection.room_for_visible.resize(agents);
+  selection.room_for_due.resize(agents);
+  selection.visible = std::span(selection.room_for_visible).first(0);
+  selection.due = std::span(selection.room_for_due).first(0);
 }
 
-void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection) {
-  check(frame, state);
-  const Thresholds squares = square_thresholds(frame.rules);
-  const bool pose_everyone = frame.rules.rule == LodRule::off;
-  selection.visible.clear();
-  selection.due.clear();
-  for (std::size_t agent = 0; agent < frame.positions.size(); ++agent) {
+namespace {
+
+/// Agents that one job decides for, one after the other. Lists begin where they would if all were chosen.
+struct LodTile {
+  std::size_t first = 0, end = 0;
+  std::size_t visible = 0, due = 0;  // how many
+
+  void decide_all(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection) {
+    visible = due = 0;
+    for (std::size_t agent = first; agent < end; ++agent) decide_one(frame, squares, state, selection, agent);
+  }
+
+ private:
+  void decide_one(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection,
+                  std::size_t agent) {
     const LodCharacter& character = frame.characters[frame.character_of.empty() ? 0 : frame.character_of[agent]];
     const float scale = frame.scales[agent];
     const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, character.centre_height * scale, 0.0F);
-    const bool visible = in_view(centre, character.radius * scale, frame.camera);
+    const bool is_visible = in_view(centre, character.radius * scale, frame.camera);
     const float squared_distance = squared(centre - frame.camera.position);
-    const bool due =
-        pose_everyone || (visible && (state.was_visible[agent] == 0 || frame.number >= state.next_update[agent]));
-    if (due) {
+    const bool turn_has_come = state.was_visible[agent] == 0 || frame.number >= state.next_update[agent];
+    if (frame.rules.rule == LodRule::off || (is_visible && turn_has_come)) {
       const Decision decision = decide(frame, squares, state, agent, character.level_count, squared_distance);
       update(state, agent, frame.number, decision);
-      selection.due.push_back(
-          {static_cast<std::uint32_t>(agent), static_cast<std::uint8_t>(decision.look_ahead), state.bone_level[agent]});
+      selection.room_for_due[first + due++] = {static_cast<std::uint32_t>(agent),
+                                               static_cast<std::uint8_t>(decision.look_ahead), state.bone_level[agent]};
     }
-    if (visible) {
+    if (is_visible) {
       const float distance = std::max(std::sqrt(squared_distance), near_enough_to_divide);
-      const float pixels_tall = character.height * scale * frame.camera.pixels_per_unit / distance;
-      selection.visible.push_back(
-          {static_cast<std::uint32_t>(agent), pixels_tall, state.interval[agent], state.bone_level[agent]});
+      selection.room_for_visible[first + visible++] = {
+          static_cast<std::uint32_t>(agent), character.height * scale * frame.camera.pixels_per_unit / distance,
+          state.interval[agent], state.bone_level[agent]};
     }
-    state.was_visible[agent] = visible ? 1 : 0;
+    state.was_visible[agent] = is_visible ? 1 : 0;
   }
+};
+
+/// Closes the gaps between the lists of the tiles; returns the length of the whole.
+template <typename Element>
+std::span<Element> joined(std::vector<Element>& room, std::span<const LodTile> tiles, std::size_t LodTile::*count) {
+  std::size_t length = 0;
+  for (const LodTile& tile : tiles) {
+    const auto from = room.begin() + static_cast<std::ptrdiff_t>(tile.first);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(tile.*count),
+              room.begin() + static_cast<std::ptrdiff_t>(length));
+    length += tile.*count;
+  }
+  return {room.data(), length};
+}
+
+constexpr std::size_t agents_worth_a_job = 512;
+constexpr std::size_t most_lod_tiles = 256;
+
+/// Runs its one job in the calling thread.
+class Here final : public Executor {
+ public:
+  void run(int count, Job job) override {
+    for (int index = 0; index < count; ++index) job.run(job.context, index);
+  }
+};
+
+}  // namespace
+
+void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection, Executor& executor, int jobs) {
+  check(frame, state);
+  const std::size_t agents = frame.positions.size();
+  const std::size_t count =
+      std::clamp<std::size_t>(std::min(agents / agents_worth_a_job, std::size_t(jobs)), 1, most_lod_tiles);
+  std::array<LodTile, most_lod_tiles> tiles;
+  for (std::size_t i = 0; i < count; ++i) tiles[i] = {.first = agents * i / count, .end = agents * (i + 1) / count};
+
+  struct Context {
+    const LodFrame& frame;
+    Thresholds squares;
+    LodState& state;
+    LodSelection& selection;
+    std::span<LodTile> tiles;
+  } shared{frame, square_thresholds(frame.rules), state, selection, std::span(tiles).first(count)};
+  executor.run(static_cast<int>(count), {[](void* context, int tile) {
+                                           auto& all = *static_cast<Context*>(context);
+                                           all.tiles[static_cast<std::size_t>(tile)].decide_all(
+                                               all.frame, all.squares, all.state, all.selection);
+                                         },
+                                         &shared});
+  selection.visible = joined(selection.room_for_visible, shared.tiles, &LodTile::visible);
+  selection.due = joined(selection.room_for_due, shared.tiles, &LodTile::due);
+}
+
+void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection) {
+  Here here;
+  select_for_update(frame, state, selection, here, 1);
 }
 
 }  // namespace throng::anim

@@ -9,6 +9,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "engine/anim/run/executor.h"
+
 /// Who is updated this frame, how far ahead, and with how many bones: the paper's LOD by skipping updates and by
 /// dropping bones. Decided from bounds and camera numbers before any animation; depends on nothing but its inputs.
 namespace throng::anim {
@@ -64,10 +66,17 @@ struct DueAgent {
   std::uint8_t bone_level;
 };
 
-/// What was decided for one frame; memory for every agent is set aside by `LodState::resize`.
+/// What was decided for one frame, in memory for every agent that `LodState::resize` sets aside. Not to be copied.
 struct LodSelection {
-  std::vector<VisibleAgent> visible;
-  std::vector<DueAgent> due;
+  std::span<VisibleAgent> visible;
+  std::span<DueAgent> due;
+
+  std::vector<VisibleAgent> room_for_visible;  ///< [agents]
+  std::vector<DueAgent> room_for_due;          ///< [agents]
+
+  LodSelection() = default;
+  LodSelection(const LodSelection&) = delete;
+  LodSelection& operator=(const LodSelection&) = delete;
 };
 
 /// What the rule remembers of each agent between frames.
@@ -99,5 +108,8 @@ struct LodFrame {
 /// update, and the first update after a change is moved forward to a frame where `number % interval` equals
 /// `agent % interval`, so that the work of each frame is even. Allocates nothing, and each agent is decided alone.
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection);
+
+/// The same, tiles of agents shared out over `jobs` jobs.
+void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection, Executor& executor, int jobs);
 
 }  // namespace throng::anim

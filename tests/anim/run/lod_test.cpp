@@ -52,7 +52,7 @@ struct LodTest : testing::Test {
   VisibleAgent decide_afresh(float distance) {
     spawn(1, distance);
     select();
-    return selection.visible.at(0);
+    return selection.visible.front();
   }
 };
 

@@ -29,14 +29,6 @@ constexpr std::uint64_t looks_stream = 4;
 constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
 constexpr double wave_unevenness = 0.25;  // seconds
 
-/// Runs jobs one after the other in the calling thread.
-class InOrder final : public anim::Executor {
- public:
-  void run(int count, anim::Job job) override {
-    for (int index = 0; index < count; ++index) job.run(job.context, index);
-  }
-};
-
 CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
   switch (scene) {
     case Scene::plaza:
@@ -218,7 +210,7 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& exec
 }
 
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
-  InOrder here;
+  anim::InOrder here;
   return advance(dt, here, 1);
 }
 

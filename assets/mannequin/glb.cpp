@@ -124,10 +124,22 @@ class AnimationWriter {
       const std::vector<Float4> keys = rotation_keys(clip_, joint);
       add_track<4>(joint, "rotation", "VEC4", keys, {0, 0, 0, 1});
     }
-    return {{"name", clip_.name}, {"channels", channels_}, {"samplers", samplers_}};
+    Json animation{{"name", clip_.name}, {"channels", channels_}, {"samplers", samplers_}};
+    if (!clip_.marks.empty()) animation["extras"] = {{"throng_data_keys", data_keys()}};
+    return animation;
   }
 
  private:
+  /// engine/anim/import/README.md, "Data keys".
+  [[nodiscard]] Json data_keys() const {
+    Json keys = Json::array();
+    const double duration = static_cast<double>(clip_.keys.size() - 1) / key_rate;
+    for (const Mark& mark : clip_.marks) {
+      keys.push_back({{"time", std::round(mark.phase * duration / mark_step) * mark_step}, {"name", mark.name}});
+    }
+    return keys;
+  }
+
   template <typename Member>
   void add_translations(std::size_t joint, Member member) {
     std::vector<Float3> keys;

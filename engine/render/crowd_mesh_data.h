@@ -39,8 +39,15 @@ struct BoneEndData {
   std::uint16_t palette_entry = 0;
 };
 
+/// A coarser surface that came with the character.
+struct BakedLodData {
+  std::vector<MeshPartData> parts;
+  float error = 0.0F;  ///< metres
+};
+
 struct CrowdMeshData {
   std::vector<MeshPartData> parts;
+  std::vector<BakedLodData> baked_lods;  ///< finest first, used instead of simplifying `parts`; or empty
   std::vector<MaterialData> materials;
   std::vector<ImageData> images;
   /// For each bone level, entry -> entry that a vertex reads at that level (itself where kept, else the one of the

@@ -103,6 +103,7 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   mesh.runs_by_lod_ = std::move(surface.runs_by_lod);
   mesh.triangles_by_lod_ = std::move(surface.triangles_by_lod);
   mesh.error_by_lod_ = std::move(surface.error_by_lod);
+  mesh.vertex_count_ = surface.vertex_count;
   mesh.first_bone_end_ = surface.first_bone_end;
   mesh.bone_end_count_ = surface.bone_end_count;
   return mesh;

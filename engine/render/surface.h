@@ -49,6 +49,7 @@ struct Surface {
   std::vector<std::vector<MaterialRun>> runs_by_lod;          ///< at most one run a material
   std::vector<std::uint32_t> triangles_by_lod;
   std::vector<float> error_by_lod;  ///< metres
+  std::uint32_t vertex_count = 0;   ///< of the full surface, the first of all; those of baked LODs follow
   std::uint32_t first_bone_end = 0;
   std::uint32_t bone_end_count = 0;
 };

@@ -54,12 +54,19 @@ struct SkinnedMesh {
   std::vector<std::uint32_t> indices;         ///< triangles, counter-clockwise front
 };
 
+/// A coarser surface that the file brings along, weights and all.
+struct BakedMeshLod {
+  double error = 0.0;  ///< metres from the full surface, as the file says
+  std::vector<SkinnedMesh> meshes;
+};
+
 /// One skeleton of a file with all that hangs on it.
 struct Model {
   Skeleton skeleton;
   std::vector<Skin> skins;
   std::vector<Clip> clips;
   std::vector<SkinnedMesh> meshes;
+  std::vector<BakedMeshLod> mesh_lods;  ///< finest first; empty unless the file has them for all of `meshes`
   std::vector<Material> materials;  ///< at least one if there is a mesh
   std::vector<Image> images;
 };

@@ -46,6 +46,8 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
           .texture_coords = flat<float>(mesh.texture_coords),
           .colors = flat<float>(mesh.colors),
           .regions = mesh.regions,
+          .shapes = flat<float>(mesh.shapes),
+          .hair = flat<float>(mesh.hair),
           .palette_entries = flat<std::uint16_t>(mesh.palette_entries),
           .weights = flat<float>(mesh.weights),
           .indices = mesh.indices,

@@ -277,7 +277,8 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
       .debug_color = agent.agent == selected_ ? selected_color : debug_color(tuning_.debug_view, agent, pose.level()),
       .tints = {},
       .bone_level = pose.level(),
-      .reserved = {}};
+      .shape = crowd_->variants()[agent.agent].shape(),
+      .hair = crowd_->variants()[agent.agent].hair()};
   std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
   return true;
 }

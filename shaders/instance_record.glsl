@@ -9,7 +9,8 @@ struct InstanceRecord {
   uint debug_color;
   uint tints[5];
   uint bone_level;
-  uint reserved[2];
+  uint shape;
+  uint hair;
 };
 
 layout(std430, binding = 0) readonly buffer Instances { InstanceRecord instances[]; };

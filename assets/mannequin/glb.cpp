@@ -53,6 +53,12 @@ Json add_mesh(BufferWriter& buffer, const Mesh& mesh, const std::string& name) {
   attributes["COLOR_0"] = buffer.add<Byte4>(colours, "VEC4", ComponentType::unsigned_byte, Target::vertex_data, true);
   attributes["_REGION"] = buffer.add<float>(regions, "SCALAR", ComponentType::float32, Target::vertex_data);
 
+  using Float2 = std::array<float, 2>;
+  const auto shapes = column<Float3>(mesh, [](const MeshVertex& v) { return Float3{v.shape.x, v.shape.y, v.shape.z}; });
+  const auto hair = column<Float2>(mesh, [](const MeshVertex& v) { return Float2{v.hair.x, v.hair.y}; });
+  attributes["_SHAPE"] = buffer.add<Float3>(shapes, "VEC3", ComponentType::float32, Target::vertex_data);
+  attributes["_HAIR"] = buffer.add<Float2>(hair, "VEC2", ComponentType::float32, Target::vertex_data);
+
   std::vector<std::uint16_t> indices;
   for (const auto& triangle : mesh.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
   const std::size_t index_accessor =

@@ -9,6 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "assets/mannequin/shape.h"
+
 namespace throng::mannequin {
 namespace {
 
@@ -70,7 +72,8 @@ std::uint8_t to_byte(double value) { return static_cast<std::uint8_t>(std::lroun
 /// Gives every combination of point, region and paint its own mesh vertex.
 class Assembly {
  public:
-  Assembly(const Skin& skin, const std::function<bool(std::size_t)>& kept) : skin_(skin), kept_(kept) {
+  Assembly(const Skin& skin, const std::function<bool(std::size_t)>& kept)
+      : skin_(skin), kept_(kept), shapes_(shapes_of(skin)) {
     for (const SkinFace& face : skin.faces) add(face);
   }
   Mesh take() { return std::move(mesh_); }
@@ -103,12 +106,15 @@ class Assembly {
     const dvec3 colour = paint * point.openness;
     made.colour = {to_byte(colour.x), to_byte(colour.y), to_byte(colour.z), 255};
     made.region = static_cast<float>(region);
+    made.shape = glm::round(shapes_[at].body / shape_step) * shape_step + dvec3(0);
+    made.hair = glm::round(shapes_[at].hair / shape_step) * shape_step + glm::dvec2(0);
     mesh_.vertices.push_back(made);
     return found->second;
   }
 
   const Skin& skin_;
   const std::function<bool(std::size_t)>& kept_;
+  std::vector<Shape> shapes_;
   std::map<Key, std::uint16_t> known_;
   Mesh mesh_;
 };

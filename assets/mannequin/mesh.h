@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "assets/mannequin/cage.h"
@@ -45,6 +46,8 @@ struct MeshVertex {
   std::array<float, 4> weights;        ///< Descending, whole multiples of weight_step, exactly one in sum.
   std::array<std::uint8_t, 4> colour;  ///< Linear albedo factor; alpha is 255.
   float region;
+  glm::vec3 shape;  ///< Whole multiples of shape_step, as `hair`; see Shape.
+  glm::vec2 hair;
 };
 
 struct Mesh {

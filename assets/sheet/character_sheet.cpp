@@ -185,6 +185,36 @@ render::Image mesh_lods(Studio& studio) {
   return studio.take({.width = 1200, .height = 230, .metres = 2.05F, .centre = {0.0F, 0.93F, 0.0F}}, figures);
 }
 
+app::Variant variant_of(std::uint32_t person) {
+  app::Random random(person, 9);
+  return app::random_variant(random);
+}
+
+/// Each variation at its two ends, then people as a crowd has them.
+render::Image variants(Studio& studio, bool people) {
+  using app::Variant;
+  constexpr std::array<Variant, columns> ends{{{.build = -1},
+                                               {.build = 1},
+                                               {.frame = -1},
+                                               {.frame = 1},
+                                               {.posture = -1},
+                                               {.posture = 1},
+                                               {.fullness = 1},
+                                               {.frame = -0.7F, .length = 1}}};
+  std::vector<Figure> figures;
+  for (int column = 0; column < columns; ++column) {
+    const auto person = static_cast<std::uint32_t>(column) + 20;
+    figures.push_back({.clip = "idle",
+                       .seconds = people ? 0.7 * column : 0.0,
+                       .place = {column_place(column, 1.35F), 0.0F, 0.0F},
+                       .heading = people ? 0.2F : 0.9F,
+                       .scale = people ? 0.92F + 0.02F * static_cast<float>(person * 5 % 8) : 1.0F,
+                       .tints = people ? dressed(person) : plain_clothes,
+                       .variant = people ? variant_of(person) : ends[static_cast<std::size_t>(column)]});
+  }
+  return studio.take({.width = 1200, .height = 230, .metres = 2.05F, .centre = {0.0F, 0.93F, 0.0F}}, figures);
+}
+
 render::Image at_thirty_pixels(Studio& studio) {
   std::vector<Figure> figures;
   constexpr int people = 40;
@@ -197,7 +227,8 @@ render::Image at_thirty_pixels(Studio& studio) {
                        .heading = static_cast<float>(i % 5) * 0.6F - 1.2F,
                        .mesh_lod = 2,
                        .bone_level = 1,
-                       .tints = dressed(static_cast<std::uint32_t>(i))});
+                       .tints = dressed(static_cast<std::uint32_t>(i)),
+                       .variant = variant_of(static_cast<std::uint32_t>(i))});
     if (clip.name == "walk" || clip.name == "jog" || clip.name == "run") figures.back().seconds = 0.02;
   }
   return studio.take({.width = 1200, .height = 40, .metres = 2.4F, .centre = {0.0F, 0.95F, 0.0F}}, figures);
@@ -205,11 +236,24 @@ render::Image at_thirty_pixels(Studio& studio) {
 
 render::Image at_six_hundred_pixels(Studio& studio) {
   const Figure idle{.clip = "idle", .place = {-0.55F, 0.0F, 0.0F}, .heading = -0.3F, .tints = plain_clothes};
-  const Figure walk{.clip = "walk", .seconds = 0.0, .place = {0.55F, 0.0F, 0.0F}, .heading = 0.7F, .tints = dressed(5)};
-  const Figure third{
-      .clip = "wave", .seconds = 0.3, .place = {1.75F, 0.0F, 0.0F}, .heading = 0.1F, .tints = dressed(8)};
-  const Figure fourth{
-      .clip = "run", .seconds = 0.1, .place = {-1.75F, 0.0F, 0.0F}, .heading = 0.9F, .tints = dressed(3)};
+  const Figure walk{.clip = "walk",
+                    .seconds = 0.0,
+                    .place = {0.55F, 0.0F, 0.0F},
+                    .heading = 0.7F,
+                    .tints = dressed(5),
+                    .variant = variant_of(21)};
+  const Figure third{.clip = "wave",
+                     .seconds = 0.3,
+                     .place = {1.75F, 0.0F, 0.0F},
+                     .heading = 0.1F,
+                     .tints = dressed(8),
+                     .variant = variant_of(22)};
+  const Figure fourth{.clip = "run",
+                      .seconds = 0.1,
+                      .place = {-1.75F, 0.0F, 0.0F},
+                      .heading = 0.9F,
+                      .tints = dressed(3),
+                      .variant = variant_of(24)};
   return studio.take({.width = 1200, .height = 660, .metres = 1.98F, .centre = {0.0F, 0.93F, 0.0F}},
                      {idle, walk, third, fourth});
 }
@@ -220,6 +264,8 @@ int write_sheets(Studio& studio, const fs::path& folder) {
   body.add(face_and_hands(studio));
   body.add(bent_joints(studio));
   body.add(joints_close_up(studio));
+  body.add(variants(studio, false));
+  body.add(variants(studio, true));
   body.add(mesh_lods(studio));
   body.add(at_thirty_pixels(studio));
   body.add(at_six_hundred_pixels(studio));

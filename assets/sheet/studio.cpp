@@ -99,6 +99,8 @@ render::InstanceRecord Studio::record_of(const Figure& figure) {
   record.heading_sine = std::sin(figure.heading);
   record.palette_from = record.palette_to = slot.first_entry;
   record.bone_level = figure.bone_level;
+  record.shape = figure.variant.shape();
+  record.hair = figure.variant.hair();
   std::ranges::copy(figure.tints, record.tints);
   return record;
 }

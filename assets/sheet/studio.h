@@ -29,6 +29,7 @@ struct Figure {
   std::size_t mesh_lod = 0;
   std::uint32_t bone_level = 0;
   app::Tints tints{};
+  app::Variant variant{};
 };
 
 /// Where a picture is taken from and how large it is. The camera stands far off, so that nothing is foreshortened.

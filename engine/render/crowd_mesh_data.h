@@ -13,7 +13,9 @@ struct MeshPartData {
   std::span<const float> normals;                  ///< x y z, unit
   std::span<const float> texture_coords;           ///< u v, or empty
   std::span<const float> colors;                   ///< linear r g b a, or empty: white
-  std::span<const std::uint8_t> regions;           ///< tint region 0..4 a vertex, or empty: untinted
+  std::span<const std::uint8_t> regions;           ///< tint region 0..4 a vertex, or empty: untinted; so are others
+  std::span<const float> shapes;                   ///< three a vertex, -1..1, or empty: see SurfaceVertex
+  std::span<const float> hair;                     ///< two a vertex, -1..1, or empty
   std::span<const std::uint16_t> palette_entries;  ///< four a vertex
   std::span<const float> weights;                  ///< four a vertex, sum 1
   std::span<const std::uint32_t> indices;          ///< triangles, counter-clockwise front

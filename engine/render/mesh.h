@@ -20,7 +20,7 @@ struct CrowdMaterial {
 };
 
 /// Vertex attributes as `shaders/crowd_vertex.glsl` reads them.
-enum class SurfaceAttribute : GLuint { position, normal, texture_coord, color, weights, region };
+enum class SurfaceAttribute : GLuint { position, normal, texture_coord, color, weights, region, shape, hair };
 
 /// A character's surface on the device: vertices, the palette entries they read at each bone level, mesh LODs,
 /// materials.

@@ -19,6 +19,14 @@ std::uint16_t to_unorm16(float value) {
   return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * unorm16));
 }
 
+void store_shares(std::span<const float> shares, std::size_t vertex, std::span<std::int8_t> stored) {
+  if (shares.empty()) return;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    const float share = std::clamp(shares[vertex * stored.size() + i], -1.0F, 1.0F);
+    stored[i] = static_cast<std::int8_t>(std::lround(share * 127.0F));
+  }
+}
+
 /// Rounded weights that still sum to one: the strongest takes what rounding left over.
 void store_weights(std::span<const float> weights, std::uint16_t* stored) {
   int sum = 0;
@@ -40,6 +48,8 @@ SurfaceVertex vertex_of(const MeshPartData& part, std::size_t i) {
   }
   store_weights(part.weights.subspan(i * 4, 4), vertex.weights);
   vertex.region = part.regions.empty() ? untinted_region : part.regions[i];
+  store_shares(part.shapes, i, vertex.shape);
+  store_shares(part.hair, i, vertex.hair);
   return vertex;
 }
 

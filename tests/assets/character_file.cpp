@@ -23,6 +23,7 @@ double number_at(const std::byte* place) {
 
 std::size_t components(const std::string& type) {
   if (type == "SCALAR") return 1;
+  if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
   return type == "VEC4" ? 4 : 16;
 }

@@ -139,7 +139,7 @@ TEST_P(MannequinBody, MovesAsOneWhereRegionsMeet) {
   }
 }
 
-TEST_P(MannequinBody, GivesEveryTriangleOneOfFiveRegionsAndUsesAll) {
+TEST_P(MannequinBody, GivesEveryTriangleOneOfFiveRegionsOrNone) {
   const std::vector<double> region = file_.attribute("_REGION", GetParam());
   std::set<double> seen;
   for (std::size_t t = 0; t < corners_.size(); t += 3) {
@@ -147,7 +147,9 @@ TEST_P(MannequinBody, GivesEveryTriangleOneOfFiveRegionsAndUsesAll) {
     EXPECT_EQ(region[corners_[t]], region[corners_[t + 2]]);
     seen.insert(region[corners_[t]]);
   }
-  EXPECT_EQ(seen, (std::set<double>{0, 1, 2, 3, 4}));
+  std::set<double> wanted{0, 1, 2, 3, 4};
+  if (GetParam() < 2) wanted.insert(5);  // the eyes, as far as they can be seen
+  EXPECT_EQ(seen, wanted);
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, MannequinBody, ::testing::Values(0, 1, 2, 3), ::testing::PrintToStringParamName());

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "assets/mannequin/glb.h"
+#include "assets/mannequin/shape.h"
 #include "tests/assets/character_file.h"
 
 namespace throng::test {
@@ -19,6 +20,7 @@ std::map<std::size_t, double> steps_by_accessor(const CharacterFile& file) {
     steps[attributes["NORMAL"]] = mannequin::normal_step;
     steps[attributes["WEIGHTS_0"]] = mannequin::weight_step;
     steps[attributes["COLOR_0"]] = 1;
+    steps[attributes["_SHAPE"]] = steps[attributes["_HAIR"]] = mannequin::shape_step;
   }
   steps[file.json()["skins"][0]["inverseBindMatrices"]] = mannequin::offset_step;
   for (const auto& animation : file.json()["animations"]) {

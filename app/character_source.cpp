@@ -46,6 +46,8 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
           .texture_coords = flat<float>(mesh.texture_coords),
           .colors = flat<float>(mesh.colors),
           .regions = mesh.regions,
+          .shapes = flat<float>(mesh.shapes),
+          .hair = flat<float>(mesh.hair),
           .palette_entries = flat<std::uint16_t>(mesh.palette_entries),
           .weights = flat<float>(mesh.weights),
           .indices = mesh.indices,
@@ -118,6 +120,11 @@ void assign_roles(CharacterSource& source, const RoleClips& clips) {
 render::CrowdMeshData mesh_data(const anim::Model& model) {
   render::CrowdMeshData data;
   for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_data(mesh));
+  for (const anim::BakedMeshLod& lod : model.mesh_lods) {
+    render::BakedLodData& baked = data.baked_lods.emplace_back();
+    baked.error = static_cast<float>(lod.error);
+    for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_data(mesh));
+  }
   for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));
   for (const anim::Image& image : model.images) {
     data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});

@@ -24,8 +24,9 @@ std::array<std::size_t, 4> add_quad(Cage& cage, const std::array<dvec3, 4>& corn
 
 void add_eye_and_brow(Cage& cage, std::size_t socket) {
   constexpr dvec3 socket_paint{1.0, 0.97, 0.97};
-  constexpr dvec3 lash_paint{0.22, 0.17, 0.17};
-  constexpr dvec3 iris_paint{0.08, 0.06, 0.06};
+  constexpr dvec3 lash_paint{0.05, 0.035, 0.03};
+  constexpr dvec3 white_paint{0.78, 0.76, 0.73};
+  constexpr dvec3 iris_paint{0.045, 0.025, 0.015};
   const Weights head = bind({{"head", 1}});
   const auto almond = add_quad(
       cage, {{{0.0215, 1.6680, 0.0828}, {0.0430, 1.6682, 0.0768}, {0.0450, 1.6820, 0.0780}, {0.0200, 1.6815, 0.0846}}},
@@ -36,7 +37,8 @@ void add_eye_and_brow(Cage& cage, std::size_t socket) {
   cage.faces[socket].paint.assign(4, socket_paint);
   cage.inset(socket, almond);
   const std::size_t lid = cage.faces.size() - 2;  // the third of the four sides: above the eye
-  cage.faces[socket].paint.assign(4, paint::plain);
+  cage.faces[socket].paint.assign(4, white_paint);
+  cage.faces[socket].region = Region::untinted;
   cage.inset(socket, iris, true);
   cage.faces[cage.faces.size() - 2].paint.assign(4, lash_paint);
   cage.faces[socket].paint.assign(4, iris_paint);

@@ -63,7 +63,7 @@ void add_ear(Cage& cage, std::size_t patch) {
     const dvec3 out = cage.vertices[corner].position - centre;
     const dvec2 around = glm::normalize(dvec2(out.z, out.y));
     root.push_back(cage.add({centre.x, centre.y + 0.018 * around.y, centre.z + 0.009 * around.x}, head));
-    rim.push_back(cage.add({centre.x + 0.014 - 0.005 * around.x + 0.003 * around.y, centre.y + 0.004 + 0.029 * around.y,
+    rim.push_back(cage.add({centre.x + 0.011 - 0.005 * around.x - 0.001 * around.y, centre.y + 0.003 + 0.026 * around.y,
                             centre.z - 0.006 + 0.0165 * around.x},
                            head));
   }

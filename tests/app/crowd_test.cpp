@@ -158,6 +158,34 @@ TEST(Crowd, EveryoneStaysWithinTheRangesOfLooksAndPace) {
   }
 }
 
+/// Whether somebody would take one for the other: of one height to a centimetre, as stout, broad and stooped, with the
+/// same hair and in clothes of the same colours.
+bool are_twins(const Crowd& crowd, std::size_t a, std::size_t b) {
+  const auto near = [](float one, float other, float most) { return std::abs(one - other) < most; };
+  const auto alike = [](std::uint32_t one, std::uint32_t other) {
+    for (const unsigned shift : {0U, 8U, 16U}) {
+      const int difference = static_cast<int>((one >> shift) & 0xFFU) - static_cast<int>((other >> shift) & 0xFFU);
+      if (std::abs(difference) > 24) return false;
+    }
+    return true;
+  };
+  const Variant& one = crowd.variants()[a];
+  const Variant& other = crowd.variants()[b];
+  return near(crowd.scales()[a] * 1.8F, crowd.scales()[b] * 1.8F, 0.01F) && near(one.build, other.build, 0.15F) &&
+         near(one.frame, other.frame, 0.2F) && near(one.posture, other.posture, 0.2F) &&
+         near(one.fullness, other.fullness, 0.3F) && near(one.length, other.length, 0.3F) &&
+         std::ranges::equal(crowd.tints()[a], crowd.tints()[b], alike);
+}
+
+TEST(Crowd, OfAThousandShowsNoTwins) {
+  for (const Scene scene : {Scene::plaza, Scene::grid, Scene::stadium}) {
+    const Crowd crowd(scene, 1000, 1, person());
+    for (std::size_t a = 0; a < crowd.size(); ++a) {
+      for (std::size_t b = a + 1; b < crowd.size(); ++b) EXPECT_FALSE(are_twins(crowd, a, b)) << a << " and " << b;
+    }
+  }
+}
+
 TEST(Crowd, EveryRequestNamesAClipThatTheCharacterHasAndIsNotPlayingAlready) {
   Crowd crowd(Scene::plaza, 500, 1, person());
   std::vector<int> clips(crowd.clips().begin(), crowd.clips().end());

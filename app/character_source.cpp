@@ -32,6 +32,11 @@ void guess_roles(CharacterSource& source) {
   source.roles.height = source.bounds.height;
   source.roles.radius = source.bounds.body_radius;
   source.suggested = source.roles.clips;
+  source.passages = {source.roles.sit_down, source.roles.stand_up};
+  for (Passage& passage : source.passages) {
+    if (passage.clip == no_clip) continue;
+    passage.seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(passage.clip)].duration);
+  }
   assign_roles(source, source.suggested);
 }
 
@@ -108,6 +113,10 @@ anim::Result<CharacterSource> load_character(const std::string& path, const std:
 void assign_roles(CharacterSource& source, const RoleClips& clips) {
   CharacterRoles& roles = source.roles;
   roles.clips = clips;
+  const bool as_suggested =
+      roles.clip(Role::sit) == source.suggested[index_of(Role::sit)];  // who chose another seat fades
+  roles.sit_down = as_suggested ? source.passages[0] : Passage{};
+  roles.stand_up = as_suggested ? source.passages[1] : Passage{};
   roles.walk_speed = gait_speed(source, Role::walk);
   const double jog = gait_speed(source, Role::jog), run = gait_speed(source, Role::run);
   roles.jog_speed = jog > least_gain * roles.walk_speed ? jog : 0.0;

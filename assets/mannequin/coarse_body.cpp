@@ -117,7 +117,7 @@ class CoarseBody {
 
   void add_leg(const Ring& crease) {
     Ring ring = crease;
-    if (plan_.crotch) ring.push_back(cage_.add({0, 0.838, -0.008}, unbound));
+    if (plan_.crotch) ring.push_back(cage_.add({0, 0.832, 0.006}, unbound));
     const std::size_t corners = ring.size();
     for (const LimbLevel& level : plan_.leg) ring = add_leg_ring(ring, level, widened(corners));
     for (const LimbLevel& level : plan_.foot) ring = add_leg_ring(ring, level, 1.0);

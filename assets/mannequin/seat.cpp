@@ -17,6 +17,7 @@ using glm::dvec3;
 /// Of the hips from rest, on a seat 0.44 m high behind the feet.
 constexpr dvec3 seated_hips{0, -0.405, -0.385};
 constexpr std::array<double, 4> seated_pitch{-9, 5, 6, 4};  ///< Of hips, spine, chest and upper chest, degrees.
+constexpr double on_thigh = 0.014;  ///< Metres from the joints of a hand that rests to the cloth below it.
 constexpr std::array<const char*, 4> trunk{"hips", "spine", "chest", "upper_chest"};
 
 /// A hand on the thigh.
@@ -29,29 +30,6 @@ ArmAngles resting(double phase, double late) {
           .wrist_flexion = -16 + 1.5 * wave(phase, 0.50 + late),
           .shrug = 1 + 0.9 * wave(phase, 0.20, 2),
           .reach = 2 + 0.7 * wave(phase, 0.24, 2)};
-}
-
-/// Seated, two breaths and one look aside per cycle.
-Pose seated(double phase) {
-  Pose pose;
-  const double shift = wave(phase, 0.25);
-  const double breath = wave(phase, 0.20, 2);
-  pose.hips = seated_hips + dvec3(0.006 * shift, 0.001 * breath, 0.004 * wave(phase, 0.1));
-  pose["hips"] = turned(seated_pitch[0] + 0.6 * wave(phase, 0.6), 1.0 * wave(phase, 0.3), 0.8 * shift);
-  pose["spine"] = turned(seated_pitch[1] - 0.4 * breath, 1.2 * wave(phase, 0.34), -0.6 * wave(phase, 0.27));
-  pose["chest"] =
-      turned(seated_pitch[2] - 0.9 * wave(phase, 0.22, 2), 1.4 * wave(phase, 0.37), -0.6 * wave(phase, 0.30));
-  pose["upper_chest"] =
-      turned(seated_pitch[3] - 0.8 * wave(phase, 0.24, 2), 1.0 * wave(phase, 0.40), -0.4 * wave(phase, 0.33));
-  steady_head(pose, turned(2.0 + 1.2 * wave(phase, 0.70), 9.0 * wave(phase, 0.44), 1.4 * wave(phase, 0.50)));
-  pose["eye.L"] = pose["eye.R"] = turned(1.5 * wave(phase, 0.55), 9 * wave(phase, 0.38), 0);
-  for (const Side side : {Side::left, Side::right}) {
-    place_arm(pose, side, resting(side == Side::left ? phase : phase + 0.5, side == Side::left ? 0.0 : 0.06));
-    curl_fingers(pose, side,
-                 [&](double late) { return 4 + 2 * wave(phase, (side == Side::left ? 0.3 : 0.7) + 0.08 * late); });
-  }
-  stand(pose, 0);
-  return pose;
 }
 
 /// Metres from the thigh, which narrows towards the knee, to the nearest of palm and finger joints.
@@ -70,18 +48,39 @@ double above_thigh(const Pose& pose, Side side) {
   return nearest;
 }
 
-/// Lifts the upper arm until the hand is no nearer to the thigh than where it rests.
-void clear_thigh(Pose& pose, Side side, ArmAngles arm) {
-  const double wanted = std::min(above_thigh(seated(0), side), above_thigh(stand_at_ease(0, 2), side));
-  place_arm(pose, side, arm);
-  if (above_thigh(pose, side) >= wanted) return;
-  double low = arm.flexion;
+/// Lifts or lowers the upper arm until the hand rests on the thigh; returns how the arm then is.
+ArmAngles rest_hand(Pose& pose, Side side, ArmAngles arm) {
+  double low = arm.flexion - 30;
   double high = arm.flexion + 60;
-  for (int halving = 0; halving < 30; ++halving) {
+  for (int halving = 0; halving < 40; ++halving) {
     arm.flexion = 0.5 * (low + high);
     place_arm(pose, side, arm);
-    (above_thigh(pose, side) < wanted ? low : high) = arm.flexion;
+    (above_thigh(pose, side) < on_thigh ? low : high) = arm.flexion;
   }
+  return arm;
+}
+
+/// Seated, two breaths and one look aside per cycle.
+Pose seated(double phase) {
+  Pose pose;
+  const double shift = wave(phase, 0.25);
+  const double breath = wave(phase, 0.20, 2);
+  pose.hips = seated_hips + dvec3(0.006 * shift, 0.001 * breath, 0.004 * wave(phase, 0.1));
+  pose["hips"] = turned(seated_pitch[0] + 0.6 * wave(phase, 0.6), 1.0 * wave(phase, 0.3), 0.8 * shift);
+  pose["spine"] = turned(seated_pitch[1] - 0.4 * breath, 1.2 * wave(phase, 0.34), -0.6 * wave(phase, 0.27));
+  pose["chest"] =
+      turned(seated_pitch[2] - 0.9 * wave(phase, 0.22, 2), 1.4 * wave(phase, 0.37), -0.6 * wave(phase, 0.30));
+  pose["upper_chest"] =
+      turned(seated_pitch[3] - 0.8 * wave(phase, 0.24, 2), 1.0 * wave(phase, 0.40), -0.4 * wave(phase, 0.33));
+  steady_head(pose, turned(2.0 + 1.2 * wave(phase, 0.70), 9.0 * wave(phase, 0.44), 1.4 * wave(phase, 0.50)));
+  pose["eye.L"] = pose["eye.R"] = turned(1.5 * wave(phase, 0.55), 9 * wave(phase, 0.38), 0);
+  stand(pose, 0);
+  for (const Side side : {Side::left, Side::right}) {
+    curl_fingers(pose, side,
+                 [&](double late) { return 4 + 2 * wave(phase, (side == Side::left ? 0.3 : 0.7) + 0.08 * late); });
+    rest_hand(pose, side, resting(side == Side::left ? phase : phase + 0.5, side == Side::left ? 0.0 : 0.06));
+  }
+  return pose;
 }
 
 double ramp(double time, double from, double to) {
@@ -97,7 +96,7 @@ struct Lowering {
 
 Pose between(const Lowering& way) {
   const Pose up = stand_at_ease(0, 2);
-  const Pose low = seated(0);
+  Pose low = seated(0);
   Pose pose = up;
   pose.hips = {glm::mix(up.hips.x, low.hips.x, way.back), glm::mix(up.hips.y, low.hips.y, way.down),
                glm::mix(up.hips.z, low.hips.z, way.back)};
@@ -118,8 +117,9 @@ Pose between(const Lowering& way) {
   for (const Side side : {Side::left, Side::right}) {
     const double own = side == Side::left ? 0.0 : 0.5;
     const double late = side == Side::left ? 0.0 : 0.06;
-    ArmAngles arm = mix(hanging(own, late), resting(own, late), way.arms);
-    const ArmAngles hand = mix(hanging(own, late), resting(own, late), way.hands);
+    const ArmAngles rested = rest_hand(low, side, resting(own, late));
+    ArmAngles arm = mix(hanging(own, late), rested, way.arms);
+    const ArmAngles hand = mix(hanging(own, late), rested, way.hands);
     arm.flexion += (side == Side::left ? 50 : 46) * way.bow;
     arm.abduction += 5 * way.bow;
     arm.elbow = hand.elbow + 6 * way.bow;
@@ -129,7 +129,8 @@ Pose between(const Lowering& way) {
       const double start = side == Side::left ? 0.3 : 0.7;
       return glm::mix(7 + 2.5 * wave(0, start + 0.08 * lateness), 4 + 2 * wave(0, start + 0.08 * lateness), way.hands);
     });
-    clear_thigh(pose, side, arm);
+    place_arm(pose, side, arm);
+    if (above_thigh(pose, side) < on_thigh) rest_hand(pose, side, arm);
   }
   return pose;
 }

@@ -60,14 +60,14 @@ class Sheet {
 };
 
 render::Image views_of_bind_pose(Studio& studio) {
-  constexpr float pitch = 1.35F;
+  constexpr float pitch = 1.5F;
   std::vector<Figure> figures;
   for (int column = 0; column < columns; ++column) {
     figures.push_back({.place = {column_place(column, pitch), 0.0F, 0.0F},
                        .heading = static_cast<float>(column) * eighth,
                        .tints = plain_clothes});
   }
-  return studio.take({.width = 1200, .height = 230, .metres = 2.05F, .centre = {0.0F, 0.93F, 0.0F}}, figures);
+  return studio.take({.width = 1200, .height = 205, .metres = 2.05F, .centre = {0.0F, 0.93F, 0.0F}}, figures);
 }
 
 render::Image phases_of_clip(Studio& studio, const anim::Clip& clip, float heading) {
@@ -85,7 +85,8 @@ render::Image phases_of_clip(Studio& studio, const anim::Clip& clip, float headi
     const auto ahead = static_cast<float>(travelled.z);
     figures.back().place -= glm::vec3(std::sin(heading) * ahead, 0.0F, std::cos(heading) * ahead);
   }
-  return studio.take({.width = 1200, .height = 230, .metres = 2.05F, .centre = {0.0F, 0.98F, 0.0F}}, figures);
+  return studio.take({.width = 1000, .height = 192, .metres = 2.05F, .centre = {0.0F, 0.98F, 0.0F}, .shadows = false},
+                     figures);
 }
 
 Pose bent(double elbow, double knee, double shoulder, double wrist) {
@@ -235,22 +236,22 @@ render::Image at_thirty_pixels(Studio& studio) {
 }
 
 render::Image at_six_hundred_pixels(Studio& studio) {
-  const Figure idle{.clip = "idle", .place = {-0.55F, 0.0F, 0.0F}, .heading = -0.3F, .tints = plain_clothes};
+  const Figure idle{.clip = "idle", .place = {-0.45F, 0.0F, 0.0F}, .heading = -0.3F, .tints = plain_clothes};
   const Figure walk{.clip = "walk",
                     .seconds = 0.0,
-                    .place = {0.55F, 0.0F, 0.0F},
+                    .place = {0.45F, 0.0F, 0.0F},
                     .heading = 0.7F,
                     .tints = dressed(5),
                     .variant = variant_of(21)};
   const Figure third{.clip = "wave",
                      .seconds = 0.3,
-                     .place = {1.75F, 0.0F, 0.0F},
+                     .place = {1.35F, 0.0F, 0.0F},
                      .heading = 0.1F,
                      .tints = dressed(8),
                      .variant = variant_of(22)};
   const Figure fourth{.clip = "run",
                       .seconds = 0.1,
-                      .place = {-1.75F, 0.0F, 0.0F},
+                      .place = {-1.35F, 0.0F, 0.0F},
                       .heading = 0.9F,
                       .tints = dressed(3),
                       .variant = variant_of(24)};

@@ -1,6 +1,7 @@
 #include "app/character_look.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace throng::app {
@@ -50,6 +51,34 @@ Tints random_tints(Random& random) {
   Tints tints{skins[skin], hair, shirt, one_of(trousers, random), one_of(shoes, random)};
   for (std::uint32_t& tint : tints) tint = faded(tint, random);
   return tints;
+}
+
+namespace {
+
+std::uint32_t snorm8(float value) {
+  const auto byte = static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 127.0F));
+  return static_cast<std::uint8_t>(byte);
+}
+
+// Between -1 and 1, the middle more likely than the ends.
+float around_zero(Random& random) { return random.unit() + random.unit() - 1.0F; }
+
+}  // namespace
+
+std::uint32_t Variant::shape() const { return snorm8(build) | snorm8(frame) << 8U | snorm8(posture) << 16U; }
+std::uint32_t Variant::hair() const { return snorm8(fullness) | snorm8(length) << 8U; }
+
+Variant random_variant(Random& random) {
+  Variant variant;
+  const float side = random.chance(0.5F) ? 1.0F : -1.0F;
+  variant.frame = side * random.between(0.35F, 1.0F);
+  variant.build = 0.10F + 0.85F * around_zero(random);
+  variant.posture = 0.15F + 0.8F * around_zero(random);
+  const bool long_hair = random.chance(side < 0.0F ? 0.72F : 0.06F);
+  variant.length = long_hair ? random.between(0.45F, 1.0F) : 0.0F;
+  const bool cropped = !long_hair && random.chance(0.4F);
+  variant.fullness = cropped ? random.between(-1.0F, -0.4F) : random.between(-0.2F, long_hair ? 0.45F : 0.9F);
+  return variant;
 }
 
 }  // namespace throng::app

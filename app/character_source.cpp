@@ -32,6 +32,11 @@ void guess_roles(CharacterSource& source) {
   source.roles.height = source.bounds.height;
   source.roles.radius = source.bounds.body_radius;
   source.suggested = source.roles.clips;
+  source.passages = {source.roles.sit_down, source.roles.stand_up};
+  for (Passage& passage : source.passages) {
+    if (passage.clip == no_clip) continue;
+    passage.seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(passage.clip)].duration);
+  }
   assign_roles(source, source.suggested);
 }
 
@@ -46,6 +51,8 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
           .texture_coords = flat<float>(mesh.texture_coords),
           .colors = flat<float>(mesh.colors),
           .regions = mesh.regions,
+          .shapes = flat<float>(mesh.shapes),
+          .hair = flat<float>(mesh.hair),
           .palette_entries = flat<std::uint16_t>(mesh.palette_entries),
           .weights = flat<float>(mesh.weights),
           .indices = mesh.indices,
@@ -106,6 +113,10 @@ anim::Result<CharacterSource> load_character(const std::string& path, const std:
 void assign_roles(CharacterSource& source, const RoleClips& clips) {
   CharacterRoles& roles = source.roles;
   roles.clips = clips;
+  const bool as_suggested =
+      roles.clip(Role::sit) == source.suggested[index_of(Role::sit)];  // who chose another seat fades
+  roles.sit_down = as_suggested ? source.passages[0] : Passage{};
+  roles.stand_up = as_suggested ? source.passages[1] : Passage{};
   roles.walk_speed = gait_speed(source, Role::walk);
   const double jog = gait_speed(source, Role::jog), run = gait_speed(source, Role::run);
   roles.jog_speed = jog > least_gain * roles.walk_speed ? jog : 0.0;
@@ -118,6 +129,11 @@ void assign_roles(CharacterSource& source, const RoleClips& clips) {
 render::CrowdMeshData mesh_data(const anim::Model& model) {
   render::CrowdMeshData data;
   for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_data(mesh));
+  for (const anim::BakedMeshLod& lod : model.mesh_lods) {
+    render::BakedLodData& baked = data.baked_lods.emplace_back();
+    baked.error = static_cast<float>(lod.error);
+    for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_data(mesh));
+  }
   for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));
   for (const anim::Image& image : model.images) {
     data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});

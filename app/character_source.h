@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ struct CharacterSource {
   std::shared_ptr<const anim::Character> character;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
-  RoleClips suggested;  ///< the roles' clips, as their names suggest
+  RoleClips suggested;              ///< the roles' clips, as their names suggest
+  std::array<Passage, 2> passages;  ///< into the suggested seat and out of it
   anim::CharacterBounds bounds;
   std::vector<std::string> repairs;
 

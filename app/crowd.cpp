@@ -24,18 +24,11 @@ constexpr double widest_in_spacings = 0.4;
 constexpr anim::Ticks slowness_to_catch_up = 4;  // who is behind makes up one second in so many
 
 constexpr std::uint64_t looks_stream = 4;
+constexpr std::uint64_t variants_stream = 9;
 
 // The wave: how long somebody is up, and how unevenly they rise.
 constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
 constexpr double wave_unevenness = 0.25;  // seconds
-
-/// Runs jobs one after the other in the calling thread.
-class InOrder final : public anim::Executor {
- public:
-  void run(int count, anim::Job job) override {
-    for (int index = 0; index < count; ++index) job.run(job.context, index);
-  }
-};
 
 CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
   switch (scene) {
@@ -63,6 +56,7 @@ std::vector<Habit> habits_of(const CrowdLayout& layout) {
 CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed,
                     const CrowdCast& cast) {
   Random random(seed, looks_stream);
+  Random bodies(seed, variants_stream);
   CrowdLooks looks;
   for (std::size_t agent = 0; agent < habits.size(); ++agent) {
     const CharacterRoles& character = cast.of(agent);
@@ -75,6 +69,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, st
     looks.paces.push_back(walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest));
     looks.start_phases.push_back(phase);
     looks.tints.push_back(random_tints(random));
+    looks.variants.push_back(random_variant(bodies));
     if (!marches) continue;
     const double in_step = marcher_phase(layout.route, layout.marchers[agent - layout.walkers.size()], character);
     const double ragged = in_step + static_cast<double>(out_of_step * phase);
@@ -218,7 +213,7 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& exec
 }
 
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
-  InOrder here;
+  anim::InOrder here;
   return advance(dt, here, 1);
 }
 

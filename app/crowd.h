@@ -27,6 +27,7 @@ struct CrowdLooks {
   std::vector<float> paces;         ///< playback of what is done in place; of walkers, speed over that of the clip
   std::vector<float> start_phases;  ///< 0 to below 1
   std::vector<Tints> tints;
+  std::vector<Variant> variants;
 };
 
 /// Who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents, seed,
@@ -69,6 +70,7 @@ class Crowd {
   std::span<const float> start_phases() const { return looks_.start_phases; }   ///< 0 to below 1, of the first clip
   std::span<const std::uint8_t> characters() const { return cast_.numbers(); }  ///< index among them
   std::span<const Tints> tints() const { return looks_.tints; }
+  std::span<const Variant> variants() const { return looks_.variants; }
   std::span<const Role> roles() const { return minds_.roles(); }
   std::span<const Habit> habits() const { return minds_.habits(); }
   std::span<const int> clips() const { return minds_.clips(); }  ///< index, or no_clip for a character that has none

@@ -8,6 +8,8 @@ namespace throng::app {
 namespace {
 
 constexpr float shortest_fade = 0.3F, longest_fade = 0.8F;
+constexpr float passage_fade = 0.25F;  // seconds, into a clip that leads from one role to another and out of it
+constexpr double fastest_pace = 1.1;   // of whoever stays in place: the clip is left before it is over
 constexpr std::uint64_t first_whim_stream = 16;
 constexpr anim::Ticks never = std::numeric_limits<anim::Ticks>::max();
 
@@ -24,6 +26,7 @@ CrowdMinds::CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::ui
   roles_.assign(agents, Role::other);
   clips_.assign(agents, no_clip);
   next_changes_.assign(agents, never);
+  arrivals_.assign(agents, {never, Role::other, no_clip, false});
   held_.assign(agents, 0);
   whims_.reserve(agents);
   requests_.reserve(agents);
@@ -52,10 +55,16 @@ void CrowdMinds::begin(std::size_t agent) {
 }
 
 void CrowdMinds::decide(anim::Ticks now) {
+  now_ = now;
   requests_.clear();
   changed_.clear();
   for (std::size_t agent = 0; agent < habits_.size(); ++agent) {
-    if (now >= next_changes_[agent] && !holds(agent)) change_role(agent, now);
+    if (holds(agent)) continue;
+    if (now >= arrivals_[agent].at) {
+      arrive(agent);
+    } else if (now >= next_changes_[agent]) {
+      change_role(agent, now);
+    }
   }
 }
 
@@ -76,7 +85,12 @@ void CrowdMinds::interrupt(std::size_t agent, Role role, anim::Ticks until) {
   if (!cast_->of(agent).playable(role) || holds(agent)) return;
   intentions_[agent] = role;
   next_changes_[agent] = until;
-  show(agent, role);
+  arrivals_[agent].at = never;
+  const Role played = *cast_->of(agent).playable(role);
+  const int clip = cast_->of(agent).clip(played);
+  if (clip != clips_[agent]) {
+    fade_to(agent, played, clip, whims_[agent].between(shortest_fade, longest_fade));
+  }
 }
 
 std::optional<ClipRequest> CrowdMinds::show_apart(std::size_t agent, Role role) {
@@ -89,6 +103,7 @@ std::optional<ClipRequest> CrowdMinds::show_apart(std::size_t agent, Role role) 
 }
 
 std::optional<ClipRequest> CrowdMinds::hold(std::size_t agent) {
+  arrivals_[agent].at = never;
   if (std::exchange(held_[agent], std::uint8_t{1}) != 0 || !is_gait(roles_[agent])) return std::nullopt;
   return show_apart(agent, Role::stand);
 }
@@ -117,11 +132,39 @@ void CrowdMinds::show(std::size_t agent, Role role) {
 }
 
 void CrowdMinds::request(std::size_t agent, Role role, int clip) {
-  const auto name = static_cast<std::uint32_t>(agent);
+  if (pass(agent, role, clip)) return;
+  fade_to(agent, role, clip, whims_[agent].between(shortest_fade, longest_fade));
+}
+
+void CrowdMinds::fade_to(std::size_t agent, Role role, int clip, float seconds) {
   roles_[agent] = role;
   clips_[agent] = clip;
-  const float fade = whims_[agent].between(shortest_fade, longest_fade);
-  requests_.push_back({name, role, clip, fade});
+  requests_.push_back({static_cast<std::uint32_t>(agent), role, clip, seconds});
+}
+
+// Into a seat and out of it by the clips for that, where there are any. On the way there, only what comes after
+// changes.
+bool CrowdMinds::pass(std::size_t agent, Role role, int clip) {
+  Arrival& arrival = arrivals_[agent];
+  if (arrival.at != never) {
+    arrival = {arrival.at, role, clip, arrival.seated};
+    roles_[agent] = role;
+    return true;
+  }
+  const bool sits = role == Role::sit;
+  const Passage& passage = sits ? cast_->of(agent).sit_down : cast_->of(agent).stand_up;
+  if (sits == (roles_[agent] == Role::sit) || passage.clip == no_clip) return false;
+  const double seconds = passage.seconds / fastest_pace - static_cast<double>(passage_fade);
+  arrival = {now_ + anim::to_ticks(seconds), role, clip, sits};
+  fade_to(agent, role, passage.clip, passage_fade);
+  return true;
+}
+
+void CrowdMinds::arrive(std::size_t agent) {
+  const Arrival arrival = std::exchange(arrivals_[agent], {never, Role::other, no_clip, false});
+  roles_[agent] = arrival.seated ? Role::sit : Role::stand;
+  if (pass(agent, arrival.role, arrival.clip)) return;  // thought better of it on the way
+  fade_to(agent, arrival.role, arrival.clip, passage_fade);
 }
 
 }  // namespace throng::app

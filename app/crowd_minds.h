@@ -32,7 +32,7 @@ class CrowdMinds {
 
   /// Begins a frame: forgets requests and changes, then lets everyone whose time has come go over to another role.
   void decide(anim::Ticks now);
-  /// Does `role`, if the character can, until the clock says `until`; as next_role decides from then on.
+  /// Does `role`, if the character can, at once and until the clock says `until`; as next_role decides from then on.
   void interrupt(std::size_t agent, Role role, anim::Ticks until);
   /// Shows `role`, which the character can play, whatever the agent has in mind.
   void show(std::size_t agent, Role role);
@@ -60,13 +60,26 @@ class CrowdMinds {
   void change_role(std::size_t agent, anim::Ticks now);
   void play_next_other(std::size_t agent);
   void request(std::size_t agent, Role role, int clip);
+  void fade_to(std::size_t agent, Role role, int clip, float seconds);
+  bool pass(std::size_t agent, Role role, int clip);
+  void arrive(std::size_t agent);
   std::optional<ClipRequest> show_apart(std::size_t agent, Role role);
 
+  /// What is done when the clip is over that leads to it.
+  struct Arrival {
+    anim::Ticks at;
+    Role role;
+    int clip;
+    bool seated;  ///< whether that clip sits down
+  };
+
   const CrowdCast* cast_;
+  anim::Ticks now_ = 0;
   std::vector<Habit> habits_;
   std::vector<Role> intentions_, roles_;
   std::vector<int> clips_;
   std::vector<anim::Ticks> next_changes_;
+  std::vector<Arrival> arrivals_;
   std::vector<std::uint8_t> held_;
   std::vector<Random> whims_;  // each agent's own chance
   std::vector<ClipRequest> requests_;

@@ -91,6 +91,13 @@ int plainest(std::span<const Words> names, const RoleWords& role) {
   return best;
 }
 
+/// The first clip whose name has words that begin so, in any order.
+int clip_with_words(std::span<const Words> names, std::string_view one, std::string_view other) {
+  const auto found = std::ranges::find_if(
+      names, [&](const Words& words) { return any_begins_with(words, one) && any_begins_with(words, other); });
+  return found == names.end() ? no_clip : static_cast<int>(found - names.begin());
+}
+
 std::vector<int> clips_for_any_role(std::span<const Words> names) {
   std::vector<int> fit, all;
   for (std::size_t clip = 0; clip < names.size(); ++clip) {
@@ -157,6 +164,8 @@ CharacterRoles roles_by_name(std::span<const std::string> clip_names) {
     if (roles.clip(gait) == roles.clip(Role::walk)) roles.clips[index_of(gait)] = no_clip;
   }
   roles.others = clips_for_any_role(names);
+  roles.sit_down.clip = clip_with_words(names, "sit", "down");
+  roles.stand_up.clip = clip_with_words(names, "stand", "up");
   return roles;
 }
 

@@ -40,17 +40,24 @@ constexpr RoleClips no_clips() {
   return clips;
 }
 
+/// A clip that leads from one role to another, played once.
+struct Passage {
+  int clip = no_clip;  ///< no_clip: the one fades into the other
+  double seconds = 0.0;
+};
+
 /// Which clips of a character the crowd plays for what, and the body that it needs room for.
 struct CharacterRoles {
   RoleClips clips = no_clips();
-  std::vector<int> others;    ///< what agents play in place, in turns, where there is no clip to stand with
-  double walk_speed = 0.0;    ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
-  double jog_speed = 0.0;     ///< the same of the jog; 0: those who would jog walk
-  double run_speed = 0.0;     ///< the same of the run; 0: those who would run jog or walk
-  double walk_seconds = 1.0;  ///< of the walk clip: one left and one right step
-  double height = 1.8;        ///< metres
-  double radius = 0.3;        ///< metres, of the body seen from above, arms down
-  bool is_prop = false;       ///< a thing: it stands only where a scene asks for one
+  std::vector<int> others;     ///< what agents play in place, in turns, where there is no clip to stand with
+  Passage sit_down, stand_up;  ///< into `sit` and out of it
+  double walk_speed = 0.0;     ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
+  double jog_speed = 0.0;      ///< the same of the jog; 0: those who would jog walk
+  double run_speed = 0.0;      ///< the same of the run; 0: those who would run jog or walk
+  double walk_seconds = 1.0;   ///< of the walk clip: one left and one right step
+  double height = 1.8;         ///< metres
+  double radius = 0.3;         ///< metres, of the body seen from above, arms down
+  bool is_prop = false;        ///< a thing: it stands only where a scene asks for one
 
   int clip(Role role) const { return role == Role::other ? no_clip : clips[index_of(role)]; }
   /// How much more room it needs than a person 1.8 metres tall; every distance of a scene is multiplied by it.
@@ -64,7 +71,8 @@ struct CharacterRoles {
 };
 
 /// Guesses roles from clip names as artists write them: "Idle", "Walking_A", "CharacterArmature|Wave". The plainest
-/// name wins; a run stands in for a walk. Fills `clips` and `others` and leaves the rest to the caller.
+/// name wins; a run stands in for a walk. Fills `clips`, `others` and the clips of passages and leaves the rest to the
+/// caller.
 CharacterRoles roles_by_name(std::span<const std::string> clip_names);
 
 }  // namespace throng::app

@@ -23,9 +23,9 @@ std::size_t count_vertices(const anim::Model& model) {
   return count;
 }
 
-std::size_t count_triangles(const anim::Model& model) {
+std::size_t count_triangles(const std::vector<anim::SkinnedMesh>& meshes) {
   std::size_t count = 0;
-  for (const anim::SkinnedMesh& mesh : model.meshes) count += mesh.indices.size() / 3;
+  for (const anim::SkinnedMesh& mesh : meshes) count += mesh.indices.size() / 3;
   return count;
 }
 
@@ -44,8 +44,21 @@ void write_model(std::ostream& out, const anim::Model& model) {
     out << "  clip " << clip.animation << " \"" << clip.name << "\": " << clip.duration << " s, " << clip.tracks.size()
         << " bones animated\n";
   }
-  out << "  " << model.meshes.size() << " meshes: " << count_vertices(model) << " vertices, " << count_triangles(model)
-      << " triangles, " << model.materials.size() << " materials, " << model.images.size() << " images\n";
+  out << "  " << model.meshes.size() << " meshes: " << count_vertices(model) << " vertices, "
+      << count_triangles(model.meshes) << " triangles, " << model.materials.size() << " materials, "
+      << model.images.size() << " images\n";
+  if (model.mesh_lods.empty()) return;
+  out << "  " << model.mesh_lods.size() << " baked mesh LODs:";
+  for (const anim::BakedMeshLod& lod : model.mesh_lods) out << ' ' << count_triangles(lod.meshes);
+  out << " triangles\n";
+}
+
+json mesh_lods_json(const anim::Model& model) {
+  json lods = json::array();
+  for (const anim::BakedMeshLod& lod : model.mesh_lods) {
+    lods.push_back({{"triangles", count_triangles(lod.meshes)}, {"error_m", lod.error}});
+  }
+  return lods;
 }
 
 json skins_json(const anim::Model& model) {
@@ -107,6 +120,7 @@ json model_json(const anim::Model& model) {
           {"skins", skins_json(model)},
           {"clips", clips_json(model)},
           {"meshes", meshes_json(model)},
+          {"mesh_lods", mesh_lods_json(model)},
           {"materials", materials_json(model)},
           {"images", std::move(images)}};
 }

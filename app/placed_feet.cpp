@@ -45,7 +45,9 @@ void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent) {
   const bool begins = !std::exchange(feet_[agent].placed, true);
   [[maybe_unused]] const anim::Status placed =
       system_->change_process<anim::FootPlacementProcess>(agent, feet_[agent].process, [&](auto& feet) {
-        feet.set_placement(placement_of(crowd, agent));
+        const anim::JointMotion placement = placement_of(crowd, agent);
+        feet.set_placement(placement);
+        feet.set_ground({.place = placement.position});  // the tier of a stadium that it stands on
         if (begins) feet.set_weight(1.0F, fade);
       });
   assert(placed && "the graph is as large as it was");

@@ -145,6 +145,7 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   render::PalettePageSource& pages = renderer_ != nullptr ? renderer_->palette_pages() : *heap_pages_;
   const auto start = TimelineLog::Clock::now();
   auto stage = Stage::create(std::move(characters), tuning, pages);
+  statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
   if (!stage) return fail(failure, exit_usage, stage.error().message);
   statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
   if (!options.trace.empty()) timeline_.emplace();
@@ -175,6 +176,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   auto characters = load(options);
   if (!characters) return fail(failure, exit_job_failed, characters.error().message), nullptr;
   if (!choose_roles(options, *characters, failure)) return nullptr;
+  if (!options.trace.empty()) show->timeline_.emplace();
   if (!show->open_context(options, failure) || !show->open_renderer(options, failure)) return nullptr;
   if (!show->open_stage(std::move(*characters), options, failure)) return nullptr;
   if (!show->load_meshes(failure) || !show->place_camera(options, failure)) return nullptr;

@@ -132,8 +132,9 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
       .debug_color = agent.agent == selected_ ? selected_color : debug_color(tuning_.debug_view, agent, pose.level()),
       .tints = {},
       .bone_level = pose.level(),
-      .contact_scale = contact_scale(character_of(agent.agent)),
-      .reserved = {}};
+      .shape = crowd_->variants()[agent.agent].shape(),
+      .hair = crowd_->variants()[agent.agent].hair(),
+      .contact_scale = contact_scale(character_of(agent.agent))};
   std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
   return true;
 }

@@ -4,6 +4,7 @@
 #include "frame_uniforms.glsl"
 #include "instance_record.glsl"
 #include "skinning.glsl"
+#include "variants.glsl"
 #include "crowd_vertex.glsl"
 #include "color.glsl"
 

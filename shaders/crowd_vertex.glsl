@@ -5,6 +5,8 @@ layout(location = 2) in vec2 texture_coord;
 layout(location = 3) in vec4 color;
 layout(location = 4) in vec4 weights;
 layout(location = 5) in uint region;
+layout(location = 6) in vec3 shape;
+layout(location = 7) in vec2 hair;
 
 layout(location = 0) uniform uint vertex_count;
 
@@ -19,5 +21,6 @@ uvec4 entries_at(uint bone_level) {
 InstanceRecord drawn_instance() { return instances[gl_BaseInstanceARB + gl_InstanceID]; }
 
 SkinnedVertex skinned(const InstanceRecord instance) {
-  return skin_vertex(instance, now, position, normal, entries_at(instance.bone_level), weights);
+  vec3 own_position = varied(instance, position, normal, shape, hair);
+  return skin_vertex(instance, now, own_position, normal, entries_at(instance.bone_level), weights);
 }

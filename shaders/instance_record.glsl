@@ -1,4 +1,4 @@
-// Twin of engine/render/instance_record.h: 80 bytes, scalars only, so that std430 adds no gaps.
+// Twin of engine/render/instance_record.h: 84 bytes, scalars only, so that std430 adds no gaps.
 struct InstanceRecord {
   float position_x, position_y, position_z;
   float scale;
@@ -9,8 +9,9 @@ struct InstanceRecord {
   uint debug_color;
   uint tints[5];
   uint bone_level;
+  uint shape;
+  uint hair;
   float contact_scale;
-  uint reserved;
 };
 
 layout(std430, binding = 0) readonly buffer Instances { InstanceRecord instances[]; };

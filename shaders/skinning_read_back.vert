@@ -5,6 +5,7 @@
 #include "frame_uniforms.glsl"
 #include "instance_record.glsl"
 #include "skinning.glsl"
+#include "variants.glsl"
 #include "crowd_vertex.glsl"
 
 out vec3 world_position;

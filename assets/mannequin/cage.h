@@ -16,7 +16,7 @@
 namespace throng::mannequin {
 
 /// What an instance tints apart; the values of the vertex attribute _REGION.
-enum class Region : unsigned char { skin = 0, hair = 1, shirt = 2, trousers = 3, shoes = 4 };
+enum class Region : unsigned char { skin = 0, hair = 1, shirt = 2, trousers = 3, shoes = 4, untinted = 5 };
 
 /// Weight of every joint; sums to one.
 using Weights = std::array<double, joint_count>;

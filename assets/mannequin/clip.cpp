@@ -1,22 +1,30 @@
 #include "assets/mannequin/clip.h"
 
-#include <utility>
-
 namespace throng::mannequin {
 
-Clip sample_loop(std::string name, std::size_t frames, double speed, const std::function<Pose(double phase)>& motion) {
-  Clip clip{std::move(name), {}};
-  for (std::size_t frame = 0; frame <= frames; ++frame) {
-    const double phase = static_cast<double>(frame % frames) / static_cast<double>(frames);
-    Pose pose = motion(phase);
-    pose.root.z += speed * static_cast<double>(frame) / key_rate;
-    clip.keys.push_back(pose);
+Clip sample(const Motion& motion) {
+  Clip clip{motion.name, {}, motion.marks};
+  for (std::size_t frame = 0; frame <= motion.frames; ++frame) {
+    clip.keys.push_back(motion.pose(static_cast<double>(frame) / static_cast<double>(motion.frames)));
   }
+  if (!motion.loops) return clip;
+  const Pose end = clip.keys.back();
+  clip.keys.back() = clip.keys.front();
+  clip.keys.back().root = end.root;
+  clip.keys.back()["root"] = end.rotations[0];
   return clip;
 }
 
+std::vector<Motion> make_motions() {
+  return {make_idle(), make_walk(),     make_cheer(),       make_wave(),           make_clap(),
+          make_jog(),  make_run(),      make_look_around(), make_turn(Side::left), make_turn(Side::right),
+          make_talk(), make_sit_down(), make_sit(),         make_stand_up(),       make_stumble()};
+}
+
 std::vector<Clip> make_clips() {
-  return {make_idle(), make_walk(), make_cheer(), make_wave(), make_clap(), make_jog(), make_run()};
+  std::vector<Clip> clips;
+  for (const Motion& motion : make_motions()) clips.push_back(sample(motion));
+  return clips;
 }
 
 }  // namespace throng::mannequin

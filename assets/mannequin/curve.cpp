@@ -15,13 +15,24 @@ CurveKey repeated(std::span<const CurveKey> keys, std::ptrdiff_t i) {
 }
 
 /// Harmonic mean of the slopes on both sides; zero at extremes.
-double slope_at(std::span<const CurveKey> keys, std::ptrdiff_t i) {
-  const CurveKey before = repeated(keys, i - 1);
-  const CurveKey here = repeated(keys, i);
-  const CurveKey after = repeated(keys, i + 1);
+double slope_between(const CurveKey& before, const CurveKey& here, const CurveKey& after) {
   const double left = (here.value - before.value) / (here.phase - before.phase);
   const double right = (after.value - here.value) / (after.phase - here.phase);
   return left * right <= 0 ? 0 : 2 * left * right / (left + right);
+}
+
+double slope_at(std::span<const CurveKey> keys, std::ptrdiff_t i) {
+  return slope_between(repeated(keys, i - 1), repeated(keys, i), repeated(keys, i + 1));
+}
+
+/// At its two ends an open curve goes on as straight as it came.
+double open_slope_at(std::span<const CurveKey> keys, std::size_t i) {
+  const auto secant = [&](std::size_t from) {
+    return (keys[from + 1].value - keys[from].value) / (keys[from + 1].phase - keys[from].phase);
+  };
+  if (i == 0) return secant(0);
+  if (i + 1 == keys.size()) return secant(i - 1);
+  return slope_between(keys[i - 1], keys[i], keys[i + 1]);
 }
 
 }  // namespace
@@ -41,6 +52,17 @@ double periodic_curve(std::span<const CurveKey> keys, double phase) {
   const double span = to.phase - from.phase;
   return hermite(from.value, slope_at(keys, i) * span, to.value, slope_at(keys, i + 1) * span,
                  (wrapped - from.phase) / span);
+}
+
+double open_curve(std::span<const CurveKey> keys, double phase) {
+  assert(keys.size() > 1);
+  if (phase <= keys.front().phase) return keys.front().value;
+  if (phase >= keys.back().phase) return keys.back().value;
+  std::size_t i = 0;
+  while (keys[i + 1].phase <= phase) ++i;
+  const double span = keys[i + 1].phase - keys[i].phase;
+  return hermite(keys[i].value, open_slope_at(keys, i) * span, keys[i + 1].value, open_slope_at(keys, i + 1) * span,
+                 (phase - keys[i].phase) / span);
 }
 
 }  // namespace throng::mannequin

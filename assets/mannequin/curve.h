@@ -16,6 +16,9 @@ struct CurveKey {
 /// so that two equal keys hold still between them.
 double periodic_curve(std::span<const CurveKey> keys, double phase);
 
+/// The same through keys of rising phase that are not repeated; beyond the first and the last it holds still.
+double open_curve(std::span<const CurveKey> keys, double phase);
+
 /// Cubic through two values with given slopes; `t` runs from 0 to 1.
 double hermite(double from, double from_slope, double to, double to_slope, double t);
 

@@ -24,19 +24,21 @@ std::array<std::size_t, 4> add_quad(Cage& cage, const std::array<dvec3, 4>& corn
 
 void add_eye_and_brow(Cage& cage, std::size_t socket) {
   constexpr dvec3 socket_paint{1.0, 0.97, 0.97};
-  constexpr dvec3 lash_paint{0.22, 0.17, 0.17};
-  constexpr dvec3 iris_paint{0.08, 0.06, 0.06};
+  constexpr dvec3 lash_paint{0.05, 0.035, 0.03};
+  constexpr dvec3 white_paint{0.47, 0.45, 0.43};
+  constexpr dvec3 iris_paint{0.045, 0.025, 0.015};
   const Weights head = bind({{"head", 1}});
   const auto almond = add_quad(
       cage, {{{0.0215, 1.6680, 0.0828}, {0.0430, 1.6682, 0.0768}, {0.0450, 1.6820, 0.0780}, {0.0200, 1.6815, 0.0846}}},
       head);
   const auto iris = add_quad(
-      cage, {{{0.0265, 1.6685, 0.0836}, {0.0380, 1.6685, 0.0806}, {0.0380, 1.6800, 0.0812}, {0.0265, 1.6800, 0.0842}}},
+      cage, {{{0.0258, 1.6688, 0.0837}, {0.0388, 1.6688, 0.0804}, {0.0388, 1.6808, 0.0810}, {0.0258, 1.6808, 0.0844}}},
       bind({{"eye.L", 1}}));
   cage.faces[socket].paint.assign(4, socket_paint);
   cage.inset(socket, almond);
   const std::size_t lid = cage.faces.size() - 2;  // the third of the four sides: above the eye
-  cage.faces[socket].paint.assign(4, paint::plain);
+  cage.faces[socket].paint.assign(4, white_paint);
+  cage.faces[socket].region = Region::untinted;
   cage.inset(socket, iris, true);
   cage.faces[cage.faces.size() - 2].paint.assign(4, lash_paint);
   cage.faces[socket].paint.assign(4, iris_paint);
@@ -61,7 +63,7 @@ void add_ear(Cage& cage, std::size_t patch) {
     const dvec3 out = cage.vertices[corner].position - centre;
     const dvec2 around = glm::normalize(dvec2(out.z, out.y));
     root.push_back(cage.add({centre.x, centre.y + 0.018 * around.y, centre.z + 0.009 * around.x}, head));
-    rim.push_back(cage.add({centre.x + 0.014 - 0.005 * around.x + 0.003 * around.y, centre.y + 0.004 + 0.029 * around.y,
+    rim.push_back(cage.add({centre.x + 0.011 - 0.005 * around.x - 0.001 * around.y, centre.y + 0.003 + 0.026 * around.y,
                             centre.z - 0.006 + 0.0165 * around.x},
                            head));
   }

@@ -1,3 +1,5 @@
+#include "assets/mannequin/gait.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,34 +7,10 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "assets/mannequin/clip.h"
-#include "assets/mannequin/curve.h"
-
 namespace throng::mannequin {
 namespace {
 
 using glm::dvec3;
-
-/// A symmetric gait. Phases count from the left foot's strike; angles are degrees, lengths metres.
-struct Gait {
-  std::size_t frames;
-  double speed;
-  double stance;       ///< Share of the cycle that a foot is on the ground.
-  double foot_flat;    ///< Where the planted ankle lies ahead of the hips in the middle of the stance.
-  double foot_spread;  ///< Of the ankles from the centre line.
-  double toe_out;
-  std::array<CurveKey, 7> pitch;  ///< Of the foot, toes up; zero while it is flat.
-  double swing_height;            ///< Of the ankle above the straight way, early in the swing.
-  double crouch;                  ///< Of the hips below rest, mean.
-  double bounce, bounce_peak;     ///< Of the hips, twice per cycle.
-  double sway;                    ///< Of the hips towards the standing leg.
-  double pelvis_turn, pelvis_drop;
-  double chest_turn;  ///< Against the pelvis.
-  double lean;        ///< Of the trunk.
-  double arm_swing, arm_forward, arm_spread;
-  double elbow, elbow_swing;
-  double curl;  ///< Of the fingers.
-};
 
 constexpr dvec3 heel_from_ankle{0, -0.085, -0.058};
 dvec3 ball_from_ankle() {
@@ -54,8 +32,7 @@ FootPlace planted(const Gait& gait, double phase) {
   const double pitch = periodic_curve(gait.pitch, phase);
   const dvec3 pivot = pitch > 0 ? heel_from_ankle : ball_from_ankle();
   const dvec3 rolled = pivot - pitched(pivot, pitch);
-  const double stride = gait.speed * static_cast<double>(gait.frames) / key_rate;
-  const double ahead = gait.foot_flat + stride * (0.5 * gait.stance - phase);
+  const double ahead = gait.foot_flat + stride(gait) * (0.5 * gait.stance - phase);
   const double turn = gait.toe_out * degrees;
   return {{gait.foot_spread + std::sin(turn) * rolled.z, rolled.y, ahead + std::cos(turn) * rolled.z}, pitch};
 }
@@ -78,6 +55,10 @@ FootPlace swung(const Gait& gait, double phase) {
   return {offset, periodic_curve(gait.pitch, phase)};
 }
 
+}  // namespace
+
+double stride(const Gait& gait) { return gait.speed * static_cast<double>(gait.frames) / key_rate; }
+
 void step(Pose& pose, const Gait& gait, Side side, double phase) {
   const double own = phase - std::floor(phase);
   const FootPlace place = own <= gait.stance ? planted(gait, own) : swung(gait, own);
@@ -88,21 +69,19 @@ void step(Pose& pose, const Gait& gait, Side side, double phase) {
   place_leg(pose, side, {{outward, rest.y + place.offset.y, place.offset.z}, place.pitch, gait.toe_out, bend});
 }
 
-void swing_arm(Pose& pose, const Gait& gait, Side side, double phase) {
+ArmAngles swinging_arm(const Gait& gait, double phase) {
   // The arm answers the opposite leg, each joint a little later than the one above it.
   const double upper = wave(phase, 0.53);
   const double lower = wave(phase, 0.58);
   const double hand = wave(phase, 0.63);
-  place_arm(pose, side,
-            {.flexion = gait.arm_forward + gait.arm_swing * upper,
-             .abduction = gait.arm_spread + 1.5 * wave(phase, 0.30, 2),
-             .inward_twist = 3 + 5 * lower,
-             .elbow = gait.elbow + gait.elbow_swing * lower,
-             .pronation = 12 + 5 * hand,
-             .wrist_flexion = 2 + 5 * hand,
-             .shrug = 1.2 * wave(phase, 0.35, 2),
-             .reach = 3.5 * upper});
-  curl_fingers(pose, side, gait.curl + 4 * hand);
+  return {.flexion = gait.arm_forward + gait.arm_swing * upper,
+          .abduction = gait.arm_spread + 1.5 * wave(phase, 0.30, 2),
+          .inward_twist = 3 + 5 * wave(phase, 0.56),
+          .elbow = gait.elbow + gait.elbow_swing * lower,
+          .pronation = 12 + 5 * hand,
+          .wrist_flexion = 2 + 5 * wave(phase, 0.65),
+          .shrug = 1.2 * wave(phase, 0.35, 2),
+          .reach = 3.5 * wave(phase, 0.51)};
 }
 
 Pose stride_pose(const Gait& gait, double phase) {
@@ -113,51 +92,64 @@ Pose stride_pose(const Gait& gait, double phase) {
   const double drop = gait.pelvis_drop * wave(phase, 0.17);
   pose["hips"] = turned(0.35 * gait.lean + 0.8 * wave(phase, 0.05, 2), turn, drop);
   const double counter = (gait.chest_turn + gait.pelvis_turn);
-  const double twist = counter * wave(phase, 0.05);
-  pose["spine"] = turned(0.25 * gait.lean, 0.25 * twist, -0.45 * drop);
-  pose["chest"] = turned(0.25 * gait.lean + 0.6 * wave(phase, 0.12, 2), 0.35 * twist, -0.45 * drop);
-  pose["upper_chest"] = turned(0.15 * gait.lean, 0.40 * twist, -0.35 * gait.pelvis_drop * wave(phase, 0.22));
+  const auto twist = [&](double late) { return counter * wave(phase, 0.03 + late); };
+  pose["spine"] = turned(0.25 * gait.lean, 0.25 * twist(0.0), -0.45 * drop);
+  pose["chest"] = turned(0.25 * gait.lean + 0.6 * wave(phase, 0.12, 2), 0.35 * twist(0.025),
+                         -0.45 * gait.pelvis_drop * wave(phase, 0.195));
+  pose["upper_chest"] = turned(0.15 * gait.lean, 0.40 * twist(0.05), -0.35 * gait.pelvis_drop * wave(phase, 0.22));
   steady_head(pose, turned(1.5 + 0.8 * wave(phase, 0.10, 2), 1.2 * wave(phase, 0.10), 0.6 * wave(phase, 0.25)));
-  swing_arm(pose, gait, Side::left, phase);
-  swing_arm(pose, gait, Side::right, phase + 0.5);
-  step(pose, gait, Side::left, phase);
-  step(pose, gait, Side::right, phase + 0.5);
+  for (const Side side : {Side::left, Side::right}) {
+    const double own = side == Side::left ? phase : phase + 0.5;
+    place_arm(pose, side, swinging_arm(gait, own));
+    curl_fingers(pose, side, [&](double late) { return gait.curl + 4 * wave(own, 0.62 + 0.05 * late); });
+    step(pose, gait, side, own);
+  }
   return pose;
 }
 
-Clip make_gait(const char* name, const Gait& gait) {
-  return sample_loop(name, gait.frames, gait.speed, [&gait](double phase) { return stride_pose(gait, phase); });
+namespace {
+
+Motion make_gait(const char* name, const Gait& gait) {
+  const auto pose = [gait](double phase) {
+    Pose posed = stride_pose(gait, phase + first_phase);
+    posed.root.z = stride(gait) * phase;
+    return posed;
+  };
+  return {name, gait.frames, true, pose, {{0.5 - first_phase, "footstep_right"}, {1.0 - first_phase, "footstep_left"}}};
 }
 
 }  // namespace
 
-Clip make_walk() {
-  constexpr Gait walk{.frames = 30,
-                      .speed = 1.35,
-                      .stance = 0.61,
-                      .foot_flat = -0.066,
-                      .foot_spread = 0.072,
-                      .toe_out = 6,
-                      .pitch = {{{0.0, 20}, {0.09, 0}, {0.34, 0}, {0.48, -12}, {0.61, -48}, {0.72, -42}, {0.90, 14}}},
-                      .swing_height = 0.060,
-                      .crouch = 0.036,
-                      .bounce = 0.020,
-                      .bounce_peak = 0.30,
-                      .sway = 0.018,
-                      .pelvis_turn = 6.5,
-                      .pelvis_drop = 3.5,
-                      .chest_turn = 5.5,
-                      .lean = 3,
-                      .arm_swing = 23,
-                      .arm_forward = 3,
-                      .arm_spread = 7,
-                      .elbow = 21,
-                      .elbow_swing = 12,
-                      .curl = 7};
-  return make_gait("walk", walk);
+const Gait& walking() {
+  static constexpr Gait walk{
+      .frames = 30,
+      .speed = 1.35,
+      .stance = 0.61,
+      .foot_flat = -0.066,
+      .foot_spread = 0.072,
+      .toe_out = 6,
+      .pitch = {{{0.0, 20}, {0.09, 0}, {0.34, 0}, {0.48, -12}, {0.61, -48}, {0.72, -42}, {0.90, 14}}},
+      .swing_height = 0.060,
+      .crouch = 0.036,
+      .bounce = 0.020,
+      .bounce_peak = 0.30,
+      .sway = 0.018,
+      .pelvis_turn = 6.5,
+      .pelvis_drop = 3.5,
+      .chest_turn = 5.5,
+      .lean = 3,
+      .arm_swing = 23,
+      .arm_forward = 3,
+      .arm_spread = 7,
+      .elbow = 21,
+      .elbow_swing = 12,
+      .curl = 7};
+  return walk;
 }
 
-Clip make_jog() {
+Motion make_walk() { return make_gait("walk", walking()); }
+
+Motion make_jog() {
   constexpr Gait jog{.frames = 22,
                      .speed = 2.4,
                      .stance = 0.38,
@@ -183,7 +175,7 @@ Clip make_jog() {
   return make_gait("jog", jog);
 }
 
-Clip make_run() {
+Motion make_run() {
   constexpr Gait run{.frames = 20,
                      .speed = 3.6,
                      .stance = 0.30,

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "assets/mannequin/at_ease.h"
 #include "assets/mannequin/clip.h"
 #include "assets/mannequin/curve.h"
 
@@ -7,56 +8,6 @@ namespace throng::mannequin {
 namespace {
 
 using glm::dvec3;
-
-/// Both feet where they stand at rest, the heels lifted by so many degrees about the balls.
-double stand(Pose& pose, double heel_lift) {
-  double missing = 0;
-  for (const Side side : {Side::left, Side::right}) {
-    const dvec3 ankle = skeleton()[joint_index("foot.L")].position;
-    const dvec3 ball = skeleton()[joint_index("toe.L")].position - ankle;
-    constexpr double toe_out = 9;
-    const double outward = side == Side::left ? toe_out : -toe_out;
-    const glm::dquat flat = turned(0, outward, 0);
-    const dvec3 across(side == Side::left ? 1 : -1, 1, 1);
-    const dvec3 pivot = flat * (ball * across);
-    const dvec3 rolled = turned(heel_lift, outward, 0) * (ball * across);
-    missing += place_leg(pose, side, {ankle * across + pivot - rolled, -heel_lift, toe_out, heel_lift});
-  }
-  return missing;
-}
-
-ArmAngles hanging(double phase, double late) {
-  return {.flexion = 1 + 1.6 * wave(phase, 0.30 + late),
-          .abduction = 8 + 0.9 * wave(phase, 0.22 + late, 2),
-          .inward_twist = 4 + 2 * wave(phase, 0.40 + late),
-          .elbow = 17 + 2.2 * wave(phase, 0.36 + late),
-          .pronation = 14 + 2 * wave(phase, 0.45 + late),
-          .wrist_flexion = 3 + 1.6 * wave(phase, 0.50 + late),
-          .shrug = 0.9 * wave(phase, 0.20, 2),
-          .reach = 1.0 + 0.7 * wave(phase, 0.24, 2)};
-}
-
-/// Standing at ease: the weight shifts once per cycle.
-Pose stand_at_ease(double phase, int breaths) {
-  Pose pose;
-  const double shift = wave(phase, 0.25);
-  const double breath = wave(phase, 0.20, breaths);
-  pose.hips = {0.020 * shift, -0.006 - 0.002 * wave(phase, 0.25, 2), 0.004 * wave(phase, 0.10)};
-  pose["hips"] = turned(-1.0 + 0.4 * wave(phase, 0.60), 1.6 * wave(phase, 0.30), 1.8 * shift);
-  pose["spine"] = turned(0.6 - 0.3 * breath, -0.8 * wave(phase, 0.33), -1.1 * wave(phase, 0.27));
-  pose["chest"] = turned(1.0 - 0.9 * breath, -0.6 * wave(phase, 0.36), -0.9 * wave(phase, 0.29));
-  pose["upper_chest"] =
-      turned(1.2 - 0.8 * wave(phase, 0.23, breaths), -0.5 * wave(phase, 0.40), -0.4 * wave(phase, 0.31));
-  steady_head(pose, turned(1.5 + 0.9 * wave(phase, 0.70), 4.0 * wave(phase, 0.15), 1.2 * wave(phase, 0.45)));
-  // The eyes arrive before the head does.
-  pose["eye.L"] = pose["eye.R"] = turned(1.5 * wave(phase, 0.55), 7 * wave(phase, 0.06) + 3 * wave(phase, 0.40, 2), 0);
-  for (const Side side : {Side::left, Side::right}) {
-    place_arm(pose, side, hanging(side == Side::left ? phase : phase + 0.5, side == Side::left ? 0.0 : 0.06));
-    curl_fingers(pose, side, 7 + 2.5 * wave(phase, side == Side::left ? 0.3 : 0.7));
-  }
-  stand(pose, 0);
-  return pose;
-}
 
 /// Two bounces per cycle, the arms up and pumping by turns.
 Pose bounce_and_cheer(double phase) {
@@ -83,7 +34,7 @@ Pose bounce_and_cheer(double phase) {
                .wrist_flexion = -6 + 14 * wave(own, 0.48),
                .shrug = 17 + 4 * pump,
                .reach = 3});
-    curl_fingers(pose, side, 58 + 5 * wave(own, 0.35));
+    curl_fingers(pose, side, [&](double late) { return 58 + 5 * wave(own, 0.35 + 0.06 * late); });
   }
   stand(pose, heel_lift);
   return pose;
@@ -99,14 +50,14 @@ Pose greet(double phase) {
   place_arm(pose, Side::right,
             {.flexion = 12 + 2 * wave(phase, 0.05, 4),
              .abduction = 88 + 4 * wave(phase, 0.0, 4),
-             .inward_twist = -88 + 6 * wave(phase, 0.04, 4),
+             .inward_twist = -82 + 5 * wave(phase, 0.04, 4),
              .elbow = 92 - 22 * swing,
              .pronation = 14 + 5 * wave(phase, 0.06, 4),
              .wrist_flexion = -4,
              .shrug = 9 + wave(phase, 0.0, 4),
              .reach = 2});
   pose["hand.R"] = pose["hand.R"] * turned(0, 14 * wave(phase, 0.07, 4), 0);
-  curl_fingers(pose, Side::right, -7 + 3 * wave(phase, 0.09, 4));
+  curl_fingers(pose, Side::right, [&](double late) { return -7 + 3 * wave(phase, 0.08 + 0.03 * late, 4); });
   return pose;
 }
 
@@ -150,23 +101,22 @@ Pose applaud(double phase) {
                          .reach = 6 - 2 * open};
   pose["chest"] = pose["spine"] = pose["hips"] = turned(0, 0, 0);
   pose.hips.x = 0;
-  bring_palms_together(pose, angles, 0.003 + 0.105 * std::pow(open, 0.8));
+  bring_palms_together(pose, angles, 0.0045 + 0.105 * std::pow(open, 0.8));
   pose.hips = level.hips;
   for (const auto* joint : {"hips", "spine", "chest"}) pose[joint] = level.rotations[joint_index(joint)];
   pose["upper_chest"] = turned(1.0, 0, -0.3 * wave(phase, 0.33));
   steady_head(pose, turned(-2 + 1.6 * wave(phase, 0.10, claps), 3.0 * wave(phase, 0.40), 1.5 * wave(phase, 0.30)));
-  for (const Side side : {Side::left, Side::right}) curl_fingers(pose, side, -5 + 4 * wave(phase, 0.06, claps));
+  for (const Side side : {Side::left, Side::right}) {
+    curl_fingers(pose, side, [&](double late) { return -5 + 4 * wave(phase, 0.05 + 0.04 * late, claps); });
+  }
   stand(pose, 0);
   return pose;
 }
 
 }  // namespace
 
-Clip make_idle() {
-  return sample_loop("idle", 180, 0, [](double phase) { return stand_at_ease(phase, 2); });
-}
-Clip make_wave() { return sample_loop("wave", 72, 0, greet); }
-Clip make_clap() { return sample_loop("clap", 36, 0, applaud); }
-Clip make_cheer() { return sample_loop("cheer", 40, 0, bounce_and_cheer); }
+Motion make_wave() { return {"wave", 72, true, greet}; }
+Motion make_clap() { return {"clap", 36, true, applaud}; }
+Motion make_cheer() { return {"cheer", 40, true, bounce_and_cheer}; }
 
 }  // namespace throng::mannequin

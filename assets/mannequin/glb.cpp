@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assets/mannequin/buffer_writer.h"
+#include "assets/mannequin/lod_error.h"
 
 namespace throng::mannequin {
 namespace {
@@ -30,7 +31,7 @@ std::vector<Element> column(const Mesh& mesh, Member member) {
   return values;
 }
 
-Json add_mesh(BufferWriter& buffer, const Mesh& mesh) {
+Json add_mesh(BufferWriter& buffer, const Mesh& mesh, const std::string& name) {
   const auto positions = column<Float3>(mesh, [](const MeshVertex& v) {
     return Float3{v.position.x, v.position.y, v.position.z};
   });
@@ -52,12 +53,18 @@ Json add_mesh(BufferWriter& buffer, const Mesh& mesh) {
   attributes["COLOR_0"] = buffer.add<Byte4>(colours, "VEC4", ComponentType::unsigned_byte, Target::vertex_data, true);
   attributes["_REGION"] = buffer.add<float>(regions, "SCALAR", ComponentType::float32, Target::vertex_data);
 
+  using Float2 = std::array<float, 2>;
+  const auto shapes = column<Float3>(mesh, [](const MeshVertex& v) { return Float3{v.shape.x, v.shape.y, v.shape.z}; });
+  const auto hair = column<Float2>(mesh, [](const MeshVertex& v) { return Float2{v.hair.x, v.hair.y}; });
+  attributes["_SHAPE"] = buffer.add<Float3>(shapes, "VEC3", ComponentType::float32, Target::vertex_data);
+  attributes["_HAIR"] = buffer.add<Float2>(hair, "VEC2", ComponentType::float32, Target::vertex_data);
+
   std::vector<std::uint16_t> indices;
   for (const auto& triangle : mesh.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
   const std::size_t index_accessor =
       buffer.add<std::uint16_t>(indices, "SCALAR", ComponentType::unsigned_short, Target::index_data);
   const Json primitive{{"attributes", attributes}, {"indices", index_accessor}, {"material", 0}};
-  return {{"name", "mannequin"}, {"primitives", Json::array({primitive})}};
+  return {{"name", name}, {"primitives", Json::array({primitive})}};
 }
 
 Json joint_nodes() {
@@ -124,10 +131,22 @@ class AnimationWriter {
       const std::vector<Float4> keys = rotation_keys(clip_, joint);
       add_track<4>(joint, "rotation", "VEC4", keys, {0, 0, 0, 1});
     }
-    return {{"name", clip_.name}, {"channels", channels_}, {"samplers", samplers_}};
+    Json animation{{"name", clip_.name}, {"channels", channels_}, {"samplers", samplers_}};
+    if (!clip_.marks.empty()) animation["extras"] = {{"throng_data_keys", data_keys()}};
+    return animation;
   }
 
  private:
+  /// engine/anim/import/README.md, "Data keys".
+  [[nodiscard]] Json data_keys() const {
+    Json keys = Json::array();
+    const double duration = static_cast<double>(clip_.keys.size() - 1) / key_rate;
+    for (const Mark& mark : clip_.marks) {
+      keys.push_back({{"time", std::round(mark.phase * duration / mark_step) * mark_step}, {"name", mark.name}});
+    }
+    return keys;
+  }
+
   template <typename Member>
   void add_translations(std::size_t joint, Member member) {
     std::vector<Float3> keys;
@@ -152,16 +171,34 @@ class AnimationWriter {
 };
 
 Json document_head() {
+  Json lod_nodes = Json::array({0});
+  for (std::size_t lod = 1; lod <= mesh_lod_count; ++lod) lod_nodes.push_back(joint_count + lod);
   return {{"asset", {{"version", "2.0"}, {"generator", "throng_mannequin"}, {"copyright", "MIT licence"}}},
           {"scene", 0},
-          {"scenes", Json::array({{{"name", "scene"}, {"nodes", {0, joint_count}}}})}};
+          {"scenes", Json::array({{{"name", "scene"}, {"nodes", {0, joint_count}}},
+                                  {{"name", "mesh LODs"}, {"nodes", lod_nodes}}})}};
 }
 
-Json document(BufferWriter& buffer, const Mesh& mesh, std::span<const Clip> clips) {
+/// The full mesh and its LODs; engine/anim/import/README.md, "Baked mesh LODs".
+void add_meshes(Json& file, BufferWriter& buffer, const Body& body, std::span<const Clip> clips) {
+  Json lods = Json::array();
+  for (std::size_t lod = 0; lod < mesh_lod_count; ++lod) {
+    const double error = surface_error(body.full, body.lods[lod], clips).largest;
+    lods.push_back({{"node", joint_count + 1 + lod}, {"error", std::ceil(error / error_step) * error_step}});
+  }
+  file["nodes"].push_back({{"name", "mannequin"}, {"mesh", 0}, {"skin", 0}, {"extras", {{"throng_mesh_lods", lods}}}});
+  file["meshes"] = Json::array({add_mesh(buffer, body.full, "mannequin")});
+  for (std::size_t lod = 0; lod < mesh_lod_count; ++lod) {
+    const std::string name = "mannequin LOD " + std::to_string(lod + 1);
+    file["nodes"].push_back({{"name", name}, {"mesh", lod + 1}, {"skin", 0}});
+    file["meshes"].push_back(add_mesh(buffer, body.lods[lod], name));
+  }
+}
+
+Json document(BufferWriter& buffer, const Body& body, std::span<const Clip> clips) {
   Json file = document_head();
   file["nodes"] = joint_nodes();
-  file["nodes"].push_back({{"name", "mannequin"}, {"mesh", 0}, {"skin", 0}});
-  file["meshes"] = Json::array({add_mesh(buffer, mesh)});
+  add_meshes(file, buffer, body, clips);
   file["materials"] =
       Json::array({{{"name", "mannequin"},
                     {"pbrMetallicRoughness",
@@ -194,12 +231,12 @@ void append_chunk(std::vector<std::byte>& bytes, std::span<const std::byte> chun
 
 }  // namespace
 
-std::vector<std::byte> write_glb(const Mesh& mesh, std::span<const Clip> clips) {
+std::vector<std::byte> write_glb(const Body& body, std::span<const Clip> clips) {
   constexpr std::uint32_t magic = 0x46546C67;  // "glTF"
   constexpr std::uint32_t json_chunk = 0x4E4F534A;
   constexpr std::uint32_t binary_chunk = 0x004E4942;
   BufferWriter buffer;
-  std::string text = document(buffer, mesh, clips).dump();
+  std::string text = document(buffer, body, clips).dump();
   while (text.size() % 4 != 0) text.push_back(' ');
   std::vector<std::byte> file;
   append_word(file, magic);

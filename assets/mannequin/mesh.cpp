@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "assets/mannequin/occlusion.h"
+#include "assets/mannequin/shape.h"
 
 namespace throng::mannequin {
 namespace {
@@ -20,32 +20,33 @@ using Triangle = std::array<std::size_t, 3>;
 /// The nearest multiple of `step`; never the negative zero, whose sign depends on the last bit of what was rounded.
 dvec3 rounded(dvec3 value, double step) { return glm::round(value / step) * step + dvec3(0); }
 
-/// Cut along the shorter diagonal; on a tie along the first, so that both halves of the body agree.
-std::array<Triangle, 2> split(const Quad& quad, const std::vector<dvec3>& positions) {
-  const auto& c = quad.corners;
-  const double first = glm::distance(positions[c[0]], positions[c[2]]);
-  const double second = glm::distance(positions[c[1]], positions[c[3]]);
-  if (second < first - position_step) return {{{c[0], c[1], c[3]}, {c[1], c[2], c[3]}}};
-  return {{{c[0], c[1], c[2]}, {c[0], c[2], c[3]}}};
+/// Cuts off the corner whose neighbours are nearest to each other, until a triangle is left. On a tie the first, so
+/// that both halves of the body agree.
+void cut(std::vector<std::size_t> corners, const std::vector<SkinPoint>& points, std::vector<Triangle>& triangles) {
+  while (corners.size() > 3) {
+    const std::size_t n = corners.size();
+    std::size_t best = 1;
+    double shortest = 1e9;
+    for (std::size_t i = 1; i <= n; ++i) {
+      const double length = glm::distance(points[corners[(i - 1) % n]].position, points[corners[(i + 1) % n]].position);
+      if (length >= shortest - position_step) continue;
+      shortest = length;
+      best = i % n;
+    }
+    triangles.push_back({corners[(best + n - 1) % n], corners[best], corners[(best + 1) % n]});
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  triangles.push_back({corners[0], corners[1], corners[2]});
 }
 
-/// Normals weighted by the angle at the vertex, of the quads rather than of the triangles cut from them.
-std::vector<dvec3> smooth_normals(const Surface& surface, const std::vector<dvec3>& positions) {
-  std::vector<dvec3> normals(positions.size(), dvec3(0));
-  for (const Quad& quad : surface.quads) {
-    for (std::size_t c = 0; c < 4; ++c) {
-      const dvec3 here = positions[quad.corners[c]];
-      const dvec3 next = positions[quad.corners[(c + 1) % 4]] - here;
-      const dvec3 last = positions[quad.corners[(c + 3) % 4]] - here;
-      const dvec3 normal = glm::cross(next, last);
-      const double sine = glm::length(normal);
-      if (sine > 0) normals[quad.corners[c]] += normal / sine * std::atan2(sine, glm::dot(next, last));
-    }
+Weights only_kept(const Weights& weights, const std::function<bool(std::size_t)>& kept) {
+  Weights moved{};
+  for (std::size_t joint = 0; joint < joint_count; ++joint) {
+    std::size_t to = joint;
+    while (!kept(to)) to = skeleton()[to].parent;
+    moved[to] += weights[joint];
   }
-  for (dvec3& normal : normals) {
-    if (normal != dvec3(0)) normal = rounded(glm::normalize(normal), normal_step);
-  }
-  return normals;
+  return moved;
 }
 
 void strongest_four(const Weights& weights, MeshVertex& vertex) {
@@ -68,64 +69,84 @@ void strongest_four(const Weights& weights, MeshVertex& vertex) {
 
 std::uint8_t to_byte(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
 
-/// Gives every combination of surface vertex, region and paint its own mesh vertex.
+/// Gives every combination of point, region and paint its own mesh vertex.
 class Assembly {
  public:
-  Assembly(const Surface& surface, const std::vector<dvec3>& positions)
-      : surface_(surface), positions_(positions), normals_(smooth_normals(surface, positions)) {
-    std::vector<Triangle> triangles;
-    for (const Quad& quad : surface.quads) {
-      for (const Triangle& triangle : split(quad, positions)) triangles.push_back(triangle);
-    }
-    openness_ = bake_openness(positions, normals_, triangles);
-    for (const Quad& quad : surface.quads) {
-      for (const Triangle& triangle : split(quad, positions)) add(quad, triangle);
-    }
+  Assembly(const Skin& skin, const std::function<bool(std::size_t)>& kept)
+      : skin_(skin), kept_(kept), shapes_(shapes_of(skin)) {
+    for (const SkinFace& face : skin.faces) add(face);
   }
   Mesh take() { return std::move(mesh_); }
 
  private:
   using Key = std::tuple<std::size_t, Region, double, double, double>;
 
-  void add(const Quad& quad, const Triangle& triangle) {
-    std::array<std::uint16_t, 3> corners{};
-    for (std::size_t c = 0; c < 3; ++c) corners[c] = vertex(triangle[c], quad);
-    mesh_.triangles.push_back(corners);
+  void add(const SkinFace& face) {
+    std::vector<Triangle> triangles;
+    cut(face.corners, skin_.points, triangles);
+    for (const Triangle& triangle : triangles) {
+      std::array<std::uint16_t, 3> corners{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto corner = std::find(face.corners.begin(), face.corners.end(), triangle[c]) - face.corners.begin();
+        corners[c] = vertex(triangle[c], face.region, face.paint[static_cast<std::size_t>(corner)]);
+      }
+      mesh_.triangles.push_back(corners);
+    }
   }
 
-  std::uint16_t vertex(std::size_t at, const Quad& quad) {
-    const Key key{at, quad.region, quad.paint.x, quad.paint.y, quad.paint.z};
-    const auto [found, fresh] = known_.try_emplace(key, static_cast<std::uint16_t>(mesh_.vertices.size()));
-    if (fresh) {
-      MeshVertex made{};
-      made.position = positions_[at];
-      made.normal = normals_[at];
-      strongest_four(surface_.vertices[at].weights, made);
-      const dvec3 colour = quad.paint * openness_[at];
-      made.colour = {to_byte(colour.x), to_byte(colour.y), to_byte(colour.z), 255};
-      made.region = static_cast<float>(quad.region);
-      mesh_.vertices.push_back(made);
-    }
+  std::uint16_t vertex(std::size_t at, Region region, dvec3 paint) {
+    const auto [found, fresh] = known_.try_emplace(Key{at, region, paint.x, paint.y, paint.z},
+                                                   static_cast<std::uint16_t>(mesh_.vertices.size()));
+    if (!fresh) return found->second;
+    const SkinPoint& point = skin_.points[at];
+    MeshVertex made{};
+    made.position = rounded(point.position, position_step);
+    made.normal = point.normal;
+    strongest_four(only_kept(point.weights, kept_), made);
+    const dvec3 colour = paint * point.openness;
+    made.colour = {to_byte(colour.x), to_byte(colour.y), to_byte(colour.z), 255};
+    made.region = static_cast<float>(region);
+    made.shape = glm::round(shapes_[at].body / shape_step) * shape_step + dvec3(0);
+    made.hair = glm::round(shapes_[at].hair / shape_step) * shape_step + glm::dvec2(0);
+    mesh_.vertices.push_back(made);
     return found->second;
   }
 
-  const Surface& surface_;
-  const std::vector<dvec3>& positions_;
-  std::vector<dvec3> normals_;
-  std::vector<double> openness_;
+  const Skin& skin_;
+  const std::function<bool(std::size_t)>& kept_;
+  std::vector<Shape> shapes_;
   std::map<Key, std::uint16_t> known_;
   Mesh mesh_;
 };
 
 }  // namespace
 
-Mesh make_mesh(const Surface& surface) {
-  std::vector<dvec3> positions;
-  for (const CageVertex& vertex : surface.vertices) {
-    const dvec3 above_ground(vertex.position.x, std::max(vertex.position.y, 0.0), vertex.position.z);
-    positions.push_back(rounded(above_ground, position_step));
+std::vector<Triangle> triangles_of(const Skin& skin) {
+  std::vector<Triangle> triangles;
+  for (const SkinFace& face : skin.faces) cut(face.corners, skin.points, triangles);
+  return triangles;
+}
+
+void compute_normals(Skin& skin) {
+  std::vector<dvec3> normals(skin.points.size(), dvec3(0));
+  for (const SkinFace& face : skin.faces) {
+    const std::size_t n = face.corners.size();
+    for (std::size_t c = 0; c < n; ++c) {
+      const dvec3 here = skin.points[face.corners[c]].position;
+      const dvec3 next = skin.points[face.corners[(c + 1) % n]].position - here;
+      const dvec3 last = skin.points[face.corners[(c + n - 1) % n]].position - here;
+      const dvec3 normal = glm::cross(next, last);
+      const double sine = glm::length(normal);
+      if (sine > 0) normals[face.corners[c]] += normal / sine * std::atan2(sine, glm::dot(next, last));
+    }
   }
-  return Assembly(surface, positions).take();
+  for (std::size_t p = 0; p < normals.size(); ++p) {
+    skin.points[p].normal = normals[p] == dvec3(0) ? normals[p] : rounded(glm::normalize(normals[p]), normal_step);
+  }
+}
+
+Mesh make_mesh(const Skin& skin, const std::function<bool(std::size_t joint)>& kept) {
+  return Assembly(skin, kept).take();
 }
 
 }  // namespace throng::mannequin

@@ -2,17 +2,41 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "assets/mannequin/surface.h"
+#include "assets/mannequin/cage.h"
 
 namespace throng::mannequin {
 
 inline constexpr double position_step = 1.0 / 65536;  ///< Metres; positions are whole multiples of it.
 inline constexpr double normal_step = 1.0 / 4096;
 inline constexpr double weight_step = 1.0 / 256;
+
+/// A point of the body's surface with all that is the same for every face that meets there.
+struct SkinPoint {
+  glm::dvec3 position;
+  glm::dvec3 normal{0};
+  double openness = 1;  ///< 0 to 1, see bake_openness
+  Weights weights;
+};
+
+/// A face of any number of corners, counter-clockwise seen from outside.
+struct SkinFace {
+  std::vector<std::size_t> corners;
+  Region region;
+  std::vector<glm::dvec3> paint;  ///< Per corner.
+};
+
+/// The body at one level of detail, before it is cut into triangles.
+struct Skin {
+  std::vector<SkinPoint> points;
+  std::vector<SkinFace> faces;
+};
 
 /// One vertex as it is written: what is shared by faces of one region and paint.
 struct MeshVertex {
@@ -22,6 +46,8 @@ struct MeshVertex {
   std::array<float, 4> weights;        ///< Descending, whole multiples of weight_step, exactly one in sum.
   std::array<std::uint8_t, 4> colour;  ///< Linear albedo factor; alpha is 255.
   float region;
+  glm::vec3 shape;  ///< Whole multiples of shape_step, as `hair`; see Shape.
+  glm::vec2 hair;
 };
 
 struct Mesh {
@@ -29,7 +55,14 @@ struct Mesh {
   std::vector<std::array<std::uint16_t, 3>> triangles;  ///< Counter-clockwise seen from outside.
 };
 
-/// Triangles, normals, baked occlusion, at most four joints per vertex; everything rounded to its step.
-Mesh make_mesh(const Surface& surface);
+/// Faces cut along their shortest diagonals.
+std::vector<std::array<std::size_t, 3>> triangles_of(const Skin& skin);
+
+/// Normals weighted by the angle at the point, of the faces rather than of the triangles cut from them; rounded.
+void compute_normals(Skin& skin);
+
+/// Triangles, at most four joints per vertex; everything rounded to its step. What follows a joint that `kept` leaves
+/// out follows its nearest kept ancestor.
+Mesh make_mesh(const Skin& skin, const std::function<bool(std::size_t joint)>& kept);
 
 }  // namespace throng::mannequin

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -113,16 +114,31 @@ void place_arm(Pose& pose, Side side, const ArmAngles& angles) {
   pose[on_side("hand", side)] = sided(pronation * about(axis_z, -angles.wrist_flexion), side);
 }
 
-void curl_fingers(Pose& pose, Side side, double curl) {
+ArmAngles mix(const ArmAngles& from, const ArmAngles& to, double share) {
+  const auto between = [&](double ArmAngles::*angle) { return glm::mix(from.*angle, to.*angle, share); };
+  return {.flexion = between(&ArmAngles::flexion),
+          .abduction = between(&ArmAngles::abduction),
+          .inward_twist = between(&ArmAngles::inward_twist),
+          .elbow = between(&ArmAngles::elbow),
+          .pronation = between(&ArmAngles::pronation),
+          .wrist_flexion = between(&ArmAngles::wrist_flexion),
+          .shrug = between(&ArmAngles::shrug),
+          .reach = between(&ArmAngles::reach)};
+}
+
+void curl_fingers(Pose& pose, Side side, const std::function<double(double late)>& curl) {
   const dvec3 across_palm = glm::normalize(left_arm().thumbwards * -0.8 - left_arm().backwards * 0.6);
+  double finger_late = 0;
   for (const Finger& finger : left_fingers()) {
     const bool thumb = finger.name == "thumb";
     const dvec3 axis = thumb ? glm::normalize(glm::cross(finger.directions[1], across_palm)) : -axis_z;
     for (int bone = 1; bone <= 3; ++bone) {
       const double share = thumb ? (bone == 1 ? 0.3 : 0.6) : (bone == 3 ? 0.7 : 1.0);
+      const double late = finger_late + 0.1 * (bone - 1);
       pose[on_side(std::string(finger.name) + "." + std::to_string(bone), side)] =
-          sided(about(axis, curl * share), side);
+          sided(about(axis, curl(late) * share), side);
     }
+    finger_late += 0.2;
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string_view>
 
 #include <glm/gtc/quaternion.hpp>
@@ -58,9 +59,12 @@ struct ArmAngles {
   double reach = 0;          ///< Collar bone forward.
 };
 void place_arm(Pose& pose, Side side, const ArmAngles& angles);
+/// Angle by angle.
+ArmAngles mix(const ArmAngles& from, const ArmAngles& to, double share);
 
-/// Bends all fingers by so many degrees per joint beyond rest; negative opens the hand.
-void curl_fingers(Pose& pose, Side side, double curl);
+/// Bends all fingers by so many degrees per joint beyond rest; negative opens the hand. `curl` is asked how late each
+/// finger shall be, from 0 for the thumb's root to 1 for the tip of the little finger.
+void curl_fingers(Pose& pose, Side side, const std::function<double(double late)>& curl);
 
 /// Turns neck and head so that the head faces `facing` in the world, whatever the trunk does.
 void steady_head(Pose& pose, const glm::dquat& facing);

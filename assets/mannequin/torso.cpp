@@ -57,7 +57,7 @@ Trunk add_trunk(Cage& cage) {
   const Weights pit = bind({{"upper_chest", 0.65}, {"upper_arm_twist.L", 0.35}});
   const Weights below_pit = bind({{"upper_chest", 0.8}, {"shoulder.L", 0.1}, {"upper_arm_twist.L", 0.1}});
   Trunk trunk{};
-  trunk.crease = add_section(cage, {0.905, 0.170, 0.104, -0.128, 0.040, 0.055, 0.9},
+  trunk.crease = add_section(cage, {0.905, 0.170, 0.100, -0.128, 0.046, 0.055, 0.9},
                              {hips, crease, crease, crease, crease, crease, hips});
   trunk.waistband = add_section(cage, {0.972, 0.161, 0.098, -0.118, 0.006, 0.0, 0.88}, everywhere(hips));
   trunk.hem = add_section(cage, {0.956, 0.174, 0.111, -0.141, 0.008, 0.0, 0.90}, everywhere(hips));
@@ -106,7 +106,7 @@ TorsoBorders add_torso(Cage& cage) {
   const Weights throat = bind({{"upper_chest", 0.55}, {"neck", 0.45}});
   const HalfRing slope = add_section(cage, {1.494, 0.112, 0.048, -0.092, 0.022, -0.004, 0.95}, everywhere(yoke));
   const HalfRing collar = add_section(cage, {1.514, 0.071, 0.046, -0.083, 0.030, 0.0, 1.0}, everywhere(throat));
-  const HalfRing skin = add_section(cage, {1.510, 0.063, 0.038, -0.076, 0.030, 0.0, 1.0}, everywhere(throat));
+  const HalfRing skin = add_section(cage, {1.510, 0.059, 0.036, -0.074, 0.030, 0.0, 1.0}, everywhere(throat));
   cage.bridge(trunk.crease, trunk.waistband, false, Region::trousers);
   cage.bridge(trunk.waistband, trunk.hem, false, Region::shirt, paint::fold, true);
   cage.bridge(trunk.hem, trunk.waist, false, Region::shirt);
@@ -122,7 +122,7 @@ TorsoBorders add_torso(Cage& cage) {
   const HalfRing& low = trunk.armpit;
   const HalfRing& mid = trunk.shoulder_blade;
   const HalfRing& top = trunk.shoulder;
-  const std::size_t crotch = cage.add({0, 0.838, -0.008}, bind({{"hips", 0.6}, {"thigh.L", 0.4}}));
+  const std::size_t crotch = cage.add({0, 0.832, 0.006}, bind({{"hips", 0.6}, {"thigh.L", 0.4}}));
   const HalfRing& leg = trunk.crease;
   return {skin,
           {low[3], low[4], mid[4], top[4], top[3], top[2], mid[2], low[2]},

@@ -13,7 +13,9 @@ struct MeshPartData {
   std::span<const float> normals;                  ///< x y z, unit
   std::span<const float> texture_coords;           ///< u v, or empty
   std::span<const float> colors;                   ///< linear r g b a, or empty: white
-  std::span<const std::uint8_t> regions;           ///< tint region 0..4 a vertex, or empty: untinted
+  std::span<const std::uint8_t> regions;           ///< tint region 0..4 a vertex, or empty: untinted; so are others
+  std::span<const float> shapes;                   ///< three a vertex, -1..1, or empty: see SurfaceVertex
+  std::span<const float> hair;                     ///< two a vertex, -1..1, or empty
   std::span<const std::uint16_t> palette_entries;  ///< four a vertex
   std::span<const float> weights;                  ///< four a vertex, sum 1
   std::span<const std::uint32_t> indices;          ///< triangles, counter-clockwise front
@@ -39,8 +41,15 @@ struct BoneEndData {
   std::uint16_t palette_entry = 0;
 };
 
+/// A coarser surface that came with the character.
+struct BakedLodData {
+  std::vector<MeshPartData> parts;
+  float error = 0.0F;  ///< metres
+};
+
 struct CrowdMeshData {
   std::vector<MeshPartData> parts;
+  std::vector<BakedLodData> baked_lods;  ///< finest first, used instead of simplifying `parts`; or empty
   std::vector<MaterialData> materials;
   std::vector<ImageData> images;
   /// For each bone level, entry -> entry that a vertex reads at that level (itself where kept, else the one of the

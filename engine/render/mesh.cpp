@@ -48,12 +48,14 @@ struct FloatAttribute {
   GLuint offset;
 };
 
-constexpr std::array<FloatAttribute, 5> float_attributes = {{
+constexpr std::array<FloatAttribute, 7> float_attributes = {{
     {SurfaceAttribute::position, 3, GL_FLOAT, offsetof(SurfaceVertex, position)},
     {SurfaceAttribute::normal, 3, GL_FLOAT, offsetof(SurfaceVertex, normal)},
     {SurfaceAttribute::texture_coord, 2, GL_FLOAT, offsetof(SurfaceVertex, texture_coord)},
     {SurfaceAttribute::color, 4, GL_UNSIGNED_SHORT, offsetof(SurfaceVertex, color)},
     {SurfaceAttribute::weights, 4, GL_UNSIGNED_SHORT, offsetof(SurfaceVertex, weights)},
+    {SurfaceAttribute::shape, 3, GL_BYTE, offsetof(SurfaceVertex, shape)},
+    {SurfaceAttribute::hair, 2, GL_BYTE, offsetof(SurfaceVertex, hair)},
 }};
 
 void describe_vertex(GLuint array) {
@@ -103,6 +105,7 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   mesh.runs_by_lod_ = std::move(surface.runs_by_lod);
   mesh.triangles_by_lod_ = std::move(surface.triangles_by_lod);
   mesh.error_by_lod_ = std::move(surface.error_by_lod);
+  mesh.vertex_count_ = surface.vertex_count;
   mesh.first_bone_end_ = surface.first_bone_end;
   mesh.bone_end_count_ = surface.bone_end_count;
   return mesh;

@@ -20,7 +20,7 @@ struct CrowdMaterial {
 };
 
 /// Vertex attributes as `shaders/crowd_vertex.glsl` reads them.
-enum class SurfaceAttribute : GLuint { position, normal, texture_coord, color, weights, region };
+enum class SurfaceAttribute : GLuint { position, normal, texture_coord, color, weights, region, shape, hair };
 
 /// A character's surface on the device: vertices, the palette entries they read at each bone level, mesh LODs,
 /// materials.
@@ -41,10 +41,10 @@ class CrowdMesh {
   /// Binds vertices, 32-bit indices and, for the program in use, the palette entries of all bone levels.
   void bind() const;
 
-  /// Vertices of the surface, the first ones in the vertex array.
-  std::uint32_t vertex_count() const { return first_bone_end_; }
+  /// Vertices of the full surface, the first ones in the vertex array; those of baked mesh LODs are behind them.
+  std::uint32_t vertex_count() const { return vertex_count_; }
 
-  /// Ends of bone lines behind them, two a bone.
+  /// Ends of bone lines, the last, two a bone.
   std::uint32_t first_bone_end() const { return first_bone_end_; }
   std::uint32_t bone_end_count() const { return bone_end_count_; }
 
@@ -60,6 +60,7 @@ class CrowdMesh {
   std::vector<float> error_by_lod_;
   std::vector<gl::Texture> textures_;
   std::vector<CrowdMaterial> materials_;
+  std::uint32_t vertex_count_ = 0;
   std::uint32_t first_bone_end_ = 0;
   std::uint32_t bone_end_count_ = 0;
 };

@@ -19,6 +19,14 @@ std::uint16_t to_unorm16(float value) {
   return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * unorm16));
 }
 
+void store_shares(std::span<const float> shares, std::size_t vertex, std::span<std::int8_t> stored) {
+  if (shares.empty()) return;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    const float share = std::clamp(shares[vertex * stored.size() + i], -1.0F, 1.0F);
+    stored[i] = static_cast<std::int8_t>(std::lround(share * 127.0F));
+  }
+}
+
 /// Rounded weights that still sum to one: the strongest takes what rounding left over.
 void store_weights(std::span<const float> weights, std::uint16_t* stored) {
   int sum = 0;
@@ -40,6 +48,8 @@ SurfaceVertex vertex_of(const MeshPartData& part, std::size_t i) {
   }
   store_weights(part.weights.subspan(i * 4, 4), vertex.weights);
   vertex.region = part.regions.empty() ? untinted_region : part.regions[i];
+  store_shares(part.shapes, i, vertex.shape);
+  store_shares(part.hair, i, vertex.hair);
   return vertex;
 }
 
@@ -121,6 +131,23 @@ void append_lod(std::span<const std::uint32_t> lod, std::span<const int> materia
   surface.triangles_by_lod.push_back(static_cast<std::uint32_t>(lod.size() / 3));
 }
 
+void append_baked_lod(const BakedLodData& baked, int material_count, Surface& surface, Merged& merged) {
+  const std::size_t first_index = merged.indices.size();
+  for (const MeshPartData& part : baked.parts) append_part(part, surface, merged);
+  const std::span<const std::uint32_t> indices(merged.indices);
+  append_lod(indices.subspan(first_index), merged.materials, material_count, surface);
+  surface.error_by_lod.push_back(baked.error);
+}
+
+void append_simplified_lods(const Merged& merged, int material_count, Surface& surface) {
+  const SkinnedSurfaceView view{merged.positions, merged.influences, merged.belongs_to, merged.indices,
+                                merged.texture_coords};
+  for (const MeshLod& lod : build_mesh_lods(view)) {
+    append_lod(lod.indices, merged.materials, material_count, surface);
+    surface.error_by_lod.push_back(lod.error);
+  }
+}
+
 std::vector<PaletteEntries> entries_at(std::span<const PaletteEntries> entries,
                                        std::span<const std::uint16_t> entry_at_level) {
   std::vector<PaletteEntries> moved(entries.begin(), entries.end());
@@ -139,17 +166,18 @@ Surface build_surface(const CrowdMeshData& data) {
   Surface surface;
   Merged merged;
   for (const MeshPartData& part : data.parts) append_part(part, surface, merged);
-  append_bone_ends(data.bone_ends, surface, merged);
+  surface.vertex_count = static_cast<std::uint32_t>(surface.vertices.size());
   const auto material_count = static_cast<int>(data.materials.size());
+  if (!data.baked_lods.empty()) {
+    append_lod(merged.indices, merged.materials, material_count, surface);
+    surface.error_by_lod.push_back(0.0F);
+  }
+  for (const BakedLodData& baked : data.baked_lods) append_baked_lod(baked, material_count, surface, merged);
+  append_bone_ends(data.bone_ends, surface, merged);
   if (std::ranges::any_of(data.materials, [](const MaterialData& material) { return material.image >= 0; })) {
     merged.texture_coords = texture_coords_of(surface.vertices);
   }
-  const SkinnedSurfaceView view{merged.positions, merged.influences, merged.belongs_to, merged.indices,
-                                merged.texture_coords};
-  for (const MeshLod& lod : build_mesh_lods(view)) {
-    append_lod(lod.indices, merged.materials, material_count, surface);
-    surface.error_by_lod.push_back(lod.error);
-  }
+  if (data.baked_lods.empty()) append_simplified_lods(merged, material_count, surface);
   for (const std::vector<std::uint16_t>& entry_at_level : data.entry_at_level) {
     surface.entries_by_level.push_back(entries_at(merged.palette_entries, entry_at_level));
   }

@@ -18,7 +18,9 @@ inline constexpr std::uint8_t untinted_region = 255;
 ///     24  texture coordinates u v
 ///     32  color r g b a     linear, 1 is 65535
 ///     40  weights           four, sum 65535
-///     48  tint region       0..4, or 255: untinted
+///     48  tint region       0..4, or another: untinted
+///     49  shape             of an instance's build, frame and posture (InstanceRecord), 1 is 127
+///     52  hair              of its fullness and length, 1 is 127
 struct SurfaceVertex {
   float position[3];
   float normal[3];
@@ -26,10 +28,13 @@ struct SurfaceVertex {
   std::uint16_t color[4];
   std::uint16_t weights[4];
   std::uint8_t region;
-  std::uint8_t unused[3];
+  std::int8_t shape[3];
+  std::int8_t hair[2];
+  std::uint8_t unused[2];
 };
-static_assert(sizeof(SurfaceVertex) == 52);
+static_assert(sizeof(SurfaceVertex) == 56);
 static_assert(offsetof(SurfaceVertex, region) == 48);
+static_assert(offsetof(SurfaceVertex, hair) == 52);
 
 using PaletteEntries = std::array<std::uint16_t, 4>;
 
@@ -49,6 +54,7 @@ struct Surface {
   std::vector<std::vector<MaterialRun>> runs_by_lod;          ///< at most one run a material
   std::vector<std::uint32_t> triangles_by_lod;
   std::vector<float> error_by_lod;  ///< metres
+  std::uint32_t vertex_count = 0;   ///< of the full surface, the first of all; those of baked LODs follow
   std::uint32_t first_bone_end = 0;
   std::uint32_t bone_end_count = 0;
 };

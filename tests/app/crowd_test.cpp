@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -155,6 +156,59 @@ TEST(Crowd, EveryoneStaysWithinTheRangesOfLooksAndPace) {
     const Heading heading = crowd.headings()[agent];
     EXPECT_NEAR(heading.cosine * heading.cosine + heading.sine * heading.sine, 1.0F, 1e-5F);
     for (const std::uint32_t tint : crowd.tints()[agent]) EXPECT_EQ(tint >> 24U, 0xFFU);
+  }
+}
+
+TEST(Crowd, SitsDownAndStandsUpByTheClipsForThat) {
+  CharacterRoles character = person();
+  character.sit_down = {20, 2.0};
+  character.stand_up = {21, 1.8};
+  Crowd crowd(Scene::stadium, 200, 1, character);
+  const int seat = character.clip(Role::sit);
+  std::vector<int> shown(crowd.clips().begin(), crowd.clips().end());
+  std::set<int> passages;
+  for (int i = 0; i < 60 * 60; ++i) {
+    for (const ClipRequest& request : crowd.advance(frame)) {
+      const int before = std::exchange(shown[request.agent], request.clip);
+      if (request.clip == 20 || request.clip == 21) passages.insert(request.clip);
+      // Nobody takes a seat but by sitting down; only the wave makes them jump up.
+      EXPECT_TRUE(request.clip != seat || before == 20);
+      EXPECT_TRUE(request.clip != 21 || before == seat || before == 20);
+      EXPECT_TRUE(before != 20 || request.clip == seat || request.clip == 21 || request.role == Role::cheer);
+    }
+  }
+  EXPECT_EQ(passages, (std::set<int>{20, 21}));
+}
+
+/// Whether somebody would take one for the other: of one height to a centimetre, as stout, broad and stooped, with the
+/// same hair and in clothes of the same colours.
+bool are_twins(const Crowd& crowd, std::size_t a, std::size_t b) {
+  const auto near = [](float one, float other, float most) { return std::abs(one - other) < most; };
+  const auto alike = [](std::uint32_t one, std::uint32_t other) {
+    for (const unsigned shift : {0U, 8U, 16U}) {
+      const int difference = static_cast<int>((one >> shift) & 0xFFU) - static_cast<int>((other >> shift) & 0xFFU);
+      if (std::abs(difference) > 24) return false;
+    }
+    return true;
+  };
+  const Variant& one = crowd.variants()[a];
+  const Variant& other = crowd.variants()[b];
+  return near(crowd.scales()[a] * 1.8F, crowd.scales()[b] * 1.8F, 0.01F) && near(one.build, other.build, 0.15F) &&
+         near(one.frame, other.frame, 0.2F) && near(one.posture, other.posture, 0.2F) &&
+         near(one.fullness, other.fullness, 0.3F) && near(one.length, other.length, 0.3F) &&
+         std::ranges::equal(crowd.tints()[a], crowd.tints()[b], alike);
+}
+
+TEST(Crowd, OfAThousandShowsNoTwinBesideATwin) {
+  constexpr float beside = 8.0F;  // metres
+  for (const Scene scene : {Scene::plaza, Scene::grid, Scene::stadium}) {
+    const Crowd crowd(scene, 1000, 1, person());
+    for (std::size_t a = 0; a < crowd.size(); ++a) {
+      for (std::size_t b = a + 1; b < crowd.size(); ++b) {
+        if (glm::distance(crowd.positions()[a], crowd.positions()[b]) > beside) continue;
+        EXPECT_FALSE(are_twins(crowd, a, b)) << a << " and " << b;
+      }
+    }
   }
 }
 

@@ -23,6 +23,7 @@ double number_at(const std::byte* place) {
 
 std::size_t components(const std::string& type) {
   if (type == "SCALAR") return 1;
+  if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
   return type == "VEC4" ? 4 : 16;
 }
@@ -75,8 +76,8 @@ std::vector<double> CharacterFile::values(std::size_t accessor) const {
   return numbers;
 }
 
-std::vector<double> CharacterFile::attribute(const std::string& name) const {
-  return values(primitive()["attributes"].at(name).get<std::size_t>());
+std::vector<double> CharacterFile::attribute(const std::string& name, std::size_t mesh) const {
+  return values(primitive(mesh)["attributes"].at(name).get<std::size_t>());
 }
 
 std::vector<std::string> CharacterFile::joint_names() const {

@@ -22,10 +22,13 @@ class CharacterFile {
   static CharacterFile committed();
 
   [[nodiscard]] const nlohmann::json& json() const { return json_; }
-  [[nodiscard]] const nlohmann::json& primitive() const { return json_["meshes"][0]["primitives"][0]; }
+  /// Of mesh 0, the full one, or of those of its LODs, 1 to 3.
+  [[nodiscard]] const nlohmann::json& primitive(std::size_t mesh = 0) const {
+    return json_["meshes"][mesh]["primitives"][0];
+  }
   /// All numbers of an accessor as stored, components in a row.
   [[nodiscard]] std::vector<double> values(std::size_t accessor) const;
-  [[nodiscard]] std::vector<double> attribute(const std::string& name) const;
+  [[nodiscard]] std::vector<double> attribute(const std::string& name, std::size_t mesh = 0) const;
   [[nodiscard]] std::vector<std::string> joint_names() const;
 
  private:

@@ -65,6 +65,8 @@ void StagedCrowd::pass_frame() {
   const int coarsest = static_cast<int>(renderer_->meshes().front().lod_count()) - 1;
   picture_.compose(*stage_, [coarsest](std::uint8_t, float, int) { return coarsest; });
   instances_.assign(picture_.instances().begin(), picture_.instances().end());
+  // The reference knows poses, not whose body is stout.
+  for (render::InstanceRecord& record : instances_) record.shape = record.hair = 0;
 }
 
 // Smooth skipping: an update looks ahead, and the pose that was reached until now is left behind.

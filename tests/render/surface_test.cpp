@@ -50,6 +50,22 @@ TEST(Surface, HasOneRunAMaterialWithItsTriangles) {
   EXPECT_EQ(surface.triangles_by_lod[0], 4U);
 }
 
+TEST(Surface, TakesMeshLodsThatCameWithTheCharacterAsTheyAre) {
+  TwoQuads quads;
+  const std::vector<std::uint32_t> one_triangle{0, 2, 3};
+  MeshPartData coarse = quads.data.parts[0];
+  coarse.indices = one_triangle;
+  quads.data.baked_lods.push_back({{coarse}, 0.5F});
+  const Surface surface = build_surface(quads.data);
+  EXPECT_EQ(surface.triangles_by_lod, (std::vector<std::uint32_t>{4, 1}));
+  EXPECT_EQ(surface.error_by_lod, (std::vector<float>{0.0F, 0.5F}));
+  EXPECT_EQ(surface.vertex_count, 8U) << "of the full surface";
+  EXPECT_EQ(surface.first_bone_end, 12U) << "its own vertices lie behind them";
+  const MaterialRun run = surface.runs_by_lod[1].front();
+  EXPECT_EQ(run.material, coarse.material);
+  for (std::uint32_t i = 0; i < run.index_count; ++i) EXPECT_GE(surface.indices[run.first_index + i], 8U);
+}
+
 TEST(Surface, StoresWeightsThatSumToOneExactly) {
   const Surface surface = build_surface(TwoQuads().data);
   for (const SurfaceVertex& vertex : surface.vertices) {

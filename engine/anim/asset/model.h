@@ -48,10 +48,18 @@ struct SkinnedMesh {
   std::vector<glm::vec3> normals;             ///< one a position; computed where the file has none
   std::vector<glm::vec2> texture_coords;      ///< one a position, or empty
   std::vector<glm::vec4> colors;              ///< linear RGBA, one a position, or empty
-  std::vector<std::uint8_t> regions;          ///< tint region of `_REGION` (0..4), one a position, or empty
+  std::vector<std::uint8_t> regions;          ///< `_REGION`: tint region 0..4, or 5: untinted; one a position, or empty
+  std::vector<glm::vec3> shapes;              ///< `_SHAPE`: stout, broad, stooped, -1..1; one a position, or empty
+  std::vector<glm::vec2> hair;                ///< `_HAIR`: full, long, -1..1; one a position, or empty
   std::vector<glm::u16vec4> palette_entries;  ///< four influences a position, strongest first
   std::vector<glm::vec4> weights;             ///< sum to 1; what the file has beyond four is dropped and reported
   std::vector<std::uint32_t> indices;         ///< triangles, counter-clockwise front
+};
+
+/// A coarser surface that the file brings along, weights and all.
+struct BakedMeshLod {
+  double error = 0.0;  ///< metres from the full surface, as the file says
+  std::vector<SkinnedMesh> meshes;
 };
 
 /// One skeleton of a file with all that hangs on it.
@@ -60,7 +68,8 @@ struct Model {
   std::vector<Skin> skins;
   std::vector<Clip> clips;
   std::vector<SkinnedMesh> meshes;
-  std::vector<Material> materials;  ///< at least one if there is a mesh
+  std::vector<BakedMeshLod> mesh_lods;  ///< finest first; empty unless the file has them for all of `meshes`
+  std::vector<Material> materials;      ///< at least one if there is a mesh
   std::vector<Image> images;
 };
 

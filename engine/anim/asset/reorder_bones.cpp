@@ -55,6 +55,14 @@ void reorder_clip(Clip& clip, const Places& places) {
   std::ranges::sort(clip.tracks, {}, &BoneTracks::bone);
 }
 
+void reorder_influences(std::vector<SkinnedMesh>& meshes, const Places& entry_places) {
+  for (SkinnedMesh& mesh : meshes) {
+    for (glm::u16vec4& vertex : mesh.palette_entries) {
+      for (int i = 0; i < 4; ++i) vertex[i] = static_cast<std::uint16_t>(at(entry_places, vertex[i]));
+    }
+  }
+}
+
 }  // namespace
 
 void reorder_bones(Model& model, const BoneOrder& order) {
@@ -67,11 +75,8 @@ void reorder_bones(Model& model, const BoneOrder& order) {
     for (int& entry : skin.palette_entries) entry = at(entry_places, entry);
   }
   for (Clip& clip : model.clips) reorder_clip(clip, places);
-  for (SkinnedMesh& mesh : model.meshes) {
-    for (glm::u16vec4& vertex : mesh.palette_entries) {
-      for (int i = 0; i < 4; ++i) vertex[i] = static_cast<std::uint16_t>(at(entry_places, vertex[i]));
-    }
-  }
+  reorder_influences(model.meshes, entry_places);
+  for (BakedMeshLod& lod : model.mesh_lods) reorder_influences(lod.meshes, entry_places);
 }
 
 }  // namespace throng::anim

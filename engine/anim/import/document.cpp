@@ -41,6 +41,19 @@ std::vector<std::vector<anim::NamedDataKey>> take_data_keys(json& document) {
   return animations;
 }
 
+std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
+  std::vector<std::vector<MeshLodNode>> nodes;
+  if (!document.contains("nodes")) return nodes;
+  for (json& node : document["nodes"]) {
+    std::vector<MeshLodNode>& lods = nodes.emplace_back();
+    for (const json& lod : node.value(mesh_lods_property, json::array())) {
+      lods.push_back({.node = lod["node"].get<int>(), .error = lod["error"].get<double>()});
+    }
+    node.erase(mesh_lods_property);
+  }
+  return nodes;
+}
+
 bool refuse_to_load(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
   return false;
 }
@@ -74,6 +87,7 @@ Document load_document(const std::filesystem::path& path) {
   document.folder = path.parent_path();
   document.images = take_images(json_document);
   document.data_keys = take_data_keys(json_document);
+  document.mesh_lods = take_mesh_lods(json_document);
   document.buffer_views = load_buffer_views(json_document, parts.binary, document.folder);
   for (const char* key : {"buffers", "cameras", "samplers", "extensions", "extensionsUsed", "extensionsRequired"}) {
     json_document.erase(key);

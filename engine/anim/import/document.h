@@ -18,6 +18,12 @@ struct ImageSource {
   std::string uri;
 };
 
+/// A coarser mesh that stands in for a node's (json_document.h).
+struct MeshLodNode {
+  int node = -1;
+  double error = 0.0;  ///< metres
+};
+
 /// A checked glTF document. `gltf` holds what tinygltf made of the JSON; buffers and images are ours, because tinygltf
 /// would open any path. Indices between objects are in range, buffer views lie inside their buffers, accessors inside
 /// their views.
@@ -28,6 +34,7 @@ struct Document {
   BufferViews buffer_views;
   std::vector<ImageSource> images;
   std::vector<std::vector<anim::NamedDataKey>> data_keys;  ///< by animation; as the file has them
+  std::vector<std::vector<MeshLodNode>> mesh_lods;         ///< by node; as the file has them
   std::vector<std::string> repairs;
   mutable std::size_t decoded_values = 0;  ///< of all accessors read so far; bounded by the accessor reader
 };

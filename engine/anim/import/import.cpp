@@ -31,7 +31,9 @@ std::vector<int> parents_of(const anim::Skeleton& skeleton) {
 anim::Model build_model(Document& document, const NodeTree& tree, BuiltSkeleton built) {
   MaterialCollector materials(document);
   anim::Model model;
-  model.meshes = read_meshes(document, tree, built, materials);
+  Surfaces surfaces = read_surfaces(document, tree, built, materials);
+  model.meshes = std::move(surfaces.meshes);
+  model.mesh_lods = std::move(surfaces.mesh_lods);
   model.skeleton = std::move(built.skeleton);
   model.skins = std::move(built.skins);
   model.clips = std::move(built.clips);

@@ -52,18 +52,18 @@ void keep_read_extensions(json& object) {
   *extensions = std::move(kept);
 }
 
-/// Extras may be anything, and go. The data keys among those of an animation become a property of the animation, so
-/// that they are checked as all others are.
-void keep_data_keys(json& document) {
-  const auto animations = document.find("animations");
-  if (animations == document.end() || !animations->is_array()) return;
-  for (json& animation : *animations) {
-    if (!animation.is_object()) continue;
-    animation.erase(data_keys_property);
-    const auto extras = animation.find("extras");
-    if (extras == animation.end() || !extras->is_object() || !extras->contains(data_keys_property)) continue;
-    json keys = std::move((*extras)[data_keys_property]);
-    animation[data_keys_property] = std::move(keys);
+/// Extras may be anything, and go. What we read among those of `array` becomes a property of the object itself, so that
+/// it is checked as all others are.
+void keep_extra(json& document, const char* array, const char* property) {
+  const auto objects = document.find(array);
+  if (objects == document.end() || !objects->is_array()) return;
+  for (json& object : *objects) {
+    if (!object.is_object()) continue;
+    object.erase(property);
+    const auto extras = object.find("extras");
+    if (extras == object.end() || !extras->is_object() || !extras->contains(property)) continue;
+    json kept = std::move((*extras)[property]);
+    object[property] = std::move(kept);
   }
 }
 
@@ -92,7 +92,8 @@ nlohmann::json parse_json(std::string_view text) {
   json document = json::parse(text.begin(), text.end(), nullptr, false);
   if (document.is_discarded()) throw Refusal("it is neither GLB nor valid JSON; export the file again as glTF 2.0");
   if (!document.is_object()) throw Refusal("its JSON is not an object; export the file again as glTF 2.0");
-  keep_data_keys(document);
+  keep_extra(document, "animations", data_keys_property);
+  keep_extra(document, "nodes", mesh_lods_property);
   simplify(document);
   return document;
 }

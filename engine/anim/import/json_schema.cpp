@@ -39,6 +39,10 @@ constexpr auto properties = std::to_array<Property>({
     {"node", "rotation", Kind::numbers, {}, 4},
     {"node", "scale", Kind::numbers, {}, 3},
 
+    {"node", mesh_lods_property, Kind::objects, "mesh LOD"},
+    {"mesh LOD", "node", Kind::index, "nodes", 0, required},
+    {"mesh LOD", "error", Kind::number, {}, 0, required},
+
     {"mesh", "name", Kind::text},
     {"mesh", "primitives", Kind::objects, "primitive", 1, required},
 

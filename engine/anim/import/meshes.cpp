@@ -9,6 +9,7 @@
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/influences.h"
 #include "engine/anim/import/reference_frames.h"
+#include "engine/anim/import/refusal.h"
 #include "engine/anim/import/surface.h"
 
 namespace throng::import {
@@ -20,22 +21,59 @@ class MeshReader {
   MeshReader(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton, MaterialCollector& materials)
       : document_(document), tree_(tree), built_(skeleton), materials_(materials) {}
 
-  std::vector<anim::SkinnedMesh> read() {
+  Surfaces read() {
+    std::vector<int> skinned;
     for (int node = 0; node < tree_.size(); ++node) {
-      if (tree_.in_scene[static_cast<std::size_t>(node)]) read_skinned(node);
+      if (tree_.in_scene[static_cast<std::size_t>(node)] && read_skinned(node)) skinned.push_back(node);
     }
     for (const AttachedMesh& attached : built_.attached) read_attached(attached);
-    return std::move(meshes_);
+    Surfaces surfaces{.meshes = std::exchange(meshes_, {}), .mesh_lods = {}};
+    for (std::size_t lod = 0; lod < lod_count(skinned); ++lod) surfaces.mesh_lods.push_back(read_lod(skinned, lod));
+    return surfaces;
   }
 
  private:
   const tinygltf::Node& source(int node) const { return document_.gltf.nodes[static_cast<std::size_t>(node)]; }
 
-  void read_skinned(int node) {
+  const std::vector<MeshLodNode>& lods_of(int node) const {
+    return document_.mesh_lods[static_cast<std::size_t>(node)];
+  }
+
+  /// LODs that all meshes of the skeleton have; a part without them would be missing in the distance.
+  std::size_t lod_count(const std::vector<int>& skinned) {
+    const auto count_of = [&](int node) { return lods_of(node).size(); };
+    if (skinned.empty() || std::ranges::all_of(skinned, [&](int node) { return count_of(node) == 0; })) return 0;
+    const std::size_t count = count_of(skinned.front());
+    const bool alike = std::ranges::all_of(skinned, [&](int node) { return count_of(node) == count; });
+    if (alike && built_.attached.empty()) return count;
+    document_.repairs.push_back(node_label(skinned.front()) +
+                                ": mesh LODs left out, because not every mesh of its skeleton has as many");
+    return 0;
+  }
+
+  anim::BakedMeshLod read_lod(const std::vector<int>& skinned, std::size_t lod) {
+    anim::BakedMeshLod baked;
+    for (const int node : skinned) {
+      const MeshLodNode& coarser = lods_of(node)[lod];
+      if (source(coarser.node).mesh < 0 || source(coarser.node).skin != source(node).skin) {
+        throw Refusal(node_label(node) + ": its mesh LOD, " + node_label(coarser.node) +
+                      ", draws no mesh of the same skin; export the file again");
+      }
+      read_skinned(coarser.node);
+      baked.error = std::max(baked.error, coarser.error);
+    }
+    baked.meshes = std::exchange(meshes_, {});
+    return baked;
+  }
+
+  std::string node_label(int node) const { return label("node", static_cast<std::size_t>(node), source(node).name); }
+
+  /// Whether this node draws something of the skeleton that no other drew.
+  bool read_skinned(int node) {
     const auto skin = std::ranges::find(built_.skins, source(node).skin, &anim::Skin::skin);
     const int mesh = source(node).mesh;
-    if (source(node).skin < 0 || skin == built_.skins.end() || mesh < 0) return;
-    if (!drawn_.emplace(mesh, skin->skin).second) return;  // a second node would draw it in the same place
+    if (source(node).skin < 0 || skin == built_.skins.end() || mesh < 0) return false;
+    if (!drawn_.emplace(mesh, skin->skin).second) return false;  // a second node would draw it in the same place
     for_each_primitive(mesh, [&](const tinygltf::Primitive& primitive, const std::string& name) {
       if (!primitive.attributes.contains("JOINTS_0") || !primitive.attributes.contains("WEIGHTS_0")) {
         document_.repairs.push_back(name + ": has a skin, but no JOINTS_0 and WEIGHTS_0, left out");
@@ -45,6 +83,7 @@ class MeshReader {
       Influences influences = read_influences(document_, primitive, *skin, result.positions.size(), name);
       add(std::move(result), std::move(influences), mesh);
     });
+    return true;
   }
 
   void read_attached(const AttachedMesh& attached) {
@@ -90,8 +129,8 @@ class MeshReader {
 
 }  // namespace
 
-std::vector<anim::SkinnedMesh> read_meshes(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton,
-                                           MaterialCollector& materials) {
+Surfaces read_surfaces(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton,
+                       MaterialCollector& materials) {
   return MeshReader(document, tree, skeleton, materials).read();
 }
 

@@ -10,9 +10,14 @@
 
 namespace throng::import {
 
-/// Every primitive of the scene that is skinned to, or hangs below, a skeleton, in the space of its palette. Throws
-/// Refusal.
-std::vector<anim::SkinnedMesh> read_meshes(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton,
-                                           MaterialCollector& materials);
+struct Surfaces {
+  std::vector<anim::SkinnedMesh> meshes;
+  std::vector<anim::BakedMeshLod> mesh_lods;
+};
+
+/// Every primitive of the scene that is skinned to, or hangs below, a skeleton, in the space of its palette, and the
+/// coarser ones that the file has for all of them. Throws Refusal.
+Surfaces read_surfaces(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton,
+                       MaterialCollector& materials);
 
 }  // namespace throng::import

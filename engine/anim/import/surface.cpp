@@ -16,7 +16,7 @@ namespace throng::import {
 
 namespace {
 
-constexpr float largest_region = 4.0F;
+constexpr float largest_region = 5.0F;
 
 // KHR_mesh_quantization widens what positions, normals and texture coordinates may be.
 constexpr std::initializer_list<int> any_component = {
@@ -40,6 +40,7 @@ class SurfaceReader {
     read_texture_coords(materials);
     read_colors();
     read_regions();
+    read_variations();
     if (!primitive_.targets.empty()) document_.repairs.push_back(name_ + ": its morph targets are ignored");
     place(placement);
     mend_normals();
@@ -138,6 +139,23 @@ class SurfaceReader {
       const bool known = value >= 0.0F && value <= largest_region;
       mesh_.regions.push_back(static_cast<std::uint8_t>(known ? std::lround(value) : 0));
     }
+  }
+
+  /// What an instance may vary; drawing stores it in bytes, so what lies beyond is cut.
+  void read_variations() {
+    const auto cut = [](float value) {
+      return value >= -1.0F && value <= 1.0F ? value : std::clamp(value, -1.0F, 1.0F);
+    };
+    const auto shapes = read_attribute(
+        "_SHAPE",
+        {.what = name_ + ": _SHAPE", .types = {TINYGLTF_TYPE_VEC3}, .components = {TINYGLTF_COMPONENT_TYPE_FLOAT}}, 3);
+    for (std::size_t i = 0; i < shapes.size(); i += 3) {
+      mesh_.shapes.emplace_back(cut(shapes[i]), cut(shapes[i + 1]), cut(shapes[i + 2]));
+    }
+    const auto hair = read_attribute(
+        "_HAIR",
+        {.what = name_ + ": _HAIR", .types = {TINYGLTF_TYPE_VEC2}, .components = {TINYGLTF_COMPONENT_TYPE_FLOAT}}, 2);
+    for (std::size_t i = 0; i < hair.size(); i += 2) mesh_.hair.emplace_back(cut(hair[i]), cut(hair[i + 1]));
   }
 
   void place(const glm::dmat4& placement) {

@@ -168,14 +168,6 @@ std::span<Element> joined(std::vector<Element>& room, std::span<const LodTile> t
 constexpr std::size_t agents_worth_a_job = 512;
 constexpr std::size_t most_lod_tiles = 256;
 
-/// Runs its one job in the calling thread.
-class Here final : public Executor {
- public:
-  void run(int count, Job job) override {
-    for (int index = 0; index < count; ++index) job.run(job.context, index);
-  }
-};
-
 }  // namespace
 
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection, Executor& executor, int jobs) {
@@ -204,7 +196,7 @@ void select_for_update(const LodFrame& frame, LodState& state, LodSelection& sel
 }
 
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection) {
-  Here here;
+  InOrder here;
   select_for_update(frame, state, selection, here, 1);
 }
 

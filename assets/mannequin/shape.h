@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "assets/mannequin/mesh.h"
+
+namespace throng::mannequin {
+
+inline constexpr double shape_step = 1.0 / 127;
+
+/// How much of each of an instance's variations a point follows, -1 to 1 (shaders/variants.glsl says how far).
+struct Shape {
+  glm::dvec3 body;  ///< Out of the skin when stout, out of it when broad-shouldered, forward when stooped.
+  glm::dvec2 hair;  ///< Out of the head when full, down when long; zero but on hair.
+};
+
+/// One a point of the skin. A function of the point alone, so that regions never part.
+std::vector<Shape> shapes_of(const Skin& skin);
+
+}  // namespace throng::mannequin

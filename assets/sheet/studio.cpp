@@ -1,0 +1,133 @@
+#include "assets/sheet/studio.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <span>
+
+#include "engine/anim/asset/reference_pose.h"
+#include "engine/render/camera.h"
+
+namespace throng::sheet {
+namespace {
+
+constexpr float camera_distance = 16.0F;
+
+bool complain(const std::string& message) {
+  std::fprintf(stderr, "throng_character_sheet: %s\n", message.c_str());
+  return false;
+}
+
+render::CameraView view_of(const Shot& shot) {
+  render::Camera camera;
+  camera.yaw = shot.yaw;
+  camera.pitch = shot.pitch;
+  camera.vertical_view = 2.0F * std::atan(shot.metres / 2.0F / camera_distance);
+  camera.position = shot.centre - render::forward(camera) * camera_distance;
+  return render::view_of(camera, static_cast<float>(shot.width) / static_cast<float>(shot.height));
+}
+
+std::vector<std::uint32_t> entries_by_level(const anim::Skeleton& skeleton) {
+  std::vector<std::uint32_t> entries;
+  for (const int bones : skeleton.level_bone_counts) {
+    entries.push_back(static_cast<std::uint32_t>(anim::palette_count_for_bones(skeleton, bones)));
+  }
+  return entries;
+}
+
+/// What is the same with and without figures becomes one colour, so that paving does not fill the file.
+void flatten_background(render::Image& picture, const render::Image& empty) {
+  constexpr std::array<std::uint8_t, 4> plain{214, 212, 206, 255};
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    if (std::equal(&picture.rgba[i], &picture.rgba[i] + 3, &empty.rgba[i])) {
+      std::ranges::copy(plain, &picture.rgba[i]);
+    }
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Studio> Studio::open() {
+  std::unique_ptr<Studio> studio(new Studio);
+  const std::string source = THRONG_SOURCE_DIR;
+  auto character = app::load_character(source + "/assets/mannequin.glb", "mannequin");
+  if (!character) return complain(character.error().message), nullptr;
+  studio->character_ = std::move(*character);
+  auto context = render::gl::make_osmesa_context();
+  if (!context) return complain(context.error().message), nullptr;
+  studio->context_ = std::move(*context);
+  auto renderer = render::Renderer::create(*studio->context_, {.data = source, .size = {64, 64}, .samples = 4});
+  if (!renderer) return complain(renderer.error().message), nullptr;
+  studio->renderer_ = std::move(*renderer);
+  const auto loaded = studio->renderer_->load_character(app::mesh_data(studio->character_.model));
+  if (!loaded) return complain(loaded.error().message), nullptr;
+  return studio;
+}
+
+std::vector<glm::dmat4> Studio::palette_of(const Figure& figure) const {
+  const anim::Skeleton& skeleton = character_.model.skeleton;
+  if (figure.pose) {
+    std::vector<anim::StateTransform> locals;
+    for (const anim::Bone& bone : skeleton.bones) {
+      locals.push_back(anim::rest_transform(bone));
+      locals.back().rotation = figure.pose->rotations[mannequin::joint_index(bone.name)];
+      if (bone.name == "hips") locals.back().position += figure.pose->hips;
+    }
+    return anim::pose_from_locals(skeleton, std::move(locals)).palette;
+  }
+  const auto clip = std::ranges::find(character_.model.clips, figure.clip, &anim::Clip::name);
+  const bool found = clip != character_.model.clips.end();
+  return anim::reference_pose(skeleton, found ? &*clip : nullptr, figure.seconds).palette;
+}
+
+render::InstanceRecord Studio::record_of(const Figure& figure) {
+  const std::vector<glm::dmat4> palette = palette_of(figure);
+  const render::PaletteSlot slot = slots_->acquire(0);
+  auto* const rows = reinterpret_cast<float*>(slots_->memory(slot));
+  for (std::size_t entry = 0; entry < palette.size(); ++entry) {
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 4; ++column) {
+        rows[entry * 12 + static_cast<std::size_t>(row * 4 + column)] = static_cast<float>(palette[entry][column][row]);
+      }
+    }
+  }
+  render::InstanceRecord record{};
+  for (int axis = 0; axis < 3; ++axis) record.position[axis] = figure.place[axis];
+  record.scale = figure.scale;
+  record.heading_cosine = std::cos(figure.heading);
+  record.heading_sine = std::sin(figure.heading);
+  record.palette_from = record.palette_to = slot.first_entry;
+  record.bone_level = figure.bone_level;
+  record.shape = figure.variant.shape();
+  record.hair = figure.variant.hair();
+  std::ranges::copy(figure.tints, record.tints);
+  return record;
+}
+
+render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures) {
+  renderer_->set_size({shot.width, shot.height});
+  renderer_->set_shadows(shot.shadows);
+  renderer_->reset_palette_pages();
+  slots_ =
+      std::make_unique<render::PaletteSlots>(renderer_->palette_pages(), entries_by_level(character_.model.skeleton));
+  std::vector<render::InstanceRecord> records;
+  std::vector<render::CrowdBatch> batches;
+  for (const Figure& figure : figures) {
+    batches.push_back({0, static_cast<std::uint8_t>(std::min(figure.mesh_lod, mesh_lod_count() - 1)),
+                       static_cast<std::uint32_t>(records.size()), 1});
+    records.push_back(record_of(figure));
+  }
+  render::CrowdFrame frame;
+  frame.camera = view_of(shot);
+  renderer_->draw(frame);
+  const render::Image empty = renderer_->read_image();
+  frame.instances = records;
+  frame.batches = batches;
+  renderer_->draw(frame);
+  render::Image picture = renderer_->read_image();
+  flatten_background(picture, empty);
+  return picture;
+}
+
+}  // namespace throng::sheet

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "app/character_look.h"
+#include "app/character_source.h"
+#include "assets/mannequin/pose.h"
+#include "engine/render/gl/context.h"
+#include "engine/render/image.h"
+#include "engine/render/palette_slots.h"
+#include "engine/render/renderer.h"
+
+namespace throng::sheet {
+
+/// One person in a picture.
+struct Figure {
+  std::string clip = {};                               ///< empty: the bind pose, or `pose`
+  double seconds = 0;                                  ///< of the clip
+  std::optional<mannequin::Pose> pose = std::nullopt;  ///< instead of a clip
+  glm::vec3 place{0.0F};                               ///< metres
+  float heading = 0.0F;                                ///< radians, 0 faces the camera
+  float scale = 1.0F;
+  std::size_t mesh_lod = 0;
+  std::uint32_t bone_level = 0;
+  app::Tints tints{};
+  app::Variant variant{};
+};
+
+/// Where a picture is taken from and how large it is. The camera stands far off, so that nothing is foreshortened.
+struct Shot {
+  int width = 0;
+  int height = 0;
+  float metres = 2.0F;  ///< from the lower to the upper edge
+  glm::vec3 centre{0.0F};
+  float pitch = -0.08F;  ///< radians, negative looks down
+  float yaw = 0.0F;
+  bool shadows = true;
+};
+
+/// Draws figures as the demo does, on the software device, before a plain ground.
+class Studio {
+ public:
+  /// Null, and a sentence on stderr, where something is missing.
+  static std::unique_ptr<Studio> open();
+
+  render::Image take(const Shot& shot, const std::vector<Figure>& figures);
+  const app::CharacterSource& character() const { return character_; }
+  std::size_t mesh_lod_count() const { return renderer_->mesh().lod_count(); }
+
+ private:
+  Studio() = default;
+  std::vector<glm::dmat4> palette_of(const Figure& figure) const;
+  render::InstanceRecord record_of(const Figure& figure);
+
+  app::CharacterSource character_;
+  std::unique_ptr<render::gl::Context> context_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::PaletteSlots> slots_;
+};
+
+}  // namespace throng::sheet

@@ -1,0 +1,17 @@
+// What sets one instance's body apart from another's, in the space of the bind pose. Wants instance_record.glsl.
+
+// Metres that a vertex moves which follows a variation wholly.
+const float stout_reach = 0.048;
+const float broad_reach = 0.026;
+const vec3 stooped_reach = vec3(0.0, -0.016, 0.058);
+const float full_hair_reach = 0.034;
+const float cropped_hair_reach = 0.010;
+const vec3 long_hair_reach = vec3(0.0, -0.125, 0.008);
+
+vec3 varied(const InstanceRecord instance, vec3 position, vec3 normal, vec3 shape, vec2 hair) {
+  vec3 body = unpackSnorm4x8(instance.shape).xyz;
+  vec2 style = unpackSnorm4x8(instance.hair).xy;
+  float outward = stout_reach * body.x * shape.x + broad_reach * body.y * shape.y;
+  outward += style.x * hair.x * (style.x < 0.0 ? cropped_hair_reach : full_hair_reach);
+  return position + normal * outward + stooped_reach * (body.z * shape.z) + long_hair_reach * (style.y * hair.y);
+}

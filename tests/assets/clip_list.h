@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace throng::test {
+
+/// The built-in character's clips in the order of its file.
+inline constexpr std::array<const char*, 15> clip_list{"idle", "walk",     "cheer",       "wave",      "clap",
+                                                       "jog",  "run",      "look around", "turn left", "turn right",
+                                                       "talk", "sit down", "sit",         "stand up",  "stumble"};
+
+inline bool plays_once(const std::string& clip) {
+  return clip == "sit down" || clip == "stand up" || clip == "stumble";
+}
+
+/// A test's name may hold letters only.
+inline std::string spaceless_clip_name(const ::testing::TestParamInfo<const char*>& clip) {
+  std::string name = clip.param;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+}  // namespace throng::test

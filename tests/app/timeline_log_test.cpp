@@ -52,7 +52,8 @@ TEST(TraceFile, ShowsFetchComputeWriteBackAndWait) {
 }
 
 TEST(TraceFile, ShowsTheBarriersOfThePapersSchedule) {
-  EXPECT_THAT(kinds_of_spans(trace_of_a_run("levels")), testing::IsSupersetOf({"compute", "wait", "schedule"}));
+  EXPECT_THAT(kinds_of_spans(trace_of_a_run("levels")),
+              testing::IsSupersetOf({"fetch", "compute", "write back", "wait", "schedule"}));
 }
 
 TEST(TraceFile, PutsTheWorkOfPusInsideTheirFrame) {

@@ -39,7 +39,7 @@ void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode,
   if (!current) return;
   int buffer = 0;
   tasks.fetch(*current, buffer, engine);
-  trace.close(TraceSpan::Kind::fetch, engine.finish());
+  trace.close_alone(TraceSpan::Kind::fetch, engine.finish());
   decltype(current) previous;
   while (current) {
     auto next = tasks.next();
@@ -54,7 +54,7 @@ void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode,
     buffer = 1 - buffer;
   }
   tasks.write_back(*previous, 1 - buffer, engine);
-  trace.close(TraceSpan::Kind::write_back, engine.finish());
+  trace.close_alone(TraceSpan::Kind::write_back, engine.finish());
 }
 
 template <typename Tasks>

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace throng::anim {
@@ -130,6 +131,14 @@ class Trace {
     const std::uint64_t now = TraceClock::now();
     add(kind, last_, now, copied);
     last_ = now;
+  }
+
+  /// The same, never joined with others: what happens once for many tasks.
+  void close_alone(TraceSpan::Kind kind, const CopyCounts& copied) {
+    const std::uint32_t joining = std::exchange(tasks_in_span_, 1U);
+    if (joined_tasks_ > 0) close_joined();
+    close(kind, copied);
+    tasks_in_span_ = joining;
   }
 
   /// True now and then: record the slices in which the copies of this task are done, too.

@@ -61,7 +61,14 @@ void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const 
       run_palettes(contexts, work, executor);
     }
   }
+  store_choice_.note(agents.size(), busy_ms());
   for (const UpdateContext& context : contexts) context.pools->release_blocks();
+}
+
+double Scheduler::busy_ms() const {
+  double sum = 0.0;
+  for (const ProcessingUnit& unit : units_) sum += unit.activity().busy_ms;
+  return sum;
 }
 
 // A stable counting sort: dearest class first. A crowd of one class, which is common, stays where it is.
@@ -92,7 +99,7 @@ void Scheduler::cut_tiles(std::span<const UpdateContext> contexts, std::span<con
     StoreNeeds wider = needs;
     wider.widen(program.needs);
     if (joins && wider == needs && program.needs.shared == 0) {
-      if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({i, 0});
+      if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({i, 0, needs});
       ++tiles_.back().count;
       continue;
     }
@@ -100,13 +107,13 @@ void Scheduler::cut_tiles(std::span<const UpdateContext> contexts, std::span<con
     const int wider_limit = joins && more.add(program) ? tile_limit(context, wider, more) : 0;
     if (joins && wider_limit > static_cast<int>(tiles_.back().count)) {
       ++tiles_.back().count;
-      needs = wider;
+      tiles_.back().needs = needs = wider;
       shared = more;
       limit = wider_limit;
       continue;
     }
-    tiles_.push_back({i, 1});
     needs = program.needs;
+    tiles_.push_back({i, 1, needs});
     shared = SharedSources(work.subspan(i, 1));
     limit = tile_limit(context, needs, shared);
     assert(limit > 0 && "a program that does not fit the local store was let in");
@@ -129,9 +136,11 @@ void Scheduler::on_all_units(int task_count, Executor& executor, RunUnit&& run_u
 
 void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                           Executor& executor) {
+  const StorePolicy policy = store_choice_.policy_for(work.size());
   on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
+    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = policy});
     unit.run(tasks, options_.double_buffering);
+    contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
   });
@@ -167,9 +176,11 @@ void Scheduler::run_updates(std::span<const UpdateContext> contexts, std::span<c
 
 void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                              Executor& executor) {
+  const StorePolicy policy = store_choice_.policy_for(work.size());
   on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
+    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = policy});
     unit.run(tasks, options_.double_buffering);
+    contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
   });

@@ -10,6 +10,7 @@
 #include "engine/anim/run/level_tasks.h"
 #include "engine/anim/run/processing_unit.h"
 #include "engine/anim/run/shared_sources.h"
+#include "engine/anim/run/store_choice.h"
 #include "engine/anim/run/task_queue.h"
 
 namespace throng::anim {
@@ -53,6 +54,7 @@ class Scheduler {
                    const LocalStorePlan& plan, Executor& executor);
   void run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
   void run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
+  double busy_ms() const;  // of the update, all units together
   template <typename RunUnit>
   void on_all_units(int task_count, Executor& executor, RunUnit&& run_unit);
 
@@ -62,6 +64,7 @@ class Scheduler {
   std::vector<AgentWork> sorted_;
   std::vector<std::vector<EntityUpdate>> priorities_;  // [i] entities of priority highest - i; [0] players
   TaskQueue queue_;
+  StoreChoice store_choice_;
 };
 
 }  // namespace throng::anim

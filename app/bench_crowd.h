@@ -48,7 +48,7 @@ class SystemSubject {
   void set_step(anim::Ticks step) { step_ = step; }
   /// To other options that are known to fit.
   void configure(const anim::SystemOptions& options);
-  void record_trace(bool on) { system_->record_trace(on); }
+  void record_trace(anim::Tracing tracing) { system_->record_trace(tracing); }
   const anim::AnimationSystem& system() const { return *system_; }
   anim::AnimationSystem& system() { return *system_; }
 

@@ -22,7 +22,7 @@ struct ScheduleOptions {
   std::size_t local_store_bytes = 0;
   int pus = 1;
   CostModel cost{};
-  bool trace = true;  ///< what each PU does is recorded, span by span
+  Tracing trace = Tracing::on;  ///< what each PU does is recorded, span by span
 };
 
 /// Hands tiles to PUs (paper 2.2.3, 2.2.5, 3.2). Tasks are never equal units: big ones go first, and
@@ -36,7 +36,7 @@ class Scheduler {
   void reserve(std::size_t agents);
 
   /// For updates of so many agents.
-  void record_trace(bool on, std::size_t agents);
+  void record_trace(Tracing tracing, std::size_t agents);
 
   /// Divides the stores anew, at a frame boundary.
   void set_plan(const LocalStorePlan& plan);

@@ -15,10 +15,12 @@ namespace throng::anim {
 class StoreChoice {
  public:
   static constexpr int policies = 3;
+  static constexpr std::size_t least_crowd = 32;  ///< agents; the palettes of fewer fit any cache
   static constexpr int trials = 4;  ///< of each policy; the first of a crowd finds cold caches, so the best one counts
 
   /// For an update of so many agents.
   StorePolicy policy_for(std::size_t agents) {
+    if (agents < least_crowd) return StorePolicy::plain;
     if (agents > 2 * crowd_ || 2 * agents < crowd_) {
       crowd_ = agents;
       done_ = 0;
@@ -29,7 +31,7 @@ class StoreChoice {
 
   /// How long that update took.
   void note(std::size_t agents, double milliseconds) {
-    if (done_ == trials * policies || agents == 0) return;
+    if (done_ == trials * policies || agents < least_crowd) return;
     double& best = best_[static_cast<std::size_t>(done_ % policies)];
     best = std::min(best, milliseconds / static_cast<double>(agents));
     ++done_;

@@ -42,5 +42,13 @@ TEST(StoreChoice, MeasuresAgainOnceTheCrowdHasMoreThanDoubledOrHalved) {
   EXPECT_EQ(choice.policy_for(2001), StorePolicy::prefetched);
 }
 
+TEST(StoreChoice, IsNotDisturbedByUpdatesOfAFew) {
+  StoreChoice choice;
+  measure(choice, 1000, StorePolicy::streaming);
+  EXPECT_EQ(choice.policy_for(1), StorePolicy::plain);
+  choice.note(1, 0.001);
+  EXPECT_EQ(choice.policy_for(1000), StorePolicy::streaming);
+}
+
 }  // namespace
 }  // namespace throng::anim

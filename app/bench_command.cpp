@@ -2,246 +2,170 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "app/atomic_file.h"
-#include "app/bench_crowd.h"
+#include "app/bench_case.h"
+#include "app/bench_machine.h"
+#include "app/bench_plot.h"
+#include "app/bench_rounds.h"
+#include "app/bench_sweeps.h"
+#include "app/bench_table.h"
 #include "app/exit_status.h"
-#include "app/stage.h"
-#include "app/statistics.h"
-#include "engine/anim/asset/synthetic_model.h"
-#include "engine/anim/import/import.h"
 
 namespace throng::app {
 namespace {
 
-constexpr int warm_up_rounds = 2;
-constexpr std::chrono::milliseconds settling_time(10);
+using Json = nlohmann::ordered_json;
+using Rows = std::vector<Json>;
 
-/// Something that is timed once a round.
-struct Subject {
-  std::string key;
-  std::function<void()> run;
-  std::function<void()> prepare = [] {};
-  std::vector<double> nanoseconds = {};
+constexpr std::array columns = {"agents",
+                                "bones_per_agent",
+                                "clips",
+                                "pus",
+                                "schedule",
+                                "stream",
+                                "tile",
+                                "ns_per_bone_median",
+                                "kernels_ns_per_bone_median",
+                                "write_floor_ns_per_bone_median",
+                                "speedup_over_one_pu",
+                                "agents_per_60hz_frame",
+                                "bytes_per_agent"};
 
-  // What ran before has left its mark on caches and clock rates, for some milliseconds: a frame is timed among frames.
-  void settle() const {
-    const auto start = std::chrono::steady_clock::now();
-    do run();
-    while (std::chrono::steady_clock::now() - start < settling_time);
-  }
-
-  void time() {
-    prepare();
-    settle();
-    const auto start = std::chrono::steady_clock::now();
-    run();
-    nanoseconds.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
-  }
-};
-
-// Rewrites its own line, so it is for a person at a terminal only.
-void show_progress(int round, int rounds) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  if (round < rounds) {
-    std::fprintf(stderr, "\rround %d of %d ", std::max(round + 1, 0), rounds);
-  } else {
-    std::fprintf(stderr, "\r%*s\r", 32, "");
-  }
+/// Every combination of the lists, the first list slowest; a model brings its own bones and clips.
+std::vector<BenchCase> cases_of(const BenchOptions& options) {
+  std::vector<BenchCase> cases;
+  for (const int bones : options.bones)
+    for (const int clips : options.clips)
+      for (const int agents : options.agents)
+        for (const int pus : options.pus)
+          for (const Schedule schedule : options.schedules)
+            for (const Stream stream : options.streams) cases.push_back({agents, bones, clips, pus, schedule, stream});
+  return cases;
 }
 
-// Interleaved, so that a drift of the machine's speed meets all subjects alike.
-void run_rounds(std::vector<Subject>& subjects, int rounds) {
-  for (int round = -warm_up_rounds; round < rounds; ++round) {
-    for (Subject& subject : subjects) subject.time();
-    if (round < 0) {
-      for (Subject& subject : subjects) subject.nanoseconds.clear();
+std::string label_of(std::size_t index, std::size_t count, const BenchCase& bench) {
+  if (count == 1) return "";
+  return std::to_string(index + 1) + " of " + std::to_string(count) + ": " + std::to_string(bench.agents) +
+         " agents, " + std::to_string(bench.bones) + " bones, ";
+}
+
+/// Null where the table is done, else what ended it.
+std::optional<int> measure(const BenchOptions& options, Rows& rows, std::optional<TimelineLog>& trace) {
+  const std::vector<BenchCase> cases = cases_of(options);
+  std::optional<BenchCharacter> character;
+  std::pair<int, int> built;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!character || (options.model.empty() && built != std::pair(cases[i].bones, cases[i].clips))) {
+      auto made = bench_character(options.model, cases[i].bones, cases[i].clips);
+      if (!made) return end_with(exit_job_failed, made.error().message);
+      character = std::move(*made);
+      built = {cases[i].bones, cases[i].clips};
     }
-    show_progress(round, rounds);
+    auto row = run_bench_case(options, cases[i], *character, label_of(i, cases.size(), cases[i]), trace);
+    if (!row) return end_with(exit_usage, row.error().message);
+    rows.push_back(std::move(*row));
   }
-  show_progress(rounds, rounds);
+  return {};
 }
 
-anim::Result<std::shared_ptr<const anim::Character>> bench_character(const BenchOptions& options) {
-  if (options.model.empty()) {
-    const anim::Model model = anim::synthetic_model(options.bones, options.clips);
-    return std::make_shared<const anim::Character>(anim::bake_character(model));
+std::string plot_of_one(const Json& row) {
+  constexpr std::array<std::pair<const char*, const char*>, 7> subjects = {
+      {{"write_floor_ns_per_bone_median", "writing palettes alone"},
+       {"kernels_ns_per_bone_median", "kernels, one thread"},
+       {"one_pu_ns_per_bone_median", "update, one PU"},
+       {"ns_per_bone_median", "update, all PUs"},
+       {"keyframe_ns_per_bone_median", "update, exact keys"},
+       {"scalar_ns_per_bone_median", "kernels without vectors"},
+       {"ozz_ns_per_bone_median", "ozz-animation"}}};
+  std::vector<PlotBar> bars;
+  for (const auto& [key, name] : subjects) {
+    if (row[key].is_number())
+      bars.push_back({name, row[key].get<double>(), key == std::string_view("ns_per_bone_median")});
   }
-  auto file = import::import_file(options.model);
-  if (!file) return file.error();
-  return std::make_shared<const anim::Character>(anim::bake_character(file->models.front()));
+  return bars_as_svg(row["agents"].dump() + " agents of " + row["bones_per_agent"].dump() + " bones, " +
+                         row["clips"].dump() + " clips",
+                     "ns a bone", bars);
 }
 
-anim::SystemOptions timed_options(const BenchOptions& options) {
-  Tuning tuning;
-  tuning.pus = options.pus;
-  tuning.local_store_kib = options.local_store_kib;
-  tuning.tile = options.tile;
-  tuning.schedule = options.schedule;
-  tuning.double_buffer = options.double_buffer;
-  tuning.stream = options.stream;
-  anim::SystemOptions result = system_options(tuning);
-  result.hash = false;
-  return result;
-}
-
-bool all_sampled(const anim::Character& character) {
-  return std::ranges::all_of(character.clips, [](const anim::BakedClip& clip) { return clip.sampled() != nullptr; });
-}
-
-/// The subjects and what they work on; the order of the list is the order within a round.
-struct Bench {
-  std::shared_ptr<const anim::Character> character;
-  std::vector<BenchAgent> agents;
-  std::unique_ptr<BenchPalettes> palettes;
-  // Memory of its own: stores that pass by the caches would empty them of the palettes that the other subjects write.
-  std::unique_ptr<BenchPalettes> floor_palettes;
-  std::unique_ptr<SystemSubject> update, keyframe;
-  std::unique_ptr<KernelSubject> kernels, scalar;
-  std::vector<Subject> subjects;
-
-  double per_bone(double nanoseconds) const {
-    return nanoseconds / static_cast<double>(agents.size()) / character->skeleton.bone_count();
+/// What of a row is not on the axis.
+std::string line_name(const Json& row, const Rows& rows, const std::string& axis) {
+  std::string name;
+  for (const char* const key : {"agents", "bones_per_agent", "clips", "pus", "schedule", "stream"}) {
+    const bool varies = std::ranges::any_of(rows, [&](const Json& other) { return other[key] != row[key]; });
+    if (!varies || key == axis) continue;
+    const std::string value = row[key].is_string() ? row[key].get<std::string>() : row[key].dump() + " " + key;
+    name += (name.empty() ? "" : ", ") + value;
   }
-  const std::vector<double>& times(const std::string& key) const {
-    static const std::vector<double> none;
-    const auto found = std::ranges::find(subjects, key, &Subject::key);
-    return found == subjects.end() ? none : found->nanoseconds;
+  return name.empty() ? "update" : name;
+}
+
+std::string plot_of_table(const Rows& rows) {
+  std::string axis = "agents";
+  for (const char* const key : {"pus", "clips", "bones_per_agent", "agents"}) {
+    if (std::ranges::any_of(rows, [&](const Json& row) { return row[key] != rows.front()[key]; })) axis = key;
   }
-};
-
-anim::Result<std::unique_ptr<SystemSubject>> make_subject(const Bench& bench, const anim::SystemOptions& options) {
-  auto subject = SystemSubject::create(bench.character, options, bench.agents, *bench.palettes);
-  if (!subject) return subject.error();
-  return std::make_unique<SystemSubject>(std::move(*subject));
-}
-
-void add_kernel_subjects(Bench& bench) {
-  if (!all_sampled(*bench.character)) return;
-  const anim::Character& character = *bench.character;
-  bench.kernels = std::make_unique<KernelSubject>(character, anim::best_kernels(), bench.agents, *bench.palettes);
-  bench.scalar = std::make_unique<KernelSubject>(character, anim::scalar_kernels(), bench.agents, *bench.palettes);
-  bench.subjects.push_back({"scalar", [&bench] { bench.scalar->run(); }});
-  bench.subjects.push_back({"kernels", [&bench] { bench.kernels->run(); }});
-}
-
-void add_write_floors(Bench& bench) {
-  constexpr std::array<std::pair<const char*, StorePolicy>, 3> policies = {
-      {{"write plain", StorePolicy::plain},
-       {"write prefetched", StorePolicy::prefetched},
-       {"write streaming", StorePolicy::streaming}}};
-  for (const auto& [key, policy] : policies) {
-    bench.subjects.push_back({key, [&bench, policy = policy] { write_floor(bench.floor_palettes->bytes(), policy); }});
+  std::vector<PlotLine> lines;
+  const auto add = [&](const std::string& name, const Json& row, const char* figure, bool dashed) {
+    if (!row[figure].is_number()) return;
+    auto line = std::ranges::find(lines, name, &PlotLine::name);
+    if (line == lines.end()) line = lines.insert(lines.end(), {.name = name, .x = {}, .y = {}, .dashed = dashed});
+    line->x.push_back(row[axis].get<double>());
+    line->y.push_back(row[figure].get<double>());
+  };
+  for (const Json& row : rows) add(line_name(row, rows, axis), row, "ns_per_bone_median", false);
+  if (lines.size() == 1) {
+    for (const Json& row : rows) add("kernels, one thread", row, "kernels_ns_per_bone_median", true);
+    for (const Json& row : rows) add("writing palettes alone", row, "write_floor_ns_per_bone_median", true);
   }
+  return lines_as_svg("What an update costs", axis == "bones_per_agent" ? "bones" : axis, "ns a bone", lines);
 }
 
-/// Everything that can be refused is refused here, before the first round.
-anim::Status prepare(Bench& bench, const BenchOptions& options) {
-  bench.agents = bench_agents(*bench.character, options.agents);
-  const int entries = bench.character->skeleton.palette_count();
-  bench.palettes = std::make_unique<BenchPalettes>(options.agents, entries);
-  bench.floor_palettes = std::make_unique<BenchPalettes>(options.agents, entries);
-
-  const anim::SystemOptions timed = timed_options(options);
-  anim::SystemOptions one_pu = timed;
-  one_pu.pus = 1;
-  anim::SystemOptions keyframe = timed;
-  keyframe.stream = anim::StreamKind::keyframe;
-  keyframe.local_store_bytes = 0;
-  keyframe.tile = 0;
-  auto update = make_subject(bench, timed);
-  if (!update) return update.error();
-  bench.update = std::move(*update);
-  auto exact = make_subject(bench, keyframe);
-  if (!exact) return exact.error();
-  bench.keyframe = std::move(*exact);
-  // What only waits for memory lets clocks drop for longer than a subject settles, so it goes first and long computing
-  // stands between it and what is compared.
-  add_write_floors(bench);
-  bench.subjects.push_back({"keyframe", [&bench] { bench.keyframe->run(); }});
-  add_kernel_subjects(bench);
-  // One system with one PU and with all: two systems differ by a tenth just by where their memory lies.
-  const auto run_update = [&bench] { bench.update->run(); };
-  bench.subjects.push_back({"one pu", run_update, [&bench, one_pu] { bench.update->configure(one_pu); }});
-  bench.subjects.push_back({"update", run_update, [&bench, timed] { bench.update->configure(timed); }});
-  return anim::Done{};
+int write(const BenchOptions& options, const std::string& text, const std::string& json, const std::string& plot) {
+  if (!options.plot.empty()) {
+    const anim::Status written = write_whole_file(options.plot, plot);
+    if (!written) return end_with(exit_job_failed, written.error().message);
+  }
+  if (options.json.empty()) {
+    std::fputs(text.c_str(), stdout);
+    return exit_done;
+  }
+  const anim::Status written = write_output(options.json, json);
+  return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
 }
 
-/// The pose hash belongs to the poses that were timed, but hashing does not belong into the time.
-std::uint64_t hash_of(const Bench& bench, const BenchOptions& options) {
-  anim::SystemOptions hashed = timed_options(options);
-  hashed.hash = true;
-  auto subject = make_subject(bench, hashed);
-  if (!subject) return 0;
-  for (int frame = 0; frame < options.frames; ++frame) (*subject)->run();
-  return (*subject)->system().pose_hash();
+int run_table(const BenchOptions& options) {
+  Rows rows;
+  std::optional<TimelineLog> trace;
+  if (!options.trace.empty()) trace.emplace();
+  if (const auto ended = measure(options, rows, trace)) return *ended;
+  if (trace) {
+    const anim::Status written = write_whole_file(options.trace, trace->to_json());
+    if (!written) return end_with(exit_job_failed, written.error().message);
+  }
+  const bool one = rows.size() == 1;
+  const std::string text = one ? figures_as_text(rows, {}) : figures_as_text(rows, columns);
+  return write(options, text, figures_as_json(rows), one ? plot_of_one(rows.front()) : plot_of_table(rows));
 }
 
-nlohmann::ordered_json per_bone_or_null(const Bench& bench, const std::vector<double>& times) {
-  if (times.empty()) return nullptr;
-  return bench.per_bone(median(times));
-}
-
-nlohmann::ordered_json report(const Bench& bench, const BenchOptions& options) {
-  const anim::AnimationSystem& system = bench.update->system();
-  const anim::ScheduleOptions& schedule = system.schedule();
-  const double update = median(bench.times("update"));
-  const std::vector<double>& updates = bench.times("update");
-  const double floor = std::min({median(bench.times("write plain")), median(bench.times("write prefetched")),
-                                 median(bench.times("write streaming"))});
-  nlohmann::ordered_json json;
-  json["agents"] = options.agents;
-  json["bones_per_agent"] = bench.character->skeleton.bone_count();
-  json["frames"] = options.frames;
-  json["pus"] = schedule.pus;
-  json["schedule"] = options.schedule == Schedule::fused ? "fused" : "levels";
-  json["local_store_kib"] = schedule.local_store_bytes / 1024;
-  json["tile"] = schedule.plan.width;
-  json["stream"] = options.stream == Stream::sampled ? "sampled" : "keyframe";
-  json["simd_target"] = system.kernels().target;
-  json["pose_hash"] = hex_string(hash_of(bench, options));
-  json["clips"] = bench.character->clips.size();
-  json["ns_per_bone_median"] = bench.per_bone(update);
-  json["ns_per_bone_min"] = bench.per_bone(*std::ranges::min_element(updates));
-  json["write_floor_ns_per_bone_median"] = bench.per_bone(floor);
-  json["scalar_ns_per_bone_median"] = per_bone_or_null(bench, bench.times("scalar"));
-  json["keyframe_ns_per_bone_median"] = bench.per_bone(median(bench.times("keyframe")));
-  json["kernels_ns_per_bone_median"] = per_bone_or_null(bench, bench.times("kernels"));
-  json["speedup_over_one_pu"] = median(bench.times("one pu")) / update;
-  json["agents_per_60hz_frame"] = static_cast<std::int64_t>(options.agents * (1e9 / 60.0) / update);
-  json["bytes_per_agent"] = system.bytes_per_agent();
-  json["rounds"] = options.frames;
-  return json;
+int run_report(const BenchOptions& options, const anim::Result<BenchReport>& report, ExitStatus on_error) {
+  if (!report) return end_with(on_error, report.error().message);
+  return write(options, report->text, report->json.dump(2) + "\n", report->plot);
 }
 
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
-  Bench bench;
-  auto character = bench_character(options);
-  if (!character) return end_with(exit_job_failed, character.error().message);
-  bench.character = std::move(*character);
-  const anim::Status prepared = prepare(bench, options);
-  if (!prepared) return end_with(exit_usage, prepared.error().message);
-  run_rounds(bench.subjects, options.frames);
-  const nlohmann::ordered_json json = report(bench, options);
-  if (options.json.empty()) {
-    for (const auto& [key, value] : json.items()) std::printf("%-34s %s\n", key.c_str(), value.dump().c_str());
-    return exit_done;
-  }
-  const anim::Status written = write_output(options.json, json.dump(2) + "\n");
-  return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
+  if (!options.machine.empty()) return run_report(options, run_machine(options), exit_job_failed);
+  if (options.sweep != Sweep::none) return run_report(options, run_sweep(options), exit_job_failed);
+  return run_table(options);
 }
 
 }  // namespace throng::app

@@ -12,6 +12,8 @@ namespace throng::app {
 
 /// What one agent of a benchmark plays for good: two clips, each from its own phase, and how much of the second.
 struct BenchAgent {
+  static constexpr int none = -1;  ///< instead of a second clip
+
   int from_clip, to_clip;
   anim::Ticks from_start, to_start;
   float fraction;
@@ -40,12 +42,17 @@ class SystemSubject {
                                             const anim::SystemOptions& options, std::span<const BenchAgent> agents,
                                             const BenchPalettes& palettes);
   void run();
+  /// Time that passes from one run to the next; 1/60 s unless set.
+  void set_step(anim::Ticks step) { step_ = step; }
   /// To other options that are known to fit.
   void configure(const anim::SystemOptions& options);
+  void record_trace(bool on) { system_->record_trace(on); }
   const anim::AnimationSystem& system() const { return *system_; }
+  anim::AnimationSystem& system() { return *system_; }
 
  private:
   std::unique_ptr<anim::AnimationSystem> system_;
+  anim::Ticks step_ = anim::ticks_per_second / 60;
   std::vector<anim::AgentUpdate> updates_;
 };
 

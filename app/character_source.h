@@ -17,6 +17,7 @@ namespace throng::app {
 /// A character as the demo needs it: what import found, its baked clips, and which clip is played for what.
 struct CharacterSource {
   std::string name;   ///< shown to people
+  std::string file;   ///< that it is from; empty: the built-in character
   anim::Model model;  ///< keeps the surface that `mesh` points into
   std::shared_ptr<const anim::Character> character;
   std::vector<std::string> clip_names;  ///< in the character's order

@@ -10,6 +10,7 @@
 
 #include "app/crowd_parade.h"
 #include "app/crowd_stadium.h"
+#include "app/cut_scene_layout.h"
 
 namespace throng::app {
 namespace {
@@ -27,16 +28,7 @@ constexpr std::uint64_t variants_stream = 9;
 
 // The wave: how long somebody is up, and how unevenly they rise.
 constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
-constexpr anim::Ticks first_wave = anim::ticks_per_second * 2;
 constexpr double wave_unevenness = 0.25;  // seconds
-
-/// Runs jobs one after the other in the calling thread.
-class InOrder final : public anim::Executor {
- public:
-  void run(int count, anim::Job job) override {
-    for (int index = 0; index < count; ++index) job.run(job.context, index);
-  }
-};
 
 CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
   switch (scene) {
@@ -48,6 +40,8 @@ CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const
       return stadium_layout(agents, seed, roles);
     case Scene::grid:
       break;
+    case Scene::film:
+      return cut_scene_layout(agents, seed, roles);
   }
   return grid_layout(agents, roles);
 }
@@ -60,15 +54,17 @@ std::vector<Habit> habits_of(const CrowdLayout& layout) {
 }
 
 CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed,
-                    const CharacterRoles& character) {
+                    const CrowdCast& cast) {
   Random random(seed, looks_stream);
   Random bodies(seed, variants_stream);
-  const double radius = std::min(character.radius, widest_in_spacings * character.spacing());
   CrowdLooks looks;
   for (std::size_t agent = 0; agent < habits.size(); ++agent) {
+    const CharacterRoles& character = cast.of(agent);
+    const double radius = std::min(character.radius, widest_in_spacings * character.spacing());
     const bool marches = habits[agent] == Habit::march, walks = agent < layout.walkers.size();
     const float scale = random.between(shortest, tallest), phase = random.unit();
-    looks.scales.push_back(marches ? 1.0F : scale);  // those who march have steps of one length
+    // Those who march have steps of one length, and a script counts on that of those who act.
+    looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : scale);
     looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
     looks.paces.push_back(walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest));
     looks.start_phases.push_back(phase);
@@ -82,7 +78,7 @@ CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, st
   return looks;
 }
 
-CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, const CharacterRoles& character) {
+CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, const CrowdCast& cast) {
   std::vector<Body> bodies;
   for (std::size_t agent = 0; agent < looks.radii.size(); ++agent) {
     bodies.push_back({.radius = looks.radii[agent], .agent = static_cast<std::uint32_t>(agent)});
@@ -95,24 +91,24 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
   for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) {
     paces.push_back(looks.paces[walker] * looks.scales[walker]);
   }
-  return {character, layout.lanes, layout.walkers, std::move(bodies), std::move(paces)};
+  return {cast, layout.lanes, layout.walkers, std::move(bodies), std::move(paces)};
 }
 
 }  // namespace
 
-Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles)
-    : Crowd(layout_of(scene, agents, seed, roles), seed, roles) {
+Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters)
+    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters) {
   assert(size() == agents);
 }
 
-Crowd::Crowd(CrowdLayout layout, std::uint32_t seed, const CharacterRoles& roles)
-    : character_(roles),
+Crowd::Crowd(CrowdLayout layout, std::uint32_t seed, std::span<const CharacterRoles> characters)
+    : cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),
       behind_(marchers_.size(), 0),
-      minds_(roles, habits_of(layout), seed),
-      looks_(looks_of(layout, minds_.habits(), seed, roles)),
-      walkers_(walkers_of(layout, looks_, roles)),
+      minds_(cast_, habits_of(layout), seed),
+      looks_(looks_of(layout, minds_.habits(), seed, cast_)),
+      walkers_(walkers_of(layout, looks_, cast_)),
       positions_(minds_.habits().size()),
       headings_(size()),
       speeds_(size(), 0.0F),
@@ -139,6 +135,7 @@ void Crowd::place(const CrowdLayout& layout) {
 
 void Crowd::expect_wave(const CrowdLayout& layout) {
   wave_period_ = anim::to_ticks(layout.wave_seconds);
+  const anim::Ticks first_wave = anim::to_ticks(layout.wave_begins);
   const std::size_t first_stander = walkers() + marchers();
   for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
     const auto unevenness = static_cast<double>(minds_.whim(first_stander + stander).between(-1.0F, 1.0F));
@@ -154,13 +151,15 @@ void Crowd::lead_wave() {
     if (now_ < next_waves_[stander]) continue;
     const anim::Ticks late = (now_ - next_waves_[stander]) % wave_period_;
     next_waves_[stander] = now_ - late + wave_period_;
-    const Role up = character_.playable(Role::cheer) ? Role::cheer : Role::stand;
-    if (late < up_in_wave) minds_.interrupt(first_stander + stander, up, now_ - late + up_in_wave);
+    const std::size_t agent = first_stander + stander;
+    if (habits()[agent] == Habit::act) continue;
+    const Role up = cast_.of(agent).playable(Role::cheer) ? Role::cheer : Role::stand;
+    if (late < up_in_wave) minds_.interrupt(agent, up, now_ - late + up_in_wave);
   }
 }
 
 void Crowd::match_playback(std::size_t agent) {
-  const auto own_speed = static_cast<float>(character_.ground_speed(roles()[agent])) * scales()[agent];
+  const auto own_speed = static_cast<float>(cast_.of(agent).ground_speed(roles()[agent])) * scales()[agent];
   const bool goes = is_gait(roles()[agent]) && own_speed > 0.0F;
   playback_speeds_[agent] =
       goes ? std::clamp(speeds_[agent] / own_speed, least_playback, most_playback) : looks_.paces[agent];
@@ -214,8 +213,14 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& exec
 }
 
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
-  InOrder here;
+  anim::InOrder here;
   return advance(dt, here, 1);
+}
+
+void Crowd::put(std::uint32_t agent, const glm::vec3& position, const Heading& heading) {
+  assert(habits()[agent] == Habit::act);
+  positions_[agent] = position;
+  headings_[agent] = heading;
 }
 
 std::optional<ClipRequest> Crowd::hold(std::uint32_t agent) {

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/character_look.h"
+#include "app/crowd_cast.h"
 #include "app/crowd_layout.h"
 #include "app/crowd_minds.h"
 #include "app/crowd_roles.h"
@@ -30,17 +31,25 @@ struct CrowdLooks {
 };
 
 /// Who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents, seed,
-/// the character's roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the state
+/// the characters' roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the state
 /// after the last `advance`, and live as long as the crowd.
 class Crowd {
  public:
-  Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
+  /// `characters`: 1 to 256; see CrowdCast for who is which.
+  Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters);
+  Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& character)
+      : Crowd(scene, agents, seed, std::span(&character, 1)) {}
+  Crowd(const Crowd&) = delete;  // its parts point at the cast
+  Crowd& operator=(const Crowd&) = delete;
 
   /// Moves everyone on by `dt` and says who changes clip; the span is valid until the next call. Allocates nothing.
   /// `jobs`, 1 or more, run at once on `executor`; what comes out does not depend on either.
   std::span<const ClipRequest> advance(anim::Ticks dt, anim::Executor& executor, int jobs);
   /// The same in the calling thread.
   std::span<const ClipRequest> advance(anim::Ticks dt);
+
+  /// Where somebody who acts stands now.
+  void put(std::uint32_t agent, const glm::vec3& position, const Heading& heading);
 
   /// Keeps an agent where it is, in the way of all others, and lets it do nothing: it stops walking, which is the
   /// request.
@@ -58,7 +67,8 @@ class Crowd {
   /// How fast the shown clip is played: of gaits, so that feet do not slide, 0.4 to 1.7; else 0.9 to 1.1. Changes from
   /// frame to frame.
   std::span<const float> playback_speeds() const { return playback_speeds_; }
-  std::span<const float> start_phases() const { return looks_.start_phases; }  ///< 0 to below 1, of the first clip
+  std::span<const float> start_phases() const { return looks_.start_phases; }   ///< 0 to below 1, of the first clip
+  std::span<const std::uint8_t> characters() const { return cast_.numbers(); }  ///< index among them
   std::span<const Tints> tints() const { return looks_.tints; }
   std::span<const Variant> variants() const { return looks_.variants; }
   std::span<const Role> roles() const { return minds_.roles(); }
@@ -70,7 +80,7 @@ class Crowd {
   std::size_t marchers() const { return marchers_.size(); }  ///< those after them: rank and file; all others stay
 
  private:
-  Crowd(CrowdLayout layout, std::uint32_t seed, const CharacterRoles& roles);
+  Crowd(CrowdLayout layout, std::uint32_t seed, std::span<const CharacterRoles> characters);
   void place(const CrowdLayout& layout);
   void expect_wave(const CrowdLayout& layout);
   void lead_wave();
@@ -79,7 +89,7 @@ class Crowd {
   double marching_time(std::size_t marcher, anim::Ticks dt);
   void match_playback(std::size_t agent);
 
-  CharacterRoles character_;
+  CrowdCast cast_;
   anim::Ticks now_ = 0;
   Lane route_;
   std::vector<MarcherStart> marchers_;

@@ -16,6 +16,7 @@ enum class Habit : std::uint8_t {
   watch,        ///< stands beside a parade
   sit,          ///< has a seat in the stadium
   train,        ///< runs round the stadium's field
+  act,          ///< does what a script says (CutScene)
 };
 
 /// One arrow of the state machine: whoever has `habit` and has done `from` for long enough may go over to `to`, and

@@ -23,12 +23,16 @@ struct MarcherStart {
   double offset;    ///< metres out of the route, away from the loop's middle
 };
 
+/// What a place is for.
+enum class Part : std::uint8_t { bystander, actor, prop };
+
 struct StanderPlace {
-  glm::dvec2 position;  ///< x, z in metres
-  Heading heading;
+  glm::dvec2 position{0.0};  ///< x, z in metres
+  Heading heading{};
   double height = 0.0;  ///< metres above the ground
   Habit habit = Habit::stand_about;
-  double round = 0.0;  ///< stadium: 0 to below 1, how far along the tier
+  double round = 0.0;  ///< where there is a wave: 0 to below 1, how far along its way
+  Part part = Part::bystander;
 };
 
 /// Who is where when a scene begins; walkers, marchers and standers together are all its agents.
@@ -39,7 +43,8 @@ struct CrowdLayout {
   Lane route;  ///< with its speed; of the marchers
   std::vector<MarcherStart> marchers;
   std::vector<StanderPlace> standers;
-  double wave_seconds = 0.0;  ///< stadium: what the wave takes to run round; 0: there is none
+  double wave_seconds = 0.0;  ///< what a wave that makes everyone cheer takes to come round; 0: there is none
+  double wave_begins = 2.0;   ///< seconds
 };
 
 /// Metres along one side of the square, centred on the origin, that the plaza of so many agents fills.

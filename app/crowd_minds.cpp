@@ -19,8 +19,8 @@ anim::Ticks some_time(Random& whim, Stay stay) {
 
 }  // namespace
 
-CrowdMinds::CrowdMinds(const CharacterRoles& character, std::vector<Habit> habits, std::uint32_t seed)
-    : character_(character), habits_(std::move(habits)) {
+CrowdMinds::CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::uint32_t seed)
+    : cast_(&cast), habits_(std::move(habits)) {
   const std::size_t agents = habits_.size();
   intentions_.assign(agents, Role::other);
   roles_.assign(agents, Role::other);
@@ -39,16 +39,18 @@ CrowdMinds::CrowdMinds(const CharacterRoles& character, std::vector<Habit> habit
 
 void CrowdMinds::begin(std::size_t agent) {
   Random& whim = whims_[agent];
-  intentions_[agent] = first_role(habits_[agent], character_, whim);
-  const std::vector<int>& others = character_.others;
-  if (const auto role = character_.playable(intentions_[agent])) {
+  const CharacterRoles& character = cast_->of(agent);
+  intentions_[agent] = first_role(habits_[agent], character, whim);
+  const std::vector<int>& others = character.others;
+  if (const auto role = character.playable(intentions_[agent])) {
     roles_[agent] = *role;
-    clips_[agent] = character_.clip(*role);
+    clips_[agent] = character.clip(*role);
   } else if (!others.empty()) {
     clips_[agent] = others[agent % others.size()];
   }
   // Uniform from now on, so that the first changes come as evenly as all later ones.
-  const bool changes = habits_[agent] != Habit::march && (intentions_[agent] != Role::other || others.size() > 1);
+  const bool follows = habits_[agent] == Habit::march || habits_[agent] == Habit::act;
+  const bool changes = !follows && (intentions_[agent] != Role::other || others.size() > 1);
   if (changes) next_changes_[agent] = some_time(whim, {0.5F, stay_in(intentions_[agent]).most});
 }
 
@@ -71,7 +73,7 @@ void CrowdMinds::change_role(std::size_t agent, anim::Ticks now) {
   if (intentions_[agent] == Role::other) {
     play_next_other(agent);
   } else {
-    const Role next = next_role(habits_[agent], intentions_[agent], character_, whim);
+    const Role next = next_role(habits_[agent], intentions_[agent], cast_->of(agent), whim);
     intentions_[agent] = next;
     changed_.push_back(static_cast<std::uint32_t>(agent));
     if (!is_gait(next)) show(agent, next);
@@ -80,13 +82,14 @@ void CrowdMinds::change_role(std::size_t agent, anim::Ticks now) {
 }
 
 void CrowdMinds::interrupt(std::size_t agent, Role role, anim::Ticks until) {
-  if (!character_.playable(role) || holds(agent)) return;
+  if (!cast_->of(agent).playable(role) || holds(agent)) return;
   intentions_[agent] = role;
   next_changes_[agent] = until;
   arrivals_[agent].at = never;
-  const Role played = *character_.playable(role);
-  if (character_.clip(played) != clips_[agent]) {
-    fade_to(agent, played, character_.clip(played), whims_[agent].between(shortest_fade, longest_fade));
+  const Role played = *cast_->of(agent).playable(role);
+  const int clip = cast_->of(agent).clip(played);
+  if (clip != clips_[agent]) {
+    fade_to(agent, played, clip, whims_[agent].between(shortest_fade, longest_fade));
   }
 }
 
@@ -112,15 +115,15 @@ std::optional<ClipRequest> CrowdMinds::release(std::size_t agent) {
 
 // Without a clip to stand with: from each of the others to the one after it.
 void CrowdMinds::play_next_other(std::size_t agent) {
-  const std::vector<int>& others = character_.others;
+  const std::vector<int>& others = cast_->of(agent).others;
   const auto current = std::ranges::find(others, clips_[agent]);
   request(agent, Role::other, others[static_cast<std::size_t>(current - others.begin() + 1) % others.size()]);
 }
 
 void CrowdMinds::show(std::size_t agent, Role role) {
-  const auto played = character_.playable(role);
+  const auto played = cast_->of(agent).playable(role);
   if (!played) return;
-  const int clip = character_.clip(*played);
+  const int clip = cast_->of(agent).clip(*played);
   if (clip == clips_[agent]) {
     roles_[agent] = *played;
   } else {
@@ -149,7 +152,7 @@ bool CrowdMinds::pass(std::size_t agent, Role role, int clip) {
     return true;
   }
   const bool sits = role == Role::sit;
-  const Passage& passage = sits ? character_.sit_down : character_.stand_up;
+  const Passage& passage = sits ? cast_->of(agent).sit_down : cast_->of(agent).stand_up;
   if (sits == (roles_[agent] == Role::sit) || passage.clip == no_clip) return false;
   const double seconds = passage.seconds / fastest_pace - static_cast<double>(passage_fade);
   arrival = {now_ + anim::to_ticks(seconds), role, clip, sits};

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "app/crowd_cast.h"
 #include "app/crowd_habits.h"
 #include "app/crowd_random.h"
 #include "app/crowd_roles.h"
@@ -17,16 +18,17 @@ namespace throng::app {
 struct ClipRequest {
   std::uint32_t agent;
   Role role;
-  int clip;            ///< index among the character's clips
+  int clip;            ///< index among its character's clips
   float fade_seconds;  ///< of the crowd's clock
 };
 
-/// Each agent's state machine: what it has in mind, and the clip that shows it. The two differ where the character has
+/// Each agent's state machine: what it has in mind, and the clip that shows it. The two differ where its character has
 /// no clip for a role, and where one who means to run is held up by others. Depends on nothing but seed and clock.
 /// Spans have one element an agent.
 class CrowdMinds {
  public:
-  CrowdMinds(const CharacterRoles& character, std::vector<Habit> habits, std::uint32_t seed);
+  /// `cast` outlives it.
+  CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::uint32_t seed);
 
   /// Begins a frame: forgets requests and changes, then lets everyone whose time has come go over to another role.
   void decide(anim::Ticks now);
@@ -71,7 +73,7 @@ class CrowdMinds {
     bool seated;  ///< whether that clip sits down
   };
 
-  CharacterRoles character_;
+  const CrowdCast* cast_;
   anim::Ticks now_ = 0;
   std::vector<Habit> habits_;
   std::vector<Role> intentions_, roles_;

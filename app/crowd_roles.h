@@ -57,6 +57,7 @@ struct CharacterRoles {
   double walk_seconds = 1.0;   ///< of the walk clip: one left and one right step
   double height = 1.8;         ///< metres
   double radius = 0.3;         ///< metres, of the body seen from above, arms down
+  bool is_prop = false;        ///< a thing: it stands only where a scene asks for one
 
   int clip(Role role) const { return role == Role::other ? no_clip : clips[index_of(role)]; }
   /// How much more room it needs than a person 1.8 metres tall; every distance of a scene is multiplied by it.

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/crowd_tiles.h"
 #include "app/crowd_turn.h"
 
 namespace throng::app {
@@ -59,10 +60,10 @@ Heading turned(Heading from, Heading to, glm::vec2 most) {
 
 }  // namespace
 
-CrowdWalkers::CrowdWalkers(const CharacterRoles& character, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
+CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
                            std::vector<Body> bodies, std::vector<float> paces)
-    : character_(character),
-      spacing_(static_cast<float>(character.spacing())),
+    : cast_(&cast),
+      spacing_(static_cast<float>(cast.spacing())),
       lanes_(std::move(lanes)),
       starts_(std::move(starts)),
       ahead_(starts_.size()),
@@ -88,7 +89,8 @@ void CrowdWalkers::begin_walking(std::size_t walker) {
 }
 
 float CrowdWalkers::speed_of(std::size_t walker, Role gait) const {
-  const double speed = character_.ground_speed(character_.playable(gait).value_or(Role::walk));
+  const CharacterRoles& character = cast_->of(walker);
+  const double speed = character.ground_speed(character.playable(gait).value_or(Role::walk));
   return static_cast<float>(speed) * paces_[walker];
 }
 
@@ -169,7 +171,7 @@ Role CrowdWalkers::gait(std::size_t walker, Role shown) const {
   const float speed = glm::length(bodies_[walker].velocity);
   Role fitting = Role::walk;
   for (const Role faster : {Role::jog, Role::run}) {
-    if (character_.playable(faster) != faster) continue;
+    if (cast_->of(walker).playable(faster) != faster) continue;
     const float border = std::sqrt(speed_of(walker, fitting) * speed_of(walker, faster));
     const bool is_shown = is_gait(shown) && shown >= faster;
     if (speed > (is_shown ? border / gait_band : border * gait_band)) fitting = faster;
@@ -190,7 +192,7 @@ void CrowdWalkers::show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& mi
   }
   const bool is_held_up = held_up > least_time_in_gait;
   const Role fitting = is_held_up ? Role::stand : gait(walker, shown);
-  if (fitting == shown || (fitting == Role::stand && !character_.playable(fitting))) return;
+  if (fitting == shown || (fitting == Role::stand && !cast_->of(walker).playable(fitting))) return;
   new_gait_at_[walker] = now;
   minds.show(walker, fitting);
 }
@@ -205,15 +207,15 @@ void CrowdWalkers::advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, a
   const auto steps = static_cast<int>(std::min<anim::Ticks>((dt + longest_step - 1) / longest_step, most_steps));
   const auto seconds = static_cast<float>(anim::to_seconds(dt) / steps);
   for (int step = 0; step < steps; ++step) {
-    for (std::size_t walker = 0; walker < count(); ++walker) {
+    visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {
       if (minds.holds(walker)) {
         stop(walker);
       } else {
         wish(walker, minds.intentions()[walker]);
       }
-    }
+    });
     steering_.step(bodies_, wishes_, seconds, executor, jobs);
-    for (std::size_t walker = 0; walker < count(); ++walker) turn(walker, seconds);
+    visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) { turn(walker, seconds); });
   }
   for (std::size_t walker = 0; walker < count(); ++walker) {
     if (is_gait(minds.intentions()[walker]) && !minds.holds(walker)) show_gait(walker, now, minds);

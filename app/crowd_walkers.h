@@ -7,10 +7,10 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/crowd_cast.h"
 #include "app/crowd_lanes.h"
 #include "app/crowd_layout.h"
 #include "app/crowd_minds.h"
-#include "app/crowd_roles.h"
 #include "app/crowd_steering.h"
 
 namespace throng::app {
@@ -20,7 +20,8 @@ namespace throng::app {
 class CrowdWalkers {
  public:
   /// `bodies`: those of all agents, walkers first; `paces`: of the walkers, their speed over that of the gait's clip.
-  CrowdWalkers(const CharacterRoles& character, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
+  /// `cast` outlives it.
+  CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
                std::vector<Body> bodies, std::vector<float> paces);
 
   /// One frame of `dt`, in steps short enough to steer by; then asks `minds` for the gait that fits the speed.
@@ -45,7 +46,7 @@ class CrowdWalkers {
   Role gait(std::size_t walker, Role shown) const;
   void show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds);
 
-  CharacterRoles character_;
+  const CrowdCast* cast_;
   float spacing_;
   std::vector<Lane> lanes_;
   std::vector<WalkerStart> starts_;  // where on which lane the point is that the walker follows

@@ -49,6 +49,10 @@ int write_results(Show& show, const DemoOptions& options) {
     const anim::Status written = show.statistics().write(options.stats, show.stage(), show.drawn_by());
     if (!written) return end_with(exit_job_failed, written.error().message);
   }
+  if (show.timeline()) {
+    const anim::Status written = write_whole_file(options.trace, show.timeline()->to_json());
+    if (!written) return end_with(exit_job_failed, written.error().message);
+  }
   return exit_done;
 }
 

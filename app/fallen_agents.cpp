@@ -19,7 +19,8 @@ constexpr anim::Ticks most_unrest = 12 * anim::ticks_per_second;  // who never c
 anim::Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place) {
   if (!process_of(agent)) {
     const std::size_t index = system_->post_process_count(agent);
-    const anim::Status added = system_->add_post_process(agent, std::make_unique<RagdollProcess>(*kind_));
+    const anim::Status added =
+        system_->add_post_process(agent, std::make_unique<RagdollProcess>(*kinds_[system_->character_number(agent)]));
     if (!added) return added;
     processes_.push_back({agent, index});
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -24,12 +25,12 @@ class FallenAgents {
     anim::Ticks rests_since = anim::never;
   };
 
-  /// `kind`: RigKinds::ragdoll; nothing: nobody can fall. `system` outlives it.
-  FallenAgents(std::optional<anim::EntityPools::Kind> kind, anim::AnimationSystem& system)
-      : kind_(kind), system_(&system) {}
+  /// `kinds`: RigKinds::ragdoll of each character; nothing: nobody of it can fall. `system` outlives it.
+  FallenAgents(std::vector<std::optional<anim::EntityPools::Kind>> kinds, anim::AnimationSystem& system)
+      : kinds_(std::move(kinds)), system_(&system) {}
 
-  /// The character's skeleton can be a rag-doll.
-  bool possible() const { return kind_.has_value(); }
+  /// The skeleton of the agent's character can be a rag-doll.
+  bool possible(std::uint32_t agent) const { return kinds_[system_->character_number(agent)].has_value(); }
 
   /// `impulse` (kg m/s) and the `place` that it meets, in the agent's model space; one who lies already is pushed
   /// again. Errors: the local store has no room for a rag-doll.
@@ -63,7 +64,7 @@ class FallenAgents {
   const anim::RagdollProcess& process(std::uint32_t agent) const;
   bool wants_up(Fallen& fallen) const;
 
-  std::optional<anim::EntityPools::Kind> kind_;
+  std::vector<std::optional<anim::EntityPools::Kind>> kinds_;  // [character]
   anim::AnimationSystem* system_;
   std::vector<Fallen> fallen_;
   std::vector<Process> processes_;

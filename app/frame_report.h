@@ -49,8 +49,9 @@ struct KindRow {
 
 /// A const view of all that the overlay shows; filled by the demo once a frame.
 struct FrameReport {
-  std::string model;    ///< name shown: the file's, or "mannequin (built in)"
-  std::string context;  ///< "window", "egl", "osmesa"
+  std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
+  std::size_t character = 0;            ///< of these: whose roles and bones are below
+  std::string context;                  ///< "window", "egl", "osmesa"
   std::string gl_version, gl_renderer;
   bool software_renderer = false;
   std::string notice;  ///< lines worth showing, such as what a software renderer turns down; may be empty
@@ -65,7 +66,7 @@ struct FrameReport {
   std::uint32_t draw_calls = 0;
   std::uint64_t triangles = 0;
   // roles
-  std::vector<std::string> clip_names;          ///< of the model
+  std::vector<std::string> clip_names;          ///< of the character
   RoleClips role_clips = no_clips();            ///< in use
   RoleClips suggested_role_clips = no_clips();  ///< as the names suggest
   // LOD
@@ -93,7 +94,8 @@ struct PicturePoint {
 
 /// What the person asked for in the overlay this frame, besides the tuning it edits.
 struct OverlayCommands {
-  std::optional<RoleClips> roles;  ///< other clips for the roles
+  std::optional<std::size_t> character;  ///< whose roles and bones are to be shown
+  std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown
   bool save_roles = false;
   bool step = false;                      ///< advance one frame while paused
   bool frame_crowd = false;               ///< as key F

@@ -35,19 +35,43 @@ int last_level_with(const anim::Skeleton& skeleton, int bone) {
   return level;
 }
 
-PuSpan::Kind kind_of(anim::TraceSpan::Kind kind) {
+constexpr double most_spans_in_a_lane = 512;
+
+std::optional<PuSpan::Kind> kind_of(anim::TraceSpan::Kind kind) {
   switch (kind) {
     case anim::TraceSpan::Kind::fetch:
       return PuSpan::Kind::fetch;
     case anim::TraceSpan::Kind::compute:
       return PuSpan::Kind::compute;
     case anim::TraceSpan::Kind::write_back:
+      return PuSpan::Kind::write_back;
+    case anim::TraceSpan::Kind::wait:
+      return PuSpan::Kind::wait;
+    case anim::TraceSpan::Kind::schedule:
+    case anim::TraceSpan::Kind::copy_slice:
       break;
   }
-  return PuSpan::Kind::write_back;
+  return {};
 }
 
-PuReport report_of(const anim::ProcessingUnit& unit, double update_ms) {
+// Tasks too short to be told apart in a lane become one span.
+std::vector<PuSpan> spans_of(const anim::Trace& trace, const anim::UpdateTime& time) {
+  const auto shortest = static_cast<float>(time.milliseconds / most_spans_in_a_lane);
+  std::vector<PuSpan> spans;
+  for (const anim::TraceSpan& span : trace.spans()) {
+    const auto kind = kind_of(span.kind);
+    if (!kind) continue;
+    const auto end = static_cast<float>(time.ms(span.end));
+    if (!spans.empty() && spans.back().kind == *kind && end - spans.back().begin_ms < shortest) {
+      spans.back().end_ms = end;
+    } else {
+      spans.push_back({*kind, static_cast<float>(time.ms(span.begin)), end});
+    }
+  }
+  return spans;
+}
+
+PuReport report_of(const anim::ProcessingUnit& unit, const anim::UpdateTime& time, double update_ms) {
   const anim::PuActivity& activity = unit.activity();
   PuReport report{.tiles = activity.tasks,
                   .agents = activity.agents,
@@ -57,10 +81,7 @@ PuReport report_of(const anim::ProcessingUnit& unit, double update_ms) {
                   .dma_out_bytes = activity.copies.bytes_out,
                   .dma_transfers = activity.copies.transfers,
                   .local_store_laid_out_bytes = static_cast<std::uint32_t>(unit.store().bytes_used()),
-                  .spans = {}};
-  for (const anim::TraceSpan& span : unit.trace().spans()) {
-    report.spans.push_back({kind_of(span.kind), span.begin_ms, span.end_ms});
-  }
+                  .spans = spans_of(unit.trace(), time)};
   return report;
 }
 
@@ -71,20 +92,29 @@ void count(std::vector<int>& counts, std::size_t place) {
 
 }  // namespace
 
-FrameReporter::FrameReporter(const Show& show) { describe_character(show); }
+FrameReporter::FrameReporter(const Show& show) {
+  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
+  describe_device(show);
+  describe_character(show, 0);
+}
 
-void FrameReporter::describe_character(const Show& show) {
-  const anim::Skeleton& skeleton = show.stage().character().character->skeleton;
+void FrameReporter::describe_device(const Show& show) {
   const DrawnBy drawn_by = show.drawn_by();
-  report_.model = show.stage().character().name;
-  report_.clip_names = show.stage().character().clip_names;
-  report_.suggested_role_clips = show.stage().character().suggested;
   report_.context = drawn_by.context;
   report_.gl_version = drawn_by.gl_version;
   report_.gl_renderer = drawn_by.gl_renderer;
   report_.software_renderer = show.on_software();
-  report_.level_bone_counts = skeleton.level_bone_counts;
   report_.hardware_threads = static_cast<int>(std::thread::hardware_concurrency());
+}
+
+void FrameReporter::describe_character(const Show& show, std::size_t character) {
+  const CharacterSource& source = show.stage().characters()[character];
+  const anim::Skeleton& skeleton = source.character->skeleton;
+  report_.character = character;
+  report_.clip_names = source.clip_names;
+  report_.suggested_role_clips = source.suggested;
+  report_.level_bone_counts = skeleton.level_bone_counts;
+  report_.bones.clear();
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
     report_.bones.push_back({.name = skeleton.bones[static_cast<std::size_t>(bone)].name,
                              .depth = depth_of(skeleton, bone),
@@ -96,14 +126,14 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   const anim::AnimationSystem& system = show.stage().system();
   ++report_.frame;
   report_.notice = notice;
-  report_.role_clips = show.stage().character().roles.clips;
+  report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
   report_.frame_ms = static_cast<float>(frame_ms);
   report_.update_ms = static_cast<float>(show.last_update_ms());
   report_.draw_ms = static_cast<float>(show.last_draw_ms());
   remember(report_.frame_ms_history, frame_ms);
   remember(report_.update_ms_history, show.last_update_ms());
-  report_.agents = static_cast<int>(system.agent_count());
+  report_.agents = static_cast<int>(show.stage().crowd().size());
   report_.drawn = static_cast<int>(show.picture().instances().size());
   report_.agents_updated = static_cast<int>(system.report().agents_updated);
   report_.bones_evaluated = system.report().bones_evaluated;
@@ -151,7 +181,7 @@ void FrameReporter::add_units(const anim::AnimationSystem& system, double update
   report_.pu.clear();
   report_.local_store_laid_out_bytes = 0;
   for (const anim::ProcessingUnit& unit : system.units()) {
-    report_.pu.push_back(report_of(unit, update_ms));
+    report_.pu.push_back(report_of(unit, system.update_time(), update_ms));
     report_.local_store_laid_out_bytes =
         std::max(report_.local_store_laid_out_bytes, report_.pu.back().local_store_laid_out_bytes);
   }

@@ -13,6 +13,9 @@ class FrameReporter {
  public:
   explicit FrameReporter(const Show& show);
 
+  /// Whose roles and bones are reported, of the show's characters; the first until told otherwise.
+  void describe_character(const Show& show, std::size_t character);
+
   /// After a frame was animated and drawn; `frame_ms` from its start to its end.
   void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
 
@@ -22,7 +25,7 @@ class FrameReporter {
   const FrameReport& report() const { return report_; }
 
  private:
-  void describe_character(const Show& show);
+  void describe_device(const Show& show);
   void add_level_of_detail(const Stage& stage);
   void add_memory(const anim::AnimationSystem& system);
   void add_units(const anim::AnimationSystem& system, double update_ms);

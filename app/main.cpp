@@ -32,9 +32,11 @@ int run_if_writable(std::initializer_list<Output> outputs, const std::function<i
 
 struct Run {
   int operator()(const DemoOptions& options) const {
-    return run_if_writable(
-        {{"--screenshot", options.screenshot}, {"--stats", options.stats}, {"--ui-map", options.ui_map}},
-        [&] { return run_demo(options); });
+    return run_if_writable({{"--screenshot", options.screenshot},
+                            {"--stats", options.stats},
+                            {"--trace", options.trace},
+                            {"--ui-map", options.ui_map}},
+                           [&] { return run_demo(options); });
   }
 
   int operator()(const PoseOptions& options) const {
@@ -44,7 +46,8 @@ struct Run {
   int operator()(const InspectOptions& options) const { return run_inspect(options); }
 
   int operator()(const BenchOptions& options) const {
-    return run_if_writable({{"--json", options.json}}, [&] { return run_bench(options); });
+    return run_if_writable({{"--json", options.json}, {"--plot", options.plot}, {"--trace", options.trace}},
+                           [&] { return run_bench(options); });
   }
 
   int operator()(const ShowText& shown) const {

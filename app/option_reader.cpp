@@ -19,6 +19,11 @@ std::string unexpected(const std::string& argument, const std::string& command) 
   return argument + ": unexpected; options begin with --, and one model is the most";
 }
 
+std::string too_many(const std::string& name, const std::vector<std::string>& values, std::size_t most) {
+  if (most == 1) return name + ": given more than once";
+  return values[most] + ": " + std::to_string(most) + " models are the most";
+}
+
 /// CLI11 names the option, then a colon and words of its own.
 std::string missing_value(const CLI::ArgumentMismatch& error) {
   const std::string words = error.what();
@@ -44,6 +49,12 @@ bool OptionReader::given(const std::string& name) const { return app_->count(nam
 void OptionReader::model(std::string& target, const std::string& description, Need need) {
   CLI::Option* const option = app_->add_option("MODEL")->required(need == Need::required);
   bindings_.push_back({option, "MODEL", " ", "", description, heading_, any_text(target), need});
+}
+
+void OptionReader::models(std::vector<std::string>& targets, std::size_t most, const std::string& description) {
+  CLI::Option* const option = app_->add_option("MODEL")->expected(-1);
+  const auto add = [&targets](const std::string& text) -> Complaint { return any_text(targets.emplace_back())(text); };
+  bindings_.push_back({option, "MODEL", " ", "", description, heading_, add, Need::optional, most});
 }
 
 void OptionReader::value(const std::string& name, const std::string& hint, const std::string& description,
@@ -97,10 +108,11 @@ std::optional<ParsedCommand> OptionReader::take_apart(const std::vector<std::str
 std::optional<ParsedCommand> OptionReader::read_values() const {
   for (const Binding& binding : bindings_) {
     const std::vector<std::string> texts = binding.option->results();
-    if (texts.size() > 1) return UsageError{binding.name + ": given more than once"};
-    if (texts.empty()) continue;
-    if (const Complaint complaint = binding.reader(texts.front())) {
-      return UsageError{binding.name + binding.joint + texts.front() + ": " + *complaint};
+    if (texts.size() > binding.most) return UsageError{too_many(binding.name, texts, binding.most)};
+    for (const std::string& text : texts) {
+      if (const Complaint complaint = binding.reader(text)) {
+        return UsageError{binding.name + binding.joint + text + ": " + *complaint};
+      }
     }
   }
   return {};

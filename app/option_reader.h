@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,8 @@ class OptionReader {
   enum class Need { optional, required };
 
   void model(std::string& target, const std::string& description, Need need);
+  /// Any number of models up to `most`, or none.
+  void models(std::vector<std::string>& targets, std::size_t most, const std::string& description);
   void value(const std::string& name, const std::string& hint, const std::string& description, ValueReader reader,
              Need need = Need::optional);
 
@@ -60,6 +63,7 @@ class OptionReader {
     std::string heading;
     ValueReader reader;
     Need need;
+    std::size_t most = 1;  ///< values; `reader` gets one after the other
   };
 
   std::optional<ParsedCommand> take_apart(const std::vector<std::string>& arguments);

@@ -70,6 +70,32 @@ ValueReader whole_number(int& target, int least, int most) {
   };
 }
 
+ValueReader number_list(std::vector<int>& target, int least, int most) {
+  return [&target, least, most](const std::string& text) -> Complaint {
+    std::vector<int> numbers;
+    for (const std::string& part : parts_between_commas(text)) {
+      const auto number = number_in<int>(part);
+      if (!lies_within(number, least, most)) {
+        return "must be a whole number, " + std::to_string(least) + " to " + std::to_string(most) +
+               ", or several with commas between them";
+      }
+      numbers.push_back(*number);
+    }
+    target = std::move(numbers);
+    return {};
+  };
+}
+
+std::vector<std::string> parts_between_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    parts.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return parts;
+}
+
 ValueReader seed_number(std::uint32_t& target) {
   return [&target](const std::string& text) -> Complaint {
     const auto number = number_in<std::uint32_t>(text);
@@ -189,6 +215,14 @@ ValueReader file_name(std::string& target) {
   return [&target](const std::string& text) -> Complaint {
     if (text == "-") return "must be a file; it is not written to standard output";
     return any_text(target)(text);
+  };
+}
+
+ValueReader svg_file(std::string& target) {
+  return [&target](const std::string& text) -> Complaint {
+    if (!text.ends_with(".svg")) return "must be a file name that ends in .svg";
+    target = text;
+    return {};
   };
 }
 

@@ -19,6 +19,8 @@ using Complaint = std::optional<std::string>;
 using ValueReader = std::function<Complaint(const std::string& text)>;
 
 ValueReader whole_number(int& target, int least, int most);
+/// N[,N...]: each least to most.
+ValueReader number_list(std::vector<int>& target, int least, int most);
 ValueReader seed_number(std::uint32_t& target);
 ValueReader seconds_above_zero(std::optional<double>& target);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative
@@ -30,6 +32,7 @@ ValueReader any_text(std::string& target);
 ValueReader existing_folder(std::string& target);
 ValueReader file_name(std::string& target);  ///< anything but `-`, which elsewhere means standard output
 ValueReader png_file(std::string& target);
+ValueReader svg_file(std::string& target);
 ValueReader role_choices(std::vector<RoleChoice>& target);  ///< ROLE=NAME[,ROLE=NAME...], each role once
 
 /// Says of texts that `reader` refuses and a later release takes that they are not built yet.
@@ -51,6 +54,26 @@ ValueReader choice(Target& target, std::vector<std::pair<std::string, Value>> ch
       names.push_back(name);
     }
     return must_be_one_of(names);
+  };
+}
+
+/// The parts of a text between commas.
+std::vector<std::string> parts_between_commas(const std::string& text);
+
+/// One of a few words, or several with commas between them.
+template <typename Value>
+ValueReader choice_list(std::vector<Value>& target, std::vector<std::pair<std::string, Value>> choices) {
+  return [&target, choices = std::move(choices)](const std::string& text) -> Complaint {
+    std::vector<Value> values;
+    for (const std::string& part : parts_between_commas(text)) {
+      Value value{};
+      if (const Complaint complaint = choice<Value>(value, choices)(part)) {
+        return *complaint + ", with commas between several";
+      }
+      values.push_back(value);
+    }
+    target = std::move(values);
+    return {};
   };
 }
 

@@ -11,13 +11,14 @@ void declare_crowd(OptionReader& reader, DemoOptions& options) {
   Tuning& tuning = options.tuning;
   reader.heading("Crowd");
   reader.value("--agents", "N", "Agents, 1 to 100000 (1000)", whole_number(tuning.agents, 1, 100000));
-  reader.value("--clips", "ROLE=NAME,...", "Clips of the model to play for what (guessed from their names)",
+  reader.value("--clips", "ROLE=NAME,...", "Clips to play for what, of each model that has them (guessed from names)",
                role_choices(options.clips));
-  reader.value(
-      "--scene", "NAME", "plaza, parade, stadium or grid (plaza)",
-      choice<Scene>(
-          tuning.scene,
-          {{"plaza", Scene::plaza}, {"parade", Scene::parade}, {"stadium", Scene::stadium}, {"grid", Scene::grid}}));
+  reader.value("--scene", "NAME", "plaza, parade, stadium, grid or film (plaza)",
+               choice<Scene>(tuning.scene, {{"plaza", Scene::plaza},
+                                            {"parade", Scene::parade},
+                                            {"stadium", Scene::stadium},
+                                            {"grid", Scene::grid},
+                                            {"film", Scene::film}}));
   reader.value("--seed", "S", "Another seed, another crowd (1)", seed_number(tuning.seed));
 }
 
@@ -32,6 +33,15 @@ void declare_level_of_detail(OptionReader& reader, Tuning& tuning) {
                mesh_lod(tuning.mesh_lod));
   reader.later("--budget-ms");
   reader.later("--error-px");
+}
+
+void declare_scheduling(OptionReader& reader, Tuning& tuning) {
+  reader.heading("Scheduling");
+  reader.value("--pus", "N", "PUs, the calling thread among them, 1 to 256 (all cores)",
+               whole_number(tuning.pus, 1, 256));
+  declare_local_store(reader, tuning);
+  reader.value("--schedule", "NAME", "fused or levels (fused)", choice<Schedule>(tuning.schedule, schedule_names()));
+  reader.value("--stream", "NAME", "sampled or keyframe (sampled)", choice<Stream>(tuning.stream, stream_names()));
 }
 
 void declare_picture(OptionReader& reader, DemoOptions& options) {
@@ -71,9 +81,10 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.heading("Files");
   reader.value("--screenshot", "FILE.png", "Write the last frame", png_file(options.screenshot));
   reader.value("--stats", "FILE|-", "Write what the run did and how long it took, as JSON", any_text(options.stats));
+  reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
   reader.value("--ui-map", "FILE", "Write where every widget of the overlay is, as JSON", file_name(options.ui_map));
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
-  for (const char* const name : {"--trace", "--preset", "--record"}) reader.later(name);
+  for (const char* const name : {"--preset", "--record"}) reader.later(name);
 }
 
 /// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly.
@@ -111,8 +122,8 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   DemoOptions options;
   OptionReader reader("throng", "Throng: a crowd of skinned characters, each in a pose of its own.");
   reader.heading("What is shown");
-  reader.model(options.model, "A glTF file (.glb or .gltf); without it, the built-in character",
-               OptionReader::Need::optional);
+  reader.models(options.models, most_models,
+                "glTF files (.glb or .gltf), up to 16 in one crowd; without any, the built-in character");
   declare_crowd(reader, options);
   declare_level_of_detail(reader, options.tuning);
   declare_scheduling(reader, options.tuning);

@@ -9,28 +9,28 @@ namespace {
 
 constexpr std::uint32_t lods = 4;
 
-std::uint32_t run_of(std::uint32_t page, int mesh_lod) { return page * lods + static_cast<std::uint32_t>(mesh_lod); }
-
 }  // namespace
 
 void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod) {
   entries_.clear();
+  const auto characters = static_cast<std::uint32_t>(stage.characters().size());
   const bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     Entry entry;
     if (!stage.record(agent, entry.record)) continue;
     const ShownPose& pose = stage.shown().pose(agent.agent);
-    const int lod = mesh_lod(agent.pixels_tall, pose.level());
-    entry.run = run_of(pose.to.page, lod);
+    const std::uint8_t character = stage.crowd().characters()[agent.agent];
+    const int lod = mesh_lod(character, agent.pixels_tall, pose.level());
+    entry.run = (pose.to.page * characters + character) * lods + static_cast<std::uint32_t>(lod);
     if (lod_as_color && agent.agent != stage.selected())
       entry.record.debug_color = step_color(lod, static_cast<int>(lods));
     entries_.push_back(entry);
   }
-  sort_into_runs();
+  sort_into_runs(characters);
 }
 
 // A counting sort, stable, so that equal frames give equal pictures.
-void Picture::sort_into_runs() {
+void Picture::sort_into_runs(std::uint32_t characters) {
   std::uint32_t runs = 0;
   for (const Entry& entry : entries_) runs = std::max(runs, entry.run + 1);
   run_starts_.assign(runs + 1, 0);
@@ -40,7 +40,8 @@ void Picture::sort_into_runs() {
     const std::uint32_t count = run_starts_[run + 1];
     run_starts_[run + 1] += run_starts_[run];
     if (count == 0) continue;
-    batches_.push_back({.page = run / lods,
+    batches_.push_back({.page = run / lods / characters,
+                        .character = static_cast<std::uint8_t>(run / lods % characters),
                         .mesh_lod = static_cast<std::uint8_t>(run % lods),
                         .first_instance = run_starts_[run],
                         .instance_count = count});

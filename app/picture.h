@@ -10,12 +10,12 @@
 
 namespace throng::app {
 
-/// Sorts the visible agents of a stage into runs that one instanced draw each can show: same palette page and mesh LOD,
-/// in ascending order of page. Memory is kept from frame to frame.
+/// Sorts the visible agents of a stage into runs that one instanced draw each can show: same palette page, character
+/// and mesh LOD, in ascending order of page, then character. Memory is kept from frame to frame.
 class Picture {
  public:
-  /// `mesh_lod(pixels_tall, at_least)` says which mesh LOD an agent of that size gets.
-  using PickMeshLod = std::function<int(float pixels_tall, int at_least)>;
+  /// `mesh_lod(character, pixels_tall, at_least)` says which mesh LOD an agent of that size gets.
+  using PickMeshLod = std::function<int(std::uint8_t character, float pixels_tall, int at_least)>;
 
   void compose(const Stage& stage, const PickMeshLod& mesh_lod);
 
@@ -24,11 +24,11 @@ class Picture {
 
  private:
   struct Entry {
-    std::uint32_t run;  // page, mesh LOD
+    std::uint32_t run;  // page, character, mesh LOD
     render::InstanceRecord record;
   };
 
-  void sort_into_runs();
+  void sort_into_runs(std::uint32_t characters);
 
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> run_starts_;

@@ -28,11 +28,12 @@ void PlacedFeet::reset(std::size_t agents) { feet_.assign(agents, {}); }
 
 // A local store that has no room for it will have none for others.
 bool PlacedFeet::give(std::uint32_t agent) {
-  if (!kind_) return false;
+  std::optional<anim::EntityPools::Kind>& kind = kinds_[system_->character_number(agent)];
+  if (!kind) return false;
   if (feet_[agent].process != none) return true;
   const std::size_t process = system_->post_process_count(agent);
-  if (!system_->add_post_process(agent, std::make_unique<anim::FootPlacementProcess>(*kind_))) {
-    kind_.reset();
+  if (!system_->add_post_process(agent, std::make_unique<anim::FootPlacementProcess>(*kind))) {
+    kind.reset();
     return false;
   }
   feet_[agent] = {.process = process, .placed = true};

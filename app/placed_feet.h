@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/crowd.h"
@@ -15,9 +16,9 @@ namespace throng::app {
 /// agent gets its post process when its feet are placed first, and keeps it, without weight where they are not.
 class PlacedFeet {
  public:
-  /// `kind`: RigKinds::foot_placement; nothing: the character has no legs to place. `system` outlives it.
-  PlacedFeet(std::optional<anim::EntityPools::Kind> kind, anim::AnimationSystem& system)
-      : kind_(kind), system_(&system) {}
+  /// `kinds`: RigKinds::foot_placement of each character; nothing: it has no legs to place. `system` outlives it.
+  PlacedFeet(std::vector<std::optional<anim::EntityPools::Kind>> kinds, anim::AnimationSystem& system)
+      : kinds_(std::move(kinds)), system_(&system) {}
 
   /// All agents were made anew.
   void reset(std::size_t agents);
@@ -36,7 +37,7 @@ class PlacedFeet {
 
   bool give(std::uint32_t agent);
 
-  std::optional<anim::EntityPools::Kind> kind_;
+  std::vector<std::optional<anim::EntityPools::Kind>> kinds_;  // [character]
   anim::AnimationSystem* system_;
   std::vector<Feet> feet_;  // [agent]
 };

@@ -57,13 +57,13 @@ void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
 }
 
 void add_level_of_detail(const Stage& stage, SelectionReport& report) {
-  const std::vector<anim::VisibleAgent>& visible = stage.selection().visible;
+  const std::span<const anim::VisibleAgent> visible = stage.selection().visible;
   const auto found = std::ranges::lower_bound(visible, report.agent, {}, &anim::VisibleAgent::agent);
   if (found == visible.end() || found->agent != report.agent) return;
   report.visible = true;
   report.interval = report.posture == Posture::upright ? found->interval : 1;
   report.bone_level = stage.shown().pose(report.agent).to_level;
-  const anim::Skeleton& skeleton = stage.character().character->skeleton;
+  const anim::Skeleton& skeleton = stage.character_of(report.agent).character->skeleton;
   report.bones = skeleton.level_bone_counts[static_cast<std::size_t>(report.bone_level)];
 }
 
@@ -82,7 +82,7 @@ std::optional<SelectionReport> report_selection(const Stage& stage) {
                          .y = position.y,
                          .z = position.z,
                          .speed = crowd.speeds()[agent],
-                         .can_fall = stage.can_fall(),
+                         .can_fall = stage.can_fall(agent),
                          .channels = static_cast<int>(stage.system().channel_count(agent)),
                          .entities = {}};
   add_level_of_detail(stage, report);

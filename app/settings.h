@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace throng::app {
 
-enum class Scene : std::uint8_t { plaza, parade, stadium, grid };
+enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film };
 enum class Schedule : std::uint8_t { fused, levels };
 enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
 enum class Stream : std::uint8_t { sampled, keyframe };
@@ -59,9 +60,11 @@ struct Tuning {
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
+inline constexpr std::size_t most_models = 16;  ///< of people in one crowd
+
 /// What the command line of the demo says (README "Options"); Tuning are its starting values.
 struct DemoOptions {
-  std::string model;  ///< empty: the built-in character
+  std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all
@@ -81,7 +84,7 @@ struct DemoOptions {
   bool force_software = false;    ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   std::string camera_name;                      ///< named camera of the scene, empty: the scene's first
-  std::string screenshot, stats, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
+  std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 
 /// Of a headless run: what was asked for, else the last where something of it is written, else none.

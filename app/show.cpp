@@ -1,5 +1,6 @@
 #include "app/show.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -26,26 +27,53 @@ bool fail(Failure& failure, int status, std::string message) {
   return false;
 }
 
-anim::Result<CharacterSource> load(const DemoOptions& options) {
-  if (!options.model.empty()) return load_character(options.model, options.model);
+anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
+  std::vector<CharacterSource> characters;
+  for (const std::string& file : options.models) {
+    auto character = load_character(file, file);
+    if (!character) return character.error();
+    characters.push_back(std::move(*character));
+    characters.back().file = file;
+  }
+  if (!characters.empty()) return characters;
   const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
   if (!built_in) return built_in.error();
-  return load_character(built_in->string(), "mannequin (built in)");
+  auto character = load_character(built_in->string(), "mannequin (built in)");
+  if (!character) return character.error();
+  characters.push_back(std::move(*character));
+  return characters;
 }
 
-// The table that lies beside the model first, then what the command line says.
-bool choose_roles(const DemoOptions& options, CharacterSource& character, Failure& failure) {
-  RoleClips clips = character.roles.clips;
-  const auto kept = RoleFile(options.model).read();
+// The table that lies beside the model.
+bool take_kept_roles(CharacterSource& character, Failure& failure) {
+  const auto kept = RoleFile(character.file).read();
   if (!kept) return fail(failure, exit_job_failed, kept.error().message);
+  RoleClips clips = character.roles.clips;
   if (const auto chosen = choose_clips(*kept, character.clip_names, clips); !chosen) {
     return fail(failure, exit_job_failed, "the roles kept for " + character.name + ": " + chosen.error().message);
   }
-  if (const auto chosen = choose_clips(options.clips, character.clip_names, clips); !chosen) {
-    return fail(failure, exit_usage, "--clips " + chosen.error().message);
-  }
   assign_roles(character, clips);
   return true;
+}
+
+// What the command line says goes for every character that has such a clip.
+bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> characters, Failure& failure) {
+  std::string refusal;
+  bool taken = false;
+  for (CharacterSource& character : characters) {
+    RoleClips clips = character.roles.clips;
+    const auto chosen = choose_clips({&choice, 1}, character.clip_names, clips);
+    if (chosen) assign_roles(character, clips);
+    if (!chosen && refusal.empty()) refusal = chosen.error().message;
+    taken |= chosen.has_value();
+  }
+  return taken || fail(failure, exit_usage, "--clips " + refusal);
+}
+
+bool choose_roles(const DemoOptions& options, std::span<CharacterSource> characters, Failure& failure) {
+  const auto kept = [&](CharacterSource& character) { return take_kept_roles(character, failure); };
+  const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, failure); };
+  return std::ranges::all_of(characters, kept) && std::ranges::all_of(options.clips, chosen);
 }
 
 // A crowd drawn live; a single last picture can afford its full quality anywhere.
@@ -80,7 +108,7 @@ bool Show::open_context(const DemoOptions& options, Failure& failure) {
   return true;
 }
 
-bool Show::open_renderer(const DemoOptions& options, const CharacterSource& character, Failure& failure) {
+bool Show::open_renderer(const DemoOptions& options, Failure& failure) {
   if (context_ == nullptr) return true;
   const auto data = find_data(data_folders(options.data), "shaders");
   if (!data) return fail(failure, exit_job_failed, data.error().message);
@@ -96,8 +124,46 @@ bool Show::open_renderer(const DemoOptions& options, const CharacterSource& char
                   .shadows = options.shadows && !spared_.shadows});
   if (!renderer) return fail(failure, exit_job_failed, renderer.error().message);
   renderer_ = std::move(*renderer);
-  const render::Status loaded = renderer_->load_character(mesh_data(character.model));
-  if (!loaded) return fail(failure, exit_job_failed, loaded.error().message);
+  return true;
+}
+
+bool Show::load_meshes(Failure& failure) {
+  if (renderer_ == nullptr) return true;
+  std::vector<render::CrowdMeshData> meshes;
+  for (const CharacterSource& character : stage_->characters()) meshes.push_back(mesh_data(character.model));
+  const render::Status loaded = renderer_->load_characters(meshes);
+  return loaded || fail(failure, exit_job_failed, loaded.error().message);
+}
+
+bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure) {
+  Tuning tuning = options.tuning;
+  if (options.context == ContextKind::window && on_software() && !options.agents_given) {
+    tuning.agents = software_window_agents;
+    spared_.agents = software_window_agents;
+  }
+  if (renderer_ == nullptr) heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
+  render::PalettePageSource& pages = renderer_ != nullptr ? renderer_->palette_pages() : *heap_pages_;
+  const auto start = TimelineLog::Clock::now();
+  auto stage = Stage::create(std::move(characters), tuning, pages);
+  statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
+  if (!stage) return fail(failure, exit_usage, stage.error().message);
+  stage_ = std::move(*stage);
+  return true;
+}
+
+bool Show::place_camera(const DemoOptions& options, Failure& failure) {
+  const Tuning& tuning = stage_->tuning();
+  const auto agents = static_cast<std::size_t>(tuning.agents);
+  const auto cameras = scene_cameras(tuning.scene, agents, stage_->common_roles());
+  const NamedCamera* named = find_camera(cameras, options.camera_name);
+  if (named == nullptr) {
+    std::string names;
+    for (const NamedCamera& each : cameras) names += (names.empty() ? "" : ", ") + std::string(each.name);
+    return fail(failure, exit_usage,
+                "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
+  }
+  camera = camera_at(options.camera.value_or(named->place));
+  films = !options.camera && options.camera_name.empty();
   return true;
 }
 
@@ -105,45 +171,28 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   std::unique_ptr<Show> show(new Show());
   show->width = options.width;
   show->height = options.height;
-  auto character = load(options);
-  if (!character) return fail(failure, exit_job_failed, character.error().message), nullptr;
-  if (!choose_roles(options, *character, failure)) return nullptr;
-  show->model_ = options.model;
-  if (!show->open_context(options, failure) || !show->open_renderer(options, *character, failure)) return nullptr;
-  Tuning tuning = options.tuning;
-  if (options.context == ContextKind::window && show->on_software() && !options.agents_given) {
-    tuning.agents = software_window_agents;
-    show->spared_.agents = software_window_agents;
-  }
-  if (show->renderer_ == nullptr) show->heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
-  render::PalettePageSource& pages = show->renderer_ != nullptr ? show->renderer_->palette_pages() : *show->heap_pages_;
-  const CharacterRoles roles = character->roles;
-  auto stage = Stage::create(std::move(*character), tuning, pages);
-  if (!stage) return fail(failure, exit_usage, stage.error().message), nullptr;
-  show->stage_ = std::move(*stage);
-
-  const auto cameras = scene_cameras(tuning.scene, static_cast<std::size_t>(tuning.agents), roles);
-  const NamedCamera* named = find_camera(cameras, options.camera_name);
-  if (named == nullptr) {
-    std::string names;
-    for (const NamedCamera& camera : cameras) names += (names.empty() ? "" : ", ") + std::string(camera.name);
-    fail(failure, exit_usage, "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
-    return nullptr;
-  }
-  show->camera = camera_at(options.camera.value_or(named->place));
+  auto characters = load(options);
+  if (!characters) return fail(failure, exit_job_failed, characters.error().message), nullptr;
+  if (!choose_roles(options, *characters, failure)) return nullptr;
+  if (!options.trace.empty()) show->timeline_.emplace();
+  if (!show->open_context(options, failure) || !show->open_renderer(options, failure)) return nullptr;
+  if (!show->open_stage(std::move(*characters), options, failure)) return nullptr;
+  if (!show->load_meshes(failure) || !show->place_camera(options, failure)) return nullptr;
   show->update_notice();
   return show;
 }
 
 anim::Status Show::apply(const Tuning& tuning) {
+  const bool another_scene = tuning.scene != stage_->tuning().scene;
   const anim::Status applied = stage_->apply(tuning);
+  if (applied && another_scene) films = true;
   if (applied) update_notice();
   return applied;
 }
 
-anim::Result<std::filesystem::path> Show::save_roles() const {
-  const CharacterSource& character = stage_->character();
-  return RoleFile(model_).write(all_choices(character.roles.clips, character.clip_names));
+anim::Result<std::filesystem::path> Show::save_roles(std::size_t index) const {
+  const CharacterSource& character = stage_->characters()[index];
+  return RoleFile(character.file).write(all_choices(character.roles.clips, character.clip_names));
 }
 
 void Show::select_at(float x, float y) {
@@ -173,25 +222,31 @@ std::uint64_t Show::completed_frame() {
 void Show::animate(anim::Ticks delta) {
   const std::uint64_t completed = completed_frame();
   const bool had_memory = !stage_->shown().out_of_memory();
+  const auto start = TimelineLog::Clock::now();
   update_ms_ = milliseconds_of([&] {
     stage_->move(delta);
+    if (films && stage_->cut_scene() != nullptr) camera = stage_->cut_scene()->film(camera);
     stage_->pose(camera, width, height, delta, completed);
   });
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
+  if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
   statistics_.add_report(*stage_);
 }
 
-int Show::pick_mesh_lod(float pixels_tall, int at_least) const {
-  const render::CrowdMesh& mesh = renderer_->mesh();
+int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const {
+  const render::CrowdMesh& mesh = renderer_->meshes()[character];
   const int fixed = stage_->tuning().mesh_lod;
   if (fixed < 0) return render::pick_mesh_lod(mesh, pixels_tall, at_least, mesh_detail_);
   return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
 }
 
 void Show::draw() {
+  const auto start = TimelineLog::Clock::now();
   draw_ms_ = milliseconds_of([&] {
-    picture_.compose(*stage_, [this](float pixels, int at_least) { return pick_mesh_lod(pixels, at_least); });
+    picture_.compose(*stage_, [this](std::uint8_t character, float pixels, int at_least) {
+      return pick_mesh_lod(character, pixels, at_least);
+    });
     draw_counts_ =
         renderer_->draw({.camera = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height)),
                          .instances = picture_.instances(),
@@ -201,6 +256,7 @@ void Show::draw() {
     renderer_->fences().insert(stage_->frame());
     renderer_->finish();
   });
+  if (timeline_) timeline_->add_part("draw", start, TimelineLog::Clock::now());
   statistics_.set_draw(draw_counts_.draw_calls, draw_counts_.triangles);
   statistics_.add_drawn_frame(update_ms_ + draw_ms_);
 }

@@ -3,13 +3,16 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/notices.h"
 #include "app/picture.h"
 #include "app/settings.h"
 #include "app/stage.h"
 #include "app/statistics.h"
+#include "app/timeline_log.h"
 #include "engine/render/camera.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/renderer.h"
@@ -31,10 +34,10 @@ class Show {
   /// New values at a frame boundary; the sentence if they cannot be, and then nothing has changed.
   anim::Status apply(const Tuning& tuning);
 
-  /// Other clips for the roles, at a frame boundary.
-  void set_roles(const RoleClips& clips) { stage_->set_roles(clips); }
-  /// Keeps the roles for the next time; where, to tell people.
-  anim::Result<std::filesystem::path> save_roles() const;
+  /// Other clips for the roles of a character, at a frame boundary.
+  void set_roles(std::size_t character, const RoleClips& clips) { stage_->set_roles(character, clips); }
+  /// Keeps a character's roles for the next time; where, to tell people.
+  anim::Result<std::filesystem::path> save_roles(std::size_t character) const;
 
   /// Selects whoever is seen at a pixel from the top left of the picture drawn last; nobody there deselects.
   void select_at(float x, float y);
@@ -54,6 +57,8 @@ class Show {
   const Stage& stage() const { return *stage_; }
   const Picture& picture() const { return picture_; }
   const Statistics& statistics() const { return statistics_; }
+  /// What `--trace` writes; nothing unless it was asked for.
+  const std::optional<TimelineLog>& timeline() const { return timeline_; }
   DrawnBy drawn_by() const;
   const render::DrawCounts& draw_counts() const { return draw_counts_; }
   double last_update_ms() const { return update_ms_; }
@@ -61,6 +66,7 @@ class Show {
   bool on_software() const { return context_ != nullptr && context_->is_software(); }
 
   render::Camera camera;
+  bool films = false;  ///< the camera of a cut scene sets `camera` in each frame, where there is one
   int width = 0;
   int height = 0;
   /// Lines for people, of what is otherwise than they would expect (app/notices.h); may be empty.
@@ -69,10 +75,13 @@ class Show {
  private:
   Show() = default;
   bool open_context(const DemoOptions& options, Failure& failure);
-  bool open_renderer(const DemoOptions& options, const CharacterSource& character, Failure& failure);
+  bool open_renderer(const DemoOptions& options, Failure& failure);
+  bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure);
+  bool load_meshes(Failure& failure);
+  bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
   std::uint64_t completed_frame();
-  int pick_mesh_lod(float pixels_tall, int at_least) const;
+  int pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const;
 
   std::unique_ptr<render::gl::Context> context_;
   std::unique_ptr<render::Renderer> renderer_;
@@ -80,10 +89,10 @@ class Show {
   std::unique_ptr<Stage> stage_;
   Picture picture_;
   Statistics statistics_;
+  std::optional<TimelineLog> timeline_;
   Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;
-  std::filesystem::path model_;  // empty: the built-in character
   double update_ms_ = 0;
   double draw_ms_ = 0;
 };

@@ -30,25 +30,25 @@ void ShownPoses::hide_unseen(std::span<const anim::VisibleAgent> visible, std::u
   for (const anim::VisibleAgent& agent : visible) shown_.push_back(agent.agent);
 }
 
-anim::PaletteMatrix* ShownPoses::show(std::uint32_t agent, int level, std::uint32_t now, std::uint32_t pose_time,
-                                      std::uint64_t last_frame) {
-  ShownPose& pose = poses_[agent];
-  render::PaletteSlot slot = slots_->acquire(level, pose.to.page);
-  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(level);  // its page is full: the agent moves to another
+anim::PaletteMatrix* ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {
+  ShownPose& pose = poses_[next.agent];
+  render::PaletteSlot slot = slots_->acquire(next.entries, pose.to.page);
+  // Its page is full: the agent moves to another.
+  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(next.entries);
   if (!slot.valid()) {
     out_of_memory_ = true;
     hide(pose, last_frame);
     return nullptr;
   }
   retire_from(pose, last_frame);
-  const bool blends = pose_time != now && pose.to.valid() && pose.to.page == slot.page;
+  const bool blends = next.time != now && pose.to.valid() && pose.to.page == slot.page;
   if (!blends && pose.to.valid()) slots_->retire(pose.to, last_frame);
   pose = {.from = blends ? pose.to : slot,
           .to = slot,
-          .from_level = blends ? pose.to_level : static_cast<std::uint8_t>(level),
-          .to_level = static_cast<std::uint8_t>(level),
-          .from_time = blends ? pose.to_time : pose_time,
-          .to_time = pose_time};
+          .from_level = blends ? pose.to_level : next.level,
+          .to_level = next.level,
+          .from_time = blends ? pose.to_time : next.time,
+          .to_time = next.time};
   return reinterpret_cast<anim::PaletteMatrix*>(slots_->memory(slot));
 }
 

@@ -23,6 +23,14 @@ struct ShownPose {
   std::uint8_t level() const { return from_level > to_level ? from_level : to_level; }
 };
 
+/// A pose that is about to be written.
+struct NewPose {
+  std::uint32_t agent;
+  std::uint8_t level;     ///< bone level
+  std::uint32_t entries;  ///< of the palette at that level
+  std::uint32_t time;     ///< the moment that it is the pose of; microseconds modulo 2^32
+};
+
 /// Which palette slots each agent shows: the contract of engine/render/README.md, kept on the animation's side.
 class ShownPoses {
  public:
@@ -34,11 +42,9 @@ class ShownPoses {
   /// Gives back the slots of agents that went out of view. `visible` is ascending by agent.
   void hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame);
 
-  /// A slot for a new pose of a visible agent, that of the moment `pose_time`, reached by blending from the pose shown
-  /// so far; equal to `now`, it is shown at once. Microseconds modulo 2^32. Null where no memory is left: the agent is
-  /// posed but not drawn.
-  anim::PaletteMatrix* show(std::uint32_t agent, int level, std::uint32_t now, std::uint32_t pose_time,
-                            std::uint64_t last_frame);
+  /// A slot for a new pose of a visible agent, reached by blending from the pose shown so far; one of `now` is shown at
+  /// once. Null where no memory is left: the agent is posed but not drawn.
+  anim::PaletteMatrix* show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
   /// Whether any agent since the last reset found no slot.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <thread>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
-#include "app/agent_colors.h"
+#include "app/cut_scene_models.h"
 
 namespace throng::app {
 namespace {
@@ -14,13 +16,39 @@ namespace {
 constexpr float push_impulse = 60.0F;      // kg m/s: a hard shove
 constexpr double push_height = 0.75;       // of the character's, where it is met
 constexpr float least_body_radius = 0.2F;  // metres, to click at
+constexpr double person_height = 1.8;      // metres
 
-std::vector<std::uint32_t> entries_by_level(const anim::Skeleton& skeleton) {
-  std::vector<std::uint32_t> entries;
-  for (const int bones : skeleton.level_bone_counts) {
-    entries.push_back(static_cast<std::uint32_t>(anim::palette_count_for_bones(skeleton, bones)));
+using EntriesByLevel = std::vector<std::vector<std::uint32_t>>;  // [character][bone level]
+
+EntriesByLevel entries_by_level(std::span<const CharacterSource> characters) {
+  EntriesByLevel entries;
+  for (const CharacterSource& source : characters) {
+    const anim::Skeleton& skeleton = source.character->skeleton;
+    std::vector<std::uint32_t>& of_character = entries.emplace_back();
+    for (const int bones : skeleton.level_bone_counts) {
+      of_character.push_back(static_cast<std::uint32_t>(anim::palette_count_for_bones(skeleton, bones)));
+    }
   }
   return entries;
+}
+
+std::vector<std::uint32_t> all_sizes(const EntriesByLevel& entries) {
+  std::vector<std::uint32_t> sizes;
+  for (const auto& of_character : entries) sizes.insert(sizes.end(), of_character.begin(), of_character.end());
+  return sizes;
+}
+
+std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters) {
+  std::vector<CharacterRoles> roles;
+  for (const CharacterSource& character : characters) roles.push_back(character.roles);
+  return roles;
+}
+
+anim::LodCharacter lod_character(const CharacterSource& source) {
+  return {.centre_height = static_cast<float>(source.bounds.height / 2.0),
+          .radius = static_cast<float>(source.bounds.reach),
+          .height = static_cast<float>(source.bounds.height),
+          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size())};
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
@@ -31,10 +59,6 @@ std::string joined(std::span<const std::string> sentences) {
   std::string all;
   for (const std::string& sentence : sentences) all += (all.empty() ? "" : "; ") + sentence;
   return all;
-}
-
-std::uint32_t microseconds(anim::Ticks ticks) {
-  return static_cast<std::uint32_t>(ticks * 10 / (anim::ticks_per_second / 100'000));
 }
 
 }  // namespace
@@ -49,36 +73,65 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe};
 }
 
-anim::LodRules lod_rules(const Tuning& tuning, int level_count) {
+anim::LodRules lod_rules(const Tuning& tuning) {
   return {
       .rule = tuning.lod == LodRule::off ? anim::LodRule::off : anim::LodRule::distance,
       .full_rate_distance = tuning.full_rate_distance,
       .interval_growth = tuning.interval_growth,
       .largest_interval = tuning.largest_interval,
       .bone_lod = tuning.bone_lod,
-      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]},
-      .level_count = level_count};
+      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]}};
 }
 
-Stage::Stage(CharacterSource character, render::PalettePageSource& pages)
-    : character_(std::move(character)),
-      slots_(pages, entries_by_level(character_.character->skeleton)),
-      shown_(slots_) {}
+Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
+    : characters_(std::move(characters)),
+      palette_entries_(entries_by_level(characters_)),
+      slots_(pages, all_sizes(palette_entries_)),
+      shown_(slots_) {
+  std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
+}
 
-anim::Result<std::unique_ptr<Stage>> Stage::create(CharacterSource character, const Tuning& tuning,
+anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                    render::PalettePageSource& pages) {
-  std::unique_ptr<Stage> stage(new Stage(std::move(character), pages));
-  auto system = anim::AnimationSystem::create(stage->character_.character, system_options(tuning));
-  if (!system) return system.error();
-  stage->system_ = std::move(*system);
-  stage->rigs_ = std::make_unique<const anim::CharacterRigs>(stage->character_.model);
-  const anim::RigKinds kinds = stage->rigs_->add_to(*stage->system_);
-  stage->fallen_ = std::make_unique<FallenAgents>(kinds.ragdoll, *stage->system_);
-  stage->feet_ = std::make_unique<PlacedFeet>(kinds.foot_placement, *stage->system_);
+  const CharacterRoles roles = app::common_roles(roles_of(characters));
+  characters.push_back(balloon(roles.height / person_height));
+  std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
   stage->tuning_ = tuning;
+  if (const anim::Status opened = stage->open_system(); !opened) return opened.error();
   stage->populate();
   return stage;
 }
+
+anim::Status Stage::open_system() {
+  auto system = anim::AnimationSystem::create(characters_.front().character, system_options(tuning_));
+  if (!system) return system.error();
+  system_ = std::move(*system);
+  for (const CharacterSource& more : std::span(characters_).subspan(1)) {
+    if (const auto added = system_->add_character(more.character); !added) {
+      return anim::Error{more.name + ": " + added.error().message};
+    }
+  }
+  const auto camera = system_->add_character(film_camera(common_roles().height / person_height));
+  if (!camera) return camera.error();
+  film_camera_ = *camera;
+  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
+  for (std::uint32_t character = 0; character < characters_.size(); ++character) {
+    rigs_.push_back(std::make_unique<const anim::CharacterRigs>(characters_[character].model));
+    const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
+    ragdolls.push_back(kinds.ragdoll);
+    feet.push_back(kinds.foot_placement);
+  }
+  fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
+  feet_ = std::make_unique<PlacedFeet>(std::move(feet), *system_);
+  return anim::Done{};
+}
+
+std::span<const CharacterSource> Stage::people() const {
+  const auto prop = std::ranges::find_if(characters_, [](const CharacterSource& each) { return each.roles.is_prop; });
+  return {characters_.begin(), prop};
+}
+
+CharacterRoles Stage::common_roles() const { return app::common_roles(roles_of(characters_)); }
 
 anim::Status Stage::apply(const Tuning& tuning) {
   const anim::SystemOptions options = system_options(tuning);
@@ -93,23 +146,27 @@ anim::Status Stage::apply(const Tuning& tuning) {
   return anim::Done{};
 }
 
-void Stage::set_roles(const RoleClips& clips) {
-  assign_roles(character_, clips);
+void Stage::set_roles(std::size_t character, const RoleClips& clips) {
+  assign_roles(characters_[character], clips);
   if (!moving_) lod_.make_all_due();
   populate();
 }
 
 void Stage::populate() {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
-  crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, character_.roles);
+  crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
   selected_.reset();
   fallen_->reset();
   feet_->reset(agents);
   system_->set_agent_count(0);
-  system_->set_agent_count(static_cast<std::uint32_t>(agents));
+  cut_scene_.reset();
+  system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     request_clip(agent, crowd_->clips()[agent], 0, static_cast<double>(crowd_->start_phases()[agent]));
+  }
+  if (tuning_.scene == Scene::film) {
+    cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   lod_.resize(agents, selection_);
   shown_.reset(agents, frame_);
@@ -118,7 +175,7 @@ void Stage::populate() {
 
 void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
   const int index = clip == no_clip ? 0 : clip;
-  const anim::Ticks duration = character_.character->clips[static_cast<std::size_t>(index)].duration;
+  const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
   system_->play(agent, {.clip = index,
@@ -132,104 +189,24 @@ void Stage::request_clip(const std::optional<ClipRequest>& request) {
   request_clip(request->agent, request->clip, anim::to_ticks(static_cast<double>(request->fade_seconds)), 0.0);
 }
 
-void Stage::move(anim::Ticks delta) {
-  moving_ = delta > 0;
-  if (moving_) ++frames_moved_;
-  system_->advance(delta);
-  const auto requests = crowd_->advance(delta, system_->executor(), system_->options().pus);
-  for (const ClipRequest& request : requests) request_clip(request);
-  match_playback();
-}
-
-// Those who walk go at their own pace from frame to frame, and their feet with them.
-void Stage::match_playback() {
-  const std::span<const float> speeds = crowd_->playback_speeds();
-  const std::size_t movers = crowd_->walkers() + crowd_->marchers();
-  for (std::uint32_t agent = 0; agent < movers; ++agent) {
-    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip) continue;
-    system_->set_speed(agent, static_cast<double>(speeds[agent]));
-    played_speeds_[agent] = speeds[agent];
-  }
-}
-
-std::uint32_t Stage::now() const { return microseconds(system_->clock()); }
-
-anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) const {
-  const render::CameraView view = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height));
-  const anim::Character& character = *character_.character;
-  return {.positions = crowd_->positions(),
-          .scales = crowd_->scales(),
-          .bounds = {.centre_height = static_cast<float>(character_.bounds.height / 2.0),
-                     .radius = static_cast<float>(character_.bounds.reach),
-                     .height = static_cast<float>(character_.bounds.height)},
-          .camera = {.position = camera.position,
-                     .frustum = render::frustum_planes(view),
-                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F)},
-          .rules = lod_rules(tuning_, static_cast<int>(character.skeleton.level_bone_counts.size())),
-          .number = frames_moved_};
-}
-
-void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
-                 std::uint64_t completed_frame) {
-  const std::uint64_t last_frame = frame_++;
-  slots_.reclaim(completed_frame);
-  anim::select_for_update(lod_frame(camera, width, height), lod_, selection_);
-  shown_.hide_unseen(selection_.visible, last_frame);
-  updates_.clear();
-  auto seen = selection_.visible.begin();
-  for (const anim::DueAgent& due : selection_.due) {
-    while (seen != selection_.visible.end() && seen->agent < due.agent) ++seen;
-    if (crowd_->holds(due.agent)) continue;  // it has fallen
-    const bool visible = seen != selection_.visible.end() && seen->agent == due.agent;
-    // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
-    const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
-    const anim::Ticks look_ahead = ahead ? due.look_ahead * frame_step : 0;
-    updates_.push_back({.agent = due.agent, .level = due.bone_level, .look_ahead = look_ahead, .palette = nullptr});
-    place_feet(due, visible && !ahead);
-    if (!visible) continue;
-    updates_.back().palette =
-        shown_.show(due.agent, due.bone_level, now(), microseconds(system_->clock() + look_ahead), last_frame);
-  }
-  pose_fallen(last_frame);
-  system_->update(updates_);
-  get_up();
-}
-
-// Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
-void Stage::place_feet(const anim::DueAgent& due, bool near_by) {
-  const bool everyone = tuning_.lod == LodRule::off;
-  if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && due.look_ahead <= 1))) {
-    feet_->place(*crowd_, due.agent);
-  } else {
-    feet_->let_go(due.agent);
-  }
-}
-
-// Rag-dolls have no pose that could be looked ahead to, and fall on where nobody sees them.
-void Stage::pose_fallen(std::uint64_t last_frame) {
-  for (const FallenAgents::Fallen& fallen : fallen_->fallen()) {
-    const ShownPose& pose = shown_.pose(fallen.agent);
-    const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - now()) > 0;
-    if (looked_ahead || (!moving_ && pose.shown())) continue;
-    const bool visible = std::ranges::binary_search(selection_.visible, fallen.agent, {}, &anim::VisibleAgent::agent);
-    updates_.push_back({.agent = fallen.agent, .level = 0, .look_ahead = 0, .palette = nullptr});
-    if (visible) updates_.back().palette = shown_.show(fallen.agent, 0, now(), now(), last_frame);
-  }
-}
-
-void Stage::get_up() {
-  for (const std::uint32_t agent : fallen_->advance()) request_clip(crowd_->release(agent));
+bool Stage::can_fall(std::uint32_t agent) const {
+  return fallen_->possible(agent) && crowd_->habits()[agent] != Habit::act;
 }
 
 anim::Status Stage::push_over(std::uint32_t agent, const glm::vec3& direction) {
-  if (!can_fall()) return anim::Error{"nobody can be pushed over: " + joined(rigs_->missing())};
+  const CharacterSource& character = character_of(agent);
+  if (crowd_->habits()[agent] == Habit::act) return anim::Error{"nobody who acts in the cut scene can be pushed over"};
+  if (!can_fall(agent)) {
+    const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing());
+    return anim::Error{character.name + " cannot be pushed over: " + missing};
+  }
   const Heading heading = crowd_->headings()[agent];
   const glm::vec2 way(heading.cosine * direction.x - heading.sine * direction.z,
                       heading.sine * direction.x + heading.cosine * direction.z);
   const glm::vec2 impulse = way * (push_impulse / std::max(glm::length(way), 1e-3F));
   const bool stood = !crowd_->holds(agent);
   if (stood) request_clip(crowd_->hold(agent));
-  const auto chest = static_cast<float>(push_height * character_.bounds.height);
+  const auto chest = static_cast<float>(push_height * character.bounds.height);
   const anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
   if (!pushed && stood) request_clip(crowd_->release(agent));
   return pushed;
@@ -238,8 +215,9 @@ anim::Status Stage::push_over(std::uint32_t agent, const glm::vec3& direction) {
 // Somebody who lies is as long as they were tall, in any direction.
 UprightBody Stage::body_of(std::uint32_t agent) const {
   const float scale = crowd_->scales()[agent];
-  const float height = static_cast<float>(character_.bounds.height) * scale;
-  const float radius = std::max(static_cast<float>(character_.bounds.body_radius), least_body_radius) * scale;
+  const anim::CharacterBounds& bounds = character_of(agent).bounds;
+  const float height = static_cast<float>(bounds.height) * scale;
+  const float radius = std::max(static_cast<float>(bounds.body_radius), least_body_radius) * scale;
   UprightBody body{.agent = agent, .foot = crowd_->positions()[agent], .radius = radius, .height = height};
   const std::optional<glm::vec3> hips = fallen_->hips(agent);
   if (!hips || hips->y * scale > height / 4.0F) return body;
@@ -257,30 +235,6 @@ std::vector<UprightBody> Stage::bodies_in_view() const {
   bodies.reserve(selection_.visible.size());
   for (const anim::VisibleAgent& agent : selection_.visible) bodies.push_back(body_of(agent.agent));
   return bodies;
-}
-
-bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const {
-  const ShownPose& pose = shown_.pose(agent.agent);
-  if (!pose.shown()) return false;
-  const glm::vec3 position = crowd_->positions()[agent.agent];
-  const Heading heading = crowd_->headings()[agent.agent];
-  record = {
-      .position = {position.x, position.y, position.z},
-      .scale = crowd_->scales()[agent.agent],
-      .heading_cosine = heading.cosine,
-      .heading_sine = heading.sine,
-      .palette_from = pose.from.first_entry,
-      .palette_to = pose.to.first_entry,
-      .blend_start = pose.from_time,
-      .blend_duration = pose.to_time - pose.from_time,
-      .agent = agent.agent,
-      .debug_color = agent.agent == selected_ ? selected_color : debug_color(tuning_.debug_view, agent, pose.level()),
-      .tints = {},
-      .bone_level = pose.level(),
-      .shape = crowd_->variants()[agent.agent].shape(),
-      .hair = crowd_->variants()[agent.agent].hair()};
-  std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
-  return true;
 }
 
 }  // namespace throng::app

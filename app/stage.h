@@ -8,6 +8,7 @@
 
 #include "app/character_source.h"
 #include "app/crowd.h"
+#include "app/cut_scene.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
 #include "app/placed_feet.h"
@@ -29,14 +30,15 @@ namespace throng::app {
 /// after which selection() and records() say what to draw.
 class Stage {
  public:
-  static anim::Result<std::unique_ptr<Stage>> create(CharacterSource character, const Tuning& tuning,
+  /// `characters`: 1 to most_models people, then props; every agent is one of them.
+  static anim::Result<std::unique_ptr<Stage>> create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                      render::PalettePageSource& pages);
 
   /// New tuning, at a frame boundary. A different crowd starts anew; on error the old tuning goes on.
   anim::Status apply(const Tuning& tuning);
 
-  /// Other clips for the roles, at a frame boundary; the crowd starts anew.
-  void set_roles(const RoleClips& clips);
+  /// Other clips for the roles of a character, at a frame boundary; the crowd starts anew.
+  void set_roles(std::size_t character, const RoleClips& clips);
 
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
@@ -47,10 +49,10 @@ class Stage {
   void select(std::optional<std::uint32_t> agent) { selected_ = agent; }
   std::optional<std::uint32_t> selected() const { return selected_; }
 
-  /// Pushes an agent over, in the world's `direction` (the height of it is ignored). Errors: there is nothing in the
+  /// Pushes an agent over, in the world's `direction` (the height of it is ignored). Errors: there is nothing in its
   /// character that could fall, or no room for it in the local store.
   anim::Status push_over(std::uint32_t agent, const glm::vec3& direction);
-  bool can_fall() const { return fallen_->possible(); }
+  bool can_fall(std::uint32_t agent) const;
   const FallenAgents& fallen() const { return *fallen_; }
 
   /// What can be clicked at: those in view, in ascending order of agent; allocates.
@@ -63,13 +65,20 @@ class Stage {
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }
-  const CharacterSource& character() const { return character_; }
+  /// What the scene is laid out for.
+  CharacterRoles common_roles() const;
+  std::span<const CharacterSource> characters() const { return characters_; }
+  std::span<const CharacterSource> people() const;  ///< those that are no props
+  const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd_->characters()[agent]]; }
   const Tuning& tuning() const { return tuning_; }
+  /// The camera of the cut scene; null in the other scenes.
+  const CutScene* cut_scene() const { return cut_scene_.get(); }
   std::uint64_t frame() const { return frame_; }
   std::uint32_t now() const;  ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
 
  private:
-  Stage(CharacterSource character, render::PalettePageSource& pages);
+  Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
+  anim::Status open_system();
   void populate();
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
@@ -79,17 +88,22 @@ class Stage {
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
+  anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
 
-  CharacterSource character_;
+  std::vector<CharacterSource> characters_;
+  std::vector<std::vector<std::uint32_t>> palette_entries_;  // [character][bone level]
+  std::vector<anim::LodCharacter> lod_characters_;
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
-  std::unique_ptr<const anim::CharacterRigs> rigs_;
+  std::vector<std::unique_ptr<const anim::CharacterRigs>> rigs_;  // [character]
+  std::uint32_t film_camera_ = 0;                                 // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
   std::unique_ptr<Crowd> crowd_;
-  std::vector<float> played_speeds_;  // of each agent's clip, as the system was told
+  std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
+  std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
   anim::LodState lod_;
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;
@@ -101,6 +115,6 @@ class Stage {
 
 /// What the command line and the overlay call a thing, as the animation system does.
 anim::SystemOptions system_options(const Tuning& tuning);
-anim::LodRules lod_rules(const Tuning& tuning, int level_count);
+anim::LodRules lod_rules(const Tuning& tuning);
 
 }  // namespace throng::app

@@ -25,6 +25,17 @@ double mean(std::uint64_t sum, std::uint64_t count) {
 
 Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
+// A whole number where every agent has as many.
+Json bones_per_agent(const Stage& stage) {
+  std::uint64_t bones = 0;
+  const std::size_t agents = stage.crowd().size();
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    bones += static_cast<std::uint64_t>(stage.system().character(agent).skeleton.bone_count());
+  }
+  if (bones % agents == 0) return bones / agents;
+  return mean(bones, agents);
+}
+
 void add_scheduling(Json& json, const Stage& stage) {
   const anim::ScheduleOptions& schedule = stage.system().schedule();
   std::size_t laid_out = 0;
@@ -64,16 +75,18 @@ void Statistics::add_report(const Stage& stage) {
   dma_in_ += report.copies.bytes_in;
   dma_out_ += report.copies.bytes_out;
   dma_transfers_ += report.copies.transfers;
+  stream_bytes_ += stage.system().stream_bytes();
   agents_updated_ += report.agents_updated;
   bones_evaluated_ += report.bones_evaluated;
 }
 
 anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
   Json json;
-  json["agents"] = stage.system().agent_count();
-  json["bones_per_agent"] = stage.character().character->skeleton.bone_count();
+  json["agents"] = stage.crowd().size();
+  json["bones_per_agent"] = bones_per_agent(stage);
   json["frames"] = frames_;
   add_scheduling(json, stage);
+  json["spawn_ms"] = spawn_ms_;
   json["update_ms_median"] = median(update_ms_);
   json["update_ms_p99"] = percentile_99(update_ms_);
   json["frame_ms_median"] = frame_ms_.empty() ? Json(nullptr) : Json(median(frame_ms_));
@@ -83,6 +96,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["dma_in_bytes_per_frame"] = mean(dma_in_, frames_);
   json["dma_out_bytes_per_frame"] = mean(dma_out_, frames_);
   json["dma_transfers_per_frame"] = mean(dma_transfers_, frames_);
+  json["stream_bytes_per_frame"] = mean(stream_bytes_, frames_);
   json["agents_updated_per_frame"] = mean(agents_updated_, frames_);
   json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
   json["gl_version"] = null_if_empty(drawn_by.gl_version);

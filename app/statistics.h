@@ -18,6 +18,8 @@ struct DrawnBy {
 /// Collects a run's figures and writes them as one flat JSON object (README "How to read the statistics").
 class Statistics {
  public:
+  /// What it took to make the crowd: places, agents, clips, blocks.
+  void set_spawn(double milliseconds) { spawn_ms_ = milliseconds; }
   void add_update(double milliseconds) { update_ms_.push_back(milliseconds); }
   void add_drawn_frame(double milliseconds) { frame_ms_.push_back(milliseconds); }
   void set_draw(std::uint32_t draw_calls, std::uint64_t triangles);
@@ -28,10 +30,11 @@ class Statistics {
 
  private:
   std::vector<double> update_ms_, frame_ms_;
+  double spawn_ms_ = 0;
   std::uint32_t draw_calls_ = 0;
   std::uint64_t triangles_ = 0;
   std::uint64_t frames_ = 0;
-  std::uint64_t palette_bytes_ = 0, dma_in_ = 0, dma_out_ = 0, dma_transfers_ = 0;
+  std::uint64_t palette_bytes_ = 0, dma_in_ = 0, dma_out_ = 0, dma_transfers_ = 0, stream_bytes_ = 0;
   std::uint64_t agents_updated_ = 0, bones_evaluated_ = 0;
 };
 

@@ -63,17 +63,25 @@ class WindowLoop {
     const InputFrame& input = input_.next_frame();
     overlay_.begin_frame(show_.width, show_.height, seconds, input);
     const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
-    fly_camera_.update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()}, static_cast<float>(seconds));
+    fly(input, static_cast<float>(seconds));
     obey(commands);
     apply_tuning();
     show_.camera = fly_camera_.camera();
     show_.animate(step(seconds, commands.step));
+    if (show_.films) fly_camera_.set_camera(show_.camera);
     present();
     if (commands.screenshot) take_screenshot();
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
     write_ui_map();
     done_ = commands.quit || input_.asked_to_close();
+  }
+
+  // Whoever takes the camera in hand has it from then on.
+  void fly(const InputFrame& input, float seconds) {
+    const render::Camera before = fly_camera_.camera();
+    fly_camera_.update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()}, seconds);
+    if (fly_camera_.camera() != before) show_.films = false;
   }
 
   anim::Ticks step(double seconds, bool single) const {
@@ -107,6 +115,7 @@ class WindowLoop {
 
   void obey(const OverlayCommands& commands) {
     if (commands.frame_crowd) {
+      show_.films = false;
       const CrowdSphere crowd = bounding_sphere(show_.stage().crowd());
       const float aspect = static_cast<float>(show_.width) / static_cast<float>(show_.height);
       fly_camera_.set_camera(render::frame_sphere(fly_camera_.camera(), crowd.centre, crowd.radius, aspect));
@@ -116,11 +125,13 @@ class WindowLoop {
     if (commands.push_over) {
       if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
     }
-    if (commands.roles) show_.set_roles(*commands.roles);
+    const std::size_t character = reporter_.report().character;
+    if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) {
-      const auto saved = show_.save_roles();
+      const auto saved = show_.save_roles(character);
       notice_ = saved ? "Wrote " + saved->string() : saved.error().message;
     }
+    if (commands.character) reporter_.describe_character(show_, *commands.character);
     if (!commands.copy_camera) return;
     const std::string option = camera_option(fly_camera_.place());
     input_.clipboard().set(option);

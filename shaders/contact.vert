@@ -6,10 +6,10 @@
 
 layout(location = 0) uniform float sun_side;
 
-const float contact_radius = 0.42;  // metres, at scale 1
+const float contact_radius = 0.42;  // metres, of a person of 1.8 metres
 const float streak_length = 1.1;
 
-out vec2 place;  // metres at scale 1: x across the sun's direction, y away from it
+out vec2 place;  // metres, of a person of 1.8 metres: x across the sun's direction, y away from it
 out float metres;
 
 void main() {
@@ -19,7 +19,8 @@ void main() {
   vec2 across = vec2(-away.y, away.x);
   place = vec2(mix(-contact_radius, contact_radius, corner.x),
                mix(-contact_radius, contact_radius + streak_length * sun_side, corner.y));
-  vec2 ground = position_of(instance).xz + instance.scale * (across * place.x + away * place.y);
+  float scale = instance.scale * instance.contact_scale;
+  vec2 ground = position_of(instance).xz + scale * (across * place.x + away * place.y);
   vec3 point = vec3(ground.x, 0.0, ground.y);
   metres = distance(point, camera_position.xyz);
   gl_Position = view_projection * vec4(point, 1.0);

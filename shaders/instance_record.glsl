@@ -1,4 +1,4 @@
-// Twin of engine/render/instance_record.h: 80 bytes, scalars only, so that std430 adds no gaps.
+// Twin of engine/render/instance_record.h: 84 bytes, scalars only, so that std430 adds no gaps.
 struct InstanceRecord {
   float position_x, position_y, position_z;
   float scale;
@@ -11,6 +11,7 @@ struct InstanceRecord {
   uint bone_level;
   uint shape;
   uint hair;
+  float contact_scale;
 };
 
 layout(std430, binding = 0) readonly buffer Instances { InstanceRecord instances[]; };

@@ -6,13 +6,13 @@ namespace throng::app {
 
 // The words for each enumeration of the settings and the report, in its order; those of the command line where it has
 // them.
-inline constexpr std::array<const char*, 4> scene_words = {"plaza", "parade", "stadium", "grid"};
+inline constexpr std::array<const char*, 5> scene_words = {"plaza", "parade", "stadium", "grid", "film"};
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
 inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe"};
 inline constexpr std::array<const char*, 2> lod_rule_words = {"off", "distance"};
-inline constexpr std::array<const char*, 6> habit_words = {"strolls", "stands about", "marches",
-                                                           "watches", "has a seat",   "trains"};
+inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands about", "marches", "watches",
+                                                           "has a seat", "trains",       "acts"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
 inline constexpr std::array<const char*, 4> debug_view_words = {"none", "interval", "bones", "mesh"};
 

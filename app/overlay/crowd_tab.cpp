@@ -1,4 +1,6 @@
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
@@ -7,13 +9,33 @@
 namespace throng::app {
 namespace {
 
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+// One is a fact; of several, the one whose roles and bones are shown is chosen.
+void show_characters(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands] = context;
+  if (report.characters.size() < 2) {
+    widgets.fact("Model", report.characters.empty() ? "" : report.characters.front(),
+                 {.what = "The character of every agent. Give another file, or several, on the command line."});
+    return;
+  }
+  std::vector<std::string> names;
+  for (const std::string& character : report.characters) names.push_back(file_name(character));
+  auto shown = static_cast<int>(report.character);
+  if (widgets.pick("Model", shown, shown, names, nullptr,
+                   {.what = "The characters of the crowd: whose roles are shown below, and whose bones."})) {
+    commands.character = static_cast<std::size_t>(shown);
+  }
+}
+
 void show_who(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Who");
-  widgets.fact("Model", report.model, {.what = "The character of every agent. Give another file on the command line."});
+  show_characters(context);
   widgets.choice("Scene", tuning.scene, standard.scene, scene_words,
                  {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
-                          "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows.",
+                          "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
+                          "film: a cut scene with an actor, a balloon and a camera.",
                   .cost = "Changing it places all agents anew."});
   widgets.number("Agents", tuning.agents, standard.agents, {.lowest = 1, .highest = 100000, .logarithmic = true},
                  {.what = "Characters in the crowd, each in a pose of its own.",

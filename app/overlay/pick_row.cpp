@@ -37,7 +37,7 @@ bool Widgets::pick(const char* label, int& index, int standard, std::span<const 
   ImGui::SetNextWindowPos({place.from.x, place.to.y});
   ImGui::SetNextWindowSizeConstraints({place.width(), 0}, {place.width(), theme_.px(longest_list)});
   if (ImGui::BeginPopup("list")) {
-    for (int i = -1; i < static_cast<int>(words.size()); ++i) {
+    for (int i = none == nullptr ? 0 : -1; i < static_cast<int>(words.size()); ++i) {
       const std::string word = word_of(i, words, none);
       ImGui::PushID(i);
       if (ImGui::Selectable(word.c_str(), i == index)) index = i;

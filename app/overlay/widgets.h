@@ -53,7 +53,7 @@ class Widgets {
   }
   bool choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help);
 
-  /// One of many words, from a list that opens; -1 is `none`, the first entry of the list.
+  /// One of many words, from a list that opens; -1 is `none`, the first entry of the list; null: there is no such.
   bool pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,
             const Help& help);
 

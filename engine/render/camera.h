@@ -17,6 +17,8 @@ struct Camera {
   float pitch = 0.0F;                    ///< radians, within +-pitch_limit
   float vertical_view = 0.87266462599F;  ///< radians, 50 degrees
 
+  friend bool operator==(const Camera&, const Camera&) = default;
+
   static constexpr float near_distance = 0.05F;  ///< metres
   static constexpr float far_distance = 4000.0F;
   static constexpr float pitch_limit = 1.55F;

@@ -10,10 +10,11 @@
 
 namespace throng::render {
 
-/// One run of instances that share palette page and mesh LOD.
+/// One run of instances that share palette page, character and mesh LOD.
 struct CrowdBatch {
   std::uint32_t page = 0;
-  std::uint8_t mesh_lod = 0;  ///< 0 is the full mesh
+  std::uint8_t character = 0;  ///< in the order in which they were loaded
+  std::uint8_t mesh_lod = 0;   ///< 0 is the full mesh
   std::uint32_t first_instance = 0;
   std::uint32_t instance_count = 0;
 };
@@ -28,7 +29,7 @@ struct CameraView {
 struct CrowdFrame {
   CameraView camera;
   std::span<const InstanceRecord> instances;
-  std::span<const CrowdBatch> batches;  ///< in ascending order of page
+  std::span<const CrowdBatch> batches;  ///< in ascending order of page, then character
   std::uint32_t now = 0;                ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
   bool bones_as_lines = false;
 };

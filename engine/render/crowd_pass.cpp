@@ -1,6 +1,7 @@
 #include "engine/render/crowd_pass.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/render/frame_uniforms.h"
 
@@ -10,39 +11,44 @@ namespace {
 /// Uniform locations, the same in every program of the crowd; 0 is CrowdMesh::bind's.
 enum Location : GLint { base_color_location = 1, alpha_cutoff_location = 2 };
 
-/// Calls `do_page` with the batches of each page.
-void for_each_page(std::span<const CrowdBatch> batches, const auto& do_page) {
+/// Calls `do_run` with the batches of each page and character.
+void for_each_run(std::span<const CrowdBatch> batches, const auto& do_run) {
   while (!batches.empty()) {
-    const auto other =
-        std::ranges::find_if(batches, [&](const CrowdBatch& batch) { return batch.page != batches[0].page; });
+    const CrowdBatch& first = batches.front();
+    const auto other = std::ranges::find_if(batches, [&](const CrowdBatch& batch) {
+      return batch.page != first.page || batch.character != first.character;
+    });
     const auto count = static_cast<std::size_t>(other - batches.begin());
-    do_page(batches.first(count));
+    do_run(batches.first(count));
     batches = batches.subspan(count);
   }
 }
 
-void compose_surfaces(std::span<const CrowdBatch> batches, const CrowdMesh& mesh, IndirectDraws& draws) {
+void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws) {
   draws.clear();
-  for_each_page(batches, [&](std::span<const CrowdBatch> page) {
+  for_each_run(batches, [&](std::span<const CrowdBatch> run) {
+    const auto [page, character] = std::pair(run[0].page, run[0].character);
+    const CrowdMesh& mesh = meshes[character];
     for (std::size_t material = 0; material < mesh.material_count(); ++material) {
-      draws.begin_group(page[0].page, static_cast<int>(material));
-      for (const CrowdBatch& batch : page) {
-        for (const MaterialRun& run : mesh.runs(batch.mesh_lod)) {
-          if (run.material == static_cast<int>(material)) draws.add(run, batch);
+      draws.begin_group(page, character, static_cast<int>(material));
+      for (const CrowdBatch& batch : run) {
+        for (const MaterialRun& triangles : mesh.runs(batch.mesh_lod)) {
+          if (triangles.material == static_cast<int>(material)) draws.add(triangles, batch);
         }
       }
     }
   });
 }
 
-void compose_outlines(std::span<const CrowdBatch> batches, const CrowdMesh& mesh, IndirectDraws& draws) {
+void compose_outlines(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws) {
   draws.clear();
-  for_each_page(batches, [&](std::span<const CrowdBatch> page) {
-    draws.begin_group(page[0].page, 0);
-    for (const CrowdBatch& batch : page) {
+  for_each_run(batches, [&](std::span<const CrowdBatch> run) {
+    const CrowdMesh& mesh = meshes[run[0].character];
+    draws.begin_group(run[0].page, run[0].character, 0);
+    for (const CrowdBatch& batch : run) {
       // An outline needs no more triangles than the next coarser mesh LOD has.
       const std::size_t lod = std::min<std::size_t>(batch.mesh_lod + 1UL, mesh.lod_count() - 1);
-      for (const MaterialRun& run : mesh.runs(lod)) draws.add(run, batch);
+      for (const MaterialRun& triangles : mesh.runs(lod)) draws.add(triangles, batch);
     }
   });
 }
@@ -76,15 +82,17 @@ Result<CrowdPass> CrowdPass::create(ShaderLibrary& shaders) {
   return pass;
 }
 
-DrawCounts CrowdPass::draw(const CrowdFrame& frame, const CrowdMesh& mesh, const PaletteBuffer& palettes) {
+DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
   test_depth();
-  return frame.bones_as_lines ? draw_bones(frame, mesh, palettes) : draw_surfaces(frame, mesh, palettes);
+  return frame.bones_as_lines ? draw_bones(frame, meshes, palettes) : draw_surfaces(frame, meshes, palettes);
 }
 
-DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, const CrowdMesh& mesh, const PaletteBuffer& palettes) {
-  compose_surfaces(frame.batches, mesh, surfaces_);
+DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
+                                    const PaletteBuffer& palettes) {
+  compose_surfaces(frame.batches, meshes, surfaces_);
   surfaces_.upload();
   for (const IndirectDraws::Group& group : surfaces_.groups()) {
+    const CrowdMesh& mesh = meshes[group.character];
     use_material(mesh.material(group.material));
     mesh.bind();
     palettes.bind(group.page, palette_binding);
@@ -107,15 +115,17 @@ void CrowdPass::use_material(const CrowdMaterial& material) const {
   }
 }
 
-DrawCounts CrowdPass::draw_bones(const CrowdFrame& frame, const CrowdMesh& mesh, const PaletteBuffer& palettes) const {
+DrawCounts CrowdPass::draw_bones(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
+                                 const PaletteBuffer& palettes) const {
   DrawCounts counts;
-  if (mesh.bone_end_count() == 0) return counts;
   glUseProgram(shaders_->id(bones_));
-  mesh.bind();
-  for_each_page(frame.batches, [&](std::span<const CrowdBatch> page) {
-    palettes.bind(page.front().page, palette_binding);
-    const std::uint32_t first = page.front().first_instance;
-    const std::uint32_t end = page.back().first_instance + page.back().instance_count;
+  for_each_run(frame.batches, [&](std::span<const CrowdBatch> run) {
+    const CrowdMesh& mesh = meshes[run.front().character];
+    if (mesh.bone_end_count() == 0) return;
+    mesh.bind();
+    palettes.bind(run.front().page, palette_binding);
+    const std::uint32_t first = run.front().first_instance;
+    const std::uint32_t end = run.back().first_instance + run.back().instance_count;
     glDrawArraysInstancedBaseInstance(GL_LINES, static_cast<GLint>(mesh.first_bone_end()),
                                       static_cast<GLsizei>(mesh.bone_end_count()), static_cast<GLsizei>(end - first),
                                       first);
@@ -124,7 +134,8 @@ DrawCounts CrowdPass::draw_bones(const CrowdFrame& frame, const CrowdMesh& mesh,
   return counts;
 }
 
-DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, const CrowdMesh& mesh, const PaletteBuffer& palettes) {
+DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
+                                   const PaletteBuffer& palettes) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
@@ -133,10 +144,10 @@ DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, const CrowdMesh& mes
   glStencilFunc(GL_EQUAL, 0, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
   glUseProgram(shaders_->id(shadow_));
-  mesh.bind();
-  compose_outlines(frame.batches, mesh, outlines_);
+  compose_outlines(frame.batches, meshes, outlines_);
   outlines_.upload();
   for (const IndirectDraws::Group& group : outlines_.groups()) {
+    meshes[group.character].bind();
     palettes.bind(group.page, palette_binding);
     outlines_.draw(group);
   }

@@ -9,8 +9,8 @@ void IndirectDraws::clear() {
   groups_.clear();
 }
 
-void IndirectDraws::begin_group(std::uint32_t page, int material) {
-  groups_.push_back({page, material, static_cast<std::uint32_t>(commands_.size()), 0});
+void IndirectDraws::begin_group(std::uint32_t page, std::uint8_t character, int material) {
+  groups_.push_back({page, character, material, static_cast<std::uint32_t>(commands_.size()), 0});
 }
 
 void IndirectDraws::add(const MaterialRun& run, const CrowdBatch& batch) {

@@ -34,7 +34,7 @@ class IndirectDraws {
  public:
   void clear();
   /// What is added from here on is one call.
-  void begin_group(std::uint32_t page, int material);
+  void begin_group(std::uint32_t page, std::uint8_t character, int material);
   void add(const MaterialRun& run, const CrowdBatch& batch);
 
   /// Copies the commands to the device and binds them.
@@ -42,6 +42,7 @@ class IndirectDraws {
 
   struct Group {
     std::uint32_t page;
+    std::uint8_t character;
     int material;
     std::uint32_t first_command;
     std::uint32_t command_count;

@@ -20,8 +20,11 @@ inline constexpr int tint_regions = 5;  ///< skin, hair, shirt, trousers, shoes
 ///     44  debug color             RGBA8, alpha is how much of it shows (0: none)
 ///     48  tint of each region     RGBA8, sRGB
 ///     68  bone level              of the slots; both hold at least this level's entries
-///     72  shape               build (stout), frame (broad-shouldered), posture (stooped): RGB8_SNORM in the low bytes
-///     76  hair                how full, how long: RG8_SNORM in the low bytes; 0 in both is the surface as it is
+///     72  shape                   build (stout), frame (broad-shouldered), posture (stooped):
+///                                 RGB8_SNORM in the low bytes
+///     76  hair                    how full, how long: RG8_SNORM in the low bytes; 0 in both is the
+///                                 surface as it is
+///     80  contact scale           of the dark spot below it; 1: as below a person of 1.8 metres
 struct InstanceRecord {
   float position[3];
   float scale;
@@ -37,12 +40,14 @@ struct InstanceRecord {
   std::uint32_t bone_level;
   std::uint32_t shape;
   std::uint32_t hair;
+  float contact_scale;
 };
-static_assert(sizeof(InstanceRecord) == 80);
+static_assert(sizeof(InstanceRecord) == 84);
 static_assert(offsetof(InstanceRecord, palette_from) == 24);
 static_assert(offsetof(InstanceRecord, blend_start) == 32);
 static_assert(offsetof(InstanceRecord, tints) == 48);
 static_assert(offsetof(InstanceRecord, bone_level) == 68);
 static_assert(offsetof(InstanceRecord, shape) == 72);
+static_assert(offsetof(InstanceRecord, contact_scale) == 80);
 
 }  // namespace throng::render

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <functional>
-#include <iterator>
 #include <new>
 #include <utility>
 
@@ -36,17 +35,17 @@ PalettePage HeapPageSource::add_page() {
   return {pages_.back()->memory, page_bytes_};
 }
 
-PaletteSlots::PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> entries_by_level)
-    : source_(&source), entries_by_level_(std::move(entries_by_level)) {
-  assert(!entries_by_level_.empty());
-  for (std::uint32_t& entries : entries_by_level_) entries = whole_line_groups(entries);
-  assert(std::ranges::is_sorted(entries_by_level_, std::greater<>()));
-  std::ranges::unique_copy(entries_by_level_, std::back_inserter(sizes_));
+PaletteSlots::PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> sizes)
+    : source_(&source), sizes_(std::move(sizes)) {
+  assert(!sizes_.empty());
+  for (std::uint32_t& entries : sizes_) entries = whole_line_groups(entries);
+  std::ranges::sort(sizes_, std::greater<>());
+  const auto repeated = std::ranges::unique(sizes_);
+  sizes_.erase(repeated.begin(), repeated.end());
 }
 
-PaletteSlot PaletteSlots::acquire(int level, std::uint32_t near) {
-  assert(level >= 0 && static_cast<std::size_t>(level) < entries_by_level_.size());
-  const std::uint32_t entries = entries_by_level_[static_cast<std::size_t>(level)];
+PaletteSlot PaletteSlots::acquire(std::uint32_t entries, std::uint32_t near) {
+  entries = whole_line_groups(entries);
   if (near != PaletteSlot::none) return take(near, entries);
   for (std::uint32_t page = 0; page < pages_.size(); ++page) {
     if (!has_room_for_newcomer(pages_[page])) continue;

@@ -58,12 +58,12 @@ struct PaletteSlot {
 /// pages are there and the free lists have grown.
 class PaletteSlots {
  public:
-  /// `entries_by_level`: palette entries that each bone level needs, descending; [0] is the whole skeleton.
-  PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> entries_by_level);
+  /// `sizes`: how many entries slots will be asked for, those of each character's bone levels, in any order.
+  PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> sizes);
 
-  /// An invalid slot means: no memory left (on `near`, where given); the agent is not drawn. A slot may be larger than
-  /// its level needs.
-  PaletteSlot acquire(int level, std::uint32_t near = PaletteSlot::none);
+  /// Room for `entries`, one of the sizes. An invalid slot means: no memory left (on `near`, where given); the agent is
+  /// not drawn. A slot may be larger than it needs to be.
+  PaletteSlot acquire(std::uint32_t entries, std::uint32_t near = PaletteSlot::none);
   void retire(const PaletteSlot& slot, std::uint64_t last_frame);
   void reclaim(std::uint64_t completed_frame);
 
@@ -96,8 +96,7 @@ class PaletteSlots {
   PaletteSlot take(std::uint32_t page, std::uint32_t entries);
 
   PalettePageSource* source_;
-  std::vector<std::uint32_t> entries_by_level_;
-  std::vector<std::uint32_t> sizes_;  ///< the different ones among them, descending
+  std::vector<std::uint32_t> sizes_;  ///< whole groups of lines, each once, descending
   std::vector<Page> pages_;
   std::vector<Retired> retired_;
   std::size_t in_use_ = 0;

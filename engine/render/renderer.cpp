@@ -49,10 +49,15 @@ Renderer::Renderer(gl::Context& context, const RendererOptions& options, std::un
 
 Renderer::~Renderer() = default;
 
-Status Renderer::load_character(const CrowdMeshData& data) {
-  Result<CrowdMesh> mesh = CrowdMesh::create(data);
-  if (!mesh) return mesh.error();
-  mesh_ = std::move(*mesh);
+Status Renderer::load_characters(std::span<const CrowdMeshData> characters) {
+  assert(!characters.empty() && characters.size() <= most_characters);
+  std::vector<CrowdMesh> meshes;
+  for (const CrowdMeshData& data : characters) {
+    Result<CrowdMesh> mesh = CrowdMesh::create(data);
+    if (!mesh) return mesh.error();
+    meshes.push_back(std::move(*mesh));
+  }
+  meshes_ = std::move(meshes);
   return Done{};
 }
 
@@ -69,22 +74,22 @@ void Renderer::upload(const CrowdFrame& frame) {
 }
 
 std::vector<ReadBackVertex> Renderer::read_back(const CrowdFrame& frame, const ReadBackAgent& agent) {
-  assert(mesh_.has_value() && agent.instance < frame.instances.size());
+  assert(agent.character < meshes_.size() && agent.instance < frame.instances.size());
   upload(frame);
   // Without a window there is no framebuffer but ours, and OpenGL draws nothing, not even unseen, without one.
   target_.bind_overlay();
-  return read_back_.read(agent, *mesh_, palettes_);
+  return read_back_.read(agent, meshes_[agent.character], palettes_);
 }
 
 DrawCounts Renderer::draw(const CrowdFrame& frame) {
-  assert(mesh_.has_value());
+  assert(!meshes_.empty());
   upload(frame);
   target_.bind_scene();
   ground_.draw();
   DrawCounts counts{1, 1};
-  if (shadows_) add(counts, crowd_.draw_shadows(frame, *mesh_, palettes_));
+  if (shadows_) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
   add(counts, contact_.draw(static_cast<std::uint32_t>(frame.instances.size()), !shadows_));
-  add(counts, crowd_.draw(frame, *mesh_, palettes_));
+  add(counts, crowd_.draw(frame, meshes_, palettes_));
   target_.resolve();
   return counts;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -34,6 +35,8 @@ struct RendererOptions {
   bool shadows = true;
 };
 
+inline constexpr std::size_t most_characters = 256;  ///< that one picture shows
+
 /// All that app/ needs for a picture. Everything happens on the thread on which `context` is current.
 ///
 ///   slots.reclaim(renderer.fences().poll());         // before animation: which slots are free again
@@ -50,11 +53,12 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Replaces the character that is drawn. On failure the former one stays.
-  Status load_character(const CrowdMeshData& data);
+  /// Replaces the characters that are drawn, at least one and at most most_characters; CrowdBatch::character counts
+  /// them. On failure the former ones stay.
+  Status load_characters(std::span<const CrowdMeshData> characters);
 
-  /// Only after load_character.
-  const CrowdMesh& mesh() const { return *mesh_; }
+  /// Of the characters loaded.
+  std::span<const CrowdMesh> meshes() const { return meshes_; }
 
   /// Where PaletteSlots takes its pages from; CrowdBatch::page counts them.
   PalettePageSource& palette_pages() { return palettes_; }
@@ -112,7 +116,7 @@ class Renderer {
   InstanceStream instances_;
   PaletteBuffer palettes_;
   FrameFences fences_;
-  std::optional<CrowdMesh> mesh_;
+  std::vector<CrowdMesh> meshes_;
   bool shadows_;
 };
 

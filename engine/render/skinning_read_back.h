@@ -21,6 +21,7 @@ struct ReadBackVertex {
 struct ReadBackAgent {
   std::uint32_t instance = 0;
   std::uint32_t page = 0;
+  std::uint8_t character = 0;
 };
 
 /// Runs the crowd's own skinning function and captures what it gives, for tests that hold the screen to a reference.

@@ -114,6 +114,37 @@ TEST_F(CommandLine, SaysNothingButFiguresWhenABenchSucceeds) {
   EXPECT_TRUE(nlohmann::json::accept(run.output)) << run.output;
 }
 
+TEST_F(CommandLine, MeasuresATableAndDrawsIt) {
+  const fs::path plot = folder_ / "plot.svg";
+  const ProgramRun run = run_program({"bench", "--agents", "2,4", "--bones", "8", "--pus", "1,2", "--frames", "1",
+                                      "--json", "-", "--plot", plot.string()});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  const nlohmann::json table = nlohmann::json::parse(run.output, nullptr, false);
+  ASSERT_TRUE(table.is_object()) << run.output;
+  ASSERT_EQ(table["rows"].size(), 4U);
+  EXPECT_EQ(table["rows"][0]["agents"], 2);
+  EXPECT_EQ(table["rows"][3]["pus"], 2);
+  for (const auto& row : table["rows"]) EXPECT_EQ(row["pose_hash"].get<std::string>().size(), 16U);
+  EXPECT_EQ(table["rows"][2]["pose_hash"], table["rows"][3]["pose_hash"]) << "whatever the number of PUs";
+  EXPECT_TRUE(fs::exists(plot));
+}
+
+TEST_F(CommandLine, HoldsMainMemoryOfAnAgentToAKibibyte) {
+  const ProgramRun run = run_program({"bench", "--agents", "500", "--frames", "1", "--json", "-"});
+  const nlohmann::json figures = nlohmann::json::parse(run.output, nullptr, false);
+  ASSERT_TRUE(figures.is_object()) << run.output;
+  EXPECT_LE(figures["bytes_per_agent"], 1024.0);
+  EXPECT_GT(figures["stream_bytes_per_frame"], 0);
+}
+
+TEST_F(CommandLine, RefusesAMachineThatIsNone) {
+  expect_refusal({"bench", "--machine", "toaster"}, 1, "toaster");
+  expect_refusal({"bench", "--machine", (folder_ / "absent.json").string()}, 1, "absent.json");
+  const fs::path file = folder_ / "machine.json";
+  std::ofstream(file) << R"({"name": "box", "local_store_kib": 0})";
+  expect_refusal({"bench", "--machine", file.string()}, 1, "local_store_kib");
+}
+
 TEST_F(CommandLine, ShowsHelpOnStandardOutput) {
   const ProgramRun run = run_program({"--help"});
   EXPECT_EQ(run.exit_status, 0);

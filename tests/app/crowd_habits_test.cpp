@@ -62,13 +62,15 @@ TEST(Transitions, AreChosenByWeight) {
 
 TEST(CrowdMinds, ShowWhatTheCharacterCanPlayOfWhatTheyHaveInMind) {
   const CharacterRoles seatless = character_with({Role::stand});
-  const CrowdMinds minds(seatless, {Habit::sit}, 1);
+  const CrowdCast cast = standing(seatless, 1);
+  const CrowdMinds minds(cast, {Habit::sit}, 1);
   EXPECT_EQ(minds.intentions()[0], Role::sit);
   EXPECT_EQ(minds.roles()[0], Role::stand);
 }
 
 TEST(CrowdMinds, KeepARoleForItsTime) {
-  CrowdMinds minds(person(), std::vector<Habit>(50, Habit::stand_about), 1);
+  const CrowdCast cast = standing(person(), 50);
+  CrowdMinds minds(cast, std::vector<Habit>(50, Habit::stand_about), 1);
   std::vector<anim::Ticks> since(50, -1);
   for (anim::Ticks now = 0; now < 60 * anim::ticks_per_second; now += anim::ticks_per_second / 60) {
     const std::vector<Role> before(minds.intentions().begin(), minds.intentions().end());
@@ -84,7 +86,8 @@ TEST(CrowdMinds, KeepARoleForItsTime) {
 }
 
 TEST(CrowdMinds, AreInterruptedAndGoOnFromThere) {
-  CrowdMinds minds(person(), {Habit::sit}, 3);
+  const CrowdCast cast = standing(person(), 1);
+  CrowdMinds minds(cast, {Habit::sit}, 3);
   minds.decide(0);
   minds.interrupt(0, Role::cheer, anim::ticks_per_second);
   ASSERT_EQ(minds.roles()[0], Role::cheer);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 
+#include "app/crowd_cast.h"
 #include "app/crowd_roles.h"
 
 namespace throng::app {
@@ -21,6 +23,13 @@ inline CharacterRoles character_with(std::initializer_list<Role> roles) {
 inline CharacterRoles person() {
   return character_with({Role::stand, Role::look_around, Role::walk, Role::jog, Role::run, Role::wave, Role::cheer,
                          Role::clap, Role::sit});
+}
+
+/// Some that stand about, all of one character.
+inline CrowdCast standing(const CharacterRoles& character, std::size_t agents) {
+  CrowdLayout layout;
+  layout.standers.resize(agents);
+  return {{&character, 1}, layout, 1};
 }
 
 }  // namespace throng::app

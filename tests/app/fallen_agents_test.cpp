@@ -24,8 +24,9 @@ constexpr int a_minute = 3600;
 class PushedOnStage : public testing::Test {
  protected:
   explicit PushedOnStage(const Tuning& tuning = {.scene = Scene::plaza, .agents = 12, .pus = 2}) {
-    auto character = load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin");
-    auto made = Stage::create(std::move(*character), tuning, pages_);
+    std::vector<CharacterSource> characters;
+    characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
+    auto made = Stage::create(std::move(characters), tuning, pages_);
     EXPECT_TRUE(made);
     stage_ = std::move(*made);
     pass(30);

@@ -115,9 +115,11 @@ TEST_P(FootSliding, IsBelowTwoCentimetresASecondOnAverage) {
   KeptPages pages;
   const Tuning tuning{
       .scene = GetParam(), .agents = 500, .lod = LodRule::off, .smooth = false, .bone_lod = false, .pus = 1};
-  auto stage = Stage::create(std::move(*character), tuning, pages);
+  std::vector<CharacterSource> characters;
+  characters.push_back(std::move(*character));
+  auto stage = Stage::create(std::move(characters), tuning, pages);
   ASSERT_TRUE(stage.has_value());
-  const auto cameras = scene_cameras(tuning.scene, 500, (*stage)->character().roles);
+  const auto cameras = scene_cameras(tuning.scene, 500, (*stage)->common_roles());
   const render::Camera above = camera_at(find_camera(cameras, "above")->place);
   for (std::uint64_t i = 0; i < 3600; ++i) {
     (*stage)->move(frame);

@@ -56,14 +56,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "--time 0,-1: must be seconds, 0 or more, with commas between them"},
         Refused{"EmptyTime", "pose a --clip 0 --json - --time 0,,1",
                 "--time 0,,1: must be seconds, 0 or more, with commas between them"},
-        Refused{"NoBones", "bench --bones 0", "--bones 0: must be a whole number, 1 to 1024"},
-        Refused{"NoClips", "bench --clips 0", "--clips 0: must be a whole number, 1 to 256"}),
+        Refused{"NoBones", "bench --bones 0",
+                "--bones 0: must be a whole number, 1 to 1024, or several with commas between them"},
+        Refused{"NoClips", "bench --clips 0",
+                "--clips 0: must be a whole number, 1 to 256, or several with commas between them"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     UnknownWord, Refusal,
     testing::Values(
-        Refused{"Scene", "--scene moon", "--scene moon: must be plaza, parade, stadium or grid"},
+        Refused{"Scene", "--scene moon", "--scene moon: must be plaza, parade, stadium, grid or film"},
         Refused{"Schedule", "--schedule none", "--schedule none: must be fused or levels"},
         Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
         Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},
@@ -78,7 +80,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"ShortOption", "-a", "-a: unknown option; throng --help lists them all"},
         Refused{"OptionOfAnotherCommand", "pose a --clip 0 --time 0 --json - --pus 2",
                 "--pus: unknown option; throng pose --help lists them all"},
-        Refused{"SecondModel", "a.glb b.glb", "b.glb: unexpected; options begin with --, and one model is the most"}),
+        Refused{"SecondModel", "inspect a.glb b.glb",
+                "b.glb: unexpected; options begin with --, and one model is the most"},
+        Refused{"SeventeenthModel", "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 q.glb", "q.glb: 16 models are the most"}),
     name_of);
 
 const std::string roles = "roles are stand, look_around, walk, jog, run, wave, cheer, clap and sit";
@@ -146,6 +150,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "--screenshot -: must be a file name that ends in .png"},
         Refused{"MapToStandardOutput", "--headless --ui --ui-map -",
                 "--ui-map -: must be a file; it is not written to standard output"},
+        Refused{"SweepAndMachine", "bench --sweep grain --machine ps2",
+                "--machine: contradicts --sweep; give one of them"},
+        Refused{"TraceOfASweep", "bench --sweep grain --trace a.json",
+                "--trace: is of the table only; leave --sweep and --machine out"},
+        Refused{"PlotOfAMachine", "bench --machine ps2 --plot a.svg", "--plot: there is nothing to draw of --machine"},
+        Refused{"EmptyPartOfAList", "bench --agents 10,,20",
+                "--agents 10,,20: must be a whole number, 1 to 100000, or several with commas between them"},
+        Refused{"UnknownWordInAList", "bench --schedule fused,lanes",
+                "--schedule fused,lanes: must be fused or levels, with commas between several"},
+        Refused{"PlotThatIsNoSvg", "bench --plot a.png", "--plot a.png: must be a file name that ends in .svg"},
+        Refused{"UnknownSweep", "bench --sweep tiles", "--sweep tiles: must be grain, streams or cost"},
         Refused{"BonesOfAModel", "bench a.glb --bones 5", "--bones: a model brings its own; give one or the other"}),
     name_of);
 
@@ -155,10 +170,8 @@ INSTANTIATE_TEST_SUITE_P(NotBuiltYet, Refusal,
                                          Refused{"Milliseconds", "--budget-ms 4", "--budget-ms 4: is not built yet"},
                                          Refused{"Pixels", "--error-px 2", "--error-px 2: is not built yet"},
                                          Refused{"Recording", "--record run", "--record run: is not built yet"},
-                                         Refused{"Trace", "--trace a.json", "--trace a.json: is not built yet"},
                                          Refused{"Preset", "--preset a.json", "--preset a.json: is not built yet"},
                                          Refused{"Replay", "--replay run", "--replay run: is not built yet"},
-                                         Refused{"Machine", "bench --machine box", "--machine box: is not built yet"},
                                          Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),
                          name_of);
 

@@ -29,7 +29,7 @@ std::string shown(const std::string& line) {
 
 TEST(DemoDefaults, AreThoseOfTheHelp) {
   const DemoOptions options = demo("");
-  EXPECT_EQ(options.model, "");
+  EXPECT_TRUE(options.models.empty());
   EXPECT_EQ(options.context, ContextKind::window);
   EXPECT_EQ(options.draw, std::nullopt);
   EXPECT_EQ(options.frames, 60);
@@ -106,7 +106,7 @@ TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
   const DemoOptions options = demo(
       "model.glb --headless=osmesa --draw all --frames 5 --dt 0.5 --size 640x360 --ui=fixed --msaa 4 --shadows off "
       "--screenshot a.png --stats b.json --ui-map c.json --data .");
-  EXPECT_EQ(options.model, "model.glb");
+  EXPECT_THAT(options.models, ElementsAre("model.glb"));
   EXPECT_EQ(options.context, ContextKind::osmesa);
   EXPECT_EQ(options.draw, DrawWhich::all);
   EXPECT_EQ(options.frames, 5);
@@ -122,14 +122,19 @@ TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
               ElementsAre("a.png", "b.json", "c.json", "."));
 }
 
+TEST(DemoOptions, TakeUpToSixteenModelsInOneCrowd) {
+  EXPECT_THAT(demo("a.glb --agents 5 b.glb c.glb").models, ElementsAre("a.glb", "b.glb", "c.glb"));
+  EXPECT_EQ(demo("1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16").models.size(), 16U);
+}
+
 TEST(OptionalValue, IsTakenOnlyAfterAnEqualsSign) {
   const DemoOptions before_a_model = demo("--headless model.glb");
   EXPECT_EQ(before_a_model.context, ContextKind::headless_default);
-  EXPECT_EQ(before_a_model.model, "model.glb");
-  EXPECT_EQ(demo("--headless egl").model, "egl");
+  EXPECT_THAT(before_a_model.models, ElementsAre("model.glb"));
+  EXPECT_THAT(demo("--headless egl").models, ElementsAre("egl"));
   EXPECT_EQ(demo("--headless=egl").context, ContextKind::egl);
   EXPECT_EQ(demo("--headless=none").context, ContextKind::none);
-  EXPECT_EQ(demo("--headless --draw last --ui fixed").model, "fixed");
+  EXPECT_THAT(demo("--headless --draw last --ui fixed").models, ElementsAre("fixed"));
   EXPECT_FALSE(demo("--headless --draw last --ui").ui_fixed);
 }
 
@@ -191,13 +196,16 @@ TEST(Inspect, TakesAModel) {
 TEST(Bench, HasDefaults) {
   const auto options = accepted<BenchOptions>("bench");
   EXPECT_EQ(options.model, "");
-  EXPECT_EQ(options.agents, 1000);
-  EXPECT_EQ(options.bones, 62);
-  EXPECT_EQ(options.clips, 2);
+  EXPECT_THAT(options.agents, ElementsAre(1000));
+  EXPECT_THAT(options.bones, ElementsAre(62));
+  EXPECT_THAT(options.clips, ElementsAre(2));
   EXPECT_EQ(options.frames, 60);
-  EXPECT_EQ(options.pus + options.local_store_kib + options.tile, 0);
-  EXPECT_EQ(options.schedule, Schedule::fused);
-  EXPECT_EQ(options.stream, Stream::sampled);
+  EXPECT_THAT(options.pus, ElementsAre(0));
+  EXPECT_EQ(options.local_store_kib + options.tile, 0);
+  EXPECT_THAT(options.schedules, ElementsAre(Schedule::fused));
+  EXPECT_THAT(options.streams, ElementsAre(Stream::sampled));
+  EXPECT_EQ(options.sweep, Sweep::none);
+  EXPECT_EQ(options.machine + options.plot + options.trace, "");
   EXPECT_EQ(options.double_buffer, DoubleBuffer::interleaved);
   EXPECT_EQ(options.json, "");
 }
@@ -207,16 +215,37 @@ TEST(Bench, TakesTheSchedulingOptionsOfTheDemo) {
       "bench --agents 10000 --bones 30 --clips 5 --pus 2 --schedule levels --stream keyframe --local-store auto --tile "
       "16 "
       "--double-buffer off --frames 9 --json -");
-  EXPECT_EQ(options.agents, 10000);
-  EXPECT_EQ(options.bones, 30);
-  EXPECT_EQ(options.clips, 5);
-  EXPECT_EQ(options.pus, 2);
-  EXPECT_EQ(options.schedule, Schedule::levels);
-  EXPECT_EQ(options.stream, Stream::keyframe);
+  EXPECT_THAT(options.agents, ElementsAre(10000));
+  EXPECT_THAT(options.bones, ElementsAre(30));
+  EXPECT_THAT(options.clips, ElementsAre(5));
+  EXPECT_THAT(options.pus, ElementsAre(2));
+  EXPECT_THAT(options.schedules, ElementsAre(Schedule::levels));
+  EXPECT_THAT(options.streams, ElementsAre(Stream::keyframe));
   EXPECT_EQ(options.tile, 16);
   EXPECT_EQ(options.double_buffer, DoubleBuffer::off);
   EXPECT_EQ(options.frames, 9);
   EXPECT_EQ(options.json, "-");
+}
+
+TEST(Bench, TakesListsOfWhatATableHas) {
+  const auto options = accepted<BenchOptions>(
+      "bench --agents 1000,10000 --bones 16,62 --clips 2,24 --pus 1,2 --schedule fused,levels --stream "
+      "sampled,keyframe --plot a.svg --trace t.json");
+  EXPECT_THAT(options.agents, ElementsAre(1000, 10000));
+  EXPECT_THAT(options.bones, ElementsAre(16, 62));
+  EXPECT_THAT(options.clips, ElementsAre(2, 24));
+  EXPECT_THAT(options.pus, ElementsAre(1, 2));
+  EXPECT_THAT(options.schedules, ElementsAre(Schedule::fused, Schedule::levels));
+  EXPECT_THAT(options.streams, ElementsAre(Stream::sampled, Stream::keyframe));
+  EXPECT_EQ(options.plot, "a.svg");
+  EXPECT_EQ(options.trace, "t.json");
+}
+
+TEST(Bench, TakesASweepOrAMachineInstead) {
+  EXPECT_EQ(accepted<BenchOptions>("bench --sweep grain").sweep, Sweep::grain);
+  EXPECT_EQ(accepted<BenchOptions>("bench --sweep streams").sweep, Sweep::streams);
+  EXPECT_EQ(accepted<BenchOptions>("bench --sweep cost").sweep, Sweep::cost);
+  EXPECT_EQ(accepted<BenchOptions>("bench --machine ps2").machine, "ps2");
 }
 
 TEST(Help, IsThereForEveryCommand) {

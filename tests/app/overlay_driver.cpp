@@ -25,6 +25,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.deselect |= commands.deselect;
     all.push_over |= commands.push_over;
     if (commands.select_at) all.select_at = commands.select_at;
+    if (commands.character) all.character = commands.character;
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);
   }
   return all;
@@ -77,7 +78,7 @@ void OverlayDriver::button(bool down) { input.push({.kind = InputEvent::Kind::bu
 
 FrameReport full_report() {
   FrameReport report;
-  report.model = "mannequin (built in)";
+  report.characters = {"mannequin (built in)"};
   report.notice = "A line worth reading.";
   report.agents = 1000;
   report.visible = report.drawn = 600;

@@ -132,6 +132,18 @@ TEST(Overlay, AnotherClipForARoleIsPickedKeptAndTakenBack) {
   EXPECT_EQ((*reset.roles)[index_of(Role::walk)], 1);
 }
 
+TEST(Overlay, OfSeveralCharactersOneIsChosenToShowItsRoles) {
+  OverlayDriver driver;
+  EXPECT_FALSE(driver.sees("Model:knight.glb")) << "one character is a fact";
+  driver.report.characters = {"models/person.glb", "models/knight.glb"};
+  driver.frames();
+  driver.click("Model");
+  ASSERT_TRUE(driver.sees("Model:knight.glb"));
+  const OverlayCommands picked = driver.click("Model:knight.glb");
+  ASSERT_TRUE(picked.character);
+  EXPECT_EQ(*picked.character, 1U);
+}
+
 TEST(Overlay, EveryChoiceCanBeMade) {
   OverlayDriver driver;
   driver.click("Scene:grid");
@@ -321,23 +333,6 @@ TEST(Overlay, ShowsEachLineOfTheNoticeByItself) {
   driver.report.notice = "one\ntwo";
   driver.frames();
   EXPECT_GT(driver.overlay.vertex_count(), on_one_line);
-}
-
-TEST(UiMap, SaysWhereWidgetsAreAndWhatIsSet) {
-  OverlayDriver driver;
-  driver.click("Scene:grid");
-  const auto map = nlohmann::json::parse(to_json(driver.overlay.ui_map(), driver.tuning, driver.report));
-  EXPECT_EQ(map["tab"], "Crowd");
-  EXPECT_EQ(map["tuning"]["scene"], "grid");
-  EXPECT_EQ(map["tuning"]["agents"], 1000);
-  EXPECT_EQ(map["report"]["pus"], 2);
-  EXPECT_GT(map["widgets"]["Agents"]["w"], 50);
-}
-
-TEST(UiMap, SurvivesNamesThatAreNotText) {
-  FrameReport report;
-  report.notice = "\xFF\xFE";
-  EXPECT_TRUE(nlohmann::json::accept(to_json({}, {}, report)));
 }
 
 }  // namespace

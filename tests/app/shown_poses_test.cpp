@@ -29,7 +29,7 @@ struct ShownPosesTest : testing::Test {
 
   ShownPosesTest() { shown.reset(8, 0); }
   anim::PaletteMatrix* show(std::uint32_t agent, std::uint32_t now, std::uint32_t pose_time) {
-    return shown.show(agent, 0, now, pose_time, 0);
+    return shown.show({.agent = agent, .level = 0, .entries = entries, .time = pose_time}, now, 0);
   }
 };
 

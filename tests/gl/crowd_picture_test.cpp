@@ -27,6 +27,7 @@ class CrowdPicture : public SoftwareGlTest {
   }
 
   DollCrowd& crowd() { return *crowd_; }
+  const Image& meant() const { return meant_; }
   ImageDifference difference_now() { return *compare(meant_, crowd().picture()); }
 
  private:
@@ -97,7 +98,7 @@ TEST_F(CrowdPicture, TakesAsManyDrawCallsForManyAgentsAsForFew) {
 TEST_F(CrowdPicture, CountsNoTriangleTwice) {
   crowd().renderer().set_shadows(false);
   const DrawCounts counts = crowd().renderer().draw(crowd().frame());
-  const std::uint64_t surface = crowd().renderer().mesh().triangles_by_lod()[0];
+  const std::uint64_t surface = crowd().renderer().meshes().front().triangles_by_lod()[0];
   constexpr std::uint64_t ground = 1, contact_spot = 2;
   EXPECT_EQ(counts.triangles, ground + crowd_size * (contact_spot + surface));
   EXPECT_EQ(counts.draw_calls, 3U);  // one each, though the crowd comes in two batches
@@ -129,6 +130,20 @@ TEST_F(CrowdPicture, OfNobodyIsTheGround) {
   crowd().instances.clear();
   const DrawCounts counts = crowd().renderer().draw({crowd().frame().camera, {}, {}, 0, false});
   EXPECT_EQ(counts.draw_calls, 1U);
+}
+
+// Both characters have the doll's surface, so a run of either is drawn from its own buffers and looks the same.
+TEST_F(CrowdPicture, IsTheSameWhicheverOfTwoEqualCharactersEachRunIs) {
+  CrowdFrame frame = crowd().frame();
+  std::vector<CrowdBatch> batches(frame.batches.begin(), frame.batches.end());
+  batches.back().character = 1;
+  frame.batches = batches;
+  const DrawCounts two = crowd().renderer().draw(frame);
+  const ImageDifference difference = *compare(meant(), crowd().renderer().read_image());
+  EXPECT_EQ(difference.worst_block, 0.0);
+  const DrawCounts one = crowd().renderer().draw(crowd().frame());
+  EXPECT_EQ(two.draw_calls, one.draw_calls + 2) << "one call more for its surface, one for its shadow";
+  EXPECT_EQ(two.triangles, one.triangles);
 }
 
 }  // namespace

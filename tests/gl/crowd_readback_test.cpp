@@ -40,7 +40,7 @@ Tuning tuning_of(LodRule lod, Stream stream) {
 /// A sampled stream is off by what its baking measured, seen at the largest scale; a blend of two by no more.
 double tolerance_of(const Stage& stage) {
   if (stage.tuning().stream == Stream::keyframe) return exact_tolerance;
-  const auto& clips = stage.character().character->clips;
+  const auto& clips = stage.characters().front().character->clips;
   const double worst = std::ranges::max_element(clips, {}, &anim::BakedClip::sampled_error)->sampled_error;
   return exact_tolerance + worst * static_cast<double>(std::ranges::max(stage.crowd().scales()));
 }
@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(Where, PlantedFault,
 
 TEST_F(BlendedCrowd, IsReportedToBeOffByAsMuchAsOneBoneIs) {
   constexpr double distance = 0.05;
-  const auto& bones = crowd().stage().character().model.skeleton.bones;
+  const auto& bones = crowd().stage().characters().front().model.skeleton.bones;
   // Some vertices follow a shin wholly, at every bone level.
   const auto found = std::ranges::find(bones, "shin.L", &anim::Bone::name);
   ASSERT_NE(found, bones.end());

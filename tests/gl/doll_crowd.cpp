@@ -23,6 +23,7 @@ InstanceRecord record_of(std::size_t agent) {
   record.position[0] = (column - 2.0F) * 1.2F;
   record.position[2] = -row * 1.6F;
   record.scale = 0.9F + 0.02F * column;
+  record.contact_scale = 1.0F;
   record.heading_cosine = std::cos(0.3F * column - 0.5F);
   record.heading_sine = std::sin(0.3F * column - 0.5F);
   record.agent = static_cast<std::uint32_t>(agent);
@@ -43,7 +44,8 @@ DollCrowd::DollCrowd(gl::Context& context, int samples) {
   Result<std::unique_ptr<Renderer>> renderer = Renderer::create(context, options);
   if (!renderer) throw std::runtime_error(renderer.error().message);
   renderer_ = std::move(*renderer);
-  if (const Status loaded = renderer_->load_character(doll_.mesh_data()); !loaded) {
+  const std::vector<CrowdMeshData> meshes(2, doll_.mesh_data());
+  if (const Status loaded = renderer_->load_characters(meshes); !loaded) {
     throw std::runtime_error(loaded.error().message);
   }
   slots_ = std::make_unique<PaletteSlots>(renderer_->palette_pages(), std::vector<std::uint32_t>{doll_joints});
@@ -60,7 +62,7 @@ void DollCrowd::stand(std::size_t count) {
 }
 
 std::uint32_t DollCrowd::write(const DollPalette& palette) {
-  const PaletteSlot slot = slots_->acquire(0);
+  const PaletteSlot slot = slots_->acquire(doll_joints);
   std::memcpy(slots_->memory(slot), palette.data(), palette.size() * sizeof(PaletteRows));
   return slot.first_entry;
 }
@@ -77,7 +79,10 @@ CrowdFrame DollCrowd::frame() {
   const auto count = static_cast<std::uint32_t>(instances.size());
   const std::uint32_t half = count / 2;
   batches_.clear();
-  if (count > 0) batches_ = {{0, 0, 0, half}, {0, 0, half, count - half}};
+  const auto run_of = [](std::uint8_t character, std::uint32_t first, std::uint32_t size) {
+    return CrowdBatch{.character = character, .first_instance = first, .instance_count = size};
+  };
+  if (count > 0) batches_ = {run_of(0, 0, half), run_of(0, half, count - half)};
   CrowdFrame frame;
   frame.camera = view_of(camera, static_cast<float>(width) / height);
   frame.instances = instances;

@@ -28,7 +28,8 @@ std::unique_ptr<render::Renderer> create_renderer(render::gl::Context& context, 
   auto renderer = render::Renderer::create(
       context, {.data = THRONG_SOURCE_DIR, .size = {width, height}, .samples = 0, .shadows = false});
   if (!renderer) throw std::runtime_error(renderer.error().message);
-  const render::Status loaded = (*renderer)->load_character(mesh_data(model));
+  const render::CrowdMeshData mesh = mesh_data(model);
+  const render::Status loaded = (*renderer)->load_characters({&mesh, 1});
   if (!loaded) throw std::runtime_error(loaded.error().message);
   return std::move(*renderer);
 }
@@ -44,13 +45,14 @@ anim::PaletteMatrix rows_of(const glm::dmat4& matrix) {
 }
 
 StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
-  CharacterSource character = value_of(load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-  renderer_ = create_renderer(context, character.model);
+  std::vector<CharacterSource> characters;
+  characters.push_back(value_of(load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin")));
+  renderer_ = create_renderer(context, characters.front().model);
   pages_ = std::make_unique<RememberedPages>(renderer_->palette_pages());
-  stage_ = value_of(Stage::create(std::move(character), tuning, *pages_));
-  reference_ = std::make_unique<ReferenceCrowd>(stage_->character(), tuning);
+  stage_ = value_of(Stage::create(std::move(characters), tuning, *pages_));
+  reference_ = std::make_unique<ReferenceCrowd>(stage_->characters().front(), tuning);
   moments_.resize(stage_->crowd().size());
-  const auto cameras = scene_cameras(tuning.scene, stage_->crowd().size(), stage_->character().roles);
+  const auto cameras = scene_cameras(tuning.scene, stage_->crowd().size(), stage_->common_roles());
   camera_ = camera_at(find_camera(cameras, "above")->place);
 }
 
@@ -60,8 +62,8 @@ void StagedCrowd::pass_frame() {
   reference_->advance(frame_step);
   stage_->pose(camera_, width, height, frame_step, renderer_->fences().poll());
   note_moments();
-  const int coarsest = static_cast<int>(renderer_->mesh().lod_count()) - 1;
-  picture_.compose(*stage_, [coarsest](float, int) { return coarsest; });
+  const int coarsest = static_cast<int>(renderer_->meshes().front().lod_count()) - 1;
+  picture_.compose(*stage_, [coarsest](std::uint8_t, float, int) { return coarsest; });
   instances_.assign(picture_.instances().begin(), picture_.instances().end());
   // The reference knows poses, not whose body is stout.
   for (render::InstanceRecord& record : instances_) record.shape = record.hair = 0;

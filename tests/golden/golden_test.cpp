@@ -44,6 +44,14 @@ TEST_P(GoldenPicture, FewestBonesAndTriangles) {
   expect_golden_picture("fewest-bones", options);
 }
 
+// The camera's own picture, a second after the balloon was let go: three characters in one system.
+TEST_P(GoldenPicture, FilmOfTheCutScene) {
+  DemoOptions options = golden_options(GetParam());
+  options.tuning.scene = Scene::film;
+  options.frames = 335;
+  expect_golden_picture("film", options);
+}
+
 TEST_P(GoldenPicture, OverlayWithFixedFigures) {
   DemoOptions options = golden_options(GetParam());
   options.width = 1280;

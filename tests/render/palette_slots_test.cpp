@@ -24,8 +24,8 @@ class LimitedPages final : public PalettePageSource {
 TEST(PaletteSlots, StartAndEndOnCacheLines) {
   HeapPageSource pages(bytes_of(4096));
   PaletteSlots slots(pages, {62, 21});
-  for (int level : {0, 1, 0, 1}) {
-    const PaletteSlot slot = slots.acquire(level);
+  for (const std::uint32_t entries : {62U, 21U, 62U, 21U}) {
+    const PaletteSlot slot = slots.acquire(entries);
     ASSERT_TRUE(slot.valid());
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(slots.memory(slot)) % 64, 0U);
     EXPECT_EQ(bytes_of(slot.entries) % 64, 0U);
@@ -37,7 +37,7 @@ TEST(PaletteSlots, NeverOverlap) {
   PaletteSlots slots(pages, {62, 21});
   std::set<std::byte*> groups;
   for (int i = 0; i < 40; ++i) {
-    const PaletteSlot slot = slots.acquire(i % 2);
+    const PaletteSlot slot = slots.acquire(i % 2 == 0 ? 62 : 21);
     ASSERT_TRUE(slot.valid());
     for (std::uint32_t entry = 0; entry < slot.entries; entry += 4) {
       EXPECT_TRUE(groups.insert(slots.memory(slot) + bytes_of(entry)).second);
@@ -48,20 +48,20 @@ TEST(PaletteSlots, NeverOverlap) {
 TEST(PaletteSlots, HoldWhatTheirLevelNeeds) {
   HeapPageSource pages(bytes_of(4096));
   PaletteSlots slots(pages, {62, 21});
-  EXPECT_EQ(slots.acquire(0).entries, 64U);
-  EXPECT_EQ(slots.acquire(1).entries, 24U);
+  EXPECT_EQ(slots.acquire(62).entries, 64U);
+  EXPECT_EQ(slots.acquire(21).entries, 24U);
 }
 
 TEST(PaletteSlots, RetiredOneIsNotReusedBeforeItsLastFrameCompleted) {
   LimitedPages pages(64, 1);
   PaletteSlots slots(pages, {64});
-  const PaletteSlot first = slots.acquire(0);
+  const PaletteSlot first = slots.acquire(64);
   slots.retire(first, 7);
-  EXPECT_FALSE(slots.acquire(0).valid());
+  EXPECT_FALSE(slots.acquire(64).valid());
   slots.reclaim(6);
-  EXPECT_FALSE(slots.acquire(0).valid());
+  EXPECT_FALSE(slots.acquire(64).valid());
   slots.reclaim(7);
-  const PaletteSlot second = slots.acquire(0);
+  const PaletteSlot second = slots.acquire(64);
   ASSERT_TRUE(second.valid());
   EXPECT_EQ(second.first_entry, first.first_entry);
 }
@@ -69,7 +69,7 @@ TEST(PaletteSlots, RetiredOneIsNotReusedBeforeItsLastFrameCompleted) {
 TEST(PaletteSlots, RetiredOneIsNoLongerAcquired) {
   HeapPageSource pages(bytes_of(256));
   PaletteSlots slots(pages, {64});
-  const PaletteSlot slot = slots.acquire(0);
+  const PaletteSlot slot = slots.acquire(64);
   EXPECT_TRUE(slots.is_acquired(slot));
   slots.retire(slot, 1);
   EXPECT_FALSE(slots.is_acquired(slot));
@@ -79,7 +79,7 @@ TEST(PaletteSlots, RetiredOneIsNoLongerAcquired) {
 TEST(PaletteSlotsDeathTest, WriteToARetiredSlotIsCaught) {
   HeapPageSource pages(bytes_of(256));
   PaletteSlots slots(pages, {64});
-  const PaletteSlot slot = slots.acquire(0);
+  const PaletteSlot slot = slots.acquire(64);
   slots.retire(slot, 1);
   EXPECT_DEATH(slots.memory(slot), "is_acquired");
 }
@@ -87,7 +87,7 @@ TEST(PaletteSlotsDeathTest, WriteToARetiredSlotIsCaught) {
 TEST(PaletteSlotsDeathTest, RetiringTwiceIsCaught) {
   HeapPageSource pages(bytes_of(256));
   PaletteSlots slots(pages, {64});
-  const PaletteSlot slot = slots.acquire(0);
+  const PaletteSlot slot = slots.acquire(64);
   slots.retire(slot, 1);
   EXPECT_DEATH(slots.retire(slot, 2), "is_acquired");
 }
@@ -97,8 +97,8 @@ TEST(PaletteSlots, SecondSlotOfAnAgentLiesOnThePageOfItsFirst) {
   HeapPageSource pages(bytes_of(640));
   PaletteSlots slots(pages, {64});
   for (int agent = 0; agent < 10; ++agent) {
-    const PaletteSlot first = slots.acquire(0);
-    const PaletteSlot second = slots.acquire(0, first.page);
+    const PaletteSlot first = slots.acquire(64);
+    const PaletteSlot second = slots.acquire(64, first.page);
     ASSERT_TRUE(second.valid());
     EXPECT_EQ(second.page, first.page);
   }
@@ -109,9 +109,9 @@ TEST(PaletteSlots, NewcomersLeaveRoomForTheSecondSlotsOfThoseWhoAreThere) {
   HeapPageSource pages(bytes_of(1200));
   PaletteSlots slots(pages, {40});
   int on_first_page = 0;
-  while (slots.acquire(0).page == 0) ++on_first_page;
+  while (slots.acquire(40).page == 0) ++on_first_page;
   int second_slots = 0;
-  while (slots.acquire(0, 0).valid()) ++second_slots;
+  while (slots.acquire(40, 0).valid()) ++second_slots;
   EXPECT_EQ(on_first_page, 10);
   EXPECT_EQ(second_slots, 20);
 }
@@ -119,24 +119,24 @@ TEST(PaletteSlots, NewcomersLeaveRoomForTheSecondSlotsOfThoseWhoAreThere) {
 TEST(PaletteSlots, AreInvalidWhenThePageAskedForIsFull) {
   LimitedPages pages(128, 1);
   PaletteSlots slots(pages, {64});
-  const PaletteSlot first = slots.acquire(0);
-  EXPECT_TRUE(slots.acquire(0, first.page).valid());
-  EXPECT_FALSE(slots.acquire(0, first.page).valid());
+  const PaletteSlot first = slots.acquire(64);
+  EXPECT_TRUE(slots.acquire(64, first.page).valid());
+  EXPECT_FALSE(slots.acquire(64, first.page).valid());
 }
 
 TEST(PaletteSlots, FillEveryPageToTheEndWhenTheDeviceHasNoMore) {
   LimitedPages pages(256, 1);
   PaletteSlots slots(pages, {64});
-  for (int i = 0; i < 4; ++i) EXPECT_TRUE(slots.acquire(0).valid()) << i;
-  EXPECT_FALSE(slots.acquire(0).valid());
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(slots.acquire(64).valid()) << i;
+  EXPECT_FALSE(slots.acquire(64).valid());
 }
 
 TEST(PaletteSlots, SmallPoseTakesALargerFreeSlotRatherThanNone) {
   LimitedPages pages(64, 1);
   PaletteSlots slots(pages, {64, 24});
-  slots.retire(slots.acquire(0), 1);
+  slots.retire(slots.acquire(64), 1);
   slots.reclaim(1);
-  const PaletteSlot slot = slots.acquire(1);
+  const PaletteSlot slot = slots.acquire(24);
   ASSERT_TRUE(slot.valid());
   EXPECT_EQ(slot.entries, 64U);
 }
@@ -144,7 +144,7 @@ TEST(PaletteSlots, SmallPoseTakesALargerFreeSlotRatherThanNone) {
 TEST(PaletteSlots, CountWhatIsInUseUntilItIsReclaimed) {
   HeapPageSource pages(bytes_of(4096));
   PaletteSlots slots(pages, {64});
-  const PaletteSlot slot = slots.acquire(0);
+  const PaletteSlot slot = slots.acquire(64);
   EXPECT_EQ(slots.slots_in_use(), 1U);
   EXPECT_EQ(slots.bytes_in_use(), bytes_of(64));
   slots.retire(slot, 3);
@@ -158,11 +158,11 @@ TEST(PaletteSlots, ThousandAgentsThatMoveOnEveryFrameKeepToOnePage) {
   HeapPageSource pages(std::size_t{16} << 20U);
   PaletteSlots slots(pages, {62});
   std::vector<PaletteSlot> shown;
-  for (int agent = 0; agent < 1000; ++agent) shown.push_back(slots.acquire(0));
+  for (int agent = 0; agent < 1000; ++agent) shown.push_back(slots.acquire(62));
   for (std::uint64_t frame = 3; frame < 100; ++frame) {
     slots.reclaim(frame - 2);
     for (PaletteSlot& slot : shown) {
-      const PaletteSlot next = slots.acquire(0, slot.page);
+      const PaletteSlot next = slots.acquire(62, slot.page);
       ASSERT_TRUE(next.valid());
       slots.retire(slot, frame - 1);
       slot = next;

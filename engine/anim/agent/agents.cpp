@@ -7,7 +7,7 @@
 namespace throng::anim {
 namespace {
 
-constexpr std::size_t usual_steps = 3;  // a fade
+constexpr std::size_t usual_steps = 6;  // a fade that was interrupted, and feet
 
 }  // namespace
 

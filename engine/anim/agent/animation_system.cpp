@@ -1,9 +1,12 @@
 #include "engine/anim/agent/animation_system.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <string>
 #include <utility>
+
+#include "engine/anim/run/stream_reads.h"
 
 namespace throng::anim {
 namespace {
@@ -41,7 +44,10 @@ Result<std::uint32_t> AnimationSystem::add_character(std::shared_ptr<const Chara
 void AnimationSystem::refresh_contexts() {
   const Kernels& kernels = options_.kernels == nullptr ? best_kernels() : *options_.kernels;
   contexts_.clear();
-  for (const std::unique_ptr<Cast>& cast : casts_) contexts_.push_back(cast->context(kernels));
+  for (const std::unique_ptr<Cast>& cast : casts_) {
+    contexts_.push_back(cast->context(kernels));
+    contexts_.back().assets.prefetch = options_.prefetch;
+  }
 }
 
 LocalStoreDemand AnimationSystem::demand(const SystemOptions& options) const {
@@ -90,7 +96,9 @@ void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t sto
                                                            .double_buffering = options_.double_buffering,
                                                            .plan = plan,
                                                            .local_store_bytes = store_bytes,
-                                                           .pus = options_.pus},
+                                                           .pus = options_.pus,
+                                                           .cost = options_.cost,
+                                                           .trace = options_.trace},
                                            most_entries);
   scheduler_->reserve(agent_count());
 }
@@ -110,12 +118,33 @@ void AnimationSystem::set_agent_count(std::uint32_t agents) {
 
 std::uint32_t AnimationSystem::add_agents(std::uint32_t count, std::uint32_t character) {
   const std::uint32_t first = agent_count();
-  Cast& cast = *casts_[character];
-  for (std::uint32_t i = 0; i < count; ++i) members_.push_back({character, cast.agents.count() + i});
-  cast.reserve_fades(options_.stream, cast.agents.count() + count);
-  cast.agents.resize(cast.agents.count() + count);
-  reserve_work();
+  for (std::uint32_t i = 0; i < count; ++i) members_.push_back({character, casts_[character]->agents.count() + i});
+  make_agents(first);
   return first;
+}
+
+std::uint32_t AnimationSystem::add_agents(std::span<const std::uint8_t> characters) {
+  const std::uint32_t first = agent_count();
+  std::array<std::uint32_t, most_skeletons> next{};
+  for (std::size_t cast = 0; cast < casts_.size(); ++cast) next[cast] = casts_[cast]->agents.count();
+  members_.reserve(first + characters.size());
+  for (const std::uint8_t character : characters) members_.push_back({character, next[character]++});
+  make_agents(first);
+  return first;
+}
+
+// For the members from `first` on, each cast's all at once.
+void AnimationSystem::make_agents(std::uint32_t first) {
+  std::array<std::uint32_t, most_skeletons> added{};
+  for (const Member& member : std::span(members_).subspan(first)) ++added[member.cast];
+  for (std::size_t i = 0; i < casts_.size(); ++i) {
+    if (added[i] == 0) continue;
+    Cast& cast = *casts_[i];
+    const std::uint32_t count = cast.agents.count() + added[i];
+    cast.reserve_fades(options_.stream, count);
+    cast.agents.resize(count);
+  }
+  reserve_work();
 }
 
 void AnimationSystem::reserve_work() {
@@ -254,6 +283,14 @@ double AnimationSystem::bytes_per_agent() const {
   std::size_t bytes = agent_count() * (sizeof(Member) + sizeof(Ticks) + sizeof(std::uint64_t));
   for (const std::unique_ptr<Cast>& cast : casts_) bytes += cast->bytes_alive();
   return static_cast<double>(bytes) / std::max<double>(agent_count(), 1.0);
+}
+
+std::uint64_t AnimationSystem::stream_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const std::span<const AgentWork> all : {std::span(shared_work_), std::span(work_)}) {
+    for (const AgentWork& work : all) bytes += stream_bytes_read(contexts_[work.skeleton], work);
+  }
+  return bytes;
 }
 
 std::vector<KindMemory> AnimationSystem::memory() const {

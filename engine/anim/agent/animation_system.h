@@ -28,6 +28,9 @@ struct SystemOptions {
   DoubleBuffering double_buffering = DoubleBuffering::interleaved;
   StreamKind stream = StreamKind::sampled;
   bool hash = true;                  ///< hash every palette that is written
+  bool trace = true;                 ///< record what each PU does, for units() and update_time()
+  bool prefetch = false;             ///< players ask for their rows before the first packet is sampled (paper, note 5)
+  CostModel cost{};                  ///< what orders tasks and cuts tiles
   const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
 
   friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
@@ -77,6 +80,10 @@ class AnimationSystem {
   /// `count` more agents of a character, numbered on from those that there are: the first one's number. Afterwards
   /// set_agent_count can only be told 0.
   std::uint32_t add_agents(std::uint32_t count, std::uint32_t character);
+  /// One more agent of each of these characters, in this order: the first one's number.
+  std::uint32_t add_agents(std::span<const std::uint8_t> characters);
+  /// Which character the agent is, as add_agents was told.
+  std::uint32_t character_number(std::uint32_t agent) const { return members_[agent].cast; }
   std::uint32_t agent_count() const { return static_cast<std::uint32_t>(members_.size()); }
 
   /// Per-bone weights for requests and layers, to be added at load time; the index for `PlayRequest::mask`. The mask
@@ -166,7 +173,17 @@ class AnimationSystem {
   /// Who runs the PUs: between updates it is free for the host's own jobs, at most options().pus at once.
   Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
   const UpdateReport& report() const { return report_; }
+  /// Bytes of streams that the players of the last update read, however often several read the same (paper 2.2.3: the
+  /// resource that stays shared). Of sampled streams the two rows around the time; of keyframe streams the share of
+  /// their keys that the time passed over.
+  std::uint64_t stream_bytes() const;
   std::span<const ProcessingUnit> units() const { return scheduler_->units(); }
+  /// SystemOptions::trace, without making anything anew.
+  void record_trace(bool on) {
+    options_.trace = on;
+    scheduler_->record_trace(on, agent_count());
+  }
+  const UpdateTime& update_time() const { return scheduler_->time(); }
   const ScheduleOptions& schedule() const { return scheduler_->options(); }
   const SystemOptions& options() const { return options_; }
   const Kernels& kernels() const { return *contexts_.front().assets.kernels; }
@@ -217,6 +234,7 @@ class AnimationSystem {
   void make_scheduler(const LocalStorePlan& plan, std::size_t store_bytes);
   void convert(Schedule schedule, StreamKind stream);
   Status process_changed(std::uint32_t agent, std::size_t index);
+  void make_agents(std::uint32_t first);
   void reserve_work();
 
   void update_channels(std::uint32_t agent);

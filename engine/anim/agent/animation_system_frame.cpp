@@ -66,15 +66,16 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
     const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
     const Ticks time = std::max(clock_ + look_ahead, posed_at_[update.agent]);
     assert(!program.steps.empty() && "an agent must play something before it is updated");
-    work_.push_back({.program = &program,
-                     .delta = time - posed_at_[update.agent],
-                     .palette = update.palette,
-                     .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
-                     .agent = update.agent,
-                     .skeleton = static_cast<std::uint8_t>(member.cast),
-                     .level = update.level,
-                     .entity_count = static_cast<std::uint8_t>(program.own_count()),
-                     .held = program.needs.held});
+    work_.push_back(
+        {.program = &program,
+         .delta = time - posed_at_[update.agent],
+         .palette = update.palette,
+         .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
+         .agent = update.agent,
+         .cost = cost_in_steps(options_.cost.of_agent(program.parts, contexts_[member.cast].packets(update.level))),
+         .skeleton = static_cast<std::uint8_t>(member.cast),
+         .level = static_cast<std::uint8_t>(update.level & 0x7FU),
+         .held = program.needs.held});
     posed_at_[update.agent] = time;
   }
 }
@@ -96,9 +97,7 @@ void AnimationSystem::report_work() {
 
 void AnimationSystem::end_work() {
   for (const ProcessingUnit& unit : scheduler_->units()) {
-    report_.copies.bytes_in += unit.activity().copies.bytes_in;
-    report_.copies.bytes_out += unit.activity().copies.bytes_out;
-    report_.copies.transfers += unit.activity().copies.transfers;
+    report_.copies += unit.activity().copies;
   }
   if (!options_.hash) return;
   for (const AgentWork& work : work_) {

@@ -144,20 +144,17 @@ std::size_t Cast::bytes_alive() const {
 }
 
 LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<Cast>> casts, StreamKind stream) {
-  LocalStoreDemand demand{.skeleton = {}, .any_sampled = false, .largest = {}};
+  LocalStoreDemand demand{.skeleton = {}, .stream = stream, .largest = {}};
   int most_bones = 0;
   for (const std::unique_ptr<Cast>& cast : casts) {
-    for (const ClipStreams& clip : cast->clips) {
-      const bool sampled = stream == StreamKind::sampled && clip.sampled != nullptr;
-      demand.any_sampled = demand.any_sampled || sampled;
-      demand.any_keyframe = demand.any_keyframe || !sampled;
-    }
     demand.largest.widen(cast->agents.largest_needs());
     demand.shared_entity_bytes =
         std::max<std::size_t>(demand.shared_entity_bytes, cast->shared.largest_needs().entity_bytes);
     if (cast->skeleton().bone_count() <= most_bones) continue;
     most_bones = cast->skeleton().bone_count();
     demand.skeleton = cast->skeleton().name;
+    demand.falls_back =
+        std::ranges::any_of(cast->clips, [](const ClipStreams& clip) { return clip.sampled == nullptr; });
   }
   return demand;
 }

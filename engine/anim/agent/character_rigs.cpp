@@ -96,12 +96,12 @@ void CharacterRigs::find_limb(const Skeleton& skeleton, const std::optional<Limb
   limbs_.push_back(*made);
 }
 
-RigKinds CharacterRigs::add_to(AnimationSystem& system) const {
+RigKinds CharacterRigs::add_to(AnimationSystem& system, std::uint32_t character) const {
   RigKinds kinds;
-  if (look_at_) kinds.look_at = system.add_entity_kind(look_at_kind_);
-  if (foot_placement_) kinds.foot_placement = system.add_entity_kind(foot_placement_kind_);
-  if (!limbs_.empty()) kinds.limbs = system.add_entity_kind(ik_kind_);
-  if (ragdoll_) kinds.ragdoll = system.add_entity_kind(ragdoll_kind_);
+  if (look_at_) kinds.look_at = system.add_entity_kind(look_at_kind_, character);
+  if (foot_placement_) kinds.foot_placement = system.add_entity_kind(foot_placement_kind_, character);
+  if (!limbs_.empty()) kinds.limbs = system.add_entity_kind(ik_kind_, character);
+  if (ragdoll_) kinds.ragdoll = system.add_entity_kind(ragdoll_kind_, character);
   return kinds;
 }
 

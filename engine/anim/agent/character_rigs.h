@@ -35,8 +35,9 @@ class CharacterRigs {
   CharacterRigs(const CharacterRigs&) = delete;
   CharacterRigs& operator=(const CharacterRigs&) = delete;
 
-  /// Takes up to four of a system's EntityPools::most_kinds; once a system, before its agents use them.
-  RigKinds add_to(AnimationSystem& system) const;
+  /// For a character of a system, of which it takes up to four of EntityPools::most_kinds; once, before its agents use
+  /// them.
+  RigKinds add_to(AnimationSystem& system, std::uint32_t character = 0) const;
 
   const std::optional<LookAtRig>& look_at() const { return look_at_; }
   const std::optional<FootPlacementRig>& foot_placement() const { return foot_placement_; }

@@ -15,8 +15,6 @@ namespace throng::anim {
 
 namespace {
 
-constexpr int frames_per_second = 30;
-
 /// Joints in the order of their importance: a smaller skeleton is the first of them, a larger one grows more strands.
 class Body {
  public:
@@ -144,10 +142,11 @@ BoneTracks turning_bone(const Skeleton& skeleton, int bone, const std::vector<fl
   return tracks;
 }
 
-Clip clip_of(const Skeleton& skeleton, int index, Random& random) {
-  const int frames = frames_per_second - 3 + index % 7;
+// A little shorter or longer than a second.
+Clip clip_of(const Skeleton& skeleton, int index, int keys_per_second, Random& random) {
+  const int frames = keys_per_second + (index % 7 - 3) * keys_per_second / 30;
   std::vector<float> times;
-  for (int frame = 0; frame <= frames; ++frame) times.push_back(static_cast<float>(frame) / frames_per_second);
+  for (int frame = 0; frame <= frames; ++frame) times.push_back(static_cast<float>(frame) / static_cast<float>(keys_per_second));
 
   Clip clip;
   clip.name = "clip_" + std::to_string(index);
@@ -168,14 +167,14 @@ Clip clip_of(const Skeleton& skeleton, int index, Random& random) {
 
 }  // namespace
 
-Model synthetic_model(int bones, int clips, unsigned seed) {
-  assert(bones >= 1 && bones <= max_bones && clips >= 1);
+Model synthetic_model(int bones, int clips, unsigned seed, int keys_per_second) {
+  assert(bones >= 1 && bones <= max_bones && clips >= 1 && keys_per_second >= 8);
   Random random(seed);
   Model model;
   model.skeleton = skeleton_of(Body(bones), random);
   bind(model.skeleton);
   model.skins.push_back(skin_of(model.skeleton));
-  for (int clip = 0; clip < clips; ++clip) model.clips.push_back(clip_of(model.skeleton, clip, random));
+  for (int clip = 0; clip < clips; ++clip) model.clips.push_back(clip_of(model.skeleton, clip, keys_per_second, random));
   return model;
 }
 

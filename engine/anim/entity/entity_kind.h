@@ -40,6 +40,7 @@ struct EntityAssets {
   const Kernels* kernels = nullptr;
   int bone_count = 0;
   int components = rigid_components;
+  bool prefetch = false;  ///< of streams, before the first packet
 
   const float* mask(std::int16_t index) const { return index < 0 ? nullptr : masks[static_cast<std::size_t>(index)]; }
 };

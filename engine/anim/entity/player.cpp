@@ -77,6 +77,15 @@ namespace {
 
 constexpr std::size_t prepared_pose_bytes = 64;
 
+/// Hints for both rows (paper 2.2.3, note 5): 16 bones are sampled at a time, so most of a row has long to arrive.
+void prefetch_rows(const SampledStream& stream, const SamplePoint& point) {
+  constexpr std::uint32_t line = 64;
+  for (std::uint32_t offset = 0; offset < stream.row_stride; offset += line) {
+    __builtin_prefetch(point.from + offset);
+    __builtin_prefetch(point.to + offset);
+  }
+}
+
 void advance_entity(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
   static_assert(sizeof(PlayerPose) <= prepared_pose_bytes);
   auto& player = entity.as<Player>();
@@ -84,6 +93,7 @@ void advance_entity(const EntityInStore& entity, std::span<const AnimationStateH
   advance_player(player, clip);
   auto& pose = entity.prepared_as<PlayerPose>();
   pose = begin_pose(player, clip, entity.private_part());
+  if (entity.assets->prefetch && pose.point.from != nullptr) prefetch_rows(*clip.sampled, pose.point);
   if (player.bone_selection != Player::every_bone) pose.bones = &entity.assets->selections[player.bone_selection - 1];
 }
 

@@ -13,7 +13,7 @@
 
 namespace throng::anim {
 
-inline constexpr std::size_t most_skeletons = 16;  ///< in one update
+inline constexpr std::size_t most_skeletons = 32;  ///< in one update
 
 /// One agent to be posed in this frame. Read-only while PUs run; small, since it is sorted.
 struct AgentWork {
@@ -22,11 +22,12 @@ struct AgentWork {
   PaletteMatrix* palette = nullptr;      ///< written once; null: posed, but nobody draws it
   std::uint64_t* hash = nullptr;         ///< out: sum of the palette's entry hashes; or null
   std::uint32_t agent = 0;
-  std::uint8_t skeleton = 0;      ///< index of its UpdateContext, below most_skeletons
-  std::uint8_t level = 0;         ///< bone level
-  std::uint8_t entity_count = 0;  ///< of the program
-  bool held = false;              ///< of the program
+  std::uint16_t cost = 1;      ///< predicted, in steps of cost_step
+  std::uint8_t skeleton = 0;   ///< index of its UpdateContext, below most_skeletons
+  std::uint8_t level : 7 = 0;  ///< bone level
+  bool held : 1 = false;       ///< of the program
 };
+static_assert(sizeof(AgentWork) == 40);
 
 /// All that PUs share for the length of an update about one skeleton: read-only, but for the pools' blocks, which only
 /// copies reach.

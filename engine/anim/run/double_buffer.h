@@ -25,10 +25,11 @@ template <typename Tasks>
 void run_single_buffered(Tasks& tasks, CopyEngine& engine, Trace& trace) {
   while (auto task = tasks.next()) {
     tasks.fetch(*task, 0, engine);
-    trace.record(TraceSpan::Kind::fetch, [&] { engine.finish(); });
-    trace.record(TraceSpan::Kind::compute, [&] { tasks.compute(*task, 0, engine); });
+    trace.close(TraceSpan::Kind::fetch, engine.finish());
+    tasks.compute(*task, 0, engine);
+    trace.close(TraceSpan::Kind::compute);
     tasks.write_back(*task, 0, engine);
-    trace.record(TraceSpan::Kind::write_back, [&] { engine.finish(); });
+    trace.close(TraceSpan::Kind::write_back, engine.finish());
   }
 }
 
@@ -38,24 +39,22 @@ void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode,
   if (!current) return;
   int buffer = 0;
   tasks.fetch(*current, buffer, engine);
-  trace.record(TraceSpan::Kind::fetch, [&] { engine.finish(); });
+  trace.close(TraceSpan::Kind::fetch, engine.finish());
   decltype(current) previous;
   while (current) {
     auto next = tasks.next();
     if (previous) tasks.write_back(*previous, 1 - buffer, engine);
     if (next) tasks.fetch(*next, 1 - buffer, engine);
-    if (mode == DoubleBuffering::inline_copy) trace.record(TraceSpan::Kind::fetch, [&] { engine.finish(); });
-    engine.spread_over(tasks.copy_points(*current));
-    trace.record(TraceSpan::Kind::compute, [&] {
-      tasks.compute(*current, buffer, engine);
-      engine.finish();
-    });
+    if (mode == DoubleBuffering::inline_copy) trace.close(TraceSpan::Kind::fetch, engine.finish());
+    engine.spread_over(tasks.copy_points(*current), &trace);
+    tasks.compute(*current, buffer, engine);
+    trace.close(TraceSpan::Kind::compute, engine.finish());
     previous = current;
     current = next;
     buffer = 1 - buffer;
   }
   tasks.write_back(*previous, 1 - buffer, engine);
-  trace.record(TraceSpan::Kind::write_back, [&] { engine.finish(); });
+  trace.close(TraceSpan::Kind::write_back, engine.finish());
 }
 
 template <typename Tasks>

@@ -16,4 +16,12 @@ class Executor {
   virtual void run(int count, Job job) = 0;
 };
 
+/// One job after the other, in the calling thread.
+class InOrder final : public Executor {
+ public:
+  void run(int count, Job job) override {
+    for (int index = 0; index < count; ++index) job.run(job.context, index);
+  }
+};
+
 }  // namespace throng::anim

@@ -14,7 +14,8 @@ namespace throng::anim {
 struct EntityUpdate {
   const PoseProgram* program = nullptr;
   Ticks delta = 0;
-  std::uint8_t step = 0;  ///< of the program
+  std::uint16_t cost = 1;  ///< predicted, in steps of cost_step
+  std::uint8_t step = 0;   ///< of the program
   std::uint8_t skeleton = 0;
   std::uint8_t level = 0;
 

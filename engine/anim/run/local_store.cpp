@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "engine/anim/base/guard.h"
 
@@ -45,30 +46,39 @@ void CopyEngine::fetch(const std::byte* main_memory, std::byte* local, std::size
   guard(local, size);
   queue_.push_back({main_memory, local, size, true});
   queued_bytes_ += size;
-  counts_.bytes_in += size;
-  ++counts_.transfers;
+  queued_counts_.bytes_in += size;
+  ++queued_counts_.transfers;
 }
 
 void CopyEngine::write_back(const std::byte* local, std::byte* main_memory, std::size_t size) {
   assert(size % line == 0);
   queue_.push_back({local, main_memory, size, false});
   queued_bytes_ += size;
-  counts_.bytes_out += size;
-  ++counts_.transfers;
+  queued_counts_.bytes_out += size;
+  ++queued_counts_.transfers;
 }
 
-void CopyEngine::spread_over(int slices) {
+void CopyEngine::spread_over(int slices, Trace* trace) {
+  slices_to_ = trace != nullptr && trace->wants_slices() ? trace : nullptr;
   const std::size_t lines = queued_bytes_ / line;
   const auto parts = static_cast<std::size_t>(std::max(slices, 1));
   slice_bytes_ = (lines + parts - 1) / parts * line;
 }
 
-void CopyEngine::advance() { move(slice_bytes_); }
+void CopyEngine::advance() {
+  if (slices_to_ == nullptr || queued_bytes_ == 0) return move(slice_bytes_);
+  const std::uint64_t begin = TraceClock::now();
+  move(slice_bytes_);
+  slices_to_->add_slice(begin);
+}
 
-void CopyEngine::finish() {
+CopyCounts CopyEngine::finish() {
   move(queued_bytes_);
   queue_.clear();
   next_ = 0;
+  slices_to_ = nullptr;
+  counts_ += queued_counts_;
+  return std::exchange(queued_counts_, {});
 }
 
 void CopyEngine::move(std::size_t bytes) {
@@ -87,10 +97,6 @@ void CopyEngine::move(std::size_t bytes) {
   }
 }
 
-CopyCounts CopyEngine::take_counts() {
-  const CopyCounts counts = counts_;
-  counts_ = {};
-  return counts;
-}
+CopyCounts CopyEngine::take_counts() { return std::exchange(counts_, {}); }
 
 }  // namespace throng::anim

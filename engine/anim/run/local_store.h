@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/anim/base/aligned_bytes.h"
+#include "engine/anim/run/trace.h"
 
 namespace throng::anim {
 
@@ -39,13 +40,6 @@ class LocalStore {
   std::size_t scratch_bytes_ = 0;
 };
 
-/// What the copy engine moved since it was last asked.
-struct CopyCounts {
-  std::uint64_t bytes_in = 0;
-  std::uint64_t bytes_out = 0;
-  std::uint64_t transfers = 0;
-};
-
 /// The DMA controller's part (paper footnote 7), played by the PU's own thread: a list of transfers between main memory
 /// and the local store, moved whole by finish() or in slices by advance(), which kernels call between packets of bones.
 /// The only code that touches guarded pool memory (see base/guard.h).
@@ -58,11 +52,13 @@ class CopyEngine {
   void fetch(const std::byte* main_memory, std::byte* local, std::size_t size);
   void write_back(const std::byte* local, std::byte* main_memory, std::size_t size);
 
-  /// Cuts what is queued into `slices` equal parts, one for each advance().
-  void spread_over(int slices);
+  /// Cuts what is queued into `slices` equal parts, one for each advance(). Of some tasks the trace is told of each.
+  void spread_over(int slices, Trace* trace = nullptr);
   void advance();
-  void finish();
+  /// Moves all that is left; returns what was queued since the last finish().
+  CopyCounts finish();
 
+  /// Since it was last asked.
   CopyCounts take_counts();
 
   struct Transfer {
@@ -82,7 +78,9 @@ class CopyEngine {
   std::size_t moved_ = 0;  // bytes of it that are done
   std::size_t queued_bytes_ = 0;
   std::size_t slice_bytes_ = 0;
-  CopyCounts counts_;
+  CopyCounts queued_counts_;  // since the last finish()
+  CopyCounts counts_;         // of what is finished
+  Trace* slices_to_ = nullptr;
 };
 
 }  // namespace throng::anim

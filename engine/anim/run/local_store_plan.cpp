@@ -17,8 +17,11 @@ constexpr std::uint32_t usual_blenders = usual_players - 1;
 
 std::uint32_t largest_player(const UpdateContext& context, const LocalStoreDemand& demand) {
   std::uint32_t size = 0;
-  if (demand.any_sampled) size = context.pools->layout(EntityPools::sampled_players).total_size;
-  if (demand.any_keyframe) size = std::max(size, context.pools->layout(EntityPools::keyframe_players).total_size);
+  for (const ClipStreams& clip : context.assets.clips) {
+    const bool sampled = demand.stream == StreamKind::sampled && clip.sampled != nullptr;
+    const auto kind = sampled ? EntityPools::sampled_players : EntityPools::keyframe_players;
+    size = std::max(size, context.pools->layout(kind).total_size);
+  }
   return size;
 }
 
@@ -70,10 +73,14 @@ LocalStorePlan plan_for_context(const UpdateContext& context, const LocalStoreDe
           .scratch_bytes = std::max(EntityTasks::scratch_bytes, PaletteTasks::scratch_bytes(context, width))};
 }
 
+// The tile is as wide as the largest skeleton allows; under `fused` others get what fits beside, down to one character.
 LocalStorePlan plan_for_width(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width) {
+  const auto bones = [](const UpdateContext& context) { return context.assets.bone_count; };
+  const auto largest = std::ranges::max_element(contexts, {}, bones);
   LocalStorePlan plan{.width = width};
   for (const UpdateContext& context : contexts) {
-    const LocalStorePlan part = plan_for_context(context, demand, width);
+    const bool decides = demand.schedule == Schedule::levels || bones(context) == bones(*largest);
+    const LocalStorePlan part = plan_for_context(context, demand, decides ? width : 1);
     plan.fetch_bytes = std::max(plan.fetch_bytes, part.fetch_bytes);
     plan.fetch_buffers = part.fetch_buffers;
     plan.scratch_bytes = std::max(plan.scratch_bytes, part.scratch_bytes);
@@ -91,7 +98,7 @@ int widest(std::span<const UpdateContext> contexts, const LocalStoreDemand& dema
 std::string in_words(const LocalStoreDemand& demand) {
   return "skeleton \"" + demand.skeleton + "\" with schedule " +
          (demand.schedule == Schedule::fused ? "fused" : "levels") + " and stream " +
-         (demand.any_keyframe ? "keyframe" : "sampled");
+         (demand.falls_back || demand.stream == StreamKind::keyframe ? "keyframe" : "sampled");
 }
 
 Error too_small(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, std::size_t size) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "engine/anim/asset/character.h"
 #include "engine/anim/base/result.h"
 #include "engine/anim/run/agent_work.h"
 #include "engine/anim/run/double_buffer.h"
@@ -34,10 +35,10 @@ struct LocalStoreDemand {
   std::string skeleton;  ///< for the error
   Schedule schedule = Schedule::fused;
   DoubleBuffering double_buffering = DoubleBuffering::interleaved;
-  bool any_sampled = true;  ///< kinds of players that the clips need
-  bool any_keyframe = false;
-  StoreNeeds largest;                   ///< of all programs of agents
-  std::size_t shared_entity_bytes = 0;  ///< StoreNeeds::entity_bytes of all graphs of shared entities
+  StreamKind stream = StreamKind::sampled;  ///< wanted; clips that have no such stream play the other
+  bool falls_back = false;                  ///< some clip of that skeleton does; for the error
+  StoreNeeds largest;                       ///< of all programs of agents
+  std::size_t shared_entity_bytes = 0;      ///< StoreNeeds::entity_bytes of all graphs of shared entities
 };
 
 /// Bytes that a tile of `width` characters takes of a store.

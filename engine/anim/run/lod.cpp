@@ -44,11 +44,9 @@ int interval_at(float squared_distance, const LodRules& rules, const Thresholds&
 }
 
 // `current` is the level shown now; pass 0 and `fresh` for an agent that was out of view.
-int bone_level_at(float squared_distance, int current, bool fresh, const LodRules& rules, const Thresholds& squares) {
-  if (!rules.bone_lod) return 0;
-  int level = std::min(current, rules.level_count - 1);
-  while (level + 1 < rules.level_count && squared_distance >= squares.next_level[static_cast<std::size_t>(level)])
-    ++level;
+int bone_level_at(float squared_distance, int current, bool fresh, int level_count, const Thresholds& squares) {
+  int level = std::min(current, level_count - 1);
+  while (level + 1 < level_count && squared_distance >= squares.next_level[static_cast<std::size_t>(level)]) ++level;
   while (!fresh && level > 0 && squared_distance < squares.level_back[static_cast<std::size_t>(level - 1)]) --level;
   return level;
 }
@@ -74,10 +72,11 @@ struct Decision {
 };
 
 Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState& state, std::size_t agent,
-                float squared_distance) {
+                int level_count, float squared_distance) {
   const bool fresh = state.was_visible[agent] == 0;
   const int shown = fresh ? 0 : state.bone_level[agent];
-  const int bone_level = bone_level_at(squared_distance, shown, fresh, frame.rules, squares);
+  const int levels = frame.rules.bone_lod ? level_count : 1;
+  const int bone_level = bone_level_at(squared_distance, shown, fresh, levels, squares);
   if (frame.rules.rule == LodRule::off) return {1, 1, bone_level};
   const int interval = interval_at(squared_distance, frame.rules, squares);
   const int own_turn = frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval));
@@ -94,7 +93,8 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.positions.size() == frame.scales.size());
   assert(frame.positions.size() == state.next_update.size());
   assert(frame.rules.largest_interval >= 1 && frame.rules.largest_interval <= longest_interval);
-  assert(frame.rules.level_count >= 1 && frame.rules.level_count <= most_bone_levels);
+  assert(!frame.characters.empty());
+  assert(frame.character_of.empty() || frame.character_of.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
   static_cast<void>(frame);
   static_cast<void>(state);
@@ -109,39 +109,95 @@ void LodState::resize(std::size_t agents, LodSelection& selection) {
   interval.assign(agents, 1);
   bone_level.assign(agents, 0);
   was_visible.assign(agents, 0);
-  selection.visible.clear();
-  selection.due.clear();
-  selection.visible.reserve(agents);
-  selection.due.reserve(agents);
+  selection.room_for_visible.resize(agents);
+  selection.room_for_due.resize(agents);
+  selection.visible = std::span(selection.room_for_visible).first(0);
+  selection.due = std::span(selection.room_for_due).first(0);
+}
+
+namespace {
+
+/// Agents that one job decides for, one after the other. Lists begin where they would if all were chosen.
+struct LodTile {
+  std::size_t first = 0, end = 0;
+  std::size_t visible = 0, due = 0;  // how many
+
+  void decide_all(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection) {
+    visible = due = 0;
+    for (std::size_t agent = first; agent < end; ++agent) decide_one(frame, squares, state, selection, agent);
+  }
+
+ private:
+  void decide_one(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection,
+                  std::size_t agent) {
+    const LodCharacter& character = frame.characters[frame.character_of.empty() ? 0 : frame.character_of[agent]];
+    const float scale = frame.scales[agent];
+    const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, character.centre_height * scale, 0.0F);
+    const bool is_visible = in_view(centre, character.radius * scale, frame.camera);
+    const float squared_distance = squared(centre - frame.camera.position);
+    const bool turn_has_come = state.was_visible[agent] == 0 || frame.number >= state.next_update[agent];
+    if (frame.rules.rule == LodRule::off || (is_visible && turn_has_come)) {
+      const Decision decision = decide(frame, squares, state, agent, character.level_count, squared_distance);
+      update(state, agent, frame.number, decision);
+      selection.room_for_due[first + due++] = {static_cast<std::uint32_t>(agent),
+                                               static_cast<std::uint8_t>(decision.look_ahead), state.bone_level[agent]};
+    }
+    if (is_visible) {
+      const float distance = std::max(std::sqrt(squared_distance), near_enough_to_divide);
+      selection.room_for_visible[first + visible++] = {
+          static_cast<std::uint32_t>(agent), character.height * scale * frame.camera.pixels_per_unit / distance,
+          state.interval[agent], state.bone_level[agent]};
+    }
+    state.was_visible[agent] = is_visible ? 1 : 0;
+  }
+};
+
+/// Closes the gaps between the lists of the tiles; returns the length of the whole.
+template <typename Element>
+std::span<Element> joined(std::vector<Element>& room, std::span<const LodTile> tiles, std::size_t LodTile::*count) {
+  std::size_t length = 0;
+  for (const LodTile& tile : tiles) {
+    const auto from = room.begin() + static_cast<std::ptrdiff_t>(tile.first);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(tile.*count),
+              room.begin() + static_cast<std::ptrdiff_t>(length));
+    length += tile.*count;
+  }
+  return {room.data(), length};
+}
+
+constexpr std::size_t agents_worth_a_job = 512;
+constexpr std::size_t most_lod_tiles = 256;
+
+}  // namespace
+
+void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection, Executor& executor, int jobs) {
+  check(frame, state);
+  const std::size_t agents = frame.positions.size();
+  const std::size_t count =
+      std::clamp<std::size_t>(std::min(agents / agents_worth_a_job, std::size_t(jobs)), 1, most_lod_tiles);
+  std::array<LodTile, most_lod_tiles> tiles;
+  for (std::size_t i = 0; i < count; ++i) tiles[i] = {.first = agents * i / count, .end = agents * (i + 1) / count};
+
+  struct Context {
+    const LodFrame& frame;
+    Thresholds squares;
+    LodState& state;
+    LodSelection& selection;
+    std::span<LodTile> tiles;
+  } shared{frame, square_thresholds(frame.rules), state, selection, std::span(tiles).first(count)};
+  executor.run(static_cast<int>(count), {[](void* context, int tile) {
+                                           auto& all = *static_cast<Context*>(context);
+                                           all.tiles[static_cast<std::size_t>(tile)].decide_all(
+                                               all.frame, all.squares, all.state, all.selection);
+                                         },
+                                         &shared});
+  selection.visible = joined(selection.room_for_visible, shared.tiles, &LodTile::visible);
+  selection.due = joined(selection.room_for_due, shared.tiles, &LodTile::due);
 }
 
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection) {
-  check(frame, state);
-  const Thresholds squares = square_thresholds(frame.rules);
-  const bool pose_everyone = frame.rules.rule == LodRule::off;
-  selection.visible.clear();
-  selection.due.clear();
-  for (std::size_t agent = 0; agent < frame.positions.size(); ++agent) {
-    const float scale = frame.scales[agent];
-    const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, frame.bounds.centre_height * scale, 0.0F);
-    const bool visible = in_view(centre, frame.bounds.radius * scale, frame.camera);
-    const float squared_distance = squared(centre - frame.camera.position);
-    const bool due =
-        pose_everyone || (visible && (state.was_visible[agent] == 0 || frame.number >= state.next_update[agent]));
-    if (due) {
-      const Decision decision = decide(frame, squares, state, agent, squared_distance);
-      update(state, agent, frame.number, decision);
-      selection.due.push_back(
-          {static_cast<std::uint32_t>(agent), static_cast<std::uint8_t>(decision.look_ahead), state.bone_level[agent]});
-    }
-    if (visible) {
-      const float distance = std::max(std::sqrt(squared_distance), near_enough_to_divide);
-      const float pixels_tall = frame.bounds.height * scale * frame.camera.pixels_per_unit / distance;
-      selection.visible.push_back(
-          {static_cast<std::uint32_t>(agent), pixels_tall, state.interval[agent], state.bone_level[agent]});
-    }
-    state.was_visible[agent] = visible ? 1 : 0;
-  }
+  InOrder here;
+  select_for_update(frame, state, selection, here, 1);
 }
 
 }  // namespace throng::anim

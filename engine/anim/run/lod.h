@@ -9,6 +9,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "engine/anim/run/executor.h"
+
 /// Who is updated this frame, how far ahead, and with how many bones: the paper's LOD by skipping updates and by
 /// dropping bones. Decided from bounds and camera numbers before any animation; depends on nothing but its inputs.
 namespace throng::anim {
@@ -31,7 +33,6 @@ struct LodRules {
   int largest_interval = 8;          ///< frames, 1 to longest_interval
   bool bone_lod = true;              ///< fewer bones by distance, whatever the rule
   std::array<float, most_bone_levels - 1> level_distances{15.0F, 30.0F, 60.0F};  ///< metres, ascending
-  int level_count = most_bone_levels;  ///< levels that the character has, 1 to most_bone_levels
 };
 
 /// What the rule needs to know of the camera.
@@ -41,11 +42,13 @@ struct LodCamera {
   float pixels_per_unit = 1.0F;        ///< pixels that one metre covers at a distance of one metre
 };
 
-/// A sphere about the vertical axis of an agent that holds every pose; all scaled with the agent.
-struct LodBounds {
-  float centre_height = 0.9F;  ///< metres above the feet
-  float radius = 1.2F;         ///< metres
-  float height = 1.8F;         ///< metres, of the standing character
+/// What the rule needs to know of a character: a sphere about the vertical axis that holds every pose, its height and
+/// its bone levels. All scaled with the agent.
+struct LodCharacter {
+  float centre_height = 0.9F;          ///< metres above the feet
+  float radius = 1.2F;                 ///< metres
+  float height = 1.8F;                 ///< metres, of the standing character
+  int level_count = most_bone_levels;  ///< 1 to most_bone_levels
 };
 
 /// An agent in view, in ascending order of `agent`.
@@ -63,10 +66,17 @@ struct DueAgent {
   std::uint8_t bone_level;
 };
 
-/// What was decided for one frame; memory for every agent is set aside by `LodState::resize`.
+/// What was decided for one frame, in memory for every agent that `LodState::resize` sets aside. Not to be copied.
 struct LodSelection {
-  std::vector<VisibleAgent> visible;
-  std::vector<DueAgent> due;
+  std::span<VisibleAgent> visible;
+  std::span<DueAgent> due;
+
+  std::vector<VisibleAgent> room_for_visible;  ///< [agents]
+  std::vector<DueAgent> room_for_due;          ///< [agents]
+
+  LodSelection() = default;
+  LodSelection(const LodSelection&) = delete;
+  LodSelection& operator=(const LodSelection&) = delete;
 };
 
 /// What the rule remembers of each agent between frames.
@@ -82,11 +92,12 @@ struct LodState {
   void make_all_due();
 };
 
-/// Everything about one frame of a crowd; spans are parallel, one element an agent.
+/// Everything about one frame of a crowd; spans but `characters` are parallel, one element an agent.
 struct LodFrame {
   std::span<const glm::vec3> positions;  ///< metres, world space, between the feet
   std::span<const float> scales;
-  LodBounds bounds;
+  std::span<const LodCharacter> characters;    ///< one or more
+  std::span<const std::uint8_t> character_of;  ///< index among them; empty: everybody is the first
   LodCamera camera;
   LodRules rules;
   std::uint64_t number = 0;  ///< grows by one each frame in which time passes
@@ -97,5 +108,8 @@ struct LodFrame {
 /// update, and the first update after a change is moved forward to a frame where `number % interval` equals
 /// `agent % interval`, so that the work of each frame is even. Allocates nothing, and each agent is decided alone.
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection);
+
+/// The same, tiles of agents shared out over `jobs` jobs.
+void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection, Executor& executor, int jobs);
 
 }  // namespace throng::anim

@@ -119,6 +119,16 @@ std::uint8_t assign_registers(std::span<PoseStep> steps, const EntityPools& pool
   return static_cast<std::uint8_t>(count);
 }
 
+void count_part(const EntityKind& kind, ProgramParts& parts) {
+  if (kind.sources == nullptr) {
+    ++parts.players;
+  } else if (kind.whole_pose()) {
+    ++parts.post_processes;
+  } else {
+    ++parts.blenders;
+  }
+}
+
 }  // namespace
 
 void StoreNeeds::widen(const StoreNeeds& other) {
@@ -137,6 +147,7 @@ Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, Pos
   if (Status visited = flattening.visit(root, root_step); !visited) return visited;
   const std::span<PoseStep> steps = flattening.steps();
   program.needs = {.registers = assign_registers(steps, pools)};
+  program.parts = {};
   for (const PoseStep& step : steps) {
     const EntityLayout& layout = pools.layout(step.entity);
     if (step.shared) {
@@ -152,6 +163,7 @@ Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, Pos
     program.needs.entity_bytes = std::max(program.needs.entity_bytes, entity_bytes);
     program.needs.prepared_bytes += static_cast<std::uint32_t>(layout.kind->prepared_bytes);
     program.needs.held = program.needs.held || layout.kind->whole_pose();
+    count_part(*layout.kind, program.parts);
     pools.state(step.entity).priority = static_cast<std::int16_t>(highest_priority - step.below_highest);
   }
   program.steps.assign(steps.begin(), steps.end());

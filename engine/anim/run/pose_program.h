@@ -7,6 +7,7 @@
 
 #include "engine/anim/base/result.h"
 #include "engine/anim/entity/entity_pools.h"
+#include "engine/anim/run/cost_model.h"
 
 namespace throng::anim {
 
@@ -47,6 +48,7 @@ struct PoseProgram {
 
   std::vector<PoseStep> steps;
   StoreNeeds needs;
+  ProgramParts parts;  ///< of its own; shared ones are paid for once a frame
 
   /// Steps that are not shared.
   std::size_t own_count() const { return steps.size() - needs.shared; }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
-#include <vector>
 
 #include "engine/anim/run/double_buffer.h"
 #include "engine/anim/run/local_store.h"
@@ -38,19 +38,18 @@ class alignas(block_alignment) ProcessingUnit {
 
   template <typename Tasks>
   void run(Tasks& tasks, DoubleBuffering mode) {
-    const Trace::Clock::time_point start = Trace::Clock::now();
+    trace_.close(TraceSpan::Kind::wait);
+    const auto start = std::chrono::steady_clock::now();
     run_tasks(tasks, engine_, mode, trace_);
-    activity_.busy_ms += std::chrono::duration<double, std::milli>(Trace::Clock::now() - start).count();
-    const CopyCounts copies = engine_.take_counts();
-    activity_.copies.bytes_in += copies.bytes_in;
-    activity_.copies.bytes_out += copies.bytes_out;
-    activity_.copies.transfers += copies.transfers;
+    activity_.busy_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    activity_.copies += engine_.take_counts();
   }
 
-  void begin_update(Trace::Clock::time_point start) {
+  void begin_update(std::uint64_t tick) {
     activity_ = {};
-    trace_.begin(start);
+    trace_.begin(tick);
   }
+  Trace& trace() { return trace_; }
   const Trace& trace() const { return trace_; }
   PuActivity& activity() { return activity_; }
   const PuActivity& activity() const { return activity_; }

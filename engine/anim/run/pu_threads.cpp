@@ -18,6 +18,7 @@ PuThreads::~PuThreads() {
 
 void PuThreads::run(int count, Job job) {
   assert(count >= 1 && static_cast<std::size_t>(count) <= threads_.size() + 1);
+  if (count == 1) return job.run(job.context, 0);
   job_ = job;
   count_ = count;
   running_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);

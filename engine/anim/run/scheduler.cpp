@@ -1,24 +1,19 @@
 #include "engine/anim/run/scheduler.h"
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 
 namespace throng::anim {
 namespace {
 
-// Programs that are longer cost alike.
-constexpr std::size_t longest = 15;
-constexpr std::size_t cost_classes = most_skeletons * 2 * max_bone_levels * (longest + 1);
+// Of a trace: enough for every task of a few thousand agents in any schedule, and 2 MiB a PU at most.
+constexpr std::size_t spans_an_agent = 12;
+constexpr std::size_t few_spans = 64;
+constexpr std::size_t most_spans = std::size_t{1} << 16U;
 
-// Agents of one class are equal enough to share a tile; held tiles, more bones and larger graphs cost more.
-std::size_t cost_class(const AgentWork& work) {
-  const std::size_t group = (work.skeleton * std::size_t{2} + (work.held ? 0U : 1U)) * max_bone_levels + work.level;
-  return group * (longest + 1) + longest - std::min<std::size_t>(work.entity_count, longest);
-}
-
-bool share_a_tile(const AgentWork& a, const AgentWork& b) {
-  return a.skeleton == b.skeleton && a.level == b.level && a.held == b.held;
+/// What an entity by itself costs in `levels`.
+double cost_of(const EntityKind& kind, int packets, const CostModel& cost) {
+  if (kind.sources == nullptr) return cost.agent + packets * cost.player_packet;
+  return cost.agent + (kind.whole_pose() ? cost.post_process : packets * cost.blender_packet);
 }
 
 }  // namespace
@@ -29,6 +24,7 @@ Scheduler::Scheduler(const ScheduleOptions& options, std::size_t palette_entries
   for (int pu = 0; pu < options.pus; ++pu) units_.emplace_back(options.local_store_bytes, palette_entries);
   set_plan(options.plan);
   priorities_.resize(PoseProgram::max_depth);
+  shares_.resize(static_cast<std::size_t>(options.pus) + 1);
 }
 
 void Scheduler::set_plan(const LocalStorePlan& plan) {
@@ -36,10 +32,16 @@ void Scheduler::set_plan(const LocalStorePlan& plan) {
   for (ProcessingUnit& unit : units_) unit.divide_store(plan);
 }
 
+void Scheduler::record_trace(bool on, std::size_t agents) {
+  options_.trace = on;
+  const std::size_t spans = on ? std::min(agents * spans_an_agent + few_spans, most_spans) : 0;
+  for (ProcessingUnit& unit : units_) unit.trace().reserve(spans);
+}
+
 void Scheduler::reserve(std::size_t agents) {
   constexpr std::size_t usual_entities = 4;  // of one priority
-  sorted_.reserve(agents);
-  tiles_.reserve(agents);
+  cutter_.reserve(agents);
+  record_trace(options_.trace, agents);
   if (options_.schedule == Schedule::fused) return;
   priorities_[0].reserve(agents * usual_entities);
   for (std::size_t i = 1; i < usual_entities; ++i) priorities_[i].reserve(agents * 2);
@@ -47,13 +49,13 @@ void Scheduler::reserve(std::size_t agents) {
 
 void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared,
                        std::span<const AgentWork> agents, Executor& executor) {
-  const Trace::Clock::time_point start = Trace::Clock::now();
-  for (ProcessingUnit& unit : units_) unit.begin_update(start);
+  time_.begin();
+  for (ProcessingUnit& unit : units_) unit.begin_update(time_.first_tick);
   for (const UpdateContext& context : contexts) context.pools->guard_blocks();
   if (!shared.empty()) run_entities(contexts, shared, executor);
   if (!agents.empty()) {
-    const std::span<const AgentWork> work = sorted(agents);
-    cut_tiles(contexts, work);
+    const std::span<const AgentWork> work = cutter_.sorted(agents);
+    tiles_ = cutter_.cut(contexts, work, options_.plan, options_.schedule, options_.cost, shares_for(predicted(work)));
     if (options_.schedule == Schedule::fused) {
       run_fused(contexts, work, executor);
     } else {
@@ -62,74 +64,40 @@ void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const 
     }
   }
   for (const UpdateContext& context : contexts) context.pools->release_blocks();
+  for (ProcessingUnit& unit : units_) unit.trace().close(TraceSpan::Kind::wait);
+  time_.end();
 }
 
-// A stable counting sort: dearest class first. A crowd of one class, which is common, stays where it is.
-std::span<const AgentWork> Scheduler::sorted(std::span<const AgentWork> work) {
-  if (std::ranges::is_sorted(work, {}, cost_class)) return work;
-  std::array<std::uint32_t, cost_classes + 1> starts{};
-  for (const AgentWork& agent : work) ++starts[cost_class(agent) + 1];
-  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-  sorted_.resize(work.size());
-  for (const AgentWork& agent : work) sorted_[starts[cost_class(agent)]++] = agent;
-  return sorted_;
+double Scheduler::predicted(std::span<const AgentWork> work) {
+  std::uint64_t steps = 0;
+  for (const AgentWork& agent : work) steps += agent.cost;
+  return static_cast<double>(steps) * cost_step;
 }
 
-int Scheduler::tile_limit(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared) const {
-  if (options_.schedule == Schedule::levels) return options_.plan.width;
-  return std::min(options_.plan.width, widest_fused_tile(context, needs, shared.bytes(*context.pools), options_.plan));
-}
-
-void Scheduler::cut_tiles(std::span<const UpdateContext> contexts, std::span<const AgentWork> work) {
-  tiles_.clear();
-  StoreNeeds needs;  // of the last tile
-  SharedSources shared;
-  int limit = 0;  // characters of these needs in a tile
-  for (std::uint32_t i = 0; i < work.size(); ++i) {
-    const UpdateContext& context = contexts[work[i].skeleton];
-    const PoseProgram& program = *work[i].program;
-    const bool joins = !tiles_.empty() && share_a_tile(work[tiles_.back().first], work[i]);
-    StoreNeeds wider = needs;
-    wider.widen(program.needs);
-    if (joins && wider == needs && program.needs.shared == 0) {
-      if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({i, 0});
-      ++tiles_.back().count;
-      continue;
-    }
-    SharedSources more = shared;
-    const int wider_limit = joins && more.add(program) ? tile_limit(context, wider, more) : 0;
-    if (joins && wider_limit > static_cast<int>(tiles_.back().count)) {
-      ++tiles_.back().count;
-      needs = wider;
-      shared = more;
-      limit = wider_limit;
-      continue;
-    }
-    tiles_.push_back({i, 1});
-    needs = program.needs;
-    shared = SharedSources(work.subspan(i, 1));
-    limit = tile_limit(context, needs, shared);
-    assert(limit > 0 && "a program that does not fit the local store was let in");
-  }
+std::span<int> Scheduler::shares_for(double nanoseconds) {
+  const int pus = pus_worth_waking(nanoseconds, options_.pus, options_.cost);
+  used_shares_ = std::span(shares_).first(static_cast<std::size_t>(pus) + 1);
+  return used_shares_;
 }
 
 template <typename RunUnit>
-void Scheduler::on_all_units(int task_count, Executor& executor, RunUnit&& run_unit) {
+void Scheduler::on_units(Executor& executor, RunUnit&& run_unit) {
   struct Context {
     Scheduler* scheduler;
     RunUnit* run_unit;
   } shared{this, &run_unit};
-  queue_.open(task_count);
+  queue_.open(used_shares_);
+  units_.front().trace().close(TraceSpan::Kind::schedule);
   const auto run = [](void* context, int pu) {
     const auto& job = *static_cast<Context*>(context);
     (*job.run_unit)(job.scheduler->units_[static_cast<std::size_t>(pu)], TaskQueue::Taker(job.scheduler->queue_, pu));
   };
-  executor.run(options_.pus, {run, &shared});
+  executor.run(static_cast<int>(used_shares_.size()) - 1, {run, &shared});
 }
 
 void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                           Executor& executor) {
-  on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
+  on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
     FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
     unit.run(tasks, options_.double_buffering);
     unit.activity().tasks += tasks.tiles_done();
@@ -139,7 +107,7 @@ void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<con
 
 void Scheduler::run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                              Executor& executor) {
-  collect_entities(work);
+  collect_entities(contexts, work);
   const LocalStorePlan one_at_a_time{
       .fetch_bytes = options_.plan.all_fetch_bytes(), .fetch_buffers = 1, .scratch_bytes = options_.plan.scratch_bytes};
   for (std::vector<EntityUpdate>& updates : priorities_) {
@@ -156,7 +124,12 @@ void Scheduler::run_updates(std::span<const UpdateContext> contexts, std::span<c
                             const LocalStorePlan& plan, Executor& executor) {
   if (updates.empty()) return;
   const DoubleBuffering mode = plan.fetch_buffers == 1 ? DoubleBuffering::off : options_.double_buffering;
-  on_all_units(static_cast<int>(updates.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
+  double total = 0;
+  for (const EntityUpdate& update : updates) total += update.cost * cost_step;
+  cut_shares(
+      static_cast<int>(updates.size()), [&](int task) { return int{updates[static_cast<std::size_t>(task)].cost}; },
+      shares_for(total));
+  on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
     unit.divide_store(plan);
     EntityTasks tasks(contexts, updates, queue, unit.store());
     unit.run(tasks, mode);
@@ -167,7 +140,10 @@ void Scheduler::run_updates(std::span<const UpdateContext> contexts, std::span<c
 
 void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                              Executor& executor) {
-  on_all_units(static_cast<int>(tiles_.size()), executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
+  cut_shares(
+      static_cast<int>(tiles_.size()), [this](int tile) { return double{tiles_[static_cast<std::size_t>(tile)].cost}; },
+      shares_for(predicted(work)));
+  on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
     PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
     unit.run(tasks, options_.double_buffering);
     unit.activity().tasks += tasks.tiles_done();
@@ -176,17 +152,21 @@ void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<
 }
 
 // Priorities as the paper has them: a player is highest, what reads others one below the lowest of them.
-void Scheduler::collect_entities(std::span<const AgentWork> work) {
+void Scheduler::collect_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work) {
   for (std::vector<EntityUpdate>& updates : priorities_) updates.clear();
   for (const AgentWork& agent : work) {
+    const UpdateContext& context = contexts[agent.skeleton];
     const std::vector<PoseStep>& steps = agent.program->steps;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (steps[i].shared) continue;
-      priorities_[steps[i].below_highest].push_back({.program = agent.program,
-                                                     .delta = agent.delta,
-                                                     .step = static_cast<std::uint8_t>(i),
-                                                     .skeleton = agent.skeleton,
-                                                     .level = agent.level});
+      priorities_[steps[i].below_highest].push_back(
+          {.program = agent.program,
+           .delta = agent.delta,
+           .cost = cost_in_steps(
+               cost_of(*context.pools->layout(steps[i].entity).kind, context.packets(agent.level), options_.cost)),
+           .step = static_cast<std::uint8_t>(i),
+           .skeleton = agent.skeleton,
+           .level = agent.level});
     }
   }
 }

@@ -9,8 +9,8 @@
 #include "engine/anim/run/fused_tasks.h"
 #include "engine/anim/run/level_tasks.h"
 #include "engine/anim/run/processing_unit.h"
-#include "engine/anim/run/shared_sources.h"
 #include "engine/anim/run/task_queue.h"
+#include "engine/anim/run/tile_cutter.h"
 
 namespace throng::anim {
 
@@ -20,6 +20,8 @@ struct ScheduleOptions {
   LocalStorePlan plan;
   std::size_t local_store_bytes = 0;
   int pus = 1;
+  CostModel cost{};
+  bool trace = true;  ///< what each PU does is recorded, span by span
 };
 
 /// Hands tiles to PUs (paper 2.2.3, 2.2.5, 3.2). Tasks are never equal units: big ones go first, and
@@ -32,6 +34,9 @@ class Scheduler {
   /// Room for so many agents, so that update() does not allocate.
   void reserve(std::size_t agents);
 
+  /// For updates of so many agents.
+  void record_trace(bool on, std::size_t agents);
+
   /// Divides the stores anew, at a frame boundary.
   void set_plan(const LocalStorePlan& plan);
 
@@ -41,27 +46,31 @@ class Scheduler {
               std::span<const AgentWork> agents, Executor& executor);
 
   std::span<const ProcessingUnit> units() const { return units_; }
+  /// Of the last update; its clocks make milliseconds of the units' traces.
+  const UpdateTime& time() const { return time_; }
   const ScheduleOptions& options() const { return options_; }
 
  private:
-  std::span<const AgentWork> sorted(std::span<const AgentWork> work);
-  int tile_limit(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared) const;
-  void cut_tiles(std::span<const UpdateContext> contexts, std::span<const AgentWork> work);
-  void collect_entities(std::span<const AgentWork> work);
+  static double predicted(std::span<const AgentWork> work);
+  std::span<int> shares_for(double nanoseconds);
+  void collect_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work);
   void run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
   void run_updates(std::span<const UpdateContext> contexts, std::span<const EntityUpdate> updates,
                    const LocalStorePlan& plan, Executor& executor);
   void run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
   void run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
   template <typename RunUnit>
-  void on_all_units(int task_count, Executor& executor, RunUnit&& run_unit);
+  void on_units(Executor& executor, RunUnit&& run_unit);
 
   ScheduleOptions options_;
   std::vector<ProcessingUnit> units_;
-  std::vector<Tile> tiles_;
-  std::vector<AgentWork> sorted_;
+  TileCutter cutter_;
+  std::span<const Tile> tiles_;                        // of the cutter
+  std::vector<int> shares_;                            // room for a share a PU
+  std::span<int> used_shares_;                         // of the PUs that are worth waking
   std::vector<std::vector<EntityUpdate>> priorities_;  // [i] entities of priority highest - i; [0] players
   TaskQueue queue_;
+  UpdateTime time_;
 };
 
 }  // namespace throng::anim

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "engine/anim/base/aligned_bytes.h"
 
@@ -14,12 +15,13 @@ class TaskQueue {
  public:
   explicit TaskQueue(int pus) : pus_(pus), shares_(std::make_unique<Share[]>(static_cast<std::size_t>(pus))) {}
 
-  /// Before the PUs run.
-  void open(int count) {
-    for (int pu = 0; pu < pus_; ++pu) {
-      Share& share = shares_[static_cast<std::size_t>(pu)];
-      share.next.store(first_of(pu, count), std::memory_order_relaxed);
-      share.end = first_of(pu + 1, count);
+  /// Before the PUs run: the first task of each share and, last, how many tasks there are. PUs without a share of their
+  /// own only help.
+  void open(std::span<const int> firsts) {
+    for (std::size_t pu = 0; pu < static_cast<std::size_t>(pus_); ++pu) {
+      const bool has_share = pu + 1 < firsts.size();
+      shares_[pu].next.store(has_share ? firsts[pu] : firsts.back(), std::memory_order_relaxed);
+      shares_[pu].end = has_share ? firsts[pu + 1] : firsts.back();
     }
   }
 
@@ -48,8 +50,6 @@ class TaskQueue {
     std::atomic<int> next{0};
     int end = 0;
   };
-
-  int first_of(int pu, int count) const { return static_cast<int>(static_cast<long long>(count) * pu / pus_); }
 
   int pus_;
   std::unique_ptr<Share[]> shares_;

@@ -31,6 +31,7 @@ class ScratchCarver {
 struct Tile {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
+  float cost = 0;  ///< predicted, nanoseconds
 };
 
 /// Scratch of the model-palette step of a tile of `width` characters; hierarchy and palette run across them.

@@ -1,49 +1,139 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace throng::anim {
 
-/// One stretch of a PU's time within an update.
-struct TraceSpan {
-  enum class Kind : std::uint8_t { fetch, compute, write_back };
-  Kind kind;
-  float begin_ms;  ///< since the update began
-  float end_ms;
+/// Counts up at an even rate, the same on all cores: the processor's time stamp where there is one, because a span
+/// takes microseconds and the system's clock a fiftieth of one. Its rate is found by comparing both over a whole
+/// update.
+struct TraceClock {
+  static std::uint64_t now() {
+#if defined(__x86_64__)
+    return __builtin_ia32_rdtsc();
+#else
+    return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+#endif
+  }
 };
 
-/// What one PU did, span by span, in memory set aside beforehand; what does not fit is not kept.
+/// One stretch of a PU's time within an update; 32 bytes.
+struct TraceSpan {
+  enum class Kind : std::uint8_t {
+    fetch,       ///< copies, of the next task in and, with double buffering, of the previous one out
+    compute,     ///< with interleaved double buffering the same copies, in slices
+    write_back,  ///< copies of the last task out
+    wait,        ///< for the other PUs, or to be woken
+    schedule,    ///< PU 0 sorts and cuts tiles
+    copy_slice,  ///< within a compute span; recorded of one task in many
+  };
+  std::uint64_t begin;  ///< of TraceClock
+  std::uint64_t end;
+  std::uint32_t bytes_in;  ///< copied within the span
+  std::uint32_t bytes_out;
+  std::uint32_t transfers;
+  Kind kind;
+};
+static_assert(sizeof(TraceSpan) == 32);
+
+/// Bytes and transfers of copies.
+struct CopyCounts {
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+  std::uint64_t transfers = 0;
+
+  friend CopyCounts operator-(const CopyCounts& a, const CopyCounts& b) {
+    return {a.bytes_in - b.bytes_in, a.bytes_out - b.bytes_out, a.transfers - b.transfers};
+  }
+  CopyCounts& operator+=(const CopyCounts& other) {
+    bytes_in += other.bytes_in;
+    bytes_out += other.bytes_out;
+    transfers += other.transfers;
+    return *this;
+  }
+};
+
+/// When an update began and ended, on both clocks.
+struct UpdateTime {
+  std::chrono::steady_clock::time_point start{};
+  double milliseconds = 0;
+  std::uint64_t first_tick = 0;
+  std::uint64_t last_tick = 0;
+
+  void begin() {
+    start = std::chrono::steady_clock::now();
+    first_tick = TraceClock::now();
+  }
+  void end() {
+    milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    last_tick = std::max(TraceClock::now(), first_tick + 1);
+  }
+  /// Of a tick, since the update began.
+  double ms(std::uint64_t tick) const {
+    const double whole = static_cast<double>(last_tick - first_tick);
+    return static_cast<double>(std::max(tick, first_tick) - first_tick) / whole * milliseconds;
+  }
+};
+
+/// What one PU did in an update, without gaps: each span begins where the one before it ended. In memory set aside
+/// beforehand; what does not fit is counted and not kept.
 class Trace {
  public:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t most_spans = 512;
+  static constexpr std::uint32_t slices_of_one_task_in = 16;
 
-  Trace() { spans_.reserve(most_spans); }
-
-  void begin(Clock::time_point update_start) {
+  /// Room for so many spans; 0: records nothing.
+  void reserve(std::size_t spans) {
     spans_.clear();
-    start_ = update_start;
+    spans_.reserve(spans);
+    room_ = spans;
   }
-  /// Does `work` as a span of that kind.
-  template <typename Work>
-  void record(TraceSpan::Kind kind, Work&& work) {
-    if (spans_.size() == most_spans) return work();
-    const Clock::time_point begin = Clock::now();
-    work();
-    spans_.push_back({kind, since_start(begin), since_start(Clock::now())});
+
+  void begin(std::uint64_t tick) {
+    spans_.clear();
+    last_ = tick;
+    not_kept_ = 0;
+    tasks_ = 0;
   }
+
+  /// The time since the last span was spent so.
+  void close(TraceSpan::Kind kind, const CopyCounts& copied = {}) {
+    if (room_ == 0) return;
+    const std::uint64_t now = TraceClock::now();
+    add(kind, last_, now, copied);
+    last_ = now;
+  }
+
+  /// True now and then: record the slices in which the copies of this task are done, too.
+  bool wants_slices() { return room_ > 0 && tasks_++ % slices_of_one_task_in == 0; }
+  void add_slice(std::uint64_t begin) { add(TraceSpan::Kind::copy_slice, begin, TraceClock::now(), {}); }
+
   std::span<const TraceSpan> spans() const { return spans_; }
+  std::uint32_t not_kept() const { return not_kept_; }
 
  private:
-  float since_start(Clock::time_point time) const {
-    return std::chrono::duration<float, std::milli>(time - start_).count();
+  void add(TraceSpan::Kind kind, std::uint64_t begin, std::uint64_t end, const CopyCounts& copied) {
+    if (spans_.size() == room_) {
+      ++not_kept_;
+      return;
+    }
+    spans_.push_back({.begin = begin,
+                      .end = end,
+                      .bytes_in = static_cast<std::uint32_t>(copied.bytes_in),
+                      .bytes_out = static_cast<std::uint32_t>(copied.bytes_out),
+                      .transfers = static_cast<std::uint32_t>(copied.transfers),
+                      .kind = kind});
   }
 
   std::vector<TraceSpan> spans_;
-  Clock::time_point start_;
+  std::size_t room_ = 0;
+  std::uint64_t last_ = 0;
+  std::uint32_t not_kept_ = 0;
+  std::uint32_t tasks_ = 0;
 };
 
 }  // namespace throng::anim

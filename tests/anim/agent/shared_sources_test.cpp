@@ -1,5 +1,6 @@
 // Sources that many agents read: updated once, fetched once a tile, never written back.
 
+#include <array>
 #include <cstring>
 #include <map>
 
@@ -63,7 +64,7 @@ TEST(SharedSources, ATreeFiveDeepFetchesEachOnceATileAndWritesNoneBack) {
     work.push_back({.program = &system.program(agent), .agent = agent});
   const std::vector<Tile> tiles{{.first = 0, .count = 4}, {.first = 4, .count = 12}};
   TaskQueue queue(1);
-  queue.open(static_cast<int>(tiles.size()));
+  queue.open(std::array{0, static_cast<int>(tiles.size())});
   LocalStore store(256 * kib);
   store.divide(64 * kib, 2, 64 * kib);
   const AlignedBytes unseen = allocate_aligned(64 * kib);

@@ -16,12 +16,13 @@ namespace {
 struct LodTest : testing::Test {
   std::vector<glm::vec3> positions;
   std::vector<float> scales;
+  LodCharacter character{.centre_height = 0.0F, .radius = 1.0F, .height = 1.8F};
   LodFrame frame;
   LodState state;
   LodSelection selection;
 
   LodTest() {
-    frame.bounds = {0.0F, 1.0F, 1.8F};
+    frame.characters = {&character, 1};
     frame.camera.frustum.fill(glm::vec4(0.0F, 0.0F, -1.0F, 0.0F));
     frame.camera.pixels_per_unit = 800.0F;
     frame.number = 100;
@@ -51,7 +52,7 @@ struct LodTest : testing::Test {
   VisibleAgent decide_afresh(float distance) {
     spawn(1, distance);
     select();
-    return selection.visible.at(0);
+    return selection.visible.front();
   }
 };
 
@@ -89,7 +90,7 @@ TEST_F(LodTest, BoneLevelsBeginExactlyAtTheirDistances) {
 }
 
 TEST_F(LodTest, BoneLevelsStayWithinWhatTheCharacterHas) {
-  frame.rules.level_count = 2;
+  character.level_count = 2;
   EXPECT_EQ(decide_afresh(1'000.0F).bone_level, 1);
   frame.rules.bone_lod = false;
   EXPECT_EQ(decide_afresh(1'000.0F).bone_level, 0);

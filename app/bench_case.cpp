@@ -1,0 +1,238 @@
+#include "app/bench_case.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/bench_crowd.h"
+#include "app/bench_ozz.h"
+#include "app/bench_rounds.h"
+#include "app/stage.h"
+#include "app/statistics.h"
+#include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/import/import.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int traced_frames = 10;
+
+bool all_sampled(const anim::Character& character) {
+  return std::ranges::all_of(character.clips, [](const anim::BakedClip& clip) { return clip.sampled() != nullptr; });
+}
+
+/// The subjects and what they work on; the order in which they are added is the order within a round.
+class CaseBench {
+ public:
+  /// Everything that can be refused is refused here, before the first round.
+  anim::Status prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents);
+  void run(int rounds, const std::string& label) { rounds_.run(rounds, label); }
+  void trace(TimelineLog& log);
+  /// The pose hash belongs to the poses that were timed, but hashing does not belong into the time.
+  std::uint64_t hash(int frames) const;
+  Json report() const;
+  const anim::AnimationSystem& system() const { return update_->system(); }
+
+ private:
+  anim::Result<std::unique_ptr<SystemSubject>> subject(const anim::SystemOptions& options) const;
+  void add_write_floors();
+  void add_kernels();
+  void add_updates();
+  double write_floor() const;
+  double per_bone(double nanoseconds) const {
+    return nanoseconds / static_cast<double>(agents_.size()) / character_->skeleton.bone_count();
+  }
+  Json per_bone_or_null(const std::string& key) const {
+    return rounds_.has(key) ? Json(per_bone(rounds_.median(key))) : Json(nullptr);
+  }
+  Json ratio_or_null(const std::string& key, const std::string& other) const {
+    return rounds_.has(key) && rounds_.has(other) ? Json(rounds_.median_ratio(key, other)) : Json(nullptr);
+  }
+
+  std::shared_ptr<const anim::Character> character_;
+  anim::SystemOptions options_;
+  std::vector<BenchAgent> agents_;
+  std::unique_ptr<BenchPalettes> palettes_;
+  // Memory of its own: stores that pass by the caches would empty them of the palettes that the other subjects write.
+  std::unique_ptr<BenchPalettes> floor_palettes_;
+  std::unique_ptr<SystemSubject> update_, keyframe_;
+  std::unique_ptr<KernelSubject> kernels_, scalar_;
+  std::unique_ptr<OzzSubject> ozz_;
+  BenchRounds rounds_;
+};
+
+constexpr std::array<std::pair<const char*, StorePolicy>, 3> store_policies = {
+    {{"write plain", StorePolicy::plain},
+     {"write prefetched", StorePolicy::prefetched},
+     {"write streaming", StorePolicy::streaming}}};
+
+anim::Result<std::unique_ptr<SystemSubject>> CaseBench::subject(const anim::SystemOptions& options) const {
+  auto made = SystemSubject::create(character_, options, agents_, *palettes_);
+  if (!made) return made.error();
+  return std::make_unique<SystemSubject>(std::move(*made));
+}
+
+void CaseBench::add_write_floors() {
+  for (const auto& [key, policy] : store_policies) {
+    rounds_.add({key, [this, policy = policy] { app::write_floor(floor_palettes_->bytes(), policy); }});
+  }
+}
+
+void CaseBench::add_kernels() {
+  if (!all_sampled(*character_)) return;
+  kernels_ = std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *palettes_);
+  scalar_ = std::make_unique<KernelSubject>(*character_, anim::scalar_kernels(), agents_, *palettes_);
+  rounds_.add({"scalar", [this] { scalar_->run(); }});
+  rounds_.add({"kernels", [this] { kernels_->run(); }});
+}
+
+// One system with one PU and with all: two systems differ by a tenth just by where their memory lies.
+void CaseBench::add_updates() {
+  anim::SystemOptions one_pu = options_;
+  one_pu.pus = 1;
+  const auto run = [this] { update_->run(); };
+  rounds_.add({"one pu", run, [this, one_pu] { update_->configure(one_pu); }});
+  rounds_.add({"update", run, [this] { update_->configure(options_); }});
+  rounds_.add({"untraced", run, [this] { update_->record_trace(false); }});
+  rounds_.add({"traced", run, [this] { update_->record_trace(true); }});
+}
+
+anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents) {
+  character_ = whom.character;
+  options_ = options;
+  agents_ = bench_agents(*character_, agents);
+  const int entries = character_->skeleton.palette_count();
+  palettes_ = std::make_unique<BenchPalettes>(agents, entries);
+  floor_palettes_ = std::make_unique<BenchPalettes>(agents, entries);
+
+  auto update = subject(options);
+  if (!update) return update.error();
+  update_ = std::move(*update);
+  anim::SystemOptions keyframe = options;
+  keyframe.stream = anim::StreamKind::keyframe;
+  keyframe.local_store_bytes = 0;
+  keyframe.tile = 0;
+  auto exact = subject(keyframe);
+  if (!exact) return exact.error();
+  keyframe_ = std::move(*exact);
+
+  // What only waits for memory lets clocks drop for longer than a subject settles, so it goes first and long computing
+  // stands between it and what is compared.
+  add_write_floors();
+  rounds_.add({"keyframe", [this] { keyframe_->run(); }});
+  ozz_ = make_ozz_subject(whom.model, agents_, *palettes_);
+  if (ozz_ != nullptr) rounds_.add({"ozz", [this] { ozz_->run(); }});
+  add_kernels();
+  add_updates();
+  return anim::Done{};
+}
+
+void CaseBench::trace(TimelineLog& log) {
+  update_->configure(options_);
+  for (int frame = 0; frame < traced_frames; ++frame) {
+    const auto start = TimelineLog::Clock::now();
+    update_->run();
+    log.add_update(update_->system(), start);
+  }
+}
+
+std::uint64_t CaseBench::hash(int frames) const {
+  anim::SystemOptions hashed = options_;
+  hashed.hash = true;
+  const auto made = subject(hashed);
+  if (!made) return 0;
+  for (int frame = 0; frame < frames; ++frame) (*made)->run();
+  return (*made)->system().pose_hash();
+}
+
+double CaseBench::write_floor() const {
+  double fastest = rounds_.median(store_policies[0].first);
+  for (const auto& [key, policy] : store_policies) fastest = std::min(fastest, rounds_.median(key));
+  return fastest;
+}
+
+Json CaseBench::report() const {
+  const double update = rounds_.median("update");
+  const double floor = write_floor();
+  Json json;
+  json["ns_per_bone_median"] = per_bone(update);
+  json["ns_per_bone_min"] = per_bone(rounds_.fastest("update"));
+  json["write_floor_ns_per_bone_median"] = per_bone(floor);
+  json["scalar_ns_per_bone_median"] = per_bone_or_null("scalar");
+  json["keyframe_ns_per_bone_median"] = per_bone(rounds_.median("keyframe"));
+  json["kernels_ns_per_bone_median"] = per_bone_or_null("kernels");
+  json["one_pu_ns_per_bone_median"] = per_bone(rounds_.median("one pu"));
+  json["ozz_ns_per_bone_median"] = per_bone_or_null("ozz");
+  json["speedup_over_one_pu"] = rounds_.median("one pu") / update;
+  json["kernels_over_write_floor"] = rounds_.has("kernels") ? Json(rounds_.median("kernels") / floor) : Json(nullptr);
+  json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
+  json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
+  json["ozz_over_one_pu"] = ratio_or_null("ozz", "one pu");
+  json["trace_cost_percent"] = 100.0 * (rounds_.fastest("traced") / rounds_.fastest("untraced") - 1.0);
+  json["agents_per_60hz_frame"] =
+      static_cast<std::int64_t>(static_cast<double>(agents_.size()) * (1e9 / 60.0) / update);
+  json["bytes_per_agent"] = system().bytes_per_agent();
+  json["stream_bytes_per_frame"] = system().stream_bytes();
+  return json;
+}
+
+}  // namespace
+
+anim::Result<BenchCharacter> bench_character(const std::string& model, int bones, int clips) {
+  BenchCharacter result;
+  if (model.empty()) {
+    result.model = anim::synthetic_model(bones, clips);
+  } else {
+    auto file = import::import_file(model);
+    if (!file) return file.error();
+    result.model = std::move(file->models.front());
+  }
+  result.character = std::make_shared<const anim::Character>(anim::bake_character(result.model));
+  return result;
+}
+
+anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench) {
+  Tuning tuning;
+  tuning.pus = bench.pus;
+  tuning.local_store_kib = options.local_store_kib;
+  tuning.tile = options.tile;
+  tuning.schedule = bench.schedule;
+  tuning.double_buffer = options.double_buffer;
+  tuning.stream = bench.stream;
+  anim::SystemOptions result = system_options(tuning);
+  result.hash = false;
+  return result;
+}
+
+anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options, const BenchCase& bench,
+                                                    const BenchCharacter& character, const std::string& label,
+                                                    std::optional<TimelineLog>& trace) {
+  CaseBench work;
+  const anim::Status prepared = work.prepare(character, bench_system_options(options, bench), bench.agents);
+  if (!prepared) return prepared.error();
+  work.run(options.frames, label);
+  if (trace) work.trace(*trace);
+  const anim::ScheduleOptions& schedule = work.system().schedule();
+  Json json;
+  json["agents"] = bench.agents;
+  json["bones_per_agent"] = character.character->skeleton.bone_count();
+  json["frames"] = options.frames;
+  json["pus"] = schedule.pus;
+  json["schedule"] = bench.schedule == Schedule::fused ? "fused" : "levels";
+  json["local_store_kib"] = schedule.local_store_bytes / 1024;
+  json["tile"] = schedule.plan.width;
+  json["stream"] = bench.stream == Stream::sampled ? "sampled" : "keyframe";
+  json["simd_target"] = work.system().kernels().target;
+  json["pose_hash"] = hex_string(work.hash(options.frames));
+  json["clips"] = character.character->clips.size();
+  json.update(work.report());
+  json["rounds"] = options.frames;
+  return json;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/bench_options.h"
+#include "app/timeline_log.h"
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/asset/model.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Whom a benchmark animates: as imported or built, and baked.
+struct BenchCharacter {
+  anim::Model model;
+  std::shared_ptr<const anim::Character> character;
+};
+anim::Result<BenchCharacter> bench_character(const std::string& model, int bones, int clips);
+
+/// How a case is scheduled, without hashing.
+anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench);
+
+/// Times whole update, bare kernels, their scalar twin, keyframe streams and write floor (and ozz where it was found)
+/// in interleaved rounds; one flat object of figures, as the README lists them. `trace`: gets some frames of it. The
+/// error is a usage error, found before the first round.
+anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options, const BenchCase& bench,
+                                                    const BenchCharacter& character, const std::string& label,
+                                                    std::optional<TimelineLog>& trace);
+
+}  // namespace throng::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace throng::app {
+
+struct PlotBar {
+  std::string name;
+  double value = 0;
+  bool emphasised = false;
+};
+
+/// Bars from left to right, longest as wide as there is room, each with its value: a whole SVG file.
+std::string bars_as_svg(const std::string& title, const std::string& unit, const std::vector<PlotBar>& bars);
+
+struct PlotLine {
+  std::string name;
+  std::vector<double> x, y;  ///< of equal length, x ascending and above 0
+  bool dashed = false;       ///< for what is only compared with
+};
+
+/// Lines over an axis of doublings, with a scale from 0 upwards, names at their ends: a whole SVG file.
+std::string lines_as_svg(const std::string& title, const std::string& x_name, const std::string& y_name,
+                         const std::vector<PlotLine>& lines);
+
+}  // namespace throng::app

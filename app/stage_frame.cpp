@@ -1,0 +1,142 @@
+// What happens on a stage in a frame: move, then pose, then say what to draw.
+#include <algorithm>
+
+#include "app/agent_colors.h"
+#include "app/stage.h"
+
+namespace throng::app {
+namespace {
+
+constexpr double person_height = 1.8;  // metres, that a spot of contact scale 1 lies below
+
+// A thing in the air has no spot below it.
+float contact_scale(const CharacterSource& source) {
+  return source.roles.is_prop ? 0.0F : static_cast<float>(source.bounds.height / person_height);
+}
+
+std::uint32_t microseconds(anim::Ticks ticks) {
+  return static_cast<std::uint32_t>(ticks * 10 / (anim::ticks_per_second / 100'000));
+}
+
+}  // namespace
+
+void Stage::move(anim::Ticks delta) {
+  moving_ = delta > 0;
+  if (moving_) ++frames_moved_;
+  system_->advance(delta);
+  const auto requests = crowd_->advance(delta, system_->executor(), system_->options().pus);
+  for (const ClipRequest& request : requests) request_clip(request);
+  match_playback();
+  if (cut_scene_ && moving_) cut_scene_->advance();
+}
+
+// Those who walk go at their own pace from frame to frame, and their feet with them.
+void Stage::match_playback() {
+  const std::span<const float> speeds = crowd_->playback_speeds();
+  const std::size_t movers = crowd_->walkers() + crowd_->marchers();
+  for (std::uint32_t agent = 0; agent < movers; ++agent) {
+    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip) continue;
+    system_->set_speed(agent, static_cast<double>(speeds[agent]));
+    played_speeds_[agent] = speeds[agent];
+  }
+}
+
+std::uint32_t Stage::now() const { return microseconds(system_->clock()); }
+
+anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) const {
+  const render::CameraView view = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height));
+  return {.positions = crowd_->positions(),
+          .scales = crowd_->scales(),
+          .characters = lod_characters_,
+          .character_of = crowd_->characters(),
+          .camera = {.position = camera.position,
+                     .frustum = render::frustum_planes(view),
+                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F)},
+          .rules = lod_rules(tuning_),
+          .number = frames_moved_};
+}
+
+void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
+                 std::uint64_t completed_frame) {
+  const std::uint64_t last_frame = frame_++;
+  slots_.reclaim(completed_frame);
+  anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
+                          system_->options().pus);
+  shown_.hide_unseen(selection_.visible, last_frame);
+  updates_.clear();
+  auto seen = selection_.visible.begin();
+  for (const anim::DueAgent& due : selection_.due) {
+    while (seen != selection_.visible.end() && seen->agent < due.agent) ++seen;
+    if (crowd_->holds(due.agent)) continue;  // it has fallen
+    const bool visible = seen != selection_.visible.end() && seen->agent == due.agent;
+    // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
+    const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
+    const anim::Ticks look_ahead = ahead ? due.look_ahead * frame_step : 0;
+    updates_.push_back({.agent = due.agent, .level = due.bone_level, .look_ahead = look_ahead, .palette = nullptr});
+    place_feet(due, visible && !ahead);
+    if (!visible) continue;
+    updates_.back().palette = show(due.agent, due.bone_level, microseconds(system_->clock() + look_ahead), last_frame);
+  }
+  pose_fallen(last_frame);
+  system_->update(updates_);
+  get_up();
+}
+
+anim::PaletteMatrix* Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                 std::uint64_t last_frame) {
+  const std::uint32_t entries = palette_entries_[crowd_->characters()[agent]][level];
+  return shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
+}
+
+// Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
+void Stage::place_feet(const anim::DueAgent& due, bool near_by) {
+  const bool everyone = tuning_.lod == LodRule::off;
+  if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && due.look_ahead <= 1))) {
+    feet_->place(*crowd_, due.agent);
+  } else {
+    feet_->let_go(due.agent);
+  }
+}
+
+// Rag-dolls have no pose that could be looked ahead to, and fall on where nobody sees them.
+void Stage::pose_fallen(std::uint64_t last_frame) {
+  for (const FallenAgents::Fallen& fallen : fallen_->fallen()) {
+    const ShownPose& pose = shown_.pose(fallen.agent);
+    const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - now()) > 0;
+    if (looked_ahead || (!moving_ && pose.shown())) continue;
+    const bool visible = std::ranges::binary_search(selection_.visible, fallen.agent, {}, &anim::VisibleAgent::agent);
+    updates_.push_back({.agent = fallen.agent, .level = 0, .look_ahead = 0, .palette = nullptr});
+    if (visible) updates_.back().palette = show(fallen.agent, 0, now(), last_frame);
+  }
+}
+
+void Stage::get_up() {
+  for (const std::uint32_t agent : fallen_->advance()) request_clip(crowd_->release(agent));
+}
+
+bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const {
+  const ShownPose& pose = shown_.pose(agent.agent);
+  if (!pose.shown()) return false;
+  const glm::vec3 position = crowd_->positions()[agent.agent];
+  const Heading heading = crowd_->headings()[agent.agent];
+  record = {
+      .position = {position.x, position.y, position.z},
+      .scale = crowd_->scales()[agent.agent],
+      .heading_cosine = heading.cosine,
+      .heading_sine = heading.sine,
+      .palette_from = pose.from.first_entry,
+      .palette_to = pose.to.first_entry,
+      .blend_start = pose.from_time,
+      .blend_duration = pose.to_time - pose.from_time,
+      .agent = agent.agent,
+      .debug_color = agent.agent == selected_ ? selected_color : debug_color(tuning_.debug_view, agent, pose.level()),
+      .tints = {},
+      .bone_level = pose.level(),
+      .shape = crowd_->variants()[agent.agent].shape(),
+      .hair = crowd_->variants()[agent.agent].hair(),
+      .contact_scale = contact_scale(character_of(agent.agent))};
+  std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
+  return true;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/anim/run/agent_work.h"
+#include "engine/anim/run/cost_model.h"
+#include "engine/anim/run/local_store_plan.h"
+#include "engine/anim/run/shared_sources.h"
+#include "engine/anim/run/tile_scratch.h"
+
+namespace throng::anim {
+
+/// Puts the work of a frame in order and cuts it into tiles, and tiles into shares for PUs, by what they are predicted
+/// to cost (paper 3.2).
+class TileCutter {
+ public:
+  /// Room for so many agents, so that nothing below allocates.
+  void reserve(std::size_t agents);
+
+  /// Groups of one skeleton and bone level, held or not, whose agents cost most first; within a group the dearest
+  /// agents first. Agents of one program shape stay in their order.
+  std::span<const AgentWork> sorted(std::span<const AgentWork> work);
+
+  /// Tiles as wide as the plan lets them be, cut once more where a share ends so that no PU is late: `shares` gets the
+  /// first tile of each share and, last, the number of tiles.
+  std::span<const Tile> cut(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
+                            const LocalStorePlan& plan, Schedule schedule, const CostModel& cost,
+                            std::span<int> shares);
+
+ private:
+  void cut_full_width(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
+                      const LocalStorePlan& plan, Schedule schedule);
+  double add_costs(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, const CostModel& cost);
+  void divide(std::size_t tile, double wanted, double overhead);
+
+  std::vector<Tile> tiles_;
+  std::vector<AgentWork> sorted_;
+};
+
+/// Shares of about equal cost of tasks 0 to count - 1: `firsts` has one element a share and the end. A task lies in the
+/// share in which most of it does. `cost_of(task)`: any unit.
+template <typename CostOf>
+void cut_shares(int count, CostOf&& cost_of, std::span<int> firsts) {
+  double total = 0;
+  for (int task = 0; task < count; ++task) total += cost_of(task);
+  const auto shares = static_cast<double>(firsts.size() - 1);
+  std::size_t share = 0;
+  double before = 0;
+  for (int task = 0; task < count; ++task) {
+    const double cost = cost_of(task);
+    while (share + 1 < firsts.size() && before + cost / 2 >= total * static_cast<double>(share) / shares) {
+      firsts[share++] = task;
+    }
+    before += cost;
+  }
+  while (share < firsts.size()) firsts[share++] = count;
+}
+
+/// How many of `pus` are worth waking for work of so many nanoseconds: at least one.
+int pus_worth_waking(double nanoseconds, int pus, const CostModel& cost);
+
+}  // namespace throng::anim

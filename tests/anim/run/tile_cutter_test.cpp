@@ -1,0 +1,165 @@
+#include "engine/anim/run/tile_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/anim/agent/crowd_rig.h"
+
+namespace throng::anim {
+namespace {
+
+const CostModel cost;
+
+double of_shares(std::span<const Tile> tiles, std::span<const int> shares, std::size_t share) {
+  double sum = 0;
+  for (int tile = shares[share]; tile < shares[share + 1]; ++tile) {
+    sum += static_cast<double>(tiles[static_cast<std::size_t>(tile)].cost);
+  }
+  return sum;
+}
+
+/// What a scheduler sees of a crowd of a character of 40 bones.
+class Crowd {
+ public:
+  explicit Crowd(std::uint32_t agents) : rig_({}, agents), packets_(context_packets()) {
+    for (std::uint32_t agent = 0; agent < agents; ++agent) add(agent, 0, {1, 0, 0});
+  }
+
+  void add(std::uint32_t agent, int level, const ProgramParts& parts) {
+    work.push_back({.program = &rig_->program(agent % rig_->agent_count()),
+                    .agent = agent,
+                    .cost = cost_in_steps(cost.of_agent(parts, packets_)),
+                    .level = static_cast<std::uint8_t>(level & 0x7F)});
+  }
+
+  std::vector<Tile> cut(std::span<int> shares) {
+    TileCutter cutter;
+    cutter.reserve(work.size());
+    const std::span<const Tile> tiles =
+        cutter.cut(contexts(), cutter.sorted(work), rig_->schedule().plan, Schedule::fused, cost, shares);
+    return {tiles.begin(), tiles.end()};
+  }
+
+  std::vector<AgentWork> work;
+
+ private:
+  std::span<const UpdateContext> contexts() {
+    context_ = {.hierarchy = &rig_->character().hierarchy,
+                .assets = {.bone_count = rig_->character().skeleton.bone_count()},
+                .level_bone_counts = rig_->character().skeleton.level_bone_counts,
+                .pools = &rig_->pools()};
+    return {&context_, 1};
+  }
+  int context_packets() { return contexts().front().packets(0); }
+
+  CrowdRig rig_;
+  UpdateContext context_;
+  int packets_;
+};
+
+TEST(CostModel, GrowsWithBonesSourcesAndPostProcesses) {
+  const ProgramParts clip{1, 0, 0}, fade{2, 1, 0}, gazing{1, 0, 1};
+  EXPECT_GT(cost.of_agent(clip, 4), cost.of_agent(clip, 1));
+  EXPECT_GT(cost.of_agent(fade, 4), cost.of_agent(clip, 4));
+  EXPECT_GT(cost.of_agent(gazing, 4), cost.of_agent(clip, 4));
+}
+
+TEST(CostModel, CountsThePartsOfAProgram) {
+  CrowdRig crowd({}, 1);
+  crowd->play(0, {.clip = 0});
+  crowd->play(0, {.clip = 1, .fade = ticks_per_second});
+  const ProgramParts& parts = crowd->program(0).parts;
+  EXPECT_EQ(parts.players, 2);
+  EXPECT_EQ(parts.blenders, 1);
+  EXPECT_EQ(parts.post_processes, 0);
+}
+
+TEST(CutShares, AreOfAboutEqualCostWhateverTheTasksAre) {
+  std::mt19937 random(1);
+  std::vector<int> costs(200);
+  for (int& one : costs) one = 1 + static_cast<int>(random() % 50);
+  std::array<int, 6> firsts{};
+  cut_shares(
+      200, [&](int task) { return costs[static_cast<std::size_t>(task)]; }, firsts);
+  EXPECT_EQ(firsts.front(), 0);
+  EXPECT_EQ(firsts.back(), 200);
+  double total = 0;
+  for (const int one : costs) total += one;
+  for (std::size_t share = 0; share + 1 < firsts.size(); ++share) {
+    double sum = 0;
+    for (int task = firsts[share]; task < firsts[share + 1]; ++task) sum += costs[static_cast<std::size_t>(task)];
+    EXPECT_NEAR(sum, total / 5, 50);
+  }
+}
+
+TEST(CutShares, HaveEachTaskOnceWhereThereAreFewerTasksThanShares) {
+  std::array<int, 9> firsts{};
+  cut_shares(
+      2, [](int) { return 1; }, firsts);
+  EXPECT_TRUE(std::ranges::is_sorted(firsts));
+  EXPECT_EQ(firsts.front(), 0);
+  EXPECT_EQ(firsts.back(), 2);
+}
+
+TEST(TileCutter, PutsDearAgentsFirstAndKeepsEqualOnesInOrder) {
+  Crowd crowd(8);
+  crowd.add(100, 0, {4, 3, 0});
+  crowd.add(101, 0, {4, 3, 0});
+  TileCutter cutter;
+  const std::span<const AgentWork> sorted = cutter.sorted(crowd.work);
+  EXPECT_EQ(sorted[0].agent, 100U);
+  EXPECT_EQ(sorted[1].agent, 101U);
+  for (std::uint32_t i = 0; i < 8; ++i) EXPECT_EQ(sorted[i + 2].agent, i);
+}
+
+TEST(TileCutter, PutsGroupsOfDearAgentsFirstAndNeverMixesLevels) {
+  Crowd crowd(0x20);
+  for (std::uint32_t agent = 0; agent < 20; ++agent)
+    crowd.add(agent, 1, {1, 0, agent % 2 == 0 ? std::uint8_t{3} : std::uint8_t{0}});
+  TileCutter cutter;
+  const std::span<const AgentWork> sorted = cutter.sorted(crowd.work);
+  EXPECT_EQ(sorted.front().level, 1);
+  EXPECT_TRUE(std::ranges::is_sorted(sorted, std::greater<>{}, [](const AgentWork& work) { return int{work.level}; }));
+}
+
+TEST(TileCutter, LosesNobody) {
+  Crowd crowd(1000);
+  std::array<int, 4> shares{};
+  std::uint32_t next = 0;
+  for (const Tile& tile : crowd.cut(shares)) {
+    EXPECT_EQ(tile.first, next);
+    EXPECT_GT(tile.count, 0U);
+    next += tile.count;
+  }
+  EXPECT_EQ(next, 1000U);
+}
+
+TEST(TileCutter, CutsAWideTileSoThatNoPuIsLate) {
+  for (const std::uint32_t agents : {17U, 24U, 40U, 56U, 100U}) {
+    Crowd crowd(agents);
+    std::array<int, 3> shares{};
+    const std::vector<Tile> tiles = crowd.cut(shares);
+    const double first = of_shares(tiles, shares, 0), second = of_shares(tiles, shares, 1);
+    EXPECT_NEAR(first, second, 2 * (cost.of_tile(3) + cost.of_agent({1, 0, 0}, 3))) << agents;
+  }
+}
+
+TEST(TileCutter, LeavesTilesWholeWhereCuttingCostsMoreThanItGains) {
+  Crowd crowd(2);
+  std::array<int, 3> shares{};
+  EXPECT_EQ(crowd.cut(shares).size(), 1U);
+}
+
+TEST(PusWorthWaking, AreFewForLittleWork) {
+  EXPECT_EQ(pus_worth_waking(0, 8, cost), 1);
+  EXPECT_EQ(pus_worth_waking(3 * cost.least_task, 8, cost), 3);
+  EXPECT_EQ(pus_worth_waking(1e12, 8, cost), 8);
+}
+
+}  // namespace
+}  // namespace throng::anim

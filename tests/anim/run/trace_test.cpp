@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/anim/agent/crowd_rig.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr std::uint32_t agents = 100;
+
+/// A crowd that fades, after one update.
+CrowdRig fading_crowd(const SystemOptions& options) {
+  CrowdRig crowd(options, agents);
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    crowd->play(agent, {.clip = 0});
+    crowd->play(agent, {.clip = 1, .fade = ticks_per_second});
+  }
+  crowd.step();
+  return crowd;
+}
+
+std::vector<SystemOptions> every_schedule_and_mode() {
+  std::vector<SystemOptions> all;
+  for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
+    for (const auto mode : {DoubleBuffering::off, DoubleBuffering::inline_copy, DoubleBuffering::interleaved}) {
+      all.push_back({.pus = 2, .schedule = schedule, .double_buffering = mode});
+    }
+  }
+  return all;
+}
+
+bool is_slice(const TraceSpan& span) { return span.kind == TraceSpan::Kind::copy_slice; }
+
+std::size_t count_of(const Trace& trace, TraceSpan::Kind kind) {
+  return static_cast<std::size_t>(std::ranges::count(trace.spans(), kind, &TraceSpan::kind));
+}
+
+TEST(Trace, HasNoGapFromTheStartOfAnUpdateToItsEnd) {
+  for (const SystemOptions& options : every_schedule_and_mode()) {
+    const CrowdRig crowd = fading_crowd(options);
+    for (const ProcessingUnit& unit : crowd->units()) {
+      std::uint64_t last = crowd->update_time().first_tick;
+      for (const TraceSpan& span : unit.trace().spans()) {
+        if (is_slice(span)) continue;
+        EXPECT_EQ(span.begin, last);
+        EXPECT_GE(span.end, span.begin);
+        last = span.end;
+      }
+      EXPECT_EQ(unit.trace().spans().back().kind, TraceSpan::Kind::wait);
+      EXPECT_LE(last, crowd->update_time().last_tick);
+      EXPECT_EQ(unit.trace().not_kept(), 0U);
+    }
+  }
+}
+
+TEST(Trace, NamesEveryByteAndTransferThatWasCopied) {
+  for (const SystemOptions& options : every_schedule_and_mode()) {
+    const CrowdRig crowd = fading_crowd(options);
+    CopyCounts sum;
+    for (const ProcessingUnit& unit : crowd->units()) {
+      for (const TraceSpan& span : unit.trace().spans()) sum += {span.bytes_in, span.bytes_out, span.transfers};
+    }
+    EXPECT_EQ(sum.bytes_in, crowd->report().copies.bytes_in);
+    EXPECT_EQ(sum.bytes_out, crowd->report().copies.bytes_out);
+    EXPECT_EQ(sum.transfers, crowd->report().copies.transfers);
+  }
+}
+
+TEST(Trace, HasAComputeSpanForEachTask) {
+  for (const SystemOptions& options : every_schedule_and_mode()) {
+    const CrowdRig crowd = fading_crowd(options);
+    std::size_t tasks = 0, spans = 0;
+    for (const ProcessingUnit& unit : crowd->units()) {
+      tasks += unit.activity().tasks;
+      spans += count_of(unit.trace(), TraceSpan::Kind::compute);
+    }
+    if (options.schedule == Schedule::fused) {
+      EXPECT_EQ(spans, tasks);
+    } else {
+      EXPECT_GT(spans, tasks) << "the palettes of a tile are a task a packet";
+    }
+  }
+}
+
+TEST(Trace, ShowsAWaitAtEachBarrierOfThePapersSchedule) {
+  const CrowdRig crowd = fading_crowd({.pus = 1, .schedule = Schedule::levels});
+  EXPECT_EQ(count_of(crowd->units().front().trace(), TraceSpan::Kind::wait), 4U)
+      << "players, blenders, palettes, and the end of the update";
+}
+
+TEST(Trace, ShowsTheSlicesOfCopiesWithinComputeSpans) {
+  const CrowdRig crowd = fading_crowd({.pus = 1, .double_buffering = DoubleBuffering::interleaved});
+  const std::span<const TraceSpan> spans = crowd->units().front().trace().spans();
+  const auto slice = std::ranges::find_if(spans, is_slice);
+  ASSERT_NE(slice, spans.end());
+  const auto owner = std::find_if_not(slice, spans.end(), is_slice);
+  ASSERT_NE(owner, spans.end());
+  EXPECT_EQ(owner->kind, TraceSpan::Kind::compute);
+  EXPECT_LE(owner->begin, slice->begin);
+  EXPECT_GE(owner->end, slice->end);
+}
+
+TEST(Trace, RecordsNothingWhereItIsOff) {
+  const CrowdRig crowd = fading_crowd({.pus = 2, .trace = false});
+  for (const ProcessingUnit& unit : crowd->units()) EXPECT_TRUE(unit.trace().spans().empty());
+}
+
+TEST(Trace, CountsWhatDoesNotFit) {
+  Trace trace;
+  trace.reserve(2);
+  trace.begin(TraceClock::now());
+  for (int i = 0; i < 5; ++i) trace.close(TraceSpan::Kind::compute);
+  EXPECT_EQ(trace.spans().size(), 2U);
+  EXPECT_EQ(trace.not_kept(), 3U);
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -1,0 +1,156 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "engine/anim/agent/character_rigs.h"
+#include "engine/anim/asset/character.h"
+#include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/kernel/keyframe_player.h"
+
+/// What reads or changes the whole pose of one character, or of one limb, each alone: nanoseconds a character.
+namespace throng::anim {
+namespace {
+
+constexpr int bones = 62;
+constexpr float frame_seconds = 1.0F / 60.0F;
+
+/// One character of 62 bones, its rigs, and a pose that is the bind pose before every run.
+struct Person {
+  Model model = synthetic_model(bones, 1);
+  std::shared_ptr<const Character> character = std::make_shared<const Character>(bake_character(model));
+  CharacterRigs rigs{model};
+  std::size_t packet_floats = packet_bytes(rigid_components) / sizeof(float);
+  AlignedBytes memory = allocate_aligned(pose_bytes(bones, rigid_components));
+
+  PoseView bind_pose() {
+    PoseView pose{reinterpret_cast<float*>(memory.get()), packet_floats, rigid_components, bones};
+    for (int bone = 0; bone < bones; ++bone) {
+      pose.set_rotation(bone, {1.0F, 0.0F, 0.0F, 0.0F});
+      pose.set_position(bone, glm::vec3(0.0F));
+    }
+    return pose;
+  }
+};
+
+/// Hip, knee, ankle and toe of both legs, by the names that the synthetic skeleton gives them.
+std::vector<LegBones> legs_of(const Skeleton& skeleton) {
+  std::vector<int> bones_by_number(bones, -1);
+  for (int bone = 0; bone < bones; ++bone) {
+    const std::string& name = skeleton.bones[static_cast<std::size_t>(bone)].name;
+    if (name.starts_with("leg_")) bones_by_number[static_cast<std::size_t>(std::stoi(name.substr(4)))] = bone;
+  }
+  std::erase(bones_by_number, -1);
+  std::vector<LegBones> legs;
+  for (std::size_t i = 0; i + 3 < bones_by_number.size(); i += 4) {
+    legs.push_back({bones_by_number[i], bones_by_number[i + 1], bones_by_number[i + 2], bones_by_number[i + 3]});
+  }
+  return legs;
+}
+
+void report(benchmark::State& state) {
+  state.counters["ns_per_character"] =
+      benchmark::Counter(1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void two_bone_ik(benchmark::State& state) {
+  Person person;
+  const LegBones leg_bones = legs_of(person.character->skeleton).front();
+  const auto leg = make_two_bone_limb(person.character->skeleton, leg_bones.hip, leg_bones.knee, leg_bones.ankle,
+                                      {0.0F, 0.0F, 1.0F});
+  if (!leg) return state.SkipWithError(leg.error().message.c_str());
+  const PoseView pose = person.bind_pose();
+  for ([[maybe_unused]] const auto& round : state) {
+    benchmark::DoNotOptimize(solve_two_bone_ik({.limb = &*leg, .pose = pose, .target = {0.1F, 0.3F, 0.2F}}));
+  }
+  report(state);
+}
+BENCHMARK(two_bone_ik);
+
+void gaze(benchmark::State& state) {
+  Person person;
+  if (!person.rigs.look_at()) return state.SkipWithError("no head was found");
+  LookAtState memory;
+  const PoseView pose = person.bind_pose();
+  for ([[maybe_unused]] const auto& round : state) {
+    benchmark::DoNotOptimize(look_at({.rig = &*person.rigs.look_at(),
+                                      .state = &memory,
+                                      .pose = pose,
+                                      .target = {1.0F, 1.5F, 2.0F},
+                                      .seconds = frame_seconds}));
+  }
+  report(state);
+}
+BENCHMARK(gaze);
+
+void foot_placement(benchmark::State& state) {
+  Person person;
+  const auto made = make_foot_placement_rig(person.character->skeleton, legs_of(person.character->skeleton));
+  if (!made) return state.SkipWithError(made.error().message.c_str());
+  const FootPlacementRig& rig = *made;
+  FootPlacementState memory;
+  const PoseView pose = person.bind_pose();
+  const std::vector<GroundContact> contacts(static_cast<std::size_t>(rig.leg_count));
+  const std::vector<float> planted(static_cast<std::size_t>(rig.leg_count), 1.0F);
+  for ([[maybe_unused]] const auto& round : state) {
+    benchmark::DoNotOptimize(place_feet({.rig = &rig,
+                                         .state = &memory,
+                                         .pose = pose,
+                                         .contacts = contacts,
+                                         .planted = planted,
+                                         .seconds = frame_seconds}));
+  }
+  report(state);
+}
+BENCHMARK(foot_placement);
+
+void ragdoll(benchmark::State& state) {
+  Person person;
+  if (!person.rigs.ragdoll()) return state.SkipWithError("nothing was found that could fall");
+  const RagdollRig& rig = *person.rigs.ragdoll();
+  const PoseView pose = person.bind_pose();
+  const GroundPlane ground;
+  RagdollState body;
+  ragdoll_from_pose(rig, {.before = pose, .now = pose}, body);
+  for ([[maybe_unused]] const auto& round : state) {
+    wake_ragdoll(body);
+    ragdoll_step(rig, {&ground, 1}, ticks_per_second / 60, body);
+    ragdoll_to_pose(rig, body, pose);
+  }
+  report(state);
+}
+BENCHMARK(ragdoll);
+
+/// A frame of a keyframe player: control keys brought to the time, then every packet.
+void keyframe_player(benchmark::State& state) {
+  Person person;
+  const BakedClip& clip = person.character->clips.front();
+  const std::size_t size = interpolation_bytes(bones, rigid_components);
+  const AlignedBytes interpolations = allocate_aligned(size);
+  const PoseView pose = person.bind_pose();
+  KeyframeCursor cursor;
+  Ticks time = 0;
+  for ([[maybe_unused]] const auto& round : state) {
+    time = (time + ticks_per_second / 60) % clip.duration;
+    advance_keyframes(clip.keyframe(), time, cursor, {interpolations.get(), size});
+    for (int packet = 0; packet < packets_for(bones); ++packet) {
+      evaluate_keyframes(clip.keyframe(), time, {interpolations.get(), size}, packet,
+                         {pose.packet(packet), person.packet_floats});
+    }
+  }
+  report(state);
+}
+BENCHMARK(keyframe_player);
+
+void compile_of_a_hierarchy(benchmark::State& state) {
+  Person person;
+  for ([[maybe_unused]] const auto& round : state) {
+    benchmark::DoNotOptimize(compile_hierarchy(person.character->skeleton));
+  }
+  report(state);
+}
+BENCHMARK(compile_of_a_hierarchy);
+
+}  // namespace
+}  // namespace throng::anim

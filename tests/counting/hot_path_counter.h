@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+namespace throng {
+
+/// What the whole program did so far, on all threads.
+struct HotPathCounts {
+  std::uint64_t allocations = 0;  ///< calls of operator new
+  std::uint64_t locks = 0;        ///< of a mutex; not counted under the thread sanitizer, which counts on them itself
+
+  friend HotPathCounts operator-(const HotPathCounts& a, const HotPathCounts& b) {
+    return {a.allocations - b.allocations, a.locks - b.locks};
+  }
+};
+HotPathCounts hot_path_counts();
+
+}  // namespace throng

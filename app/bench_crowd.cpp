@@ -119,11 +119,13 @@ anim::ClipTile KernelSubject::clips_of(std::span<const BenchAgent> agents) const
   anim::ClipTile clips;
   for (std::size_t i = 0; i < agents.size(); ++i) {
     const BenchAgent& agent = agents[i];
+    const bool blended = agent.fraction > 0.0F && agent.to_clip >= 0;
+    const int to_clip = blended ? agent.to_clip : agent.from_clip;
     const anim::SamplePoint from = point_of(agent.from_clip, agent.from_start);
-    const anim::SamplePoint to = point_of(agent.to_clip, agent.to_start);
+    const anim::SamplePoint to = blended ? point_of(to_clip, agent.to_start) : from;
     const auto stream = [&](int clip) { return character_->clips[static_cast<std::size_t>(clip)].sampled(); };
-    clips.add(static_cast<int>(i), {.clips = {{{stream(agent.from_clip), &from}, {stream(agent.to_clip), &to}}},
-                                    .count = agent.fraction > 0.0F ? 2 : 1,
+    clips.add(static_cast<int>(i), {.clips = {{{stream(agent.from_clip), &from}, {stream(to_clip), &to}}},
+                                    .count = blended ? 2 : 1,
                                     .fraction = agent.fraction});
   }
   return clips;

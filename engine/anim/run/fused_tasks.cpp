@@ -63,13 +63,17 @@ void for_each_own(const UpdateContext& context, const PoseProgram& program, std:
 
 bool is_resident(const EntityInStore& entity) { return entity.layout->transforms_offset != 0; }
 
-/// All packets of what shows clips.
-void pose_shown(const EntityAssets& assets, const ShownClips& shown, const PoseView& out, int packets) {
-  ClipTile clips;
-  clips.add(0, shown);
-  for (int packet = 0; packet < packets; ++packet) {
-    assets.kernels->pose_clips(clips.job(packet, assets.components, true, out.packet(packet)));
+/// The steps that have to be posed where `base` already is.
+template <typename IsPosed>
+std::uint64_t steps_over(const PoseProgram& program, std::size_t base, IsPosed&& is_posed) {
+  static_assert(PoseProgram::max_steps <= 64);
+  std::uint64_t wanted = std::uint64_t{1} << (program.steps.size() - 1);
+  for (std::size_t i = program.steps.size(); i-- > 0;) {
+    const PoseStep& step = program.steps[i];
+    if ((wanted >> i & 1U) == 0 || i == base || is_posed(i)) continue;
+    for (std::size_t k = 0; k < step.source_count; ++k) wanted |= std::uint64_t{1} << step.sources[k];
   }
+  return wanted;
 }
 
 std::size_t own_bytes(std::span<const AgentWork> tile) {
@@ -146,23 +150,38 @@ const ShownClips& FusedTasks::advance_character(const Characters& characters, co
   return shown_[work.program->steps.size() - 1];
 }
 
+/// The last step that shows clips which others, that do not, read.
+std::size_t FusedTasks::base_of(const PoseProgram& program) const {
+  const auto shows_clips = [&](std::size_t i) { return shown_[i].count > 0; };
+  const std::uint64_t wanted = steps_over(program, Composed::no_base, shows_clips);
+  for (std::size_t i = program.steps.size(); i-- > 0;) {
+    if ((wanted >> i & 1U) != 0 && shows_clips(i)) return i;
+  }
+  return Composed::no_base;
+}
+
+/// Moves all characters' entities and sorts out whose poses are clips, or begin with them.
 void FusedTasks::advance_entities(const Characters& characters) {
   std::byte* block = characters.blocks;
   std::byte* prepared = scratch_.prepared.data();
   clips_.clear();
   composed_count_ = 0;
   for (std::size_t i = 0; i < characters.work.size(); ++i) {
-    const Composed composed{i, block, prepared};
-    const ShownClips& shown = advance_character(characters, characters.work[i], block, prepared);
+    Composed composed{.character = i, .block = block, .prepared = prepared};
+    const AgentWork& work = characters.work[i];
+    const ShownClips& shown = advance_character(characters, work, block, prepared);
     if (shown.count > 0) {
       clips_.add(static_cast<int>(i), shown);
-    } else {
-      composed_[composed_count_++] = composed;
+      continue;
     }
+    composed.base = base_of(*work.program);
+    if (composed.base != Composed::no_base) clips_.add(static_cast<int>(i), shown_[composed.base]);
+    composed.wanted = steps_over(*work.program, composed.base, [](std::size_t) { return false; });
+    composed_[composed_count_++] = composed;
   }
 }
 
-/// Entity after entity.
+/// Entity after entity, over clips that are there already.
 void FusedTasks::compose_packet(const Characters& characters, const Composed& composed, int packet) const {
   const AgentWork& work = characters.work[composed.character];
   const std::size_t floats = characters.context->packet_floats();
@@ -176,8 +195,10 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
   for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
     poses.left[i] = transforms_of(characters.shared_state(step.entity)) + offset;
   });
+  if (composed.base != Composed::no_base) poses.left[composed.base] = local;
   for_each_own(*characters.context, *work.program, block, prepared,
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+                 if (!composed.poses(i)) return;
                  float* out = i == root ? local : &scratch_.registers[step.target * floats];
                  if (is_resident(entity)) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
                  entity.layout->kind->pose_packet(
@@ -200,40 +221,26 @@ bool FusedTasks::stream_packet(const Characters& characters, int packet) const {
   return displaced;
 }
 
-/// Which steps are to be posed: all but those that are only read where clips are shown.
-std::uint64_t FusedTasks::steps_to_pose(const PoseProgram& program) const {
-  static_assert(PoseProgram::max_steps <= 64);
-  std::uint64_t wanted = std::uint64_t{1} << (program.steps.size() - 1);
-  for (std::size_t i = program.steps.size(); i-- > 0;) {
-    const PoseStep& step = program.steps[i];
-    if ((wanted >> i & 1U) == 0 || shown_[i].count > 0) continue;
-    for (std::size_t k = 0; k < step.source_count; ++k) wanted |= std::uint64_t{1} << step.sources[k];
-  }
-  return wanted;
-}
-
-/// The whole local pose of one character, entity after entity. `block` and `prepared` are those of its first.
-void FusedTasks::hold_pose(const Characters& characters, const AgentWork& work, const PoseView& held, std::byte* block,
-                           std::byte* prepared) const {
+/// The whole local pose of one character, entity after entity, over clips that are there already.
+void FusedTasks::compose_whole(const Characters& characters, const Composed& composed, const PoseView& held) const {
+  const AgentWork& work = characters.work[composed.character];
   const std::size_t floats = characters.context->packet_floats();
   const auto view = [&](float* first) { return PoseView{first, floats, held.components, held.bone_count}; };
-  const std::uint64_t wanted = steps_to_pose(*work.program);
+  std::byte* block = composed.block;
+  std::byte* prepared = composed.prepared;
   LeftBySteps<PoseView> poses;
   std::array<PoseView, max_sources> source_poses;
   for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
     poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.entity))));
   });
+  if (composed.base != Composed::no_base) poses.left[composed.base] = held;
   const std::size_t root = work.program->steps.size() - 1;
   for_each_own(*characters.context, *work.program, block, prepared,
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
-                 if ((wanted >> i & 1U) == 0) return;
+                 if (!composed.poses(i)) return;
                  PoseView out = i == root ? held : view(&scratch_.registers[step.target * scratch_.register_floats]);
                  if (is_resident(entity)) out = view(transforms_of(entity.as<AnimationStateHeader>()));
-                 if (shown_[i].count > 0) {
-                   pose_shown(characters.context->assets, shown_[i], out, characters.packets);
-                 } else {
-                   pose_entity(entity, poses.sources(step, source_poses), out, characters.packets, nullptr);
-                 }
+                 pose_entity(entity, poses.sources(step, source_poses), out, characters.packets, nullptr);
                  poses.left[i] = out;
                });
   copy_pose(poses.left[root], held, characters.packets);
@@ -257,6 +264,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
     std::ranges::fill(needs.held ? scratch_.held : scratch_.model.local, 0.0F);
   }
   if (needs.shared > 0) characters.shared_blocks = characters.blocks + own_bytes(tile);
+  advance_entities(characters);
   begin_palettes(scratch_.model, tile, palettes_.unseen);
   if (needs.held) {
     compute_held(characters, engine);
@@ -268,8 +276,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   agents_done_ += static_cast<std::uint32_t>(tile.size());
 }
 
-void FusedTasks::compute_streaming(const Characters& characters, CopyEngine& engine) {
-  advance_entities(characters);
+void FusedTasks::compute_streaming(const Characters& characters, CopyEngine& engine) const {
   for (int packet = 0; packet < characters.packets; ++packet) {
     const bool displaced = stream_packet(characters, packet);
     model_palette_packet(
@@ -279,24 +286,24 @@ void FusedTasks::compute_streaming(const Characters& characters, CopyEngine& eng
   }
 }
 
-void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) {
+void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) const {
+  const EntityAssets& assets = characters.context->assets;
   const std::size_t floats = characters.context->packet_floats();
   const std::size_t stride = floats * static_cast<std::size_t>(characters.width);
-  std::byte* block = characters.blocks;
-  std::byte* prepared = scratch_.prepared.data();
-  PoseView held{scratch_.held.data(), stride, characters.context->assets.components,
-                characters.context->bones(characters.work.front().level)};
-  for (const AgentWork& work : characters.work) {
-    std::byte* const first_block = block;
-    std::byte* const first_prepared = prepared;
-    advance_character(characters, work, block, prepared);
-    hold_pose(characters, work, held, first_block, first_prepared);
-    held.first += floats;
+  const auto held_packet = [&](int packet) { return &scratch_.held[static_cast<std::size_t>(packet) * stride]; };
+  for (int packet = 0; packet < characters.packets && !clips_.empty(); ++packet) {
+    assets.kernels->pose_clips(clips_.job(packet, assets.components, true, held_packet(packet)));
+  }
+  const int bones = characters.context->bones(characters.work.front().level);
+  for (const Composed& composed : std::span(composed_).first(composed_count_)) {
+    compose_whole(characters, composed,
+                  {&scratch_.held[composed.character * floats], stride, assets.components, bones});
     engine.advance();
   }
+  for (std::size_t i = composed_count_; i < characters.work.size(); ++i) engine.advance();
   for (int packet = 0; packet < characters.packets; ++packet) {
-    model_palette_packet(*characters.context, scratch_.model, &scratch_.held[static_cast<std::size_t>(packet) * stride],
-                         characters.work, {.width = characters.width, .packet = packet, .stores = palettes_.policy});
+    model_palette_packet(*characters.context, scratch_.model, held_packet(packet), characters.work,
+                         {.width = characters.width, .packet = packet, .stores = palettes_.policy});
     engine.advance();
   }
 }

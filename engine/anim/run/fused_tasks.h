@@ -37,11 +37,17 @@ class FusedTasks {
 
  private:
   struct Characters;
-  /// One whose pose is not clips alone.
+  /// One whose pose is not clips alone, but may begin with some.
   struct Composed {
-    std::size_t character;
-    std::byte* block;     ///< its first
-    std::byte* prepared;  ///< of its first entity
+    static constexpr std::size_t no_base = PoseProgram::max_steps;
+
+    std::size_t character = 0;
+    std::byte* block = nullptr;     ///< its first
+    std::byte* prepared = nullptr;  ///< of its first entity
+    std::size_t base = no_base;     ///< step that the kernel for clips poses
+    std::uint64_t wanted = 0;       ///< bit i: step i is posed, or is the base
+
+    bool poses(std::size_t step) const { return step != base && (wanted >> step & 1U) != 0; }
   };
 
   std::span<const AgentWork> agents(int task) const;
@@ -49,13 +55,12 @@ class FusedTasks {
   void advance_entities(const Characters& characters);
   const ShownClips& advance_character(const Characters& characters, const AgentWork& work, std::byte*& block,
                                       std::byte*& prepared);
-  void compute_streaming(const Characters& characters, CopyEngine& engine);
-  void compute_held(const Characters& characters, CopyEngine& engine);
+  void compute_streaming(const Characters& characters, CopyEngine& engine) const;
+  void compute_held(const Characters& characters, CopyEngine& engine) const;
   void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
   bool stream_packet(const Characters& characters, int packet) const;
-  std::uint64_t steps_to_pose(const PoseProgram& program) const;
-  void hold_pose(const Characters& characters, const AgentWork& work, const PoseView& held, std::byte* block,
-                 std::byte* prepared) const;
+  std::size_t base_of(const PoseProgram& program) const;
+  void compose_whole(const Characters& characters, const Composed& composed, const PoseView& held) const;
 
   std::span<const UpdateContext> contexts_;
   std::span<const AgentWork> work_;

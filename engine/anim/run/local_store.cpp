@@ -97,19 +97,23 @@ CopyCounts CopyEngine::finish() {
 }
 
 void CopyEngine::move(std::size_t bytes) {
-  while (bytes > 0 && next_ < queue_.size()) {
-    const Transfer& transfer = queue_[next_];
-    const std::size_t size = std::min(bytes, transfer.size - moved_);
-    if (transfer.inward) release_guard(transfer.to + moved_, size);
-    copy_lines(transfer.from + moved_, transfer.to + moved_, size);
-    moved_ += size;
-    bytes -= size;
-    queued_bytes_ -= size;
-    if (moved_ == transfer.size) {
-      ++next_;
-      moved_ = 0;
-    }
+  std::size_t next = next_;
+  std::size_t moved = moved_;
+  std::size_t left = bytes;
+  while (left > 0 && next < queue_.size()) {
+    const Transfer transfer = queue_[next];
+    const std::size_t size = std::min(left, transfer.size - moved);
+    if (transfer.inward) release_guard(transfer.to + moved, size);
+    copy_lines(transfer.from + moved, transfer.to + moved, size);
+    left -= size;
+    moved += size;
+    if (moved < transfer.size) break;
+    ++next;
+    moved = 0;
   }
+  next_ = next;
+  moved_ = moved;
+  queued_bytes_ -= bytes - left;
 }
 
 CopyCounts CopyEngine::take_counts() { return std::exchange(counts_, {}); }

@@ -98,8 +98,8 @@ void CaseBench::add_updates() {
   const auto run = [this] { update_->run(); };
   rounds_.add({"one pu", run, [this, one_pu] { update_->configure(one_pu); }});
   rounds_.add({"update", run, [this] { update_->configure(options_); }});
-  rounds_.add({"untraced", run, [this] { update_->record_trace(false); }});
-  rounds_.add({"traced", run, [this] { update_->record_trace(true); }});
+  rounds_.add({"untraced", run, [this] { update_->record_trace(anim::Tracing::off); }});
+  rounds_.add({"traced", run, [this] { update_->record_trace(anim::Tracing::on); }});
 }
 
 anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents) {

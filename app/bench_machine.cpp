@@ -89,6 +89,7 @@ anim::SystemOptions recorded_options(const BenchOptions& options, const Machine&
       options, {.pus = 1, .schedule = options.schedules.front(), .stream = options.streams.front()});
   recorded.local_store_bytes = static_cast<std::size_t>(machine.local_store_kib) * 1024;
   recorded.double_buffering = anim::DoubleBuffering::inline_copy;
+  recorded.trace = anim::Tracing::every_task;
   return recorded;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
@@ -112,6 +113,14 @@ Json first_faster_crowd(const std::vector<Json>& crowds) {
   return first;
 }
 
+std::string verdict(const Json& found) {
+  char task[64];
+  std::snprintf(task, sizeof(task), "%.3g microseconds", found["least_task_us"].get<double>());
+  const Json& agents = found["least_agents_for_more_pus"];
+  return "Tasks are too small below " + std::string(task) + ", a tile of " + found["least_tile"].dump() +
+         (agents.is_null() ? "; more PUs never paid." : "; more PUs pay from " + agents.dump() + " agents on.");
+}
+
 }  // namespace
 
 anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
@@ -135,9 +144,8 @@ anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
                  {"crowds", crowds}};
   constexpr std::array tile_columns = {"tile", "ns_per_bone_median", "task_us"};
   constexpr std::array crowd_columns = {"agents", "one_pu_us", "all_pus_us", "speedup_over_one_pu"};
-  report.text = figures_as_text(tiles, tile_columns) + "\n" + figures_as_text(crowds, crowd_columns) +
-                "\nTasks are too small below a tile of " + std::to_string(least_tile) + ": " +
-                figures_as_text({&*least, 1}, std::array{"task_us"});
+  report.text = figures_as_text(tiles, tile_columns) + "\n" + figures_as_text(crowds, crowd_columns) + "\n" +
+                verdict(report.json) + "\n";
   PlotLine line{.name = "update", .x = {}, .y = {}};
   for (const Json& row : tiles) {
     line.x.push_back(row["tile"]);

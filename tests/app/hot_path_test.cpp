@@ -1,6 +1,8 @@
 // The whole frame but drawing: crowd, level of detail, slots, animation.
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +22,9 @@ TEST(FrameOfTheDemo, NeitherAllocatesNorLocks) {
     render::HeapPageSource pages(std::size_t{4} << 20U);
     auto character = load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin");
     ASSERT_TRUE(character.has_value());
-    auto stage = Stage::create(std::move(*character), {.scene = scene, .agents = 150, .pus = 2}, pages);
+    std::vector<CharacterSource> characters;
+    characters.push_back(std::move(*character));
+    auto stage = Stage::create(std::move(characters), {.scene = scene, .agents = 150, .pus = 2}, pages);
     ASSERT_TRUE(stage.has_value());
     const render::Camera camera = camera_at({.x = 0, .y = 12, .z = 25, .yaw = 0, .pitch = -25});
     const auto pass = [&](int frames) {

@@ -18,8 +18,8 @@ namespace {
 
 nlohmann::json trace_of_a_run(const std::string& schedule) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("trace_" + schedule + ".json");
-  const ProgramRun run = run_program({"--headless=none", "--agents", "40", "--frames", "3", "--pus", "2", "--schedule",
-                                      schedule, "--trace", file.string()});
+  const ProgramRun run = run_program({"--headless=none", "--agents", "40", "--frames", "3", "--lod", "off", "--pus",
+                                      "2", "--schedule", schedule, "--trace", file.string()});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   std::ifstream stream(file);
   nlohmann::json trace = nlohmann::json::parse(stream, nullptr, false);
@@ -38,15 +38,21 @@ TEST(TraceFile, HasALaneForTheFrameAndOneAPu) {
               testing::ElementsAre(testing::Pair(0, "frame"), testing::Pair(1, "PU 0"), testing::Pair(2, "PU 1")));
 }
 
-TEST(TraceFile, ShowsFetchComputeWriteBackAndWait) {
-  for (const char* const schedule : {"fused", "levels"}) {
-    const nlohmann::json trace = trace_of_a_run(schedule);
-    std::set<std::string> kinds;
-    for (const auto& event : trace["traceEvents"]) {
-      if (event["ph"] == "X" && event["tid"] != 0) kinds.insert(event["name"]);
-    }
-    EXPECT_THAT(kinds, testing::IsSupersetOf({"fetch", "compute", "write back", "wait", "schedule"})) << schedule;
+std::set<std::string> kinds_of_spans(const nlohmann::json& trace) {
+  std::set<std::string> kinds;
+  for (const auto& event : trace["traceEvents"]) {
+    if (event["ph"] == "X" && event["tid"] != 0) kinds.insert(event["name"]);
   }
+  return kinds;
+}
+
+TEST(TraceFile, ShowsFetchComputeWriteBackAndWait) {
+  EXPECT_THAT(kinds_of_spans(trace_of_a_run("fused")),
+              testing::IsSupersetOf({"fetch", "compute", "write back", "wait", "schedule"}));
+}
+
+TEST(TraceFile, ShowsTheBarriersOfThePapersSchedule) {
+  EXPECT_THAT(kinds_of_spans(trace_of_a_run("levels")), testing::IsSupersetOf({"compute", "wait", "schedule"}));
 }
 
 TEST(TraceFile, PutsTheWorkOfPusInsideTheirFrame) {
@@ -70,7 +76,7 @@ TEST(TraceFile, PutsTheWorkOfPusInsideTheirFrame) {
 
 TEST(TimelineLog, KeepsTheNewestFramesOnly) {
   const auto character = std::make_shared<const anim::Character>(anim::bake_character(anim::synthetic_model(4, 1)));
-  auto system = anim::AnimationSystem::create(character, {.pus = 1, .tile = 1});
+  auto system = anim::AnimationSystem::create(character, {.pus = 1, .tile = 1, .trace = anim::Tracing::every_task});
   ASSERT_TRUE(system.has_value());
   constexpr std::uint32_t agents = 20'000;
   (*system)->set_agent_count(agents);

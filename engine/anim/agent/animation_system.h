@@ -28,7 +28,7 @@ struct SystemOptions {
   DoubleBuffering double_buffering = DoubleBuffering::interleaved;
   StreamKind stream = StreamKind::sampled;
   bool hash = true;                  ///< hash every palette that is written
-  bool trace = true;                 ///< record what each PU does, for units() and update_time()
+  Tracing trace = Tracing::on;       ///< record what each PU does, for units() and update_time()
   bool prefetch = false;             ///< players ask for their rows before the first packet is sampled (paper, note 5)
   CostModel cost{};                  ///< what orders tasks and cuts tiles
   const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
@@ -179,9 +179,9 @@ class AnimationSystem {
   std::uint64_t stream_bytes() const;
   std::span<const ProcessingUnit> units() const { return scheduler_->units(); }
   /// SystemOptions::trace, without making anything anew.
-  void record_trace(bool on) {
-    options_.trace = on;
-    scheduler_->record_trace(on, agent_count());
+  void record_trace(Tracing tracing) {
+    options_.trace = tracing;
+    scheduler_->record_trace(tracing, agent_count());
   }
   const UpdateTime& update_time() const { return scheduler_->time(); }
   const ScheduleOptions& schedule() const { return scheduler_->options(); }

@@ -12,22 +12,21 @@ struct ProgramParts {
   std::uint8_t post_processes = 0;  ///< need the whole pose: reach, gaze, feet, rag-dolls
 };
 
-/// Paper 3.2: "never treat tasks as equal units": what a task takes, nanoseconds of one PU, from bones (as packets of
+/// Paper 3.2: "never treat tasks as equal units". What a task takes, nanoseconds of one PU, from bones (as packets of
 /// 16), sources and post processes. Orders tasks and says where tiles are cut; poses do not depend on it, so a coarse
-/// one only costs time. Measured by `throng bench --sweep cost` for a 62-bone character on one core with AVX-512; what
-/// counts is their proportion, which other machines share.
+/// one only costs time. Measured by `throng bench --sweep cost` on one core with AVX-512, within 9% on average; what
+/// counts is the proportion of the coefficients.
 struct CostModel {
-  double tile = 220;           ///< handing a tile out, and its scratch
-  double tile_packet = 620;    ///< hierarchy of 16 bones across a tile, however few characters it has
-  double agent = 60;           ///< copies, clocks
-  double player_packet = 22;   ///< 16 bones of a player
-  double blender_packet = 12;  ///< of what combines or changes them
-  double palette_packet = 20;  ///< their palette matrices
-  double post_process = 700;   ///< a whole pose held, and one change to it
-  double least_task = 4'000;   ///< below which waking another PU does not pay
+  double tile = 105;           ///< handing a tile out, and its scratch
+  double tile_packet = 255;    ///< hierarchy and palettes of 16 bones across a tile, however few its characters
+  double agent = 95;           ///< copies, clocks
+  double player_packet = 23;   ///< 16 bones of a player
+  double blender_packet = 27;  ///< of what combines or changes them
+  double post_process = 790;   ///< a whole pose held, and one change to it
+  double least_task = 10'000;  ///< below which another PU is not worth waking
 
   double of_agent(const ProgramParts& parts, int packets) const {
-    const double packet = parts.players * player_packet + parts.blenders * blender_packet + palette_packet;
+    const double packet = parts.players * player_packet + parts.blenders * blender_packet;
     return agent + packets * packet + parts.post_processes * post_process;
   }
   double of_tile(int packets) const { return tile + packets * tile_packet; }

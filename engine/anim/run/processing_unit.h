@@ -36,11 +36,14 @@ class alignas(block_alignment) ProcessingUnit {
   const LocalStore& store() const { return store_; }
   PaletteMatrix* unseen() const { return reinterpret_cast<PaletteMatrix*>(unseen_.get()); }
 
+  /// `task_ns`: what one is predicted to take.
   template <typename Tasks>
-  void run(Tasks& tasks, DoubleBuffering mode) {
+  void run(Tasks& tasks, DoubleBuffering mode, double task_ns) {
     trace_.close(TraceSpan::Kind::wait);
+    trace_.begin_tasks(task_ns);
     const auto start = std::chrono::steady_clock::now();
     run_tasks(tasks, engine_, mode, trace_);
+    trace_.end_tasks();
     activity_.busy_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     activity_.copies += engine_.take_counts();
   }

@@ -32,10 +32,10 @@ void Scheduler::set_plan(const LocalStorePlan& plan) {
   for (ProcessingUnit& unit : units_) unit.divide_store(plan);
 }
 
-void Scheduler::record_trace(bool on, std::size_t agents) {
-  options_.trace = on;
-  const std::size_t spans = on ? std::min(agents * spans_an_agent + few_spans, most_spans) : 0;
-  for (ProcessingUnit& unit : units_) unit.trace().reserve(spans);
+void Scheduler::record_trace(Tracing tracing, std::size_t agents) {
+  options_.trace = tracing;
+  const std::size_t spans = tracing == Tracing::off ? 0 : std::min(agents * spans_an_agent + few_spans, most_spans);
+  for (ProcessingUnit& unit : units_) unit.trace().reserve(spans, tracing);
 }
 
 void Scheduler::reserve(std::size_t agents) {
@@ -63,9 +63,16 @@ void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const 
       run_palettes(contexts, work, executor);
     }
   }
+  store_choice_.note(agents.size(), busy_ms());
   for (const UpdateContext& context : contexts) context.pools->release_blocks();
   for (ProcessingUnit& unit : units_) unit.trace().close(TraceSpan::Kind::wait);
   time_.end();
+}
+
+double Scheduler::busy_ms() const {
+  double sum = 0.0;
+  for (const ProcessingUnit& unit : units_) sum += unit.activity().busy_ms;
+  return sum;
 }
 
 double Scheduler::predicted(std::span<const AgentWork> work) {
@@ -97,9 +104,12 @@ void Scheduler::on_units(Executor& executor, RunUnit&& run_unit) {
 
 void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                           Executor& executor) {
+  const double task_ns = predicted(work) / static_cast<double>(tiles_.size());
+  const StorePolicy policy = store_choice_.policy_for(work.size());
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
-    unit.run(tasks, options_.double_buffering);
+    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = policy});
+    unit.run(tasks, options_.double_buffering, task_ns);
+    contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
   });
@@ -129,10 +139,11 @@ void Scheduler::run_updates(std::span<const UpdateContext> contexts, std::span<c
   cut_shares(
       static_cast<int>(updates.size()), [&](int task) { return int{updates[static_cast<std::size_t>(task)].cost}; },
       shares_for(total));
+  const double task_ns = total / static_cast<double>(updates.size());
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
     unit.divide_store(plan);
     EntityTasks tasks(contexts, updates, queue, unit.store());
-    unit.run(tasks, mode);
+    unit.run(tasks, mode, task_ns);
     unit.divide_store(options_.plan);
     unit.activity().tasks += tasks.entities_done();
   });
@@ -143,9 +154,12 @@ void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<
   cut_shares(
       static_cast<int>(tiles_.size()), [this](int tile) { return double{tiles_[static_cast<std::size_t>(tile)].cost}; },
       shares_for(predicted(work)));
+  const double task_ns = options_.cost.tile_packet;
+  const StorePolicy policy = store_choice_.policy_for(work.size());
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
-    unit.run(tasks, options_.double_buffering);
+    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = policy});
+    unit.run(tasks, options_.double_buffering, task_ns);
+    contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
   });

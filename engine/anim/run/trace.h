@@ -80,17 +80,26 @@ struct UpdateTime {
   }
 };
 
+enum class Tracing : std::uint8_t {
+  off,
+  on,          ///< tasks too short to be timed one by one share a compute span, copies included: costs under 1%
+  every_task,  ///< a span for each part of each task, whatever that costs
+};
+
 /// What one PU did in an update, without gaps: each span begins where the one before it ended. In memory set aside
 /// beforehand; what does not fit is counted and not kept.
 class Trace {
  public:
   static constexpr std::uint32_t slices_of_one_task_in = 16;
+  static constexpr double shortest_span_ns =
+      4000;  ///< by prediction: a hundred times what reading the clock takes, thrice
 
   /// Room for so many spans; 0: records nothing.
-  void reserve(std::size_t spans) {
+  void reserve(std::size_t spans, Tracing tracing) {
     spans_.clear();
     spans_.reserve(spans);
     room_ = spans;
+    every_task_ = tracing == Tracing::every_task;
   }
 
   void begin(std::uint64_t tick) {
@@ -100,22 +109,44 @@ class Trace {
     tasks_ = 0;
   }
 
+  /// Between these: tasks of about so many nanoseconds.
+  void begin_tasks(double task_ns) {
+    tasks_in_span_ = every_task_ ? 1 : static_cast<std::uint32_t>(1 + shortest_span_ns / std::max(task_ns, 10.0));
+    if (task_ns >= shortest_span_ns) tasks_in_span_ = 1;
+  }
+  void end_tasks() {
+    if (joined_tasks_ > 0 || joined_copies_.transfers > 0) close_joined();
+    tasks_in_span_ = 1;
+  }
+
   /// The time since the last span was spent so.
   void close(TraceSpan::Kind kind, const CopyCounts& copied = {}) {
     if (room_ == 0) return;
+    if (tasks_in_span_ > 1) {
+      joined_copies_ += copied;
+      if (kind == TraceSpan::Kind::compute && ++joined_tasks_ == tasks_in_span_) close_joined();
+      return;
+    }
     const std::uint64_t now = TraceClock::now();
     add(kind, last_, now, copied);
     last_ = now;
   }
 
   /// True now and then: record the slices in which the copies of this task are done, too.
-  bool wants_slices() { return room_ > 0 && tasks_++ % slices_of_one_task_in == 0; }
+  bool wants_slices() { return room_ > 0 && tasks_in_span_ == 1 && tasks_++ % slices_of_one_task_in == 0; }
   void add_slice(std::uint64_t begin) { add(TraceSpan::Kind::copy_slice, begin, TraceClock::now(), {}); }
 
   std::span<const TraceSpan> spans() const { return spans_; }
   std::uint32_t not_kept() const { return not_kept_; }
 
  private:
+  void close_joined() {
+    const std::uint64_t now = TraceClock::now();
+    add(TraceSpan::Kind::compute, last_, now, joined_copies_);
+    last_ = now;
+    joined_tasks_ = 0;
+    joined_copies_ = {};
+  }
   void add(TraceSpan::Kind kind, std::uint64_t begin, std::uint64_t end, const CopyCounts& copied) {
     if (spans_.size() == room_) {
       ++not_kept_;
@@ -134,6 +165,10 @@ class Trace {
   std::uint64_t last_ = 0;
   std::uint32_t not_kept_ = 0;
   std::uint32_t tasks_ = 0;
+  bool every_task_ = false;
+  std::uint32_t tasks_in_span_ = 1;
+  std::uint32_t joined_tasks_ = 0;  // of the span that is open
+  CopyCounts joined_copies_;
 };
 
 }  // namespace throng::anim

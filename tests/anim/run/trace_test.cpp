@@ -21,11 +21,11 @@ CrowdRig fading_crowd(const SystemOptions& options) {
   return crowd;
 }
 
-std::vector<SystemOptions> every_schedule_and_mode() {
+std::vector<SystemOptions> every_schedule_and_mode(Tracing tracing = Tracing::on) {
   std::vector<SystemOptions> all;
   for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
     for (const auto mode : {DoubleBuffering::off, DoubleBuffering::inline_copy, DoubleBuffering::interleaved}) {
-      all.push_back({.pus = 2, .schedule = schedule, .double_buffering = mode});
+      all.push_back({.pus = 2, .schedule = schedule, .double_buffering = mode, .trace = tracing});
     }
   }
   return all;
@@ -69,7 +69,7 @@ TEST(Trace, NamesEveryByteAndTransferThatWasCopied) {
 }
 
 TEST(Trace, HasAComputeSpanForEachTask) {
-  for (const SystemOptions& options : every_schedule_and_mode()) {
+  for (const SystemOptions& options : every_schedule_and_mode(Tracing::every_task)) {
     const CrowdRig crowd = fading_crowd(options);
     std::size_t tasks = 0, spans = 0;
     for (const ProcessingUnit& unit : crowd->units()) {
@@ -84,6 +84,13 @@ TEST(Trace, HasAComputeSpanForEachTask) {
   }
 }
 
+TEST(Trace, JoinsTasksThatAreTooShortToBeTimedOneByOne) {
+  const CrowdRig crowd = fading_crowd({.pus = 1, .schedule = Schedule::levels});
+  const ProcessingUnit& unit = crowd->units().front();
+  EXPECT_LT(count_of(unit.trace(), TraceSpan::Kind::compute), unit.activity().tasks / 4);
+  EXPECT_GT(count_of(unit.trace(), TraceSpan::Kind::compute), 4U);
+}
+
 TEST(Trace, ShowsAWaitAtEachBarrierOfThePapersSchedule) {
   const CrowdRig crowd = fading_crowd({.pus = 1, .schedule = Schedule::levels});
   EXPECT_EQ(count_of(crowd->units().front().trace(), TraceSpan::Kind::wait), 4U)
@@ -91,7 +98,8 @@ TEST(Trace, ShowsAWaitAtEachBarrierOfThePapersSchedule) {
 }
 
 TEST(Trace, ShowsTheSlicesOfCopiesWithinComputeSpans) {
-  const CrowdRig crowd = fading_crowd({.pus = 1, .double_buffering = DoubleBuffering::interleaved});
+  const CrowdRig crowd =
+      fading_crowd({.pus = 1, .double_buffering = DoubleBuffering::interleaved, .trace = Tracing::every_task});
   const std::span<const TraceSpan> spans = crowd->units().front().trace().spans();
   const auto slice = std::ranges::find_if(spans, is_slice);
   ASSERT_NE(slice, spans.end());
@@ -103,13 +111,13 @@ TEST(Trace, ShowsTheSlicesOfCopiesWithinComputeSpans) {
 }
 
 TEST(Trace, RecordsNothingWhereItIsOff) {
-  const CrowdRig crowd = fading_crowd({.pus = 2, .trace = false});
+  const CrowdRig crowd = fading_crowd({.pus = 2, .trace = Tracing::off});
   for (const ProcessingUnit& unit : crowd->units()) EXPECT_TRUE(unit.trace().spans().empty());
 }
 
 TEST(Trace, CountsWhatDoesNotFit) {
   Trace trace;
-  trace.reserve(2);
+  trace.reserve(2, Tracing::on);
   trace.begin(TraceClock::now());
   for (int i = 0; i < 5; ++i) trace.close(TraceSpan::Kind::compute);
   EXPECT_EQ(trace.spans().size(), 2U);

@@ -84,7 +84,7 @@ std::vector<glm::dmat4> Studio::palette_of(const Figure& figure) const {
 
 render::InstanceRecord Studio::record_of(const Figure& figure) {
   const std::vector<glm::dmat4> palette = palette_of(figure);
-  const render::PaletteSlot slot = slots_->acquire(0);
+  const render::PaletteSlot slot = slots_->acquire(static_cast<std::uint32_t>(palette.size()));
   auto* const rows = reinterpret_cast<float*>(slots_->memory(slot));
   for (std::size_t entry = 0; entry < palette.size(); ++entry) {
     for (int row = 0; row < 3; ++row) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <chrono>
 #include <cstring>
 #include <random>
 
@@ -87,56 +88,66 @@ void SystemSubject::configure(const anim::SystemOptions& options) {
 KernelSubject::KernelSubject(const anim::Character& character, const anim::Kernels& kernels,
                              std::span<const BenchAgent> agents, const BenchPalettes& palettes)
     : character_(&character), kernels_(&kernels), agents_(agents), palettes_(&palettes) {
-  const std::size_t packet = packet_floats(character);
   const std::size_t lanes = anim::widest_tile;
   const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count + 1);
-  const std::size_t floats = packet * 2 + packet * lanes + slots * anim::branch_slot_floats * lanes;
+  const std::size_t floats = packet_floats(character) * lanes + slots * anim::branch_slot_floats * lanes;
   scratch_ = anim::allocate_aligned(floats * sizeof(float));
-  stack_ = reinterpret_cast<float*>(scratch_.get());
-  local_ = stack_ + packet * 2;
-  carry_ = local_ + packet * lanes;
+  local_ = reinterpret_cast<float*>(scratch_.get());
+  carry_ = local_ + packet_floats(character) * lanes;
   branches_ = carry_ + anim::branch_slot_floats * lanes;
 }
 
 void KernelSubject::run() {
   clock_ += frame_step;
+  const anim::StorePolicy stores = store_choice_.policy_for(agents_.size());
+  const auto start = std::chrono::steady_clock::now();
   for (std::size_t first = 0; first < agents_.size(); first += anim::widest_tile) {
-    run_tile(first, std::min<std::size_t>(anim::widest_tile, agents_.size() - first));
+    run_tile(agents_.subspan(first, std::min<std::size_t>(anim::widest_tile, agents_.size() - first)), first, stores);
   }
+  kernels_->fence_stores();
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  store_choice_.note(agents_.size(), taken.count());
 }
 
-void KernelSubject::pose_packet(const BenchAgent& agent, int packet, float* local) {
-  const std::array<int, 2> clips = {agent.from_clip, agent.to_clip};
-  const std::array<anim::Ticks, 2> starts = {agent.from_start, agent.to_start};
-  float* out = stack_;
-  for (std::size_t i = 0; i < clips.size(); ++i) {
-    const anim::BakedClip& clip = character_->clips[static_cast<std::size_t>(clips[i])];
-    const anim::Ticks time = clip.duration > 0 ? (starts[i] + clock_) % clip.duration : 0;
-    kernels_->sample({.stream = clip.sampled(), .point = locate(*clip.sampled(), time), .packet = packet, .pose = out});
-    out += packet_floats(*character_);
-  }
-  kernels_->blend({.from = stack_,
-                   .to = stack_ + packet_floats(*character_),
-                   .bone_weights = nullptr,
-                   .fraction = agent.fraction,
-                   .components = character_->skeleton.components(),
-                   .out = local});
+anim::SamplePoint KernelSubject::point_of(int clip_index, anim::Ticks start) const {
+  const anim::BakedClip& clip = character_->clips[static_cast<std::size_t>(clip_index)];
+  const anim::Ticks time = clip.duration > 0 ? (start + clock_) % clip.duration : 0;
+  return locate(*clip.sampled(), time);
 }
 
-void KernelSubject::run_tile(std::size_t first, std::size_t count) {
+anim::ClipTile KernelSubject::clips_of(std::span<const BenchAgent> agents) const {
+  anim::ClipTile clips;
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    const BenchAgent& agent = agents[i];
+    const bool blended = agent.fraction > 0.0F && agent.to_clip >= 0;
+    const int to_clip = blended ? agent.to_clip : agent.from_clip;
+    const anim::SamplePoint from = point_of(agent.from_clip, agent.from_start);
+    const anim::SamplePoint to = blended ? point_of(to_clip, agent.to_start) : from;
+    const auto stream = [&](int clip) { return character_->clips[static_cast<std::size_t>(clip)].sampled(); };
+    clips.add(static_cast<int>(i), {.clips = {{{stream(agent.from_clip), &from}, {stream(to_clip), &to}}},
+                                    .count = blended ? 2 : 1,
+                                    .fraction = agent.fraction});
+  }
+  return clips;
+}
+
+void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t first, anim::StorePolicy stores) {
+  const anim::ClipTile clips = clips_of(agents);
   std::array<anim::PaletteMatrix*, anim::widest_tile> palettes{};
-  for (std::size_t i = 0; i < count; ++i) palettes[i] = palettes_->of(first + i);
+  for (std::size_t i = 0; i < agents.size(); ++i) palettes[i] = palettes_->of(first + i);
   const int bones = character_->skeleton.bone_count();
+  const int components = character_->skeleton.components();
   for (int packet = 0; packet < anim::packets_for(bones); ++packet) {
-    for (std::size_t i = 0; i < count; ++i) {
-      pose_packet(agents_[first + i], packet, local_ + i * packet_floats(*character_));
-    }
+    const bool displaced = components == anim::general_components || clips.displaced(packet);
+    kernels_->pose_clips(clips.job(packet, components, displaced, local_));
     kernels_->model_palette({.hierarchy = &character_->hierarchy,
                              .packet = packet,
                              .bone_count = bones,
                              .width = anim::widest_tile,
-                             .characters = static_cast<int>(count),
+                             .characters = static_cast<int>(agents.size()),
                              .local = local_,
+                             .displaced = displaced,
+                             .stores = stores,
                              .carry = carry_,
                              .branch_slots = branches_,
                              .palettes = palettes.data(),

@@ -7,6 +7,8 @@
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/character.h"
+#include "engine/anim/run/clip_tile.h"
+#include "engine/anim/run/store_choice.h"
 
 namespace throng::app {
 
@@ -56,7 +58,7 @@ class SystemSubject {
   std::vector<anim::AgentUpdate> updates_;
 };
 
-/// The bare kernels over the same agents: sample, sample, blend, palette, one thread, no blocks and no copies.
+/// The bare kernels over the same agents: clips to palette, one thread, no blocks and no copies.
 class KernelSubject {
  public:
   KernelSubject(const anim::Character& character, const anim::Kernels& kernels, std::span<const BenchAgent> agents,
@@ -64,8 +66,9 @@ class KernelSubject {
   void run();
 
  private:
-  void run_tile(std::size_t first, std::size_t count);
-  void pose_packet(const BenchAgent& agent, int packet, float* local);
+  void run_tile(std::span<const BenchAgent> agents, std::size_t first, anim::StorePolicy stores);
+  anim::SamplePoint point_of(int clip_index, anim::Ticks start) const;
+  anim::ClipTile clips_of(std::span<const BenchAgent> agents) const;
 
   const anim::Character* character_;
   const anim::Kernels* kernels_;
@@ -73,7 +76,7 @@ class KernelSubject {
   const BenchPalettes* palettes_;
   anim::Ticks clock_ = 0;
   anim::AlignedBytes scratch_;
-  float* stack_;
+  anim::StoreChoice store_choice_;
   float* local_;
   float* carry_;
   float* branches_;

@@ -60,7 +60,8 @@ std::unique_ptr<Studio> Studio::open() {
   auto renderer = render::Renderer::create(*studio->context_, {.data = source, .size = {64, 64}, .samples = 4});
   if (!renderer) return complain(renderer.error().message), nullptr;
   studio->renderer_ = std::move(*renderer);
-  const auto loaded = studio->renderer_->load_character(app::mesh_data(studio->character_.model));
+  const render::CrowdMeshData mesh = app::mesh_data(studio->character_.model);
+  const auto loaded = studio->renderer_->load_characters({&mesh, 1});
   if (!loaded) return complain(loaded.error().message), nullptr;
   return studio;
 }
@@ -83,7 +84,7 @@ std::vector<glm::dmat4> Studio::palette_of(const Figure& figure) const {
 
 render::InstanceRecord Studio::record_of(const Figure& figure) {
   const std::vector<glm::dmat4> palette = palette_of(figure);
-  const render::PaletteSlot slot = slots_->acquire(0);
+  const render::PaletteSlot slot = slots_->acquire(static_cast<std::uint32_t>(palette.size()));
   auto* const rows = reinterpret_cast<float*>(slots_->memory(slot));
   for (std::size_t entry = 0; entry < palette.size(); ++entry) {
     for (int row = 0; row < 3; ++row) {
@@ -95,6 +96,7 @@ render::InstanceRecord Studio::record_of(const Figure& figure) {
   render::InstanceRecord record{};
   for (int axis = 0; axis < 3; ++axis) record.position[axis] = figure.place[axis];
   record.scale = figure.scale;
+  record.contact_scale = 1.0F;
   record.heading_cosine = std::cos(figure.heading);
   record.heading_sine = std::sin(figure.heading);
   record.palette_from = record.palette_to = slot.first_entry;
@@ -114,7 +116,7 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
   std::vector<render::InstanceRecord> records;
   std::vector<render::CrowdBatch> batches;
   for (const Figure& figure : figures) {
-    batches.push_back({0, static_cast<std::uint8_t>(std::min(figure.mesh_lod, mesh_lod_count() - 1)),
+    batches.push_back({0, 0, static_cast<std::uint8_t>(std::min(figure.mesh_lod, mesh_lod_count() - 1)),
                        static_cast<std::uint32_t>(records.size()), 1});
     records.push_back(record_of(figure));
   }

@@ -51,7 +51,7 @@ class Studio {
 
   render::Image take(const Shot& shot, const std::vector<Figure>& figures);
   const app::CharacterSource& character() const { return character_; }
-  std::size_t mesh_lod_count() const { return renderer_->mesh().lod_count(); }
+  std::size_t mesh_lod_count() const { return renderer_->meshes().front().lod_count(); }
 
  private:
   Studio() = default;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 #include "engine/anim/asset/bake_root_motion.h"
@@ -73,7 +74,8 @@ SampledBake encode(const SampleSource& source, SampledRows& rows) {
   SampledBake bake{.block = allocate_aligned(size),
                    .rate = static_cast<double>(ticks_per_second) / static_cast<double>(rows.row_step)};
   encode_sampled_stream(rows, source.exact.duration, {bake.block.get(), size});
-  bake.error = measure_error(source, *reinterpret_cast<const SampledStream*>(bake.block.get()));
+  bake.error = turns_too_far(rows) ? std::numeric_limits<double>::infinity()
+                                   : measure_error(source, *reinterpret_cast<const SampledStream*>(bake.block.get()));
   return bake;
 }
 

@@ -46,6 +46,14 @@ class Source {
   float value(int row, int packet, int component, int lane) const {
     return values_[index(row, packet, component, lane)];
   }
+  double dot_with_row_before(int row, int packet, int lane) const {
+    double dot = 0.0;
+    for (int axis = 0; axis < 4; ++axis) {
+      dot +=
+          static_cast<double>(value(row - 1, packet, axis, lane)) * static_cast<double>(value(row, packet, axis, lane));
+    }
+    return dot;
+  }
   Range range(int packet, int component, int lane) const {
     Range range{value(0, packet, component, lane), value(0, packet, component, lane)};
     for (int row = 1; row < shape_.row_count; ++row) {
@@ -65,9 +73,7 @@ class Source {
   }
   void align_hemispheres(int row, int packet) {
     for (int lane = 0; lane < packet_bones; ++lane) {
-      float dot = 0.0F;
-      for (int axis = 0; axis < 4; ++axis) dot += value(row - 1, packet, axis, lane) * value(row, packet, axis, lane);
-      if (dot >= 0.0F) continue;
+      if (dot_with_row_before(row, packet, lane) >= 0.0) continue;
       for (int axis = 0; axis < 4; ++axis) values_[index(row, packet, axis, lane)] *= -1.0F;
     }
   }
@@ -152,6 +158,12 @@ void write_ranges(const Source& source, int packet, const Group& group, float (*
   }
 }
 
+bool is_displaced(const SampledPacket& packet) {
+  const auto is_zero = [](float value) { return value == 0.0F; };
+  return packet.position_offset >= 0 ||
+         !std::all_of(&packet.position_base[0][0], &packet.position_base[0][0] + 3 * packet_bones, is_zero);
+}
+
 SampledPacket describe_packet(const SampledRows& rows, const Source& source, const RowLayout& layout, int packet) {
   SampledPacket out{};
   out.rotation_offset = layout.rotation[static_cast<std::size_t>(packet)];
@@ -204,16 +216,16 @@ void write_row(const Source& source, int row, std::span<const SampledPacket> pac
 
 }  // namespace
 
-SamplePoint locate(const SampledStream& stream, Ticks time) {
-  const int last = stream.row_count - 1;
-  if (time <= stream.first_row) return {stream.row(0), stream.row(0), 0};
-  if (time >= stream.first_row + last * stream.row_step) return {stream.row(last), stream.row(last), 0};
-  const Ticks since = time - stream.first_row;
-  const Ticks index = since / stream.row_step;
-  const Ticks rest = since - index * stream.row_step;
-  const Ticks fraction = (rest * sample_fraction_one + stream.row_step / 2) / stream.row_step;
-  const int row = static_cast<int>(index);
-  return {stream.row(row), stream.row(row + 1), static_cast<std::int32_t>(fraction)};
+bool turns_too_far(const SampledRows& rows) {
+  const Source source(rows);
+  for (int row = 1; row < rows.row_count; ++row) {
+    for (int packet = 0; packet < source.packets(); ++packet) {
+      for (int lane = 0; lane < packet_bones; ++lane) {
+        if (source.dot_with_row_before(row, packet, lane) < least_row_dot) return true;
+      }
+    }
+  }
+  return false;
 }
 
 std::size_t sampled_stream_bytes(const SampledRows& rows) { return block_bytes(rows, lay_out_row(rows, Source(rows))); }
@@ -237,13 +249,14 @@ void encode_sampled_stream(const SampledRows& rows, Ticks duration, std::span<st
   stream.first_row = rows.first_row;
   stream.row_step = rows.row_step;
   stream.duration = duration;
-  std::memcpy(block.data(), &stream, sizeof(stream));
 
   std::vector<SampledPacket> packets;
   packets.reserve(static_cast<std::size_t>(source.packets()));
   for (int packet = 0; packet < source.packets(); ++packet) {
     packets.push_back(describe_packet(rows, source, layout, packet));
+    if (is_displaced(packets.back())) stream.displaced_packets |= std::uint64_t{1} << packet;
   }
+  std::memcpy(block.data(), &stream, sizeof(stream));
   std::memcpy(block.data() + stream.packets_offset, packets.data(), packets.size() * sizeof(SampledPacket));
   for (int row = 0; row < rows.row_count; ++row) {
     write_row(source, row, packets, block.data() + stream.rows_offset + static_cast<std::size_t>(row) * layout.stride);

@@ -20,6 +20,11 @@ struct SampledRows {
   std::vector<float> rows;  ///< [row][packet][component][16]; quaternions of neighbouring rows on one hemisphere
 };
 
+/// Quaternions of neighbouring rows have at least this dot product, which is 74 degrees: kernels bring what lies
+/// between them to unit length by a polynomial that reaches no further.
+inline constexpr double least_row_dot = 0.8;
+bool turns_too_far(const SampledRows& rows);
+
 /// The crowd's stream: one relocatable read-only block (paper 1.3), loadable with one read.
 ///
 ///     SampledStream | SampledPacket x packets | row 0 | row 1 | ... | last row
@@ -59,6 +64,7 @@ struct alignas(64) SampledStream {
   Ticks first_row;
   Ticks row_step;
   Ticks duration;
+  std::uint64_t displaced_packets;  ///< bit i: packet i has positions other than 0, as few have on rigid skeletons
 
   const SampledPacket* packets() const {
     return reinterpret_cast<const SampledPacket*>(reinterpret_cast<const std::byte*>(this) + packets_offset);
@@ -83,7 +89,16 @@ struct SamplePoint {
   const std::byte* to = nullptr;
   std::int32_t fraction = 0;
 };
-SamplePoint locate(const SampledStream& stream, Ticks time);
+inline SamplePoint locate(const SampledStream& stream, Ticks time) {
+  const int last = stream.row_count - 1;
+  if (time <= stream.first_row) return {stream.row(0), stream.row(0), 0};
+  if (time >= stream.first_row + last * stream.row_step) return {stream.row(last), stream.row(last), 0};
+  // One division of doubles, which hold all ticks below 2^53, is much faster than two of 64-bit integers.
+  const double rows = static_cast<double>(time - stream.first_row) / static_cast<double>(stream.row_step);
+  const int row = static_cast<int>(rows);
+  const double fraction = (rows - static_cast<double>(row)) * static_cast<double>(sample_fraction_one);
+  return {stream.row(row), stream.row(row + 1), static_cast<std::int32_t>(fraction + 0.5)};
+}
 
 /// Size of and the block itself for some rows; `block` must be 64-byte aligned and of sampled_stream_bytes(rows).
 std::size_t sampled_stream_bytes(const SampledRows& rows);

@@ -27,6 +27,15 @@ void advance_entity(const EntityInStore& entity, std::span<const AnimationStateH
   blend_velocities(blender, *states[0], *states[1]);
 }
 
+ShownClips shown_clips(const EntityInStore& entity, std::span<const ShownClips* const> sources) {
+  const auto& blender = entity.as<EaseBlender>();
+  if (entity.assets->mask(blender.mask) != nullptr || sources[0]->count == 0 || sources[1]->count == 0) return {};
+  if (blender.fraction == 0.0F) return *sources[0];
+  if (blender.fraction == 1.0F) return *sources[1];
+  if (sources[0]->count != 1 || sources[1]->count != 1) return {};
+  return {.clips = {sources[0]->clips[0], sources[1]->clips[0]}, .count = 2, .fraction = blender.fraction};
+}
+
 void blend_packet(const EntityInStore& entity, const PacketJob& job) {
   const auto& blender = entity.as<EaseBlender>();
   const float* weights = entity.assets->mask(blender.mask);
@@ -57,6 +66,7 @@ const EntityKind ease_blender_kind = {.name = "ease blender",
                                       .type = EntityType::ease_blender,
                                       .sources = sources,
                                       .advance = advance_entity,
-                                      .pose_packet = blend_packet};
+                                      .pose_packet = blend_packet,
+                                      .shown_clips = shown_clips};
 
 }  // namespace throng::anim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -76,6 +77,17 @@ struct PacketJob {
   float* out = nullptr;                   ///< may be one of the sources
 };
 
+/// What an entity shows where that is a clip, or a blend of two: kernels make such poses for many characters at once.
+struct ShownClip {
+  const SampledStream* stream = nullptr;
+  const SamplePoint* point = nullptr;
+};
+struct ShownClips {
+  std::array<ShownClip, 2> clips{};
+  int count = 0;          ///< 0: something else
+  float fraction = 0.0F;  ///< of the second, above 0 and below 1
+};
+
 /// Paper 2.2.6: "Following the formula we can derive various animation tasks that can result in animation states." What
 /// the scheduler must know of a kind of entity; a user's own kinds are told apart from ours by nothing.
 ///
@@ -96,6 +108,9 @@ struct EntityKind {
   void (*advance)(const EntityInStore& entity, std::span<const AnimationStateHeader* const> sources) = nullptr;
   void (*pose_packet)(const EntityInStore& entity, const PacketJob& job) = nullptr;
   void (*pose_whole)(const EntityInStore& entity, const PoseView& pose) = nullptr;  ///< or this one
+  /// After `advance`: the clips that pose_packet would show, where all its sources show clips too; then neither its nor
+  /// theirs is called. Null: never.
+  ShownClips (*shown_clips)(const EntityInStore& entity, std::span<const ShownClips* const> sources) = nullptr;
 
   const void* resource = nullptr;  ///< read-only data of the kind on this skeleton; outlives the pools
 

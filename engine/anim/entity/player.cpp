@@ -1,6 +1,7 @@
 #include "engine/anim/entity/player.h"
 
 #include <algorithm>
+#include <new>
 
 #include "engine/anim/asset/data_keys.h"
 
@@ -8,6 +9,7 @@ namespace throng::anim {
 namespace {
 
 void wrap(Player& player, FineTicks duration) {
+  if (player.position >= 0 && player.position < duration) return;  // as nearly always: dividing takes long
   const FineTicks loops = whole_loops(player.position, duration);
   if (loops == 0) return;
   player.position -= loops * duration;
@@ -91,10 +93,16 @@ void advance_entity(const EntityInStore& entity, std::span<const AnimationStateH
   auto& player = entity.as<Player>();
   const ClipStreams& clip = entity.assets->clips[player.clip];
   advance_player(player, clip);
-  auto& pose = entity.prepared_as<PlayerPose>();
-  pose = begin_pose(player, clip, entity.private_part());
+  // Made in its place: a copy would wait for the parts that were just written.
+  auto& pose = *::new (entity.prepared) PlayerPose(begin_pose(player, clip, entity.private_part()));
   if (entity.assets->prefetch && pose.point.from != nullptr) prefetch_rows(*clip.sampled, pose.point);
   if (player.bone_selection != Player::every_bone) pose.bones = &entity.assets->selections[player.bone_selection - 1];
+}
+
+ShownClips shown_clips(const EntityInStore& entity, std::span<const ShownClips* const>) {
+  const auto& pose = entity.prepared_as<PlayerPose>();
+  if (pose.bones != nullptr) return {};
+  return {.clips = {{{pose.clip->sampled, &pose.point}, {}}}, .count = 1};
 }
 
 /// Packets without a selected bone are not evaluated.
@@ -127,7 +135,8 @@ const EntityKind sampled_player_kind = {.name = "sampled player",
                                         .type = EntityType::sampled_player,
                                         .prepared_bytes = prepared_pose_bytes,
                                         .advance = advance_entity,
-                                        .pose_packet = pose_sampled_packet};
+                                        .pose_packet = pose_sampled_packet,
+                                        .shown_clips = shown_clips};
 
 const EntityKind keyframe_player_kind = {.name = "keyframe player",
                                          .type = EntityType::keyframe_player,

@@ -22,7 +22,7 @@ HWY_INLINE Quaternions<V> blend_rotations(D d, const Quaternions<V>& from, const
       hn::MulAdd(to.z, to_weight, hn::Mul(from.z, from_weight)),
       hn::MulAdd(to.w, to_weight, hn::Mul(from.w, from_weight)),
   };
-  return scaled(q, inverse_square_root(d, dot(q, q)));
+  return scaled(q, inverse_length_of_blend(d, dot(q, q)));
 }
 
 /// A bone of weight 0 keeps the bits of `from`, one of weight 1 takes those of `to`: what a mask leaves out is

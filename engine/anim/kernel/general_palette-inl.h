@@ -76,19 +76,20 @@ template <class D>
 class EntryWriter {
  public:
   EntryWriter(const ModelPaletteJob& job, int lane, int first_entry)
-      : job_(job), lane_(lane), characters_(HWY_MIN(job.characters - lane, lane_count<D>)), next_(first_entry) {}
+      : job_(job), lane_(lane), out_(palette_lines(job, lane, lane_count<D>)), next_(first_entry) {}
 
   template <class V>
   HWY_INLINE void add(D d, const Affine<V>& entry) {
-    stage_.prefetch(job_.palettes + lane_, characters_, next_, staged_);
+    if (out_.stores == StorePolicy::prefetched) stage_.prefetch(out_, next_, staged_);
     stage_.put(d, staged_++, entry.matrix, entry.translation);
     if (staged_ == PaletteStage<D>::entries) flush();
   }
 
   HWY_INLINE void flush() {
-    stage_.write(job_.palettes + lane_, characters_, next_, staged_);
+    stage_.turn();
+    stage_.write(out_, next_, staged_);
     if (job_.hashes != nullptr) {
-      stage_.add_hashes(job_.hierarchy->skin_joint.data() + next_, characters_, staged_, job_.hashes + lane_);
+      stage_.add_hashes(job_.hierarchy->skin_joint.data() + next_, out_.characters, staged_, job_.hashes + lane_);
     }
     next_ += staged_;
     staged_ = 0;
@@ -97,7 +98,7 @@ class EntryWriter {
  private:
   const ModelPaletteJob& job_;
   int lane_;
-  int characters_;
+  PaletteLines out_;
   int next_;
   int staged_ = 0;
   PaletteStage<D> stage_;
@@ -124,7 +125,7 @@ HWY_INLINE void general_palette_lanes(D d, const ModelPaletteJob& job, int lane,
   auto global = begin == 0 ? identity(d) : load_affine(d, job.carry + lane, width);
   for (int bone = begin; bone < end; ++bone) {
     const int in_packet = bone - begin;
-    if (in_packet % 4 == 0) gather_four_bones<general_components>(d, local + in_packet, inputs);
+    if (in_packet % 4 == 0) gather_four_bones<general_components>(d, local + in_packet, general_components, inputs);
     const HierarchyStep step = program.steps[static_cast<std::size_t>(bone)];
     if (step.load >= 0) {
       global = load_affine(d, job.branch_slots + step.load * branch_slot_floats * width + lane, width);

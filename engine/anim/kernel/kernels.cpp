@@ -13,6 +13,7 @@
 #define HWY_TARGET_INCLUDE "engine/anim/kernel/kernels.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target, which chooses the target that these are compiled for.
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "engine/anim/kernel/add-inl.h"
@@ -21,6 +22,7 @@
 #include "engine/anim/kernel/mix-inl.h"
 #include "engine/anim/kernel/noise-inl.h"
 #include "engine/anim/kernel/offset-inl.h"
+#include "engine/anim/kernel/pose_clips-inl.h"
 #include "engine/anim/kernel/rigid_palette-inl.h"
 #include "engine/anim/kernel/sample-inl.h"
 #include "engine/anim/kernel/subtract-inl.h"
@@ -58,10 +60,13 @@ void model_palette(const ModelPaletteJob& job) {
   }
 }
 
+void fence_stores() { hwy::FlushStream(); }
+
 Kernels kernel_set() {
   return {.target = hwy::TargetName(HWY_TARGET),
           .fused_multiply_add = HWY_NATIVE_FMA != 0,
           .sample = &sample,
+          .pose_clips = &pose_clips,
           .blend = &blend,
           .mix = &mix,
           .add = &add,
@@ -69,7 +74,8 @@ Kernels kernel_set() {
           .capture_offset = &capture_offset,
           .apply_offset = &apply_offset,
           .noise = &noise,
-          .model_palette = &model_palette};
+          .model_palette = &model_palette,
+          .fence_stores = &fence_stores};
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -24,6 +24,23 @@ struct SampleJob {
   float* pose = nullptr;  ///< out, [components][16]
 };
 
+/// Pose clips: one packet of characters of a tile straight from their clips, one or a blend of two, to the bit what
+/// SampleJob and then BlendJob give.
+struct ClipMoment {
+  const SampledStream* stream = nullptr;
+  SamplePoint point;
+  int character = 0;      ///< in the tile
+  float fraction = 0.0F;  ///< above 0 and below 1, of what is blended
+};
+struct PoseClipsJob {
+  std::span<const ClipMoment> clips;    ///< of each character one
+  std::span<const ClipMoment> blended;  ///< onto the clips of some of these characters, at most one each
+  int packet = 0;
+  int components = rigid_components;
+  bool displaced = true;   ///< false on rigid skeletons: positions are 0, and are neither read nor written
+  float* local = nullptr;  ///< out, [character][components][16]; characters without a clip here are not touched
+};
+
 /// Blend: out = normalise(from * (1 - w) + (to on from's hemisphere) * w), w = fraction * bone weight; positions and
 /// scales linear. Under bone weights, a bone of w = 0 keeps the bits of `from` and one of w = 1 takes those of `to`.
 /// `out` may be `from` or `to`.
@@ -73,6 +90,14 @@ struct SubtractJob {
   float* out = nullptr;  ///< [components][16]
 };
 
+/// How palettes are written; the values are the same. Which is fastest depends on how much is written in all, and on
+/// the machine (run/store_choice.h).
+enum class StorePolicy : std::uint8_t {
+  plain,
+  prefetched,  ///< lines are fetched for writing while they are computed
+  streaming    ///< past the caches, where palettes are 64-byte aligned; not visible to others before fence_stores()
+};
+
 /// Model space and palette of one packet of `width` characters of one skeleton. Packets are done in order, 0 first;
 /// between them `carry` holds the last bone's transform.
 inline constexpr int widest_tile = 16;
@@ -80,12 +105,14 @@ inline constexpr int branch_slot_floats = 16;  ///< a lane's floats in `carry` a
 struct ModelPaletteJob {
   const HierarchyProgram* hierarchy = nullptr;
   int packet = 0;
-  int bone_count = 0;             ///< of the level: bones at and above it are not touched
-  int width = widest_tile;        ///< 1, 2, 4, 8 or 16
-  int characters = widest_tile;   ///< 1 to width; further lanes are computed from garbage-free input, not written
-  const float* local = nullptr;   ///< [width][components][16]
-  float* carry = nullptr;         ///< in and out, [branch_slot_floats][width]
-  float* branch_slots = nullptr;  ///< in and out, [slot_count][branch_slot_floats][width]
+  int bone_count = 0;            ///< of the level: bones at and above it are not touched
+  int width = widest_tile;       ///< 1, 2, 4, 8 or 16
+  int characters = widest_tile;  ///< 1 to width; further lanes are computed from garbage-free input, not written
+  const float* local = nullptr;  ///< [width][components][16]
+  bool displaced = true;         ///< false on rigid skeletons: positions are 0, and are not read
+  StorePolicy stores = StorePolicy::prefetched;
+  float* carry = nullptr;                    ///< in and out, [branch_slot_floats][width]
+  float* branch_slots = nullptr;             ///< in and out, [slot_count][branch_slot_floats][width]
   PaletteMatrix* const* palettes = nullptr;  ///< [characters], 16-byte aligned; the kernel writes entries in ascending
                                              ///< order, whole cache lines where it can, and never reads them
   std::uint64_t* hashes = nullptr;  ///< [characters] or null: adds each written entry's hash, see palette_entry_hash
@@ -100,6 +127,7 @@ struct Kernels {
   const char* target;  ///< as Highway names it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
   bool fused_multiply_add;
   void (*sample)(const SampleJob& job);
+  void (*pose_clips)(const PoseClipsJob& job);
   void (*blend)(const BlendJob& job);
   void (*mix)(const MixJob& job);
   void (*add)(const AddJob& job);
@@ -108,6 +136,7 @@ struct Kernels {
   void (*apply_offset)(const OffsetApplyJob& job);
   void (*noise)(const NoiseJob& job);
   void (*model_palette)(const ModelPaletteJob& job);
+  void (*fence_stores)();  ///< what was streamed is visible to whoever learns of it from now on
 };
 
 /// The best that this machine runs; all that it runs, best first; and the scalar target (same algorithm).

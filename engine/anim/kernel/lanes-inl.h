@@ -37,6 +37,17 @@ HWY_INLINE V inverse_square_root(D d, V x) {
   return hn::Mul(hn::Mul(y, hn::Set(d, 0.50000018F)), hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 3.0F)));
 }
 
+/// 1 / sqrt(x) for x from 1/2 to 1, to 4e-7: what two unit quaternions on one hemisphere blend to has that for the
+/// square of its length. A cubic, then a Newton step whose error is split evenly around zero; scaled so that the step
+/// is three operations.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V inverse_length_of_blend(D d, V x) {
+  V y = hn::MulAdd(x, hn::Set(d, -0.75938344F), hn::Set(d, 2.37379403F));
+  y = hn::MulAdd(x, y, hn::Set(d, -2.88898049F));
+  y = hn::MulAdd(x, y, hn::Set(d, 2.06789192F));
+  return hn::Mul(y, hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.88988179F)));
+}
+
 template <class V>
 struct Quaternions {
   V x, y, z, w;

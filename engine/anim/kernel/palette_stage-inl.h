@@ -5,6 +5,7 @@
 #define THRONG_KERNEL_PALETTE_STAGE_INL_H
 #endif
 
+#include <cstdint>
 #include <cstring>
 
 #include "engine/anim/kernel/kernels.h"
@@ -15,33 +16,41 @@ namespace throng::anim::HWY_NAMESPACE {
 
 inline constexpr int matrix_floats = 12;
 
-/// Up to four palette entries of lane_count<D> characters on their way out: three whole cache lines a character, which
-/// leave in ascending order, so that the destination may be write-combined memory.
+/// Where the entries of some characters go.
+struct PaletteLines {
+  PaletteMatrix* const* palettes;  ///< [characters]
+  int characters;
+  StorePolicy stores;
+
+  float* at(int character, int entry) const { return reinterpret_cast<float*>(palettes[character] + entry); }
+};
+
+inline bool on_whole_lines(PaletteMatrix* const* palettes, int characters) {
+  std::uintptr_t addresses = 0;
+  for (int i = 0; i < characters; ++i) addresses |= reinterpret_cast<std::uintptr_t>(palettes[i]);
+  return addresses % 64 == 0;
+}
+
+inline PaletteLines palette_lines(const ModelPaletteJob& job, int lane, int lanes) {
+  PaletteLines lines{job.palettes + lane, HWY_MIN(job.characters - lane, lanes), job.stores};
+  if (lines.stores == StorePolicy::streaming && !on_whole_lines(lines.palettes, lines.characters)) {
+    lines.stores = StorePolicy::plain;
+  }
+  return lines;
+}
+
+/// Palette entries of lane_count<D> characters on their way out, by groups of four: three whole cache lines a
+/// character, which leave in ascending order, so that the destination may be write-combined memory. While one group is
+/// put, a part of the group before it is written after each of its entries: memory takes lines all along, and not by
+/// bursts.
 ///
-///     rows = [character % 4][entry][row] of (character / 4 blocks of 4 floats)      vectors of 4 lanes and more
-///          = [character][entry][row] of 4 floats                                    narrower ones
+///     group = [character % 4][entry][row] of (character / 4 blocks of 4 floats)      vectors of 4 lanes and more
+///           = [character][entry][row] of 4 floats                                    narrower ones
 template <class D>
 class PaletteStage {
  public:
   static constexpr int lanes = lane_count<D>;
   static constexpr int entries = 4;
-
-  template <class V>
-  HWY_INLINE void put_row(D d, int entry, int row, const Vectors<V>& xyz, V w) {
-    if constexpr (lanes >= block_floats) {
-      const auto characters = transpose_blocks(d, xyz.x, xyz.y, xyz.z, w);
-      for (int k = 0; k < 4; ++k) hn::Store(characters.v[k], d, rows_ + ((k * entries + entry) * 3 + row) * lanes);
-    } else {
-      alignas(16) FloatArray<lanes> components[4];
-      hn::Store(xyz.x, d, components[0]);
-      hn::Store(xyz.y, d, components[1]);
-      hn::Store(xyz.z, d, components[2]);
-      hn::Store(w, d, components[3]);
-      for (int lane = 0; lane < lanes; ++lane) {
-        for (int k = 0; k < 4; ++k) rows_[((lane * entries + entry) * 3 + row) * 4 + k] = components[k][lane];
-      }
-    }
-  }
 
   template <class V>
   HWY_INLINE void put(D d, int entry, const Matrices<V>& m, const Vectors<V>& translation) {
@@ -50,36 +59,49 @@ class PaletteStage {
     put_row(d, entry, 2, m.z, translation.z);
   }
 
-  /// Fetches for writing what one of every four characters will write: spread over the four entries, the lines arrive
-  /// while they are computed.
-  HWY_INLINE void prefetch(PaletteMatrix* const* palettes, int characters, int first, int quarter) const {
-    for (int character = quarter; character < characters; character += 4) {
-      const float* line = reinterpret_cast<float*>(palettes[character] + first);
-      for (int at = 0; at < entries * matrix_floats; at += 16) __builtin_prefetch(line + at, 1, 3);
+  /// The group that was put is complete: from now on it is written, and another one put.
+  HWY_INLINE void turn() {
+    float* const written = written_;
+    written_ = put_;
+    put_ = written;
+  }
+
+  /// Fetches for writing what a part of the characters will write.
+  HWY_INLINE void prefetch(const PaletteLines& out, int first, int part) const {
+    for (int character = part; character < out.characters; character += entries) {
+      const float* line = out.at(character, first);
+      for (int at = 0; at < entries * matrix_floats; at += line_floats) __builtin_prefetch(line + at, 0, 3);
     }
   }
 
-  /// Writes entries [first, first + count) of palettes[0, characters).
-  HWY_INLINE void write(PaletteMatrix* const* palettes, int characters, int first, int count) const {
-    if constexpr (lanes == 16) {
-      if (count == entries && characters == lanes) return write_all_lines(palettes, first);
+  /// Writes all entries of the group, which begins with `first`, of a part of the characters.
+  HWY_INLINE void write_part(const PaletteLines& out, int first, int part) const {
+    if (all_together(out)) {
+      return write_lines_of_four(out, first, part, lines);
     }
-    for (int character = 0; character < characters; ++character) {
-      auto* out = reinterpret_cast<float*>(palettes[character] + first);
-      if (count == entries) {
-        write_entries(character, out);
-      } else {
-        write_blocks(character, count, out);
-      }
+    for (int character = part; character < out.characters; character += entries) {
+      write_lines(character, out.stores, out.at(character, first), lines);
     }
   }
 
+  /// Writes `count` entries of the group, which begins with `first`, of all characters.
+  HWY_INLINE void write(const PaletteLines& out, int first, int count) const {
+    const int whole_lines = count * matrix_floats / line_floats;
+    if (all_together(out)) {
+      for (int k = 0; k < 4; ++k) write_lines_of_four(out, first, k, whole_lines);
+    } else {
+      for (int i = 0; i < out.characters; ++i) write_lines(i, out.stores, out.at(i, first), whole_lines);
+    }
+    for (int i = 0; i < out.characters; ++i) write_rows(i, 4 * whole_lines, 3 * count, out.at(i, first));
+  }
+
+  /// Of the group that is written.
   void add_hashes(const std::int16_t* joints, int characters, int count, std::uint64_t* hashes) const {
     for (int character = 0; character < characters; ++character) {
       for (int entry = 0; entry < count; ++entry) {
         PaletteMatrix matrix;
         for (int row = 0; row < 3; ++row) {
-          std::memcpy(matrix.rows[row], block(character, entry * 3 + row), sizeof(matrix.rows[row]));
+          std::memcpy(matrix.rows[row], row_of(character, entry * 3 + row), sizeof(matrix.rows[row]));
         }
         hashes[character] += palette_entry_hash(static_cast<std::uint32_t>(joints[entry]), matrix);
       }
@@ -87,48 +109,82 @@ class PaletteStage {
   }
 
  private:
-  /// Row `index` (entry * 3 + row) of one character.
-  const float* block(int character, int index) const {
-    if constexpr (lanes >= block_floats) {
-      return rows_ + (character % 4 * entries * 3 + index) * lanes + character / 4 * block_floats;
-    } else {
-      return rows_ + (character * entries * 3 + index) * block_floats;
-    }
-  }
+  /// Sixteen characters, whose lines come out of one transposition.
+  static bool all_together(const PaletteLines& out) { return lanes == 16 && out.characters == lanes; }
 
-  /// All sixteen characters, a line of four of them at a time.
-  HWY_INLINE void write_all_lines(PaletteMatrix* const* palettes, int first) const {
-    const D d;
-    for (int k = 0; k < 4; ++k) {
-      for (int line = 0; line < 3; ++line) {
-        const float* in = rows_ + (k * entries * 3 + line * 4) * lanes;
-        const auto lines = transpose_whole_blocks(hn::Load(d, in), hn::Load(d, in + lanes), hn::Load(d, in + 2 * lanes),
-                                                  hn::Load(d, in + 3 * lanes));
-        for (int b = 0; b < 4; ++b) {
-          hn::StoreU(lines.v[b], d, reinterpret_cast<float*>(palettes[4 * b + k] + first) + line * lanes);
-        }
+  static constexpr int line_floats = 16;
+  static constexpr int lines = entries * matrix_floats / line_floats;
+  static constexpr int group_floats = entries * matrix_floats * lanes;
+
+  template <class V>
+  HWY_INLINE void put_row(D d, int entry, int row, const Vectors<V>& xyz, V w) {
+    if constexpr (lanes >= block_floats) {
+      const auto characters = transpose_blocks(d, xyz.x, xyz.y, xyz.z, w);
+      for (int k = 0; k < 4; ++k) hn::Store(characters.v[k], d, put_ + ((k * entries + entry) * 3 + row) * lanes);
+    } else {
+      alignas(16) FloatArray<lanes> components[4];
+      hn::Store(xyz.x, d, components[0]);
+      hn::Store(xyz.y, d, components[1]);
+      hn::Store(xyz.z, d, components[2]);
+      hn::Store(w, d, components[3]);
+      for (int lane = 0; lane < lanes; ++lane) {
+        for (int k = 0; k < 4; ++k) put_[((lane * entries + entry) * 3 + row) * 4 + k] = components[k][lane];
       }
     }
   }
 
-  HWY_INLINE void write_entries(int character, float* out) const {
+  /// Row `index` (entry * 3 + row) of one character.
+  const float* row_of(int character, int index) const {
+    if constexpr (lanes >= block_floats) {
+      return written_ + (character % 4 * entries * 3 + index) * lanes + character / 4 * block_floats;
+    } else {
+      return written_ + (character * entries * 3 + index) * block_floats;
+    }
+  }
+
+  static HWY_INLINE void write_vector(hn::Vec<D> vector, StorePolicy stores, float* out) {
+    const D d;
+    if (stores == StorePolicy::streaming) {
+      hn::Stream(vector, d, out);
+    } else {
+      hn::StoreU(vector, d, out);
+    }
+  }
+
+  /// The first lines of characters k, 4 + k, 8 + k and 12 + k of sixteen.
+  HWY_INLINE void write_lines_of_four(const PaletteLines& out, int first, int k, int count) const {
+    if constexpr (lanes == 16) {
+      const D d;
+      for (int line = 0; line < count; ++line) {
+        const float* in = written_ + (k * entries * 3 + line * 4) * lanes;
+        const auto four = transpose_whole_blocks(hn::Load(d, in), hn::Load(d, in + lanes), hn::Load(d, in + 2 * lanes),
+                                                 hn::Load(d, in + 3 * lanes));
+        for (int b = 0; b < 4; ++b) write_vector(four.v[b], out.stores, out.at(4 * b + k, first) + line * line_floats);
+      }
+    }
+  }
+
+  HWY_INLINE void write_lines(int character, StorePolicy stores, float* out, int count) const {
     if constexpr (lanes >= block_floats) {
       const D d;
-      for (int at = 0; at < entries * matrix_floats; at += lanes) {
-        hn::StoreU(load_blocks(d, block(character, at / block_floats), lanes), d, out + at);
+      for (int at = 0; at < count * line_floats; at += lanes) {
+        write_vector(load_blocks(d, row_of(character, at / block_floats), lanes), stores, out + at);
       }
     } else {
-      write_blocks(character, entries, out);
+      write_rows(character, 0, 4 * count, out);
     }
   }
 
-  HWY_INLINE void write_blocks(int character, int count, float* out) const {
-    for (int index = 0; index < count * 3; ++index) {
-      std::memcpy(out + index * block_floats, block(character, index), block_floats * sizeof(float));
+  /// Rows [begin, end) of a character.
+  HWY_INLINE void write_rows(int character, int begin, int end, float* out) const {
+    for (int row = begin; row < end; ++row) {
+      std::memcpy(out + row * block_floats, row_of(character, row), block_floats * sizeof(float));
     }
   }
 
-  alignas(64) FloatArray<entries * matrix_floats * lanes> rows_;
+  alignas(64) FloatArray<group_floats> groups_[2];
+  float* put_ = groups_[0];
+  float* written_ = groups_[1];
 };
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -82,61 +82,82 @@ HWY_INLINE const std::int16_t* group_words(const std::byte* row, std::int32_t of
   return reinterpret_cast<const std::int16_t*>(row + offset);
 }
 
-HWY_INLINE void sample_rotations(const SamplePoint& point, const SampledPacket& packet, float* out) {
+/// 1 / length of what lies between two rows, times weights_unit / 32767: a polynomial in what the squared length lacks
+/// of 1, which is at most a tenth (least_row_dot), to 3e-7.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V sampled_to_unit(D d, V squared_length) {
+  constexpr float unit = weights_unit / 32767.0F;
+  const V lack = hn::NegMulAdd(squared_length, hn::Set(d, unit * unit), hn::Set(d, 1.0F));
+  V y = hn::MulAdd(lack, hn::Set(d, 0.37481848F * unit), hn::Set(d, 0.37095027F * unit));
+  y = hn::MulAdd(lack, y, hn::Set(d, 0.50008201F * unit));
+  return hn::MulAdd(lack, y, hn::Set(d, 0.99999975F * unit));
+}
+
+HWY_INLINE Quaternions<Floats> sampled_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
   const BoneLanes d;
-  if (packet.rotation_offset < 0) {
-    for (int lane = 0; lane < 4 * packet_bones; lane += lane_count<BoneLanes>) {
-      hn::Store(hn::Load(d, &packet.rotation[0][0] + lane), d, out + lane);
-    }
-    return;
-  }
+  if (packet.rotation_offset < 0) return load_quaternions(d, &packet.rotation[0][0] + bone, packet_bones);
   const RowWeights weights(point.fraction);
   const std::int16_t* from = group_words(point.from, packet.rotation_offset);
   const std::int16_t* to = group_words(point.to, packet.rotation_offset);
-  for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
-    Quaternions<Floats> q;
-    weigh_pair(from, to, bone, weights, q.x, q.y);
-    weigh_pair(from + 2 * packet_bones, to + 2 * packet_bones, bone, weights, q.z, q.w);
-    // Negative, as the weights are.
-    const Floats to_unit = hn::Neg(inverse_square_root(d, dot(q, q)));
-    store(d, scaled(q, to_unit), out + bone, packet_bones);
-  }
+  Quaternions<Floats> q;
+  weigh_pair(from, to, bone, weights, q.x, q.y);
+  weigh_pair(from + 2 * packet_bones, to + 2 * packet_bones, bone, weights, q.z, q.w);
+  return scaled(q, sampled_to_unit(d, dot(q, q)));
 }
 
-/// Positions or scales: base + step * lane.
-HWY_INLINE void sample_vectors(const SamplePoint& point, std::int32_t offset, const float (*base)[packet_bones],
-                               const float (*step)[packet_bones], float* out) {
+/// How positions, or scales, are stored: base + step * lane.
+struct SampledRange {
+  std::int32_t offset;
+  const float (*base)[packet_bones];
+  const float (*step)[packet_bones];
+};
+HWY_INLINE SampledRange positions_of(const SampledPacket& packet) {
+  return {packet.position_offset, packet.position_base, packet.position_step};
+}
+HWY_INLINE SampledRange scales_of(const SampledPacket& packet) {
+  return {packet.scale_offset, packet.scale_base, packet.scale_step};
+}
+
+HWY_INLINE Floats in_range(const SampledRange& range, int axis, int bone, Floats weighed) {
   const BoneLanes d;
-  if (offset < 0) {
-    for (int lane = 0; lane < 3 * packet_bones; lane += lane_count<BoneLanes>) {
-      hn::Store(hn::Load(d, &base[0][0] + lane), d, out + lane);
-    }
-    return;
-  }
+  return hn::MulAdd(hn::Mul(weighed, hn::Set(d, weights_unit)), hn::Load(d, range.step[axis] + bone),
+                    hn::Load(d, range.base[axis] + bone));
+}
+
+HWY_INLINE Vectors<Floats> sampled_vectors(const SamplePoint& point, const SampledRange& range, int bone) {
+  if (range.offset < 0) return load_vectors(BoneLanes(), range.base[0] + bone, packet_bones);
   const RowWeights weights(point.fraction);
-  const std::int16_t* from = group_words(point.from, offset);
-  const std::int16_t* to = group_words(point.to, offset);
-  const Floats unit = hn::Set(d, weights_unit);
+  const std::int16_t* from = group_words(point.from, range.offset);
+  const std::int16_t* to = group_words(point.to, range.offset);
+  Floats x, y;
+  weigh_pair(from, to, bone, weights, x, y);
+  const Floats z = weigh_single(from + 2 * packet_bones, to + 2 * packet_bones, bone, weights);
+  return {in_range(range, 0, bone, x), in_range(range, 1, bone, y), in_range(range, 2, bone, z)};
+}
+
+/// Which components of a packet are wanted.
+struct Wanted {
+  bool positions;
+  bool scales;
+};
+
+HWY_INLINE void sample_packet(const SamplePoint& point, const SampledPacket& packet, Wanted wanted, float* pose) {
+  const BoneLanes d;
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
-    Vectors<Floats> v;
-    weigh_pair(from, to, bone, weights, v.x, v.y);
-    v.z = weigh_single(from + 2 * packet_bones, to + 2 * packet_bones, bone, weights);
-    hn::Store(hn::MulAdd(hn::Mul(v.x, unit), hn::Load(d, step[0] + bone), hn::Load(d, base[0] + bone)), d, out + bone);
-    hn::Store(hn::MulAdd(hn::Mul(v.y, unit), hn::Load(d, step[1] + bone), hn::Load(d, base[1] + bone)), d,
-              out + packet_bones + bone);
-    hn::Store(hn::MulAdd(hn::Mul(v.z, unit), hn::Load(d, step[2] + bone), hn::Load(d, base[2] + bone)), d,
-              out + 2 * packet_bones + bone);
+    float* out = pose + bone;
+    store(d, sampled_rotations(point, packet, bone), out, packet_bones);
+    if (wanted.positions) {
+      store(d, sampled_vectors(point, positions_of(packet), bone), out + 4 * packet_bones, packet_bones);
+    }
+    if (wanted.scales) {
+      store(d, sampled_vectors(point, scales_of(packet), bone), out + 7 * packet_bones, packet_bones);
+    }
   }
 }
 
 inline void sample(const SampleJob& job) {
-  const SampledPacket& packet = job.stream->packets()[job.packet];
-  sample_rotations(job.point, packet, job.pose);
-  sample_vectors(job.point, packet.position_offset, packet.position_base, packet.position_step,
-                 job.pose + 4 * packet_bones);
-  if (job.stream->components == general_components) {
-    sample_vectors(job.point, packet.scale_offset, packet.scale_base, packet.scale_step, job.pose + 7 * packet_bones);
-  }
+  const Wanted wanted{.positions = true, .scales = job.stream->components == general_components};
+  sample_packet(job.point, job.stream->packets()[job.packet], wanted, job.pose);
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -64,12 +64,12 @@ HWY_INLINE FourVectors<V> transpose_whole_blocks(V v0, V v1, V v2, V v3) {
 
 #endif
 
-/// Components of four bones of lane_count<D> characters: out is [bone][component][character].
+/// The first `wanted` components of four bones of lane_count<D> characters: out is [bone][component][character].
 template <int components, class D>
-HWY_INLINE void gather_four_bones(D d, const float* local, float* out) {
+HWY_INLINE void gather_four_bones(D d, const float* local, int wanted, float* out) {
   constexpr int lanes = lane_count<D>;
   constexpr int character_stride = components * packet_bones;
-  for (int component = 0; component < components; ++component) {
+  for (int component = 0; component < wanted; ++component) {
     const float* in = local + component * packet_bones;
     if constexpr (lanes >= block_floats) {
       constexpr int block_stride = block_floats * character_stride;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <new>
 
 #include "engine/anim/run/pose_entity.h"
 #include "engine/anim/run/shared_sources.h"
@@ -62,10 +63,17 @@ void for_each_own(const UpdateContext& context, const PoseProgram& program, std:
 
 bool is_resident(const EntityInStore& entity) { return entity.layout->transforms_offset != 0; }
 
-StoreNeeds widest_needs(std::span<const AgentWork> tile) {
-  StoreNeeds needs;
-  for (const AgentWork& work : tile) needs.widen(work.program->needs);
-  return needs;
+/// The steps that have to be posed where `base` already is.
+template <typename IsPosed>
+std::uint64_t steps_over(const PoseProgram& program, std::size_t base, IsPosed&& is_posed) {
+  static_assert(PoseProgram::max_steps <= 64);
+  std::uint64_t wanted = std::uint64_t{1} << (program.steps.size() - 1);
+  for (std::size_t i = program.steps.size(); i-- > 0;) {
+    const PoseStep& step = program.steps[i];
+    if ((wanted >> i & 1U) == 0 || i == base || is_posed(i)) continue;
+    for (std::size_t k = 0; k < step.source_count; ++k) wanted |= std::uint64_t{1} << step.sources[k];
+  }
+  return wanted;
 }
 
 std::size_t own_bytes(std::span<const AgentWork> tile) {
@@ -93,6 +101,7 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
       if (!step.shared) fetch_block(step.entity, pools.layout(step.entity).total_size);
     }
   }
+  if (tiles_[static_cast<std::size_t>(task)].needs.shared == 0) return;
   const SharedSources shared(agents(task));
   for (const Handle source : shared.all()) fetch_block(source, pools.layout(source).source_bytes());
 }
@@ -115,64 +124,120 @@ int FusedTasks::copy_points(int task) const {
   return agents(task).front().held ? packets + static_cast<int>(agents(task).size()) : packets;
 }
 
-void FusedTasks::advance_entities(const Characters& characters) const {
+/// Moves a character's entities and notes which clips each of its steps shows. Returns the root's.
+const ShownClips& FusedTasks::advance_character(const Characters& characters, const AgentWork& work, std::byte*& block,
+                                                std::byte*& prepared) {
+  LeftBySteps<const AnimationStateHeader*> states;
+  std::array<const AnimationStateHeader*, max_sources> source_states;
+  std::array<const ShownClips*, max_sources> source_clips;
+  for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
+    states.left[i] = &characters.shared_state(step.entity);
+    shown_[i].count = 0;
+  });
+  for_each_own(*characters.context, *work.program, block, prepared,
+               [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+                 const EntityKind& kind = *entity.layout->kind;
+                 auto& state = entity.as<AnimationStateHeader>();
+                 state.delta_time += work.delta;
+                 kind.advance(entity, states.sources(step, source_states));
+                 states.left[i] = &state;
+                 shown_[i].count = 0;
+                 if (kind.shown_clips == nullptr || is_resident(entity)) return;
+                 for (std::size_t k = 0; k < step.source_count; ++k) source_clips[k] = &shown_[step.sources[k]];
+                 // Made in its place: a copy would wait for the parts that were just written.
+                 ::new (&shown_[i]) ShownClips(kind.shown_clips(entity, {source_clips.data(), step.source_count}));
+               });
+  return shown_[work.program->steps.size() - 1];
+}
+
+/// The last step that shows clips which others, that do not, read.
+std::size_t FusedTasks::base_of(const PoseProgram& program) const {
+  const auto shows_clips = [&](std::size_t i) { return shown_[i].count > 0; };
+  const std::uint64_t wanted = steps_over(program, Composed::no_base, shows_clips);
+  for (std::size_t i = program.steps.size(); i-- > 0;) {
+    if ((wanted >> i & 1U) != 0 && shows_clips(i)) return i;
+  }
+  return Composed::no_base;
+}
+
+/// Moves all characters' entities and sorts out whose poses are clips, or begin with them.
+void FusedTasks::advance_entities(const Characters& characters) {
   std::byte* block = characters.blocks;
   std::byte* prepared = scratch_.prepared.data();
-  for (const AgentWork& work : characters.work) {
-    LeftBySteps<const AnimationStateHeader*> states;
-    std::array<const AnimationStateHeader*, max_sources> sources;
-    for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
-      states.left[i] = &characters.shared_state(step.entity);
-    });
-    for_each_own(*characters.context, *work.program, block, prepared,
-                 [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
-                   auto& state = entity.as<AnimationStateHeader>();
-                   state.delta_time += work.delta;
-                   entity.layout->kind->advance(entity, states.sources(step, sources));
-                   states.left[i] = &state;
-                 });
+  clips_.clear();
+  composed_count_ = 0;
+  for (std::size_t i = 0; i < characters.work.size(); ++i) {
+    Composed composed{.character = i, .block = block, .prepared = prepared};
+    const AgentWork& work = characters.work[i];
+    const ShownClips& shown = advance_character(characters, work, block, prepared);
+    if (shown.count > 0) {
+      clips_.add(static_cast<int>(i), shown);
+      continue;
+    }
+    composed.base = base_of(*work.program);
+    if (composed.base != Composed::no_base) clips_.add(static_cast<int>(i), shown_[composed.base]);
+    composed.wanted = steps_over(*work.program, composed.base, [](std::size_t) { return false; });
+    composed_[composed_count_++] = composed;
   }
 }
 
-void FusedTasks::stream_packet(const Characters& characters, int packet) const {
+/// Entity after entity, over clips that are there already.
+void FusedTasks::compose_packet(const Characters& characters, const Composed& composed, int packet) const {
+  const AgentWork& work = characters.work[composed.character];
   const std::size_t floats = characters.context->packet_floats();
   const std::size_t offset = static_cast<std::size_t>(packet) * floats;
-  std::byte* block = characters.blocks;
-  std::byte* prepared = scratch_.prepared.data();
-  float* local = scratch_.model.local.data();
-  for (const AgentWork& work : characters.work) {
-    LeftBySteps<const float*> poses;
-    std::array<const float*, max_sources> sources;
-    const std::size_t root = work.program->steps.size() - 1;
-    for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
-      poses.left[i] = transforms_of(characters.shared_state(step.entity)) + offset;
-    });
-    for_each_own(*characters.context, *work.program, block, prepared,
-                 [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
-                   float* out = i == root ? local : &scratch_.registers[step.target * floats];
-                   if (is_resident(entity)) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
-                   entity.layout->kind->pose_packet(
-                       entity, {.packet = packet, .sources = poses.sources(step, sources).data(), .out = out});
-                   poses.left[i] = out;
-                 });
-    if (poses.left[root] != local) std::memcpy(local, poses.left[root], floats * sizeof(float));
-    local += floats;
-  }
+  float* const local = &scratch_.model.local[composed.character * floats];
+  std::byte* block = composed.block;
+  std::byte* prepared = composed.prepared;
+  LeftBySteps<const float*> poses;
+  std::array<const float*, max_sources> sources;
+  const std::size_t root = work.program->steps.size() - 1;
+  for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
+    poses.left[i] = transforms_of(characters.shared_state(step.entity)) + offset;
+  });
+  if (composed.base != Composed::no_base) poses.left[composed.base] = local;
+  for_each_own(*characters.context, *work.program, block, prepared,
+               [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+                 if (!composed.poses(i)) return;
+                 float* out = i == root ? local : &scratch_.registers[step.target * floats];
+                 if (is_resident(entity)) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
+                 entity.layout->kind->pose_packet(
+                     entity, {.packet = packet, .sources = poses.sources(step, sources).data(), .out = out});
+                 poses.left[i] = out;
+               });
+  if (poses.left[root] != local) std::memcpy(local, poses.left[root], floats * sizeof(float));
 }
 
-/// The whole local pose of one character, entity after entity.
-void FusedTasks::hold_pose(const Characters& characters, const AgentWork& work, const PoseView& held, std::byte*& block,
-                           std::byte*& prepared) const {
+/// The local poses of one packet. False: all positions are 0, and were not written.
+bool FusedTasks::stream_packet(const Characters& characters, int packet) const {
+  const EntityAssets& assets = characters.context->assets;
+  const bool displaced = composed_count_ > 0 || assets.components == general_components || clips_.displaced(packet);
+  if (!clips_.empty()) {
+    assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, scratch_.model.local.data()));
+  }
+  for (const Composed& composed : std::span(composed_).first(composed_count_)) {
+    compose_packet(characters, composed, packet);
+  }
+  return displaced;
+}
+
+/// The whole local pose of one character, entity after entity, over clips that are there already.
+void FusedTasks::compose_whole(const Characters& characters, const Composed& composed, const PoseView& held) const {
+  const AgentWork& work = characters.work[composed.character];
   const std::size_t floats = characters.context->packet_floats();
   const auto view = [&](float* first) { return PoseView{first, floats, held.components, held.bone_count}; };
+  std::byte* block = composed.block;
+  std::byte* prepared = composed.prepared;
   LeftBySteps<PoseView> poses;
   std::array<PoseView, max_sources> source_poses;
   for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
     poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.entity))));
   });
+  if (composed.base != Composed::no_base) poses.left[composed.base] = held;
   const std::size_t root = work.program->steps.size() - 1;
   for_each_own(*characters.context, *work.program, block, prepared,
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+                 if (!composed.poses(i)) return;
                  PoseView out = i == root ? held : view(&scratch_.registers[step.target * scratch_.register_floats]);
                  if (is_resident(entity)) out = view(transforms_of(entity.as<AnimationStateHeader>()));
                  pose_entity(entity, poses.sources(step, source_poses), out, characters.packets, nullptr);
@@ -184,11 +249,11 @@ void FusedTasks::hold_pose(const Characters& characters, const AgentWork& work, 
 void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   const std::span<const AgentWork> tile = agents(task);
   const UpdateContext& about = context(task);
-  const StoreNeeds needs = widest_needs(tile);
+  const StoreNeeds& needs = tiles_[static_cast<std::size_t>(task)].needs;
   Characters characters{.context = &about,
                         .work = tile,
                         .blocks = store_->fetch_buffer(buffer).data(),
-                        .shared = SharedSources(tile),
+                        .shared = needs.shared > 0 ? SharedSources(tile) : SharedSources(),
                         .shared_blocks = nullptr,
                         .width = static_cast<int>(std::bit_ceil(tile.size())),
                         .packets = about.packets(tile.front().level)};
@@ -198,9 +263,9 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   if (tile.size() < static_cast<std::size_t>(characters.width)) {
     std::ranges::fill(needs.held ? scratch_.held : scratch_.model.local, 0.0F);
   }
-  characters.shared_blocks = characters.blocks + own_bytes(tile);
+  if (needs.shared > 0) characters.shared_blocks = characters.blocks + own_bytes(tile);
   advance_entities(characters);
-  begin_palettes(scratch_.model, tile, unseen_);
+  begin_palettes(scratch_.model, tile, palettes_.unseen);
   if (needs.held) {
     compute_held(characters, engine);
   } else {
@@ -213,28 +278,32 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
 
 void FusedTasks::compute_streaming(const Characters& characters, CopyEngine& engine) const {
   for (int packet = 0; packet < characters.packets; ++packet) {
-    stream_packet(characters, packet);
-    model_palette_packet(*characters.context, scratch_.model, scratch_.model.local.data(), characters.work,
-                         characters.width, packet);
+    const bool displaced = stream_packet(characters, packet);
+    model_palette_packet(
+        *characters.context, scratch_.model, scratch_.model.local.data(), characters.work,
+        {.width = characters.width, .packet = packet, .displaced = displaced, .stores = palettes_.policy});
     engine.advance();
   }
 }
 
 void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) const {
+  const EntityAssets& assets = characters.context->assets;
   const std::size_t floats = characters.context->packet_floats();
   const std::size_t stride = floats * static_cast<std::size_t>(characters.width);
-  std::byte* block = characters.blocks;
-  std::byte* prepared = scratch_.prepared.data();
-  PoseView held{scratch_.held.data(), stride, characters.context->assets.components,
-                characters.context->bones(characters.work.front().level)};
-  for (const AgentWork& work : characters.work) {
-    hold_pose(characters, work, held, block, prepared);
-    held.first += floats;
+  const auto held_packet = [&](int packet) { return &scratch_.held[static_cast<std::size_t>(packet) * stride]; };
+  for (int packet = 0; packet < characters.packets && !clips_.empty(); ++packet) {
+    assets.kernels->pose_clips(clips_.job(packet, assets.components, true, held_packet(packet)));
+  }
+  const int bones = characters.context->bones(characters.work.front().level);
+  for (const Composed& composed : std::span(composed_).first(composed_count_)) {
+    compose_whole(characters, composed,
+                  {&scratch_.held[composed.character * floats], stride, assets.components, bones});
     engine.advance();
   }
+  for (std::size_t i = composed_count_; i < characters.work.size(); ++i) engine.advance();
   for (int packet = 0; packet < characters.packets; ++packet) {
-    model_palette_packet(*characters.context, scratch_.model, &scratch_.held[static_cast<std::size_t>(packet) * stride],
-                         characters.work, characters.width, packet);
+    model_palette_packet(*characters.context, scratch_.model, held_packet(packet), characters.work,
+                         {.width = characters.width, .packet = packet, .stores = palettes_.policy});
     engine.advance();
   }
 }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/anim/run/agent_work.h"
+#include "engine/anim/run/clip_tile.h"
 #include "engine/anim/run/fused_scratch.h"
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/task_queue.h"
@@ -22,8 +23,8 @@ namespace throng::anim {
 class FusedTasks {
  public:
   FusedTasks(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, std::span<const Tile> tiles,
-             TaskQueue::Taker queue, const LocalStore& store, PaletteMatrix* unseen)
-      : contexts_(contexts), work_(work), tiles_(tiles), queue_(queue), store_(&store), unseen_(unseen) {}
+             TaskQueue::Taker queue, const LocalStore& store, const PaletteStores& palettes)
+      : contexts_(contexts), work_(work), tiles_(tiles), queue_(queue), store_(&store), palettes_(palettes) {}
 
   std::optional<int> next() { return queue_.take(); }
   void fetch(int task, int buffer, CopyEngine& engine) const;
@@ -36,23 +37,42 @@ class FusedTasks {
 
  private:
   struct Characters;
+  /// One whose pose is not clips alone, but may begin with some.
+  struct Composed {
+    static constexpr std::size_t no_base = PoseProgram::max_steps;
+
+    std::size_t character = 0;
+    std::byte* block = nullptr;     ///< its first
+    std::byte* prepared = nullptr;  ///< of its first entity
+    std::size_t base = no_base;     ///< step that the kernel for clips poses
+    std::uint64_t wanted = 0;       ///< bit i: step i is posed, or is the base
+
+    bool poses(std::size_t step) const { return step != base && (wanted >> step & 1U) != 0; }
+  };
 
   std::span<const AgentWork> agents(int task) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
-  void advance_entities(const Characters& characters) const;
+  void advance_entities(const Characters& characters);
+  const ShownClips& advance_character(const Characters& characters, const AgentWork& work, std::byte*& block,
+                                      std::byte*& prepared);
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;
   void compute_held(const Characters& characters, CopyEngine& engine) const;
-  void stream_packet(const Characters& characters, int packet) const;
-  void hold_pose(const Characters& characters, const AgentWork& work, const PoseView& held, std::byte*& block,
-                 std::byte*& prepared) const;
+  void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
+  bool stream_packet(const Characters& characters, int packet) const;
+  std::size_t base_of(const PoseProgram& program) const;
+  void compose_whole(const Characters& characters, const Composed& composed, const PoseView& held) const;
 
   std::span<const UpdateContext> contexts_;
   std::span<const AgentWork> work_;
   std::span<const Tile> tiles_;
   TaskQueue::Taker queue_;
   const LocalStore* store_;
-  PaletteMatrix* unseen_;
+  PaletteStores palettes_;
   FusedScratch scratch_;
+  std::array<ShownClips, PoseProgram::max_steps> shown_;  // by the steps of the character that is under way
+  ClipTile clips_;                                        // the characters that show clips
+  std::array<Composed, widest_tile> composed_{};          // and the others
+  std::size_t composed_count_ = 0;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;
 };

@@ -96,14 +96,15 @@ void PaletteTasks::begin_tile(const UpdateContext& context, std::span<const Agen
   ScratchCarver carver(store_->scratch());
   width_ = static_cast<int>(std::bit_ceil(tile.size()));
   scratch_ = ModelScratch::carve(carver, width_, context.assets.components, context.hierarchy->slot_count, false);
-  begin_palettes(scratch_, tile, unseen_);
+  begin_palettes(scratch_, tile, palettes_.unseen);
 }
 
 void PaletteTasks::compute(const Task& task, int buffer, CopyEngine& engine) {
   const std::span<const AgentWork> tile = agents(task);
   if (task.packet == 0) begin_tile(context(task), tile);
   const auto* local = reinterpret_cast<const float*>(store_->fetch_buffer(buffer).data());
-  model_palette_packet(context(task), scratch_, local, tile, width_, task.packet);
+  model_palette_packet(context(task), scratch_, local, tile,
+                       {.width = width_, .packet = task.packet, .stores = palettes_.policy});
   engine.advance();
   if (task.packet + 1 < context(task).packets(tile.front().level)) return;
   store_hashes(scratch_, tile);

@@ -64,8 +64,8 @@ class PaletteTasks {
   };
 
   PaletteTasks(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, std::span<const Tile> tiles,
-               TaskQueue::Taker queue, const LocalStore& store, PaletteMatrix* unseen)
-      : contexts_(contexts), work_(work), tiles_(tiles), queue_(queue), store_(&store), unseen_(unseen) {}
+               TaskQueue::Taker queue, const LocalStore& store, const PaletteStores& palettes)
+      : contexts_(contexts), work_(work), tiles_(tiles), queue_(queue), store_(&store), palettes_(palettes) {}
 
   static std::size_t fetch_bytes(const UpdateContext& context, int width);
   static std::size_t scratch_bytes(const UpdateContext& context, int width);
@@ -89,7 +89,7 @@ class PaletteTasks {
   std::span<const Tile> tiles_;
   TaskQueue::Taker queue_;
   const LocalStore* store_;
-  PaletteMatrix* unseen_;
+  PaletteStores palettes_;
   ModelScratch scratch_;
   int width_ = 1;
   std::optional<Task> last_;

@@ -126,7 +126,10 @@ Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts,
   const int fits = widest(contexts, demand, size);
   if (fits == 0) return too_small(contexts, demand, size);
   if (tile > fits) return too_wide(demand, size, tile, fits);
-  return plan_for_width(contexts, demand, tile == 0 ? fits : tile);
+  LocalStorePlan plan = plan_for_width(contexts, demand, tile == 0 ? fits : tile);
+  // Held tiles are as wide as scratch allows, so they have what is left.
+  if (demand.schedule == Schedule::fused) plan.scratch_bytes = (size - plan.all_fetch_bytes()) / 64 * 64;
+  return plan;
 }
 
 std::size_t automatic_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand) {

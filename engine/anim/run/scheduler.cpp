@@ -63,9 +63,16 @@ void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const 
       run_palettes(contexts, work, executor);
     }
   }
+  store_choice_.note(agents.size(), busy_ms());
   for (const UpdateContext& context : contexts) context.pools->release_blocks();
   for (ProcessingUnit& unit : units_) unit.trace().close(TraceSpan::Kind::wait);
   time_.end();
+}
+
+double Scheduler::busy_ms() const {
+  double sum = 0.0;
+  for (const ProcessingUnit& unit : units_) sum += unit.activity().busy_ms;
+  return sum;
 }
 
 double Scheduler::predicted(std::span<const AgentWork> work) {
@@ -98,9 +105,11 @@ void Scheduler::on_units(Executor& executor, RunUnit&& run_unit) {
 void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                           Executor& executor) {
   const double task_ns = predicted(work) / static_cast<double>(tiles_.size());
+  const StorePolicy policy = store_choice_.policy_for(work.size());
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
+    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = policy});
     unit.run(tasks, options_.double_buffering, task_ns);
+    contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
   });
@@ -146,9 +155,11 @@ void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<
       static_cast<int>(tiles_.size()), [this](int tile) { return double{tiles_[static_cast<std::size_t>(tile)].cost}; },
       shares_for(predicted(work)));
   const double task_ns = options_.cost.tile_packet;
+  const StorePolicy policy = store_choice_.policy_for(work.size());
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.unseen());
+    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = policy});
     unit.run(tasks, options_.double_buffering, task_ns);
+    contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();
     unit.activity().agents += tasks.agents_done();
   });

@@ -9,6 +9,7 @@
 #include "engine/anim/run/fused_tasks.h"
 #include "engine/anim/run/level_tasks.h"
 #include "engine/anim/run/processing_unit.h"
+#include "engine/anim/run/store_choice.h"
 #include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_cutter.h"
 
@@ -59,6 +60,7 @@ class Scheduler {
                    const LocalStorePlan& plan, Executor& executor);
   void run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
   void run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
+  double busy_ms() const;  // of the update, all units together
   template <typename RunUnit>
   void on_units(Executor& executor, RunUnit&& run_unit);
 
@@ -71,6 +73,7 @@ class Scheduler {
   std::vector<std::vector<EntityUpdate>> priorities_;  // [i] entities of priority highest - i; [0] players
   TaskQueue queue_;
   UpdateTime time_;
+  StoreChoice store_choice_;
 };
 
 }  // namespace throng::anim

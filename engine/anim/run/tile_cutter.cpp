@@ -99,7 +99,7 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, std::sp
     StoreNeeds wider = needs;
     wider.widen(program.needs);
     if (joins && wider == needs && program.needs.shared == 0) {
-      if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({i, 0});
+      if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({.first = i, .needs = needs});
       ++tiles_.back().count;
       continue;
     }
@@ -107,13 +107,13 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, std::sp
     const int wider_limit = joins && more.add(program) ? tile_limit(context, wider, more, plan, schedule) : 0;
     if (joins && wider_limit > static_cast<int>(tiles_.back().count)) {
       ++tiles_.back().count;
-      needs = wider;
+      tiles_.back().needs = needs = wider;
       shared = more;
       limit = wider_limit;
       continue;
     }
-    tiles_.push_back({i, 1});
     needs = program.needs;
+    tiles_.push_back({.first = i, .count = 1, .needs = needs});
     shared = SharedSources(work.subspan(i, 1));
     limit = tile_limit(context, needs, shared, plan, schedule);
     assert(limit > 0 && "a program that does not fit the local store was let in");
@@ -141,7 +141,10 @@ void TileCutter::divide(std::size_t tile, double wanted, double overhead) {
   const double fits = (wanted - overhead) / agent;
   const auto kept = static_cast<std::uint32_t>(std::clamp(fits + 0.5, 1.0, static_cast<double>(left.count) - 1));
   const std::uint32_t moved = left.count - kept;
-  const Tile right{left.first + kept, moved, static_cast<float>(overhead + moved * agent)};
+  const Tile right{.first = left.first + kept,
+                   .count = moved,
+                   .cost = static_cast<float>(overhead + moved * agent),
+                   .needs = left.needs};
   left.count = kept;
   left.cost = static_cast<float>(overhead + kept * agent);
   tiles_.insert(tiles_.begin() + static_cast<std::ptrdiff_t>(tile) + 1, right);

@@ -22,13 +22,15 @@ void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, Pale
 }
 
 void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, const float* local,
-                          std::span<const AgentWork> tile, int width, int packet) {
+                          std::span<const AgentWork> tile, const TilePacket& about) {
   context.assets.kernels->model_palette({.hierarchy = context.hierarchy,
-                                         .packet = packet,
+                                         .packet = about.packet,
                                          .bone_count = context.level_bone_counts[tile.front().level],
-                                         .width = width,
+                                         .width = about.width,
                                          .characters = static_cast<int>(tile.size()),
                                          .local = local,
+                                         .displaced = about.displaced,
+                                         .stores = about.stores,
                                          .carry = scratch.carry.data(),
                                          .branch_slots = scratch.branches.data(),
                                          .palettes = scratch.palettes.data(),

@@ -31,7 +31,8 @@ class ScratchCarver {
 struct Tile {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  float cost = 0;  ///< predicted, nanoseconds
+  float cost = 0;         ///< predicted, nanoseconds
+  StoreNeeds needs = {};  ///< the widest of its agents
 };
 
 /// Scratch of the model-palette step of a tile of `width` characters; hierarchy and palette run across them.
@@ -54,9 +55,21 @@ struct ModelScratch {
 /// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0.
 void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, PaletteMatrix* unseen);
 
+/// What the tiles of an update have in common about palettes.
+struct PaletteStores {
+  PaletteMatrix* unseen = nullptr;  ///< the PU's own, for characters that nobody draws
+  StorePolicy policy = StorePolicy::prefetched;
+};
+
 /// Model space and palette of one packet. `local` is [width][components][16].
+struct TilePacket {
+  int width;
+  int packet;
+  bool displaced = true;  ///< see ModelPaletteJob
+  StorePolicy stores = StorePolicy::prefetched;
+};
 void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, const float* local,
-                          std::span<const AgentWork> tile, int width, int packet);
+                          std::span<const AgentWork> tile, const TilePacket& about);
 
 /// Hands the hashes to the agents that asked for them.
 void store_hashes(const ModelScratch& scratch, std::span<const AgentWork> tile);

@@ -62,13 +62,16 @@ TEST(SharedSources, ATreeFiveDeepFetchesEachOnceATileAndWritesNoneBack) {
   std::vector<AgentWork> work;
   for (std::uint32_t agent = 0; agent < 16; ++agent)
     work.push_back({.program = &system.program(agent), .agent = agent});
-  const std::vector<Tile> tiles{{.first = 0, .count = 4}, {.first = 4, .count = 12}};
+  StoreNeeds needs;
+  for (const AgentWork& agent : work) needs.widen(agent.program->needs);
+  const std::vector<Tile> tiles{{.first = 0, .count = 4, .needs = needs}, {.first = 4, .count = 12, .needs = needs}};
   TaskQueue queue(1);
   queue.open(std::array{0, static_cast<int>(tiles.size())});
   LocalStore store(256 * kib);
   store.divide(64 * kib, 2, 64 * kib);
   const AlignedBytes unseen = allocate_aligned(64 * kib);
-  FusedTasks tasks({&context, 1}, work, tiles, {queue, 0}, store, reinterpret_cast<PaletteMatrix*>(unseen.get()));
+  FusedTasks tasks({&context, 1}, work, tiles, {queue, 0}, store,
+                   {.unseen = reinterpret_cast<PaletteMatrix*>(unseen.get())});
   CopyEngine engine;
   for (int tile = 0; tile < 2; ++tile) {
     tasks.fetch(tile, 0, engine);

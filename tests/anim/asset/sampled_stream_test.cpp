@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -172,6 +173,23 @@ TEST(LocateInAClipOfOneRow, AlwaysShowsIt) {
   for (const Ticks time : {Ticks{-1}, Ticks{0}, ticks_per_second}) {
     EXPECT_EQ(locate(block.stream(), time).from, block.stream().row(0));
     EXPECT_EQ(locate(block.stream(), time).to, block.stream().row(0));
+  }
+}
+
+TEST(SampledRows, TurnTooFarWhereTwoLieMoreThan74DegreesApartWhicheverTheirSigns) {
+  const auto turned = [](double degrees, float sign) {
+    SampledRows rows = still_rows(20, rigid_components, 3);
+    const double half = degrees * std::numbers::pi / 360.0;
+    for (int axis = 0; axis < 4; ++axis) {
+      for (int row = 0; row < 3; ++row) row_value(rows, row, 1, axis, 2) = axis == 3 ? 1.0F : 0.0F;
+    }
+    row_value(rows, 2, 1, 1, 2) = sign * static_cast<float>(std::sin(half));
+    row_value(rows, 2, 1, 3, 2) = sign * static_cast<float>(std::cos(half));
+    return rows;
+  };
+  for (const float sign : {1.0F, -1.0F}) {
+    EXPECT_FALSE(turns_too_far(turned(73.0, sign)));
+    EXPECT_TRUE(turns_too_far(turned(75.0, sign)));
   }
 }
 

@@ -274,7 +274,7 @@ double largest_error(const Skeleton& skeleton, const std::vector<glm::dmat4>& re
 }
 
 CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& program,
-                             const std::vector<StatePose>& characters, int width, int bone_count) {
+                             const std::vector<StatePose>& characters, int width, int bone_count, StorePolicy stores) {
   const std::size_t entries = entries_below(program, bone_count);
   std::vector<GuardedPalette> palettes;
   palettes.reserve(characters.size());
@@ -291,6 +291,7 @@ CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& pro
     job.hierarchy = &program;
     job.bone_count = bone_count;
     job.width = width;
+    job.stores = stores;
     job.characters = static_cast<int>(std::min(characters.size() - first, static_cast<std::size_t>(width)));
     job.local = tile.local.front().floats;
     job.carry = tile.carry.front().floats;
@@ -310,6 +311,7 @@ CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& pro
       kernels.model_palette(job);
     }
   }
+  kernels.fence_stores();
   for (const GuardedPalette& palette : palettes) {
     result.palettes.push_back(palette.copy(entries));
     result.guards_intact = result.guards_intact && palette.intact_outside(entries);

@@ -58,7 +58,8 @@ struct CrowdResult {
   bool guards_intact = true;
 };
 CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& program,
-                             const std::vector<StatePose>& characters, int width, int bone_count);
+                             const std::vector<StatePose>& characters, int width, int bone_count,
+                             StorePolicy stores = StorePolicy::prefetched);
 
 bool same_bits(const std::vector<PaletteMatrix>& a, const std::vector<PaletteMatrix>& b);
 

@@ -110,6 +110,22 @@ TEST_P(ModelPalette, OfALevelIsAPrefixOfTheWholeAndWritesNothingElse) {
   }
 }
 
+TEST_P(ModelPalette, IsTheSameToTheBitHoweverItIsStored) {
+  for (const Kernels& kernels : runnable_kernels()) {
+    for (const int width : all_widths) {
+      const CrowdResult expected = compute(kernels, width);
+      for (const StorePolicy stores : {StorePolicy::plain, StorePolicy::streaming}) {
+        const CrowdResult result = compute_palettes(kernels, program_, states_, width, skeleton().bone_count(), stores);
+        EXPECT_TRUE(result.guards_intact) << kernels.target << " " << width;
+        for (std::size_t i = 0; i < states_.size(); ++i) {
+          EXPECT_TRUE(same_bits(result.palettes[i], expected.palettes[i]))
+              << kernels.target << " " << width << " " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST_P(ModelPalette, HashIsTheSumOfTheHashesOfWhatWasWritten) {
   const CrowdResult result = compute(best_kernels(), widest_tile);
   for (std::size_t i = 0; i < states_.size(); ++i) {

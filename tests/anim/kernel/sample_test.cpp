@@ -123,6 +123,28 @@ TEST_P(Sample, IsTheSameToTheBitAmongTargetsThatFuse) {
 INSTANTIATE_TEST_SUITE_P(States, Sample, ::testing::Values(rigid_components, general_components),
                          [](const auto& components) { return components.param == 7 ? "rigid" : "general"; });
 
+TEST(SampleOfRowsAsFarApartAsTheyMayBe, LeavesRotationsUnitToAMillionth) {
+  SampledRows rows = still_rows(16, rigid_components, 2);
+  for (int lane = 0; lane < packet_bones; ++lane) {
+    for (int axis = 0; axis < 4; ++axis) {
+      row_value(rows, 0, 0, axis, lane) = axis == 3 ? 1.0F : 0.0F;
+      row_value(rows, 1, 0, axis, lane) = axis == 3 ? 0.801F : 0.0F;
+    }
+    row_value(rows, 1, 0, lane % 3, lane) = std::sqrt(1.0F - 0.801F * 0.801F);
+  }
+  ASSERT_FALSE(turns_too_far(rows));
+  const StreamBlock block(rows);
+  for (const Kernels& kernels : runnable_kernels()) {
+    for (int step = 0; step <= 64; ++step) {
+      const Packet out = sample(kernels, block.stream(), rows.first_row + step * rows.row_step / 64, 0);
+      for (int lane = 0; lane < packet_bones; ++lane) {
+        const glm::dquat q(out.lanes[3][lane], out.lanes[0][lane], out.lanes[1][lane], out.lanes[2][lane]);
+        ASSERT_NEAR(glm::length(q), 1.0, 1e-6) << kernels.target << " " << step << " " << lane;
+      }
+    }
+  }
+}
+
 TEST(SampleOfARigidClip, DoesNotTouchWhatTheStateHasNot) {
   const StreamBlock block(wavy_rows(16, rigid_components, 3));
   for (const Kernels& kernels : runnable_kernels()) {

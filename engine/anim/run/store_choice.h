@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "engine/anim/kernel/kernels.h"
+
+namespace throng::anim {
+
+/// How palettes are stored fastest: a matter of how many bytes they are, of the caches, and of whose memory it is. So
+/// it is measured where it matters: the first updates of a crowd try every policy in turn, and the fastest is kept
+/// until the crowd has doubled or halved. Poses do not depend on it.
+class StoreChoice {
+ public:
+  static constexpr int policies = 3;
+  static constexpr std::size_t least_crowd = 32;  ///< agents; the palettes of fewer fit any cache
+  static constexpr int trials = 4;  ///< of each policy; the first of a crowd finds cold caches, so the best one counts
+
+  /// For an update of so many agents.
+  StorePolicy policy_for(std::size_t agents) {
+    if (agents < least_crowd) return StorePolicy::plain;
+    if (agents > 2 * crowd_ || 2 * agents < crowd_) {
+      crowd_ = agents;
+      done_ = 0;
+      best_.fill(std::numeric_limits<double>::max());
+    }
+    return done_ < trials * policies ? static_cast<StorePolicy>(done_ % policies) : fastest();
+  }
+
+  /// How long that update took.
+  void note(std::size_t agents, double milliseconds) {
+    if (done_ == trials * policies || agents < least_crowd) return;
+    double& best = best_[static_cast<std::size_t>(done_ % policies)];
+    best = std::min(best, milliseconds / static_cast<double>(agents));
+    ++done_;
+  }
+
+ private:
+  StorePolicy fastest() const {
+    return static_cast<StorePolicy>(std::min_element(best_.begin(), best_.end()) - best_.begin());
+  }
+
+  std::size_t crowd_ = 0;  // when it was measured
+  int done_ = 0;
+  std::array<double, policies> best_{};  // milliseconds an agent
+};
+
+}  // namespace throng::anim

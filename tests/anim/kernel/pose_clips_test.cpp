@@ -1,0 +1,153 @@
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/kernel/kernels.h"
+#include "tests/anim/asset/sampled_rows.h"
+
+namespace throng::anim {
+namespace {
+
+using namespace sampled_rows;
+
+struct alignas(64) Line {
+  float floats[packet_bones];
+};
+
+/// One packet of a tile, each character's poison until it is posed.
+class Local {
+ public:
+  explicit Local(int components)
+      : components_(components), lines_(static_cast<std::size_t>(widest_tile * components), poison()) {}
+  float* data() { return lines_.front().floats; }
+  std::vector<float> character(int index, int components) const {
+    const float* first = lines_[static_cast<std::size_t>(index * components_)].floats;
+    return {first, first + static_cast<std::ptrdiff_t>(components) * packet_bones};
+  }
+  static Line poison() {
+    Line line;
+    std::fill(std::begin(line.floats), std::end(line.floats), std::numeric_limits<float>::quiet_NaN());
+    return line;
+  }
+
+ private:
+  int components_;
+  std::vector<Line> lines_;
+};
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+constexpr int bones = 37;
+constexpr int packets = packets_for(bones);
+
+/// Some characters of a tile, but not all, play one clip; every second of them is blended with another.
+class PoseClips : public ::testing::TestWithParam<int> {
+ protected:
+  PoseClips() {
+    for (int character = 0; character < widest_tile; ++character) {
+      if (character % 5 == 3) continue;
+      clips_.push_back(moment(first_, character, 7 * character));
+      if (character % 2 == 1) continue;
+      blended_.push_back(moment(second_, character, 11 * character));
+      blended_.back().fraction = 0.05F + 0.055F * static_cast<float>(character);
+    }
+  }
+
+  PoseClipsJob job(int packet, Local& local) const {
+    return {.clips = clips_, .blended = blended_, .packet = packet, .components = GetParam(), .local = local.data()};
+  }
+
+  /// One character by the kernels that pose one packet at a time.
+  Local one_by_one(const Kernels& kernels, const ClipMoment& clip, const ClipMoment* blended, int packet) const {
+    Local local(GetParam());
+    kernels.sample({.stream = clip.stream, .point = clip.point, .packet = packet, .pose = local.data()});
+    if (blended == nullptr) return local;
+    Local to(GetParam());
+    kernels.sample({.stream = blended->stream, .point = blended->point, .packet = packet, .pose = to.data()});
+    kernels.blend({.from = local.data(),
+                   .to = to.data(),
+                   .bone_weights = nullptr,
+                   .fraction = blended->fraction,
+                   .components = GetParam(),
+                   .out = local.data()});
+    return local;
+  }
+
+  const ClipMoment* blended_onto(int character) const {
+    for (const ClipMoment& moment : blended_) {
+      if (moment.character == character) return &moment;
+    }
+    return nullptr;
+  }
+
+  static ClipMoment moment(const StreamBlock& block, int character, int eighths) {
+    const Ticks time = block.stream().first_row + eighths * block.stream().row_step / 8;
+    return {.stream = &block.stream(), .point = locate(block.stream(), time), .character = character};
+  }
+
+  const StreamBlock first_ = StreamBlock(wavy_rows(bones, GetParam(), 24));
+  const StreamBlock second_ = StreamBlock(still_rows(bones, GetParam(), 24));
+  std::vector<ClipMoment> clips_, blended_;
+};
+
+TEST_P(PoseClips, GivesTheBitsOfSamplingAndBlendingOnEveryTarget) {
+  for (const Kernels& kernels : runnable_kernels()) {
+    for (int packet = 0; packet < packets; ++packet) {
+      Local local(GetParam());
+      kernels.pose_clips(job(packet, local));
+      for (const ClipMoment& clip : clips_) {
+        const Local expected = one_by_one(kernels, clip, blended_onto(clip.character), packet);
+        EXPECT_TRUE(same_bits(local.character(clip.character, GetParam()), expected.character(0, GetParam())))
+            << kernels.target << " packet " << packet << " character " << clip.character;
+      }
+    }
+  }
+}
+
+TEST_P(PoseClips, LeavesCharactersAloneThatPlayNone) {
+  const std::vector<float> untouched = Local(GetParam()).character(0, GetParam());
+  for (const Kernels& kernels : runnable_kernels()) {
+    Local local(GetParam());
+    kernels.pose_clips(job(1, local));
+    for (const int character : {3, 8, 13}) {
+      EXPECT_TRUE(same_bits(local.character(character, GetParam()), untouched)) << kernels.target << " " << character;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(States, PoseClips, ::testing::Values(rigid_components, general_components),
+                         [](const auto& components) { return components.param == 7 ? "rigid" : "general"; });
+
+TEST(PoseClipsThatDisplaceNothing, WritesRotationsAndNoPositions) {
+  SampledRows rows = wavy_rows(16, rigid_components, 4);
+  for (int row = 0; row < rows.row_count; ++row) {
+    for (int component = 4; component < rigid_components; ++component) {
+      for (int lane = 0; lane < packet_bones; ++lane) row_value(rows, row, 0, component, lane) = 0.0F;
+    }
+  }
+  const StreamBlock block(rows);
+  ASSERT_EQ(block.stream().displaced_packets, 0U);
+  const std::vector<ClipMoment> clips = {
+      {.stream = &block.stream(), .point = locate(block.stream(), rows.row_step / 3)}};
+  for (const Kernels& kernels : runnable_kernels()) {
+    Local with(rigid_components);
+    Local without(rigid_components);
+    kernels.pose_clips({.clips = clips, .blended = {}, .displaced = true, .local = with.data()});
+    kernels.pose_clips({.clips = clips, .blended = {}, .displaced = false, .local = without.data()});
+    EXPECT_TRUE(same_bits(with.character(0, 4), without.character(0, 4))) << kernels.target;
+    const std::vector<float> pose = with.character(0, rigid_components);
+    const std::vector<float> partly = without.character(0, rigid_components);
+    for (std::size_t lane = std::size_t{4} * packet_bones; lane < pose.size(); ++lane) {
+      EXPECT_EQ(pose[lane], 0.0F) << kernels.target;
+      EXPECT_TRUE(std::isnan(partly[lane])) << kernels.target;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace throng::anim

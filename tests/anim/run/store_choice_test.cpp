@@ -1,0 +1,54 @@
+#include "engine/anim/run/store_choice.h"
+
+#include <gtest/gtest.h>
+
+namespace throng::anim {
+namespace {
+
+double milliseconds_of(StorePolicy policy, StorePolicy fastest) { return policy == fastest ? 1.0 : 2.0; }
+
+/// Goes through the trials of a crowd.
+void measure(StoreChoice& choice, std::size_t agents, StorePolicy fastest) {
+  for (int update = 0; update < StoreChoice::policies * StoreChoice::trials; ++update) {
+    choice.note(agents, milliseconds_of(choice.policy_for(agents), fastest));
+  }
+}
+
+TEST(StoreChoice, TriesEveryPolicyAndKeepsTheFastest) {
+  for (const StorePolicy fastest : {StorePolicy::plain, StorePolicy::prefetched, StorePolicy::streaming}) {
+    StoreChoice choice;
+    measure(choice, 1000, fastest);
+    EXPECT_EQ(choice.policy_for(1000), fastest);
+  }
+}
+
+TEST(StoreChoice, GoesByTheBestOfAPolicysTrials) {
+  StoreChoice choice;
+  for (int update = 0; update < StoreChoice::policies * StoreChoice::trials; ++update) {
+    const StorePolicy policy = choice.policy_for(100);
+    const bool cold = update < StoreChoice::policies;
+    choice.note(100, cold && policy == StorePolicy::streaming ? 50.0 : milliseconds_of(policy, StorePolicy::streaming));
+  }
+  EXPECT_EQ(choice.policy_for(100), StorePolicy::streaming);
+}
+
+TEST(StoreChoice, MeasuresAgainOnceTheCrowdHasMoreThanDoubledOrHalved) {
+  StoreChoice choice;
+  measure(choice, 1000, StorePolicy::streaming);
+  EXPECT_EQ(choice.policy_for(2000), StorePolicy::streaming);
+  EXPECT_EQ(choice.policy_for(500), StorePolicy::streaming);
+  EXPECT_EQ(choice.policy_for(2001), StorePolicy::plain) << "the first to be tried";
+  measure(choice, 2001, StorePolicy::prefetched);
+  EXPECT_EQ(choice.policy_for(2001), StorePolicy::prefetched);
+}
+
+TEST(StoreChoice, IsNotDisturbedByUpdatesOfAFew) {
+  StoreChoice choice;
+  measure(choice, 1000, StorePolicy::streaming);
+  EXPECT_EQ(choice.policy_for(1), StorePolicy::plain);
+  choice.note(1, 0.001);
+  EXPECT_EQ(choice.policy_for(1000), StorePolicy::streaming);
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -85,7 +85,7 @@ render::Image phases_of_clip(Studio& studio, const anim::Clip& clip, float headi
     const auto ahead = static_cast<float>(travelled.z);
     figures.back().place -= glm::vec3(std::sin(heading) * ahead, 0.0F, std::cos(heading) * ahead);
   }
-  return studio.take({.width = 1000, .height = 192, .metres = 2.05F, .centre = {0.0F, 0.98F, 0.0F}, .shadows = false},
+  return studio.take({.width = 1000, .height = 220, .metres = 2.36F, .centre = {0.0F, 1.12F, 0.0F}, .shadows = false},
                      figures);
 }
 

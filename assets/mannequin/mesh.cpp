@@ -23,8 +23,7 @@ dvec3 rounded(dvec3 value, double step) { return glm::round(value / step) * step
 /// Cuts off the corner whose neighbours are nearest to each other, until a triangle is left. On a tie the first, so
 /// that both halves of the body agree.
 void cut(std::vector<std::size_t> corners, const std::vector<SkinPoint>& points, std::vector<Triangle>& triangles) {
-  while (corners.size() > 3) {
-    const std::size_t n = corners.size();
+  for (std::size_t n = corners.size(); n > 3; --n) {
     std::size_t best = 1;
     double shortest = 1e9;
     for (std::size_t i = 1; i <= n; ++i) {

@@ -62,6 +62,7 @@ class Sheet {
 render::Image views_of_bind_pose(Studio& studio) {
   constexpr float pitch = 1.5F;
   std::vector<Figure> figures;
+  figures.reserve(columns);
   for (int column = 0; column < columns; ++column) {
     figures.push_back({.place = {column_place(column, pitch), 0.0F, 0.0F},
                        .heading = static_cast<float>(column) * eighth,
@@ -73,6 +74,7 @@ render::Image views_of_bind_pose(Studio& studio) {
 render::Image phases_of_clip(Studio& studio, const anim::Clip& clip, float heading) {
   constexpr float pitch = 1.35F;
   std::vector<Figure> figures;
+  figures.reserve(columns);
   for (int column = 0; column < columns; ++column) {
     const double seconds = clip.duration * column / columns;
     const auto root = anim::reference_pose(studio.character().model.skeleton, &clip, seconds).globals;
@@ -85,7 +87,7 @@ render::Image phases_of_clip(Studio& studio, const anim::Clip& clip, float headi
     const auto ahead = static_cast<float>(travelled.z);
     figures.back().place -= glm::vec3(std::sin(heading) * ahead, 0.0F, std::cos(heading) * ahead);
   }
-  return studio.take({.width = 1000, .height = 192, .metres = 2.05F, .centre = {0.0F, 0.98F, 0.0F}, .shadows = false},
+  return studio.take({.width = 1000, .height = 220, .metres = 2.36F, .centre = {0.0F, 1.12F, 0.0F}, .shadows = false},
                      figures);
 }
 
@@ -115,6 +117,7 @@ render::Image bent_joints(Studio& studio) {
       bent(60, 0, 20, 0),     bent(100, 0, 20, 40), bent(140, 0, 40, 70), bent(10, 60, 20, 0),
       bent(10, 100, 60, -50), bent(20, 135, 90, 0), raised(90),           raised(150)};
   std::vector<Figure> figures;
+  figures.reserve(columns);
   for (int column = 0; column < columns; ++column) {
     figures.push_back({.pose = poses[static_cast<std::size_t>(column)],
                        .place = {column_place(column, pitch), 0.0F, 0.0F},
@@ -203,6 +206,7 @@ render::Image variants(Studio& studio, bool people) {
                                                {.fullness = 1},
                                                {.frame = -0.7F, .length = 1}}};
   std::vector<Figure> figures;
+  figures.reserve(columns);
   for (int column = 0; column < columns; ++column) {
     const auto person = static_cast<std::uint32_t>(column) + 20;
     figures.push_back({.clip = "idle",

@@ -93,7 +93,6 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.positions.size() == frame.scales.size());
   assert(frame.positions.size() == state.next_update.size());
   assert(frame.rules.largest_interval >= 1 && frame.rules.largest_interval <= longest_interval);
-  assert(!frame.characters.empty());
   assert(frame.character_of.empty() || frame.character_of.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
   static_cast<void>(frame);
@@ -117,6 +116,12 @@ void LodState::resize(std::size_t agents, LodSelection& selection) {
 
 namespace {
 
+const LodCharacter& character_of(const LodFrame& frame, std::size_t agent) {
+  static constexpr LodCharacter person;
+  if (frame.characters.empty()) return person;
+  return frame.characters[frame.character_of.empty() ? 0 : frame.character_of[agent]];
+}
+
 /// Agents that one job decides for, one after the other. Lists begin where they would if all were chosen.
 struct LodTile {
   std::size_t first = 0, end = 0;
@@ -130,7 +135,7 @@ struct LodTile {
  private:
   void decide_one(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection,
                   std::size_t agent) {
-    const LodCharacter& character = frame.characters[frame.character_of.empty() ? 0 : frame.character_of[agent]];
+    const LodCharacter& character = character_of(frame, agent);
     const float scale = frame.scales[agent];
     const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, character.centre_height * scale, 0.0F);
     const bool is_visible = in_view(centre, character.radius * scale, frame.camera);

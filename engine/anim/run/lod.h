@@ -96,7 +96,7 @@ struct LodState {
 struct LodFrame {
   std::span<const glm::vec3> positions;  ///< metres, world space, between the feet
   std::span<const float> scales;
-  std::span<const LodCharacter> characters;    ///< one or more
+  std::span<const LodCharacter> characters;    ///< empty: everybody is a LodCharacter as it is
   std::span<const std::uint8_t> character_of;  ///< index among them; empty: everybody is the first
   LodCamera camera;
   LodRules rules;

@@ -83,7 +83,7 @@ struct DemoOptions {
   bool shadows_given = false;     ///< a software renderer draws none unless given
   bool force_software = false;    ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
-  std::string camera_name;                      ///< named camera of the scene, empty: the scene's first
+  std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 

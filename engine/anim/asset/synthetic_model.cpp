@@ -146,7 +146,8 @@ BoneTracks turning_bone(const Skeleton& skeleton, int bone, const std::vector<fl
 Clip clip_of(const Skeleton& skeleton, int index, int keys_per_second, Random& random) {
   const int frames = keys_per_second + (index % 7 - 3) * keys_per_second / 30;
   std::vector<float> times;
-  for (int frame = 0; frame <= frames; ++frame) times.push_back(static_cast<float>(frame) / static_cast<float>(keys_per_second));
+  for (int frame = 0; frame <= frames; ++frame)
+    times.push_back(static_cast<float>(frame) / static_cast<float>(keys_per_second));
 
   Clip clip;
   clip.name = "clip_" + std::to_string(index);
@@ -174,7 +175,8 @@ Model synthetic_model(int bones, int clips, unsigned seed, int keys_per_second) 
   model.skeleton = skeleton_of(Body(bones), random);
   bind(model.skeleton);
   model.skins.push_back(skin_of(model.skeleton));
-  for (int clip = 0; clip < clips; ++clip) model.clips.push_back(clip_of(model.skeleton, clip, keys_per_second, random));
+  for (int clip = 0; clip < clips; ++clip)
+    model.clips.push_back(clip_of(model.skeleton, clip, keys_per_second, random));
   return model;
 }
 

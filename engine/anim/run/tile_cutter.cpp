@@ -20,7 +20,7 @@ std::size_t group_of(const AgentWork& work) {
 // 0: the dearest.
 std::size_t bucket_of(std::uint16_t cost) {
   const auto width = static_cast<std::size_t>(std::bit_width(std::max<std::uint16_t>(cost, 1)));
-  const std::size_t half = width < 2 ? 0 : cost >> (width - 2) & 1U;
+  const std::size_t half = width < 2 ? 0 : std::size_t{cost} >> (width - 2) & 1U;
   return buckets - 1 - (2 * (width - 1) + half);
 }
 

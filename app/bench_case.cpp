@@ -66,10 +66,10 @@ class CaseBench {
   BenchRounds rounds_;
 };
 
-constexpr std::array<std::pair<const char*, StorePolicy>, 3> store_policies = {
-    {{"write plain", StorePolicy::plain},
-     {"write prefetched", StorePolicy::prefetched},
-     {"write streaming", StorePolicy::streaming}}};
+constexpr std::array<std::pair<const char*, anim::StorePolicy>, 3> store_policies = {
+    {{"write plain", anim::StorePolicy::plain},
+     {"write prefetched", anim::StorePolicy::prefetched},
+     {"write streaming", anim::StorePolicy::streaming}}};
 
 anim::Result<std::unique_ptr<SystemSubject>> CaseBench::subject(const anim::SystemOptions& options) const {
   auto made = SystemSubject::create(character_, options, agents_, *palettes_);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <chrono>
 #include <cstring>
 #include <random>
 
@@ -99,14 +98,10 @@ KernelSubject::KernelSubject(const anim::Character& character, const anim::Kerne
 
 void KernelSubject::run() {
   clock_ += frame_step;
-  const anim::StorePolicy stores = store_choice_.policy_for(agents_.size());
-  const auto start = std::chrono::steady_clock::now();
   for (std::size_t first = 0; first < agents_.size(); first += anim::widest_tile) {
-    run_tile(agents_.subspan(first, std::min<std::size_t>(anim::widest_tile, agents_.size() - first)), first, stores);
+    run_tile(agents_.subspan(first, std::min<std::size_t>(anim::widest_tile, agents_.size() - first)), first);
   }
   kernels_->fence_stores();
-  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-  store_choice_.note(agents_.size(), taken.count());
 }
 
 anim::SamplePoint KernelSubject::point_of(int clip_index, anim::Ticks start) const {
@@ -131,7 +126,7 @@ anim::ClipTile KernelSubject::clips_of(std::span<const BenchAgent> agents) const
   return clips;
 }
 
-void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t first, anim::StorePolicy stores) {
+void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t first) {
   const anim::ClipTile clips = clips_of(agents);
   std::array<anim::PaletteMatrix*, anim::widest_tile> palettes{};
   for (std::size_t i = 0; i < agents.size(); ++i) palettes[i] = palettes_->of(first + i);
@@ -147,7 +142,6 @@ void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t fir
                              .characters = static_cast<int>(agents.size()),
                              .local = local_,
                              .displaced = displaced,
-                             .stores = stores,
                              .carry = carry_,
                              .branch_slots = branches_,
                              .palettes = palettes.data(),
@@ -155,14 +149,14 @@ void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t fir
   }
 }
 
-void write_floor(std::span<std::byte> palettes, StorePolicy policy) {
+void write_floor(std::span<std::byte> palettes, anim::StorePolicy policy) {
 #if defined(__SSE2__)
   const __m128 value = _mm_set1_ps(static_cast<float>(palettes.size()));
   for (std::size_t offset = 0; offset < palettes.size(); offset += cache_line) {
     auto* line = reinterpret_cast<float*>(palettes.data() + offset);
-    if (policy == StorePolicy::prefetched) __builtin_prefetch(palettes.data() + offset + 16 * cache_line, 1);
+    if (policy == anim::StorePolicy::prefetched) __builtin_prefetch(palettes.data() + offset + 16 * cache_line, 1);
     for (int i = 0; i < 16; i += 4) {
-      if (policy == StorePolicy::streaming) {
+      if (policy == anim::StorePolicy::streaming) {
         _mm_stream_ps(line + i, value);
       } else {
         _mm_store_ps(line + i, value);

@@ -8,7 +8,6 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/character.h"
 #include "engine/anim/run/clip_tile.h"
-#include "engine/anim/run/store_choice.h"
 
 namespace throng::app {
 
@@ -66,7 +65,7 @@ class KernelSubject {
   void run();
 
  private:
-  void run_tile(std::span<const BenchAgent> agents, std::size_t first, anim::StorePolicy stores);
+  void run_tile(std::span<const BenchAgent> agents, std::size_t first);
   anim::SamplePoint point_of(int clip_index, anim::Ticks start) const;
   anim::ClipTile clips_of(std::span<const BenchAgent> agents) const;
 
@@ -76,14 +75,12 @@ class KernelSubject {
   const BenchPalettes* palettes_;
   anim::Ticks clock_ = 0;
   anim::AlignedBytes scratch_;
-  anim::StoreChoice store_choice_;
   float* local_;
   float* carry_;
   float* branches_;
 };
 
 /// Writing the same palette bytes and nothing else.
-enum class StorePolicy : std::uint8_t { plain, prefetched, streaming };
-void write_floor(std::span<std::byte> palettes, StorePolicy policy);
+void write_floor(std::span<std::byte> palettes, anim::StorePolicy policy);
 
 }  // namespace throng::app

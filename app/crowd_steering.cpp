@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 
 #include <glm/geometric.hpp>
+
+#include "app/crowd_tiles.h"
 
 namespace throng::app {
 namespace {
@@ -19,7 +20,6 @@ constexpr float sidestep = 0.6F;        // of the speed that is lost
 constexpr float follow_seconds = 0.4F;  // in which the gap to the one ahead may close
 constexpr float acceleration = 3.5F;    // metres a second squared, for a person 1.8 m tall
 constexpr float braking = 7.0F;
-constexpr std::size_t tile = 128;
 constexpr std::size_t most_close = 32;  // no more discs fit within a step's reach
 
 /// A half-plane of velocities: `velocity . towards` is at most `soft` to be polite and `hard` to stay apart.
@@ -151,7 +151,7 @@ class Step {
   Surroundings around_;
 };
 
-/// What the jobs of a step share; each takes the next tile until none is left.
+/// What all of a step share.
 struct StepWork {
   const CrowdCells* cells;
   std::span<Body> bodies;
@@ -160,7 +160,6 @@ struct StepWork {
   float spacing;
   float most_speed;
   Reach reach;
-  std::atomic<std::size_t> next_tile{0};
 };
 
 void move_body(const StepWork& work, const Body& self) {
@@ -169,18 +168,6 @@ void move_body(const StepWork& work, const Body& self) {
   Body& moved = work.bodies[self.agent];
   moved.velocity = step.velocity(work.spacing, work.most_speed);
   moved.position = self.position + moved.velocity * work.seconds;
-}
-
-void run_tiles(void* context, int) {
-  auto& work = *static_cast<StepWork*>(context);
-  const std::span<const Body> sorted = work.cells->bodies();
-  for (;;) {
-    const std::size_t first = tile * work.next_tile.fetch_add(1, std::memory_order_relaxed);
-    if (first >= sorted.size()) return;
-    for (const Body& self : sorted.subspan(first, std::min(tile, sorted.size() - first))) {
-      if (self.moves) move_body(work, self);
-    }
-  }
 }
 
 }  // namespace
@@ -203,14 +190,17 @@ void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float 
   if (fastest == 0.0F) return;
   const float most_speed = std::min(fastest, longest_step_ / seconds);
   const float closing_reach = std::max(2.0F * most_speed * seconds, 0.6F * ground_.spacing);
-  StepWork work{.cells = &cells_,
-                .bodies = bodies,
-                .wishes = wishes,
-                .seconds = seconds,
-                .spacing = ground_.spacing,
-                .most_speed = most_speed,
-                .reach = {.sight = reach_, .closing = closing_reach}};
-  executor.run(jobs, {run_tiles, &work});
+  const StepWork work{.cells = &cells_,
+                      .bodies = bodies,
+                      .wishes = wishes,
+                      .seconds = seconds,
+                      .spacing = ground_.spacing,
+                      .most_speed = most_speed,
+                      .reach = {.sight = reach_, .closing = closing_reach}};
+  const std::span<const Body> sorted = cells_.bodies();
+  visit_in_tiles(sorted.size(), executor, jobs, [&](std::size_t body) {
+    if (sorted[body].moves) move_body(work, sorted[body]);
+  });
 }
 
 }  // namespace throng::app

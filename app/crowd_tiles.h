@@ -12,7 +12,7 @@ namespace throng::app {
 /// reads or writes.
 template <typename Visit>
 void visit_in_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
-  constexpr std::size_t tile = 256;
+  constexpr std::size_t tile = 128;
   struct Work {
     std::size_t count;
     Visit* visit;

@@ -13,7 +13,6 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint32_t actor = 0, balloon_agent = 1;
-constexpr int carried = 0, rise = 1;
 constexpr anim::Ticks soon = anim::ticks_per_second / 3;
 constexpr anim::AbsoluteRoot origin;
 

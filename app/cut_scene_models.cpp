@@ -14,7 +14,6 @@ namespace throng::app {
 namespace {
 
 constexpr int keys_a_second = 30;
-constexpr double person_height = 1.8;
 constexpr double rise_seconds = cut_scene_seconds - release_seconds;
 constexpr glm::dvec3 hand{-0.34, 0.86, 0.12};  // of somebody at the origin, at size 1
 
@@ -160,8 +159,8 @@ CharacterSource balloon(double size) {
   source.model.skeleton = one_bone("balloon");
   source.model.materials.resize(1);
   source.model.meshes = {balloon_skin(size), balloon_string(size)};
-  source.model.clips.push_back(clip_of(carried_clip, 2.0, [&](double t) { return carried_at(t, size); }));
-  source.model.clips.push_back(clip_of(rise_clip, rise_seconds, [&](double t) { return rising_at(t, size); }));
+  source.model.clips.push_back(clip_of("carried", 2.0, [&](double t) { return carried_at(t, size); }));
+  source.model.clips.push_back(clip_of("rise", rise_seconds, [&](double t) { return rising_at(t, size); }));
   const anim::BakeOptions all_in_the_pose{.take_root_motion = false};
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model, all_in_the_pose));
   source.bounds = anim::measure_bounds(source.model);

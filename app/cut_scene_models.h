@@ -10,16 +10,16 @@
 namespace throng::app {
 
 /// What plays in a cut scene beside people (paper 2: "animation streams for characters, cameras, animated
-/// backgrounds"): characters of one bone each. `size` is the actor's height over that of a person of 1.8 metres.
+/// backgrounds"): characters of one bone each. `size` is CharacterRoles::size of the actor.
 
 inline constexpr double cut_scene_seconds = 14.0;
 inline constexpr double walk_on_seconds = 4.0;  ///< the actor comes to the scene's origin, along +Z
 inline constexpr double release_seconds = 4.6;  ///< it lets the balloon go
-inline constexpr const char* carried_clip = "carried";
-inline constexpr const char* rise_clip = "rise";
 
-/// A balloon on a string. `carried`: beside whoever stands at the origin; `rise`: up from there. The place of its
-/// string's end is the bone's.
+/// The balloon's clips: beside whoever stands at the origin; up from there.
+enum BalloonClip : int { carried, rise };
+
+/// A balloon on a string; its bone is at the string's end.
 CharacterSource balloon(double size);
 
 /// Metres from the scene's origin, `seconds` after the release.

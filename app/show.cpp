@@ -147,8 +147,6 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   auto stage = Stage::create(std::move(characters), tuning, pages);
   statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
   if (!stage) return fail(failure, exit_usage, stage.error().message);
-  statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
-  if (!options.trace.empty()) timeline_.emplace();
   stage_ = std::move(*stage);
   return true;
 }

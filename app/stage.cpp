@@ -16,7 +16,6 @@ namespace {
 constexpr float push_impulse = 60.0F;      // kg m/s: a hard shove
 constexpr double push_height = 0.75;       // of the character's, where it is met
 constexpr float least_body_radius = 0.2F;  // metres, to click at
-constexpr double person_height = 1.8;      // metres
 
 using EntriesByLevel = std::vector<std::vector<std::uint32_t>>;  // [character][bone level]
 
@@ -93,8 +92,7 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
 
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                    render::PalettePageSource& pages) {
-  const CharacterRoles roles = app::common_roles(roles_of(characters));
-  characters.push_back(balloon(roles.height / person_height));
+  characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
   std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
   stage->tuning_ = tuning;
   if (const anim::Status opened = stage->open_system(); !opened) return opened.error();
@@ -111,7 +109,7 @@ anim::Status Stage::open_system() {
       return anim::Error{more.name + ": " + added.error().message};
     }
   }
-  const auto camera = system_->add_character(film_camera(common_roles().height / person_height));
+  const auto camera = system_->add_character(film_camera(common_roles().size()));
   if (!camera) return camera.error();
   film_camera_ = *camera;
   std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;

@@ -7,11 +7,9 @@
 namespace throng::app {
 namespace {
 
-constexpr double person_height = 1.8;  // metres, that a spot of contact scale 1 lies below
-
 // A thing in the air has no spot below it.
 float contact_scale(const CharacterSource& source) {
-  return source.roles.is_prop ? 0.0F : static_cast<float>(source.bounds.height / person_height);
+  return source.roles.is_prop ? 0.0F : static_cast<float>(source.roles.size());
 }
 
 std::uint32_t microseconds(anim::Ticks ticks) {

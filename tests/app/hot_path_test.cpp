@@ -18,7 +18,7 @@ constexpr int warm_up_frames = 300;
 constexpr int counted_frames = 120;
 
 TEST(FrameOfTheDemo, NeitherAllocatesNorLocks) {
-  for (const Scene scene : {Scene::plaza, Scene::parade, Scene::stadium, Scene::grid}) {
+  for (const Scene scene : {Scene::plaza, Scene::parade, Scene::stadium, Scene::grid, Scene::film}) {
     render::HeapPageSource pages(std::size_t{4} << 20U);
     auto character = load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin");
     ASSERT_TRUE(character.has_value());

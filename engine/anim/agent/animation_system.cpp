@@ -98,6 +98,7 @@ void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t sto
                                                            .local_store_bytes = store_bytes,
                                                            .pus = options_.pus,
                                                            .cost = options_.cost,
+                                                           .stores = options_.stores,
                                                            .trace = options_.trace},
                                            most_entries);
   scheduler_->reserve(agent_count());

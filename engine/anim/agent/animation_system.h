@@ -27,11 +27,12 @@ struct SystemOptions {
   Executor* executor = nullptr;
   DoubleBuffering double_buffering = DoubleBuffering::interleaved;
   StreamKind stream = StreamKind::sampled;
-  bool hash = true;                  ///< hash every palette that is written
-  Tracing trace = Tracing::on;       ///< record what each PU does, for units() and update_time()
-  bool prefetch = false;             ///< players ask for their rows before the first packet is sampled (paper, note 5)
-  CostModel cost{};                  ///< what orders tasks and cuts tiles
-  const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
+  bool hash = true;             ///< hash every palette that is written
+  Tracing trace = Tracing::on;  ///< record what each PU does, for units() and update_time()
+  bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
+  CostModel cost{};             ///< what orders tasks and cuts tiles
+  StorePolicy stores = StorePolicy::prefetched;  ///< how palettes are written
+  const Kernels* kernels = nullptr;              ///< null: the best that this machine runs
 
   friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
 };

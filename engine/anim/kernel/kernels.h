@@ -91,7 +91,7 @@ struct SubtractJob {
 };
 
 /// How palettes are written; the values are the same. Which is fastest depends on how much is written in all, and on
-/// the machine (run/store_choice.h).
+/// the machine.
 enum class StorePolicy : std::uint8_t {
   plain,
   prefetched,  ///< lines are fetched for writing while they are computed

@@ -55,24 +55,18 @@ void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const 
   if (!shared.empty()) run_entities(contexts, shared, executor);
   if (!agents.empty()) {
     const std::span<const AgentWork> work = cutter_.sorted(agents);
-    tiles_ = cutter_.cut(contexts, work, options_.plan, options_.schedule, options_.cost, shares_for(predicted(work)));
+    const double nanoseconds = predicted(work);
+    tiles_ = cutter_.cut(contexts, work, options_.plan, options_.schedule, options_.cost, shares_for(nanoseconds));
     if (options_.schedule == Schedule::fused) {
-      run_fused(contexts, work, executor);
+      run_fused(contexts, work, nanoseconds / static_cast<double>(tiles_.size()), executor);
     } else {
       run_entities(contexts, work, executor);
-      run_palettes(contexts, work, executor);
+      run_palettes(contexts, work, nanoseconds, executor);
     }
   }
-  store_choice_.note(agents.size(), busy_ms());
   for (const UpdateContext& context : contexts) context.pools->release_blocks();
   for (ProcessingUnit& unit : units_) unit.trace().close(TraceSpan::Kind::wait);
   time_.end();
-}
-
-double Scheduler::busy_ms() const {
-  double sum = 0.0;
-  for (const ProcessingUnit& unit : units_) sum += unit.activity().busy_ms;
-  return sum;
 }
 
 double Scheduler::predicted(std::span<const AgentWork> work) {
@@ -102,12 +96,10 @@ void Scheduler::on_units(Executor& executor, RunUnit&& run_unit) {
   executor.run(static_cast<int>(used_shares_.size()) - 1, {run, &shared});
 }
 
-void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
+void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, double task_ns,
                           Executor& executor) {
-  const double task_ns = predicted(work) / static_cast<double>(tiles_.size());
-  const StorePolicy policy = store_choice_.policy_for(work.size());
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = policy});
+    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = options_.stores});
     unit.run(tasks, options_.double_buffering, task_ns);
     contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();
@@ -150,14 +142,14 @@ void Scheduler::run_updates(std::span<const UpdateContext> contexts, std::span<c
 }
 
 void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
-                             Executor& executor) {
+                             double nanoseconds, Executor& executor) {
   cut_shares(
       static_cast<int>(tiles_.size()), [this](int tile) { return double{tiles_[static_cast<std::size_t>(tile)].cost}; },
-      shares_for(predicted(work)));
+      shares_for(nanoseconds));
   const double task_ns = options_.cost.tile_packet;
-  const StorePolicy policy = store_choice_.policy_for(work.size());
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = policy});
+    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(),
+                       {.unseen = unit.unseen(), .policy = options_.stores});
     unit.run(tasks, options_.double_buffering, task_ns);
     contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();

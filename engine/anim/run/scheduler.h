@@ -9,7 +9,6 @@
 #include "engine/anim/run/fused_tasks.h"
 #include "engine/anim/run/level_tasks.h"
 #include "engine/anim/run/processing_unit.h"
-#include "engine/anim/run/store_choice.h"
 #include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_cutter.h"
 
@@ -22,6 +21,7 @@ struct ScheduleOptions {
   std::size_t local_store_bytes = 0;
   int pus = 1;
   CostModel cost{};
+  StorePolicy stores = StorePolicy::prefetched;
   Tracing trace = Tracing::on;  ///< what each PU does is recorded, span by span
 };
 
@@ -55,12 +55,13 @@ class Scheduler {
   static double predicted(std::span<const AgentWork> work);
   std::span<int> shares_for(double nanoseconds);
   void collect_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work);
-  void run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
+  void run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, double task_ns,
+                 Executor& executor);
   void run_updates(std::span<const UpdateContext> contexts, std::span<const EntityUpdate> updates,
                    const LocalStorePlan& plan, Executor& executor);
   void run_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
-  void run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, Executor& executor);
-  double busy_ms() const;  // of the update, all units together
+  void run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, double nanoseconds,
+                    Executor& executor);
   template <typename RunUnit>
   void on_units(Executor& executor, RunUnit&& run_unit);
 
@@ -73,7 +74,6 @@ class Scheduler {
   std::vector<std::vector<EntityUpdate>> priorities_;  // [i] entities of priority highest - i; [0] players
   TaskQueue queue_;
   UpdateTime time_;
-  StoreChoice store_choice_;
 };
 
 }  // namespace throng::anim

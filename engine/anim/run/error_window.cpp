@@ -27,12 +27,24 @@ float ErrorCounts::percentile(double part) const {
   return std::ldexp(1.0F + upper_end, octave + least_exponent);
 }
 
-void ErrorWindow::begin_frame() {
-  newest_ = (newest_ + 1) % frames;
-  Frame& frame = ring_[newest_];
+void ErrorWindow::reserve(std::size_t samples_a_frame) {
+  for (Frame& frame : ring_) frame.steps.reserve(samples_a_frame);
+}
+
+void ErrorWindow::forget(Frame& frame) {
   for (const ErrorCounts::Step step : frame.steps) counts_.remove(step);
   frame.steps.clear();
-  frame.max = frame.pop_max = 0.0F;
+  --held_;
+}
+
+void ErrorWindow::begin_frame() {
+  const auto has_enough_without = [this](const Frame& frame) {
+    return counts_.total() - frame.steps.size() >= ErrorFigures::samples_for_p99;
+  };
+  while (held_ == most_frames || (held_ >= frames && has_enough_without(ago(held_ - 1)))) forget(ago(held_ - 1));
+  newest_ = (newest_ + 1) % most_frames;
+  ++held_;
+  ring_[newest_].max = ring_[newest_].pop_max = 0.0F;
 }
 
 void ErrorWindow::add(const ErrorSample& sample) {
@@ -51,8 +63,8 @@ namespace {
 
 ErrorFigures figures_of(const ErrorCounts& counts, float max, float pop_max) {
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-  return {.p50 = std::min(counts.percentile(0.5), max),
-          .p99 = std::min(counts.percentile(0.99), max),
+  return {.p50 = counts.percentile(0.5),
+          .p99 = counts.percentile(0.99),
           .max = max,
           .pop_max = pop_max,
           .samples = static_cast<std::uint32_t>(std::min(counts.total(), most))};
@@ -62,7 +74,8 @@ ErrorFigures figures_of(const ErrorCounts& counts, float max, float pop_max) {
 
 ErrorFigures ErrorWindow::figures() const {
   float max = 0.0F, pop_max = 0.0F;
-  for (const Frame& frame : ring_) {
+  for (std::size_t i = 0; i < std::min(held_, frames); ++i) {
+    const Frame& frame = ring_[(newest_ + most_frames - i) % most_frames];
     max = std::max(max, frame.max);
     pop_max = std::max(pop_max, frame.pop_max);
   }

@@ -51,12 +51,16 @@ class ErrorCounts {
   std::uint64_t total_ = 0;
 };
 
-/// Errors of the last 60 frames, and of all frames since the start.
+/// Errors of the last 60 frames, and of all frames since the start. Percentiles look further back, up to 600 frames,
+/// where the last 60 have too few samples for the ninety-ninth.
 class ErrorWindow {
  public:
   static constexpr std::size_t frames = 60;
+  static constexpr std::size_t most_frames = 600;
 
-  /// Forgets the oldest frame.
+  /// Room for so many samples in each of the last 60 frames, so that add() does not allocate.
+  void reserve(std::size_t samples_a_frame);
+  /// Forgets the oldest frames.
   void begin_frame();
   /// Within the frame begun last.
   void add(const ErrorSample& sample);
@@ -70,8 +74,12 @@ class ErrorWindow {
     float max = 0.0F, pop_max = 0.0F;
   };
 
-  std::array<Frame, frames> ring_;
+  Frame& ago(std::size_t frames_ago) { return ring_[(newest_ + most_frames - frames_ago) % most_frames]; }
+  void forget(Frame& frame);
+
+  std::array<Frame, most_frames> ring_;
   std::size_t newest_ = 0;
+  std::size_t held_ = 0;  // frames whose samples count
   ErrorCounts counts_, all_counts_;
   float all_max_ = 0.0F, all_pop_max_ = 0.0F;
 };

@@ -23,24 +23,49 @@ TEST(ErrorCounts, TakeWhatNobodySeesForNothingAndWhatIsHugeForTheLargest) {
   EXPECT_GT(counts.percentile(1.0), 10'000.0F);
 }
 
-TEST(ErrorWindow, HoldsSixtyFramesAndForgetsTheOldest) {
-  ErrorWindow window;
+void pass_frame(ErrorWindow& window, std::uint32_t samples, const ErrorSample& sample) {
   window.begin_frame();
-  window.add({.error = 8.0F, .pop = 5.0F});
+  for (std::uint32_t i = 0; i < samples; ++i) window.add(sample);
+}
+
+TEST(ErrorWindow, HoldsSixtyFramesAndForgetsTheOldest) {
+  constexpr std::uint32_t samples = 20;
+  ErrorWindow window;
+  pass_frame(window, samples, {.error = 8.0F, .pop = 5.0F});
   for (std::size_t frame = 1; frame < ErrorWindow::frames; ++frame) {
-    window.begin_frame();
-    window.add({.error = 1.0F, .pop = 0.5F});
+    pass_frame(window, samples, {.error = 1.0F, .pop = 0.5F});
   }
-  EXPECT_EQ(window.figures().samples, ErrorWindow::frames);
+  EXPECT_EQ(window.figures().samples, samples * ErrorWindow::frames);
   EXPECT_EQ(window.figures().max, 8.0F);
   EXPECT_EQ(window.figures().pop_max, 5.0F);
-  window.begin_frame();
-  EXPECT_EQ(window.figures().samples, ErrorWindow::frames - 1);
+  EXPECT_GT(window.figures().p99, 1.1F);
+  pass_frame(window, samples, {.error = 1.0F, .pop = 0.5F});
+  EXPECT_EQ(window.figures().samples, samples * ErrorWindow::frames);
   EXPECT_EQ(window.figures().max, 1.0F);
   EXPECT_EQ(window.figures().pop_max, 0.5F);
-  EXPECT_EQ(window.figures().p99, 1.0F);
+  EXPECT_NEAR(window.figures().p99, 1.0F, 0.04F);
   EXPECT_EQ(window.since_start().max, 8.0F);
   EXPECT_EQ(window.since_start().pop_max, 5.0F);
+  EXPECT_EQ(window.since_start().samples, samples * (ErrorWindow::frames + 1));
+}
+
+TEST(ErrorWindow, LooksFurtherBackWhereSixtyFramesHaveTooFewSamples) {
+  ErrorWindow window;
+  for (std::size_t frame = 0; frame < 3 * ErrorWindow::frames; ++frame)
+    pass_frame(window, 2, {.error = 1.0F, .pop = {}});
+  EXPECT_EQ(window.figures().samples, 6 * ErrorWindow::frames);
+  for (std::size_t frame = 0; frame < ErrorWindow::most_frames; ++frame)
+    pass_frame(window, 2, {.error = 0.1F, .pop = {}});
+  EXPECT_GE(window.figures().samples, ErrorFigures::samples_for_p99);
+  EXPECT_LE(window.figures().samples, ErrorFigures::samples_for_p99 + 2) << "and no further than it has to";
+  EXPECT_LT(window.figures().p99, 0.11F);
+}
+
+TEST(ErrorWindow, NeverLooksBackFurtherThanSixHundredFrames) {
+  ErrorWindow window;
+  pass_frame(window, 1, {.error = 9.0F, .pop = {}});
+  for (std::size_t frame = 0; frame < ErrorWindow::most_frames; ++frame) window.begin_frame();
+  EXPECT_EQ(window.figures().samples, 0U);
 }
 
 TEST(ErrorWindow, KnowsItsNinetyNinthPercentileFromAThousandSamplesOn) {

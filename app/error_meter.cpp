@@ -40,6 +40,7 @@ ErrorMeter::ErrorMeter(std::span<const CharacterSource> characters) {
 void ErrorMeter::reset(std::size_t agents) {
   errors_.assign(agents, not_measured);
   sampling_ = ErrorSampling::off;
+  watched_.reset(agents, 0, most_entries_);
   credit_ = 0;
   window_ = {};
   figures_ = {};
@@ -95,6 +96,7 @@ void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, con
 
 void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame) {
   watched_.hand_over();
+  if (sampling_ == ErrorSampling::off) return;
   window_.begin_frame();
   choose_whom_to_measure(system, frame);
   if (!exact_.empty()) system.pose_exactly(exact_);

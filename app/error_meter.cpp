@@ -77,16 +77,19 @@ void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, con
   const double affordable = share_of_pose_cost * static_cast<double>(system.report().bones_evaluated);
   credit_ = std::min(credit_ + affordable, frames_of_credit * affordable + 2 * characters_.front().cost);
   const std::span<WatchedAgent> watched = watched_.all();
+  const auto is_ready = [&](const WatchedAgent& each) {
+    return each.can_be_measured() && system.can_pose_exactly(each.agent);
+  };
   for (WatchedAgent& each : watched) {
     const bool again = each.measured_in + 1 == frame.number && each.measured_again_in != each.measured_in;
-    if (!each.can_be_measured() || !(all || again)) continue;
+    if (!(all || again) || !is_ready(each)) continue;
     if (again) each.measured_again_in = frame.number;
     take(each);
   }
   for (std::size_t i = 0; !all && i < watched.size() && chosen_.size() < most_measured_of_few; ++i) {
     next_place_ = (next_place_ + 1) % watched.size();
     WatchedAgent& each = watched[next_place_];
-    if (!each.can_be_measured() || each.measured_in + 1 == frame.number) continue;
+    if (each.measured_in + 1 == frame.number || !is_ready(each)) continue;
     const double cost = 2 * characters_[frame.crowd.characters()[each.agent]].cost;
     if (credit_ < cost) break;
     credit_ -= cost;

@@ -66,16 +66,15 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
     const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
     const Ticks time = std::max(clock_ + look_ahead, posed_at_[update.agent]);
     assert(!program.steps.empty() && "an agent must play something before it is updated");
-    work_.push_back(
-        {.program = &program,
-         .delta = time - posed_at_[update.agent],
-         .palette = update.palette,
-         .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
-         .agent = update.agent,
-         .cost = predicted_cost(program, member.cast, update.level),
-         .skeleton = static_cast<std::uint8_t>(member.cast),
-         .level = static_cast<std::uint8_t>(update.level & 0x7FU),
-         .held = program.needs.held});
+    work_.push_back({.program = &program,
+                     .delta = time - posed_at_[update.agent],
+                     .palette = update.palette,
+                     .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
+                     .agent = update.agent,
+                     .cost = predicted_cost(program, member.cast, update.level),
+                     .skeleton = static_cast<std::uint8_t>(member.cast),
+                     .level = static_cast<std::uint8_t>(update.level & 0x7FU),
+                     .held = program.needs.held});
     posed_at_[update.agent] = time;
   }
 }

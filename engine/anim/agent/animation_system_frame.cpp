@@ -57,8 +57,11 @@ void AnimationSystem::begin_shared_work() {
 }
 
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
+  constexpr std::size_t soon = 8;
   work_.clear();
-  for (const AgentUpdate& update : agents) {
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    if (i + soon < agents.size()) __builtin_prefetch(&cast(agents[i + soon].agent).agents.program(local(agents[i + soon].agent)));
+    const AgentUpdate& update = agents[i];
     const Member member = members_[update.agent];
     const Agents& cast = casts_[member.cast]->agents;
     if (cast.next_update(member.local) <= clock_) update_channels(update.agent);

@@ -51,6 +51,8 @@ class FusedTasks {
   };
 
   std::span<const AgentWork> agents(int task) const;
+  /// As many as the task has, so many tiles of its size behind it.
+  std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   void advance_entities(const Characters& characters);
   const ShownClips& advance_character(const Characters& characters, const AgentWork& work, std::byte*& block,

@@ -70,10 +70,14 @@ struct FrameReport {
   RoleClips role_clips = no_clips();            ///< in use
   RoleClips suggested_role_clips = no_clips();  ///< as the names suggest
   // LOD
-  std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
-  std::vector<int> agents_by_bone_level;  ///< up to 4
-  std::vector<int> level_bone_counts;     ///< up to 4
-  std::vector<BoneRow> bones;             ///< in level-of-detail order
+  std::vector<int> agents_by_interval;                         ///< [i]: visible agents with interval i + 1
+  std::vector<int> agents_by_bone_level;                       ///< up to 4
+  std::vector<int> level_bone_counts;                          ///< up to 4
+  float error_px_p50 = 0, error_px_p99 = 0, error_px_max = 0;  ///< of what is shown, over the last 60 frames
+  float pop_px_max = 0;                                        ///< the largest change of an error between two frames
+  int error_samples = 0;                                       ///< agents measured in these frames
+  bool error_px_p99_is_known = false;                          ///< enough of them
+  std::vector<BoneRow> bones;                                  ///< in level-of-detail order
   // scheduling
   int pus = 0, hardware_threads = 0;
   int local_store_kib = 0;

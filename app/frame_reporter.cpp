@@ -162,6 +162,13 @@ void FrameReporter::add_level_of_detail(const Stage& stage) {
   report_.visible = static_cast<int>(stage.selection().visible.size());
   report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().largest_interval), 0);
   report_.agents_by_bone_level.assign(report_.level_bone_counts.size(), 0);
+  const anim::ErrorFigures& error = stage.error();
+  report_.error_px_p50 = error.p50;
+  report_.error_px_p99 = error.p99;
+  report_.error_px_max = error.max;
+  report_.pop_px_max = error.pop_max;
+  report_.error_samples = static_cast<int>(error.samples);
+  report_.error_px_p99_is_known = error.p99_is_known();
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     count(report_.agents_by_interval, agent.interval - 1U);
     count(report_.agents_by_bone_level, agent.bone_level);

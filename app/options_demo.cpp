@@ -31,6 +31,11 @@ void declare_level_of_detail(OptionReader& reader, Tuning& tuning) {
   reader.value("--smooth", "on|off", "Blend between skipped updates (on)", on_or_off(tuning.smooth));
   reader.value("--mesh-lod", "on|off|N", "By size on screen, the finest, or always number 0 to 3 (on)",
                mesh_lod(tuning.mesh_lod));
+  reader.value(
+      "--error-sample", "WHICH",
+      "Whose error on screen is measured: some of those in view, all, or off for nobody (some)",
+      choice<ErrorSampling>(tuning.error_sample,
+                            {{"some", ErrorSampling::some}, {"all", ErrorSampling::all}, {"off", ErrorSampling::off}}));
   reader.later("--budget-ms");
   reader.later("--error-px");
 }

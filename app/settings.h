@@ -17,7 +17,8 @@ enum class Stream : std::uint8_t { sampled, keyframe };
 enum class LodRule : std::uint8_t { off, distance };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
-enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod };
+enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
+enum class ErrorSampling : std::uint8_t { off, some, all };
 
 /// Where the camera stands: x, y, z in metres; yaw, pitch, vertical field of view in degrees. Yaw 0 looks along -Z.
 struct CameraPlace {
@@ -38,10 +39,11 @@ struct Tuning {
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
   // LOD skipping
   LodRule lod = LodRule::distance;
-  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
-  float interval_growth = 12.0F;     ///< metres a further step of the interval
-  int largest_interval = 8;          ///< frames, 1 to 16
-  bool smooth = true;                ///< smooth skipping in the vertex shader
+  float full_rate_distance = 12.0F;                  ///< metres: nearer agents are updated each frame
+  float interval_growth = 12.0F;                     ///< metres a further step of the interval
+  int largest_interval = 8;                          ///< frames, 1 to 16
+  bool smooth = true;                                ///< smooth skipping in the vertex shader
+  ErrorSampling error_sample = ErrorSampling::some;  ///< whose error on screen is measured, of those in view
   // Per-bone LOD
   bool bone_lod = true;
   float bone_level_distance[3] = {15.0F, 30.0F, 60.0F};  ///< metres from which level 1, 2, 3 is shown

@@ -86,7 +86,8 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
     : characters_(std::move(characters)),
       palette_entries_(entries_by_level(characters_)),
       slots_(pages, all_sizes(palette_entries_)),
-      shown_(slots_) {
+      shown_(slots_),
+      meter_(characters_) {
   std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
 }
 
@@ -168,6 +169,7 @@ void Stage::populate() {
   }
   lod_.resize(agents, selection_);
   shown_.reset(agents, frame_);
+  meter_.reset(agents);
   updates_.reserve(agents);
 }
 

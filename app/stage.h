@@ -9,6 +9,7 @@
 #include "app/character_source.h"
 #include "app/crowd.h"
 #include "app/cut_scene.h"
+#include "app/error_meter.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
 #include "app/placed_feet.h"
@@ -61,6 +62,10 @@ class Stage {
   /// Instance record of a visible agent; false: it has no slot and is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const;
 
+  /// What level of detail costs the eye, over the last 60 frames; all 0 while nobody is measured.
+  const anim::ErrorFigures& error() const { return meter_.figures(); }
+  const ErrorMeter& error_meter() const { return meter_; }
+
   const anim::LodSelection& selection() const { return selection_; }
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
@@ -88,6 +93,7 @@ class Stage {
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
+  void measure(const render::Camera& camera, int width, int height);
   anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
 
   std::vector<CharacterSource> characters_;
@@ -96,6 +102,7 @@ class Stage {
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
+  ErrorMeter meter_;
   std::vector<std::unique_ptr<const anim::CharacterRigs>> rigs_;  // [character]
   std::uint32_t film_camera_ = 0;                                 // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;

@@ -12,6 +12,11 @@ float contact_scale(const CharacterSource& source) {
   return source.roles.is_prop ? 0.0F : static_cast<float>(source.roles.size());
 }
 
+// Colours of errors are for everybody in view.
+ErrorSampling error_sampling(const Tuning& tuning) {
+  return tuning.debug_view == DebugView::error ? ErrorSampling::all : tuning.error_sample;
+}
+
 std::uint32_t microseconds(anim::Ticks ticks) {
   return static_cast<std::uint32_t>(ticks * 10 / (anim::ticks_per_second / 100'000));
 }
@@ -61,6 +66,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
                           system_->options().pus);
   shown_.hide_unseen(selection_.visible, last_frame);
+  meter_.begin_frame(error_sampling(tuning_), selection_.visible, shown_);
   updates_.clear();
   auto seen = selection_.visible.begin();
   for (const anim::DueAgent& due : selection_.due) {
@@ -77,13 +83,26 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   }
   pose_fallen(last_frame);
   system_->update(updates_);
+  measure(camera, width, height);
   get_up();
+}
+
+void Stage::measure(const render::Camera& camera, int width, int height) {
+  const glm::vec2 size(static_cast<float>(width), static_cast<float>(height));
+  meter_.end_frame(*system_, {.crowd = *crowd_,
+                              .shown = shown_,
+                              .view = render::view_of(camera, size.x / size.y),
+                              .size = size,
+                              .now = now(),
+                              .number = frame_});
 }
 
 anim::PaletteMatrix* Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
                                  std::uint64_t last_frame) {
   const std::uint32_t entries = palette_entries_[crowd_->characters()[agent]][level];
-  return shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
+  anim::PaletteMatrix* const memory =
+      shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
+  return meter_.destination(agent, shown_.pose(agent), entries, memory);
 }
 
 // Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
@@ -117,22 +136,25 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
   if (!pose.shown()) return false;
   const glm::vec3 position = crowd_->positions()[agent.agent];
   const Heading heading = crowd_->headings()[agent.agent];
-  record = {
-      .position = {position.x, position.y, position.z},
-      .scale = crowd_->scales()[agent.agent],
-      .heading_cosine = heading.cosine,
-      .heading_sine = heading.sine,
-      .palette_from = pose.from.first_entry,
-      .palette_to = pose.to.first_entry,
-      .blend_start = pose.from_time,
-      .blend_duration = pose.to_time - pose.from_time,
-      .agent = agent.agent,
-      .debug_color = agent.agent == selected_ ? selected_color : debug_color(tuning_.debug_view, agent, pose.level()),
-      .tints = {},
-      .bone_level = pose.level(),
-      .shape = crowd_->variants()[agent.agent].shape(),
-      .hair = crowd_->variants()[agent.agent].hair(),
-      .contact_scale = contact_scale(character_of(agent.agent))};
+  record = {.position = {position.x, position.y, position.z},
+            .scale = crowd_->scales()[agent.agent],
+            .heading_cosine = heading.cosine,
+            .heading_sine = heading.sine,
+            .palette_from = pose.from.first_entry,
+            .palette_to = pose.to.first_entry,
+            .blend_start = pose.from_time,
+            .blend_duration = pose.to_time - pose.from_time,
+            .agent = agent.agent,
+            .debug_color = agent.agent == selected_
+                               ? selected_color
+                               : debug_color(tuning_.debug_view, {.interval = agent.interval,
+                                                                  .bone_level = pose.level(),
+                                                                  .error_px = meter_.error_of(agent.agent)}),
+            .tints = {},
+            .bone_level = pose.level(),
+            .shape = crowd_->variants()[agent.agent].shape(),
+            .hair = crowd_->variants()[agent.agent].hair(),
+            .contact_scale = contact_scale(character_of(agent.agent))};
   std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
   return true;
 }

@@ -52,6 +52,16 @@ void add_scheduling(Json& json, const Stage& stage) {
   json["local_store_peak_bytes"] = laid_out;
 }
 
+// Of the whole run; null where it was not measured, or too seldom.
+void add_error(Json& json, const anim::ErrorFigures& error) {
+  const bool measured = error.samples > 0;
+  json["error_px_p50"] = measured ? Json(error.p50) : Json(nullptr);
+  json["error_px_p99"] = error.p99_is_known() ? Json(error.p99) : Json(nullptr);
+  json["error_px_max"] = measured ? Json(error.max) : Json(nullptr);
+  json["pop_px_max"] = measured ? Json(error.pop_max) : Json(nullptr);
+  json["error_samples"] = error.samples;
+}
+
 }  // namespace
 
 double median(std::vector<double> values) { return nearest_rank(std::move(values), 0.5); }
@@ -99,6 +109,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["stream_bytes_per_frame"] = mean(stream_bytes_, frames_);
   json["agents_updated_per_frame"] = mean(agents_updated_, frames_);
   json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
+  add_error(json, stage.error_meter().since_start());
   json["gl_version"] = null_if_empty(drawn_by.gl_version);
   json["gl_renderer"] = null_if_empty(drawn_by.gl_renderer);
   json["context"] = drawn_by.context;

@@ -102,6 +102,7 @@ void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t sto
                                                            .trace = options_.trace},
                                            most_entries);
   scheduler_->reserve(agent_count());
+  exact_scheduler_.reset();
 }
 
 void AnimationSystem::set_agent_count(std::uint32_t agents) {

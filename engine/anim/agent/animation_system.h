@@ -46,6 +46,12 @@ struct AgentUpdate {
   PaletteMatrix* palette = nullptr;  ///< where the PU writes it, room for the level's entries; null: nobody draws it
 };
 
+/// One agent whose exact pose is wanted.
+struct ExactPose {
+  std::uint32_t agent = 0;
+  PaletteMatrix* palette = nullptr;  ///< out, room for all entries of its skeleton; 64-byte aligned
+};
+
 /// What the last update did.
 struct UpdateReport {
   std::uint32_t agents_updated = 0;
@@ -157,6 +163,11 @@ class AnimationSystem {
   Ticks clock() const { return clock_; }
   void update(std::span<const AgentUpdate> agents);
 
+  /// Palettes of the clock, with all bones, of agents that were updated before: what level of detail is measured
+  /// against. However far ahead an agent stands, its players and blends are wound back; what remembers more than a time
+  /// (rag-dolls, gazes, placed feet) is taken as it is. Changes nothing: copies of blocks are updated and dropped.
+  void pose_exactly(std::span<const ExactPose> agents);
+
   /// Root motion, data keys and absolute root of an agent, at a frame boundary: after advance(), ask for the interval
   /// from the clock before to the clock now, before any request.
   AgentMotion motion(std::uint32_t agent) const {
@@ -242,6 +253,9 @@ class AnimationSystem {
   void begin_shared_work();
   bool update_shared(Cast& cast);
   void begin_work(std::span<const AgentUpdate> agents);
+  std::uint16_t predicted_cost(const PoseProgram& program, std::uint32_t cast, int level) const;
+  bool exact_stores_hold() const;
+  void make_exact_scheduler();
   void report_work();
   void end_work();
 
@@ -250,7 +264,8 @@ class AnimationSystem {
   std::vector<UpdateContext> contexts_;  // [cast]
   std::vector<Member> members_;          // [agent]
   std::unique_ptr<Scheduler> scheduler_;
-  std::unique_ptr<PuThreads> threads_;  // null where a host's executor runs the PUs
+  std::unique_ptr<Scheduler> exact_scheduler_;  // null until it is needed, and after a change of what it would need
+  std::unique_ptr<PuThreads> threads_;          // null where a host's executor runs the PUs
 
   Ticks clock_ = 0;
   std::uint64_t frame_ = 0;
@@ -260,6 +275,7 @@ class AnimationSystem {
   std::vector<std::uint64_t> agent_hashes_;  // [agent] of its last update
   std::vector<AgentWork> work_;
   std::vector<AgentWork> shared_work_;
+  std::vector<AgentWork> exact_work_;
   UpdateReport report_;
 };
 

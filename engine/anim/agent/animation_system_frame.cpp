@@ -75,12 +75,16 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
          .palette = update.palette,
          .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
          .agent = update.agent,
-         .cost = cost_in_steps(options_.cost.of_agent(program.parts, contexts_[member.cast].packets(update.level))),
+         .cost = predicted_cost(program, member.cast, update.level),
          .skeleton = static_cast<std::uint8_t>(member.cast),
          .level = static_cast<std::uint8_t>(update.level & 0x7FU),
          .held = program.needs.held});
     posed_at_[update.agent] = time;
   }
+}
+
+std::uint16_t AnimationSystem::predicted_cost(const PoseProgram& program, std::uint32_t cast, int level) const {
+  return cost_in_steps(options_.cost.of_agent(program.parts, contexts_[cast].packets(level)));
 }
 
 void AnimationSystem::report_work() {

@@ -123,6 +123,7 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
 }
 
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
+  if (changes_ == BlockChanges::dropped) return;
   const EntityPools& pools = *context(task).pools;
   const std::byte* local = store_->fetch_buffer(buffer).data();
   for (const AgentWork& work : agents(task)) {

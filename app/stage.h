@@ -8,6 +8,7 @@
 
 #include "app/character_source.h"
 #include "app/crowd.h"
+#include "app/crowd_lod.h"
 #include "app/cut_scene.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
@@ -62,6 +63,10 @@ class Stage {
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const;
 
   const anim::LodSelection& selection() const { return selection_; }
+  /// What level of detail decided, and what it saves.
+  const CrowdLod& level_of_detail() const { return crowd_lod_; }
+  /// p99 of the error on screen over the last frames, pixels, for the next frame's tolerance; none: not known.
+  void tell_measured_error(std::optional<float> pixels) { crowd_lod_.tell_measured_error(pixels); }
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }
@@ -87,7 +92,7 @@ class Stage {
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
-  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
+  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height);
   anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
 
   std::vector<CharacterSource> characters_;
@@ -105,6 +110,7 @@ class Stage {
   std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
   std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
   anim::LodState lod_;
+  CrowdLod crowd_lod_;
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;
   std::optional<std::uint32_t> selected_;

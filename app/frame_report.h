@@ -78,6 +78,14 @@ struct FrameReport {
   int error_samples = 0;                                       ///< agents measured in these frames
   bool error_px_p99_is_known = false;                          ///< enough of them
   std::vector<BoneRow> bones;                                  ///< in level-of-detail order
+  float lod_tolerance_px = 0;             ///< in force; 0 under rules that have none
+  std::string binding_limit;              ///< "none", "error", "budget" or "both miss"; empty under such rules
+  float predicted_pose_ms = 0;            ///< of all PUs, by the cost model, those who reappear included
+  bool budget_held = true;                ///< of this frame, those who reappear exempt
+  float cost_culling_percent = 0;         ///< of the cost of everyone: saved since it is out of view
+  float cost_skipping_percent = 0;        ///< of the cost of those in view: saved by skipping updates
+  float cost_bones_percent = 0;           ///< of the same: saved by dropping bones
+  std::string limit_sentence;             ///< who limits the frame rate, with figures
   // scheduling
   int pus = 0, hardware_threads = 0;
   int local_store_kib = 0;

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/lod_sums.h"
 #include "app/selection_reporter.h"
 
 namespace throng::app {
@@ -143,6 +144,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   add_level_of_detail(show.stage());
   add_units(system, show.last_update_ms());
   add_memory(system);
+  limit_.add(show.frame_times());
+  report_.limit_sentence = limit_.sentence();
   report_.selected = report_selection(show.stage());
 }
 
@@ -173,6 +176,19 @@ void FrameReporter::add_level_of_detail(const Stage& stage) {
     count(report_.agents_by_interval, agent.interval - 1U);
     count(report_.agents_by_bone_level, agent.bone_level);
   }
+  add_limits(stage);
+}
+
+void FrameReporter::add_limits(const Stage& stage) {
+  const LodFigures& figures = stage.level_of_detail().figures();
+  const SavedCost saved = saved_cost(figures.cost, stage.tuning().lod);
+  report_.lod_tolerance_px = figures.tolerance_px;
+  report_.binding_limit = stage.tuning().lod == LodRule::budget ? name_of(figures.binding) : "";
+  report_.predicted_pose_ms = static_cast<float>(figures.predicted_ms);
+  report_.budget_held = figures.budget_held;
+  report_.cost_culling_percent = static_cast<float>(saved.culling_percent);
+  report_.cost_skipping_percent = static_cast<float>(saved.skipping_percent);
+  report_.cost_bones_percent = static_cast<float>(saved.bones_percent);
 }
 
 void FrameReporter::add_units(const anim::AnimationSystem& system, double update_ms) {
@@ -210,6 +226,7 @@ anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_fil
   report_.gl_renderer = json.value("gl_renderer", "");
   report_.simd_target = json.value("simd_target", "");
   report_.hardware_threads = json.value("hardware_threads", 0);
+  report_.limit_sentence = json.value("limit_sentence", "");
   const float busy_ms = json.value("pu_busy_ms", 0.0F);
   for (PuReport& pu : report_.pu) {
     pu.busy_ms = busy_ms;

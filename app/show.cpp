@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/camera_path.h"
 #include "app/data_folder.h"
 #include "app/exit_status.h"
 #include "app/fly_camera.h"
@@ -163,7 +164,9 @@ bool Show::place_camera(const DemoOptions& options, Failure& failure) {
                 "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
   }
   camera = camera_at(options.camera.value_or(named->place));
-  films = !options.camera && options.camera_name.empty();
+  path_ = options.camera_path;
+  path_start_ = camera;
+  films = path_ != CameraPath::none || (!options.camera && options.camera_name.empty());
   return true;
 }
 
@@ -219,15 +222,26 @@ std::uint64_t Show::completed_frame() {
   return renderer_->fences().frames_in_flight() == 0 ? stage_->frame() : drawn;
 }
 
+void Show::film() {
+  if (!films) return;
+  if (path_ != CameraPath::none) {
+    camera = along(path_, path_start_, anim::to_seconds(stage_->system().clock()));
+  } else if (stage_->cut_scene() != nullptr) {
+    camera = stage_->cut_scene()->film(camera);
+  }
+}
+
 void Show::animate(anim::Ticks delta) {
+  const anim::Ticks step = stage_->tuning().taken_away.animation ? 0 : delta;
   const std::uint64_t completed = completed_frame();
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = TimelineLog::Clock::now();
   update_ms_ = milliseconds_of([&] {
-    stage_->move(delta);
-    if (films && stage_->cut_scene() != nullptr) camera = stage_->cut_scene()->film(camera);
-    stage_->pose(camera, width, height, delta, completed);
+    stage_->move(step);
+    film();
+    stage_->pose(camera, width, height, step, completed);
   });
+  times_.animation_ms = update_ms_;
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
@@ -241,21 +255,30 @@ int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least)
   return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
 }
 
+render::CrowdFrame Show::crowd_frame() const {
+  return {.camera = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height)),
+          .instances = picture_.instances(),
+          .batches = picture_.batches(),
+          .now = stage_->now(),
+          .bones_as_lines = stage_->tuning().bones_as_lines,
+          .fill_pixels = !stage_->tuning().taken_away.pixels};
+}
+
 void Show::draw() {
   const auto start = TimelineLog::Clock::now();
-  draw_ms_ = milliseconds_of([&] {
+  const TakenAway& taken_away = stage_->tuning().taken_away;
+  times_.upload_ms = taken_away.upload ? 0.0 : milliseconds_of([&] {
     picture_.compose(*stage_, [this](std::uint8_t character, float pixels, int at_least) {
       return pick_mesh_lod(character, pixels, at_least);
     });
-    draw_counts_ =
-        renderer_->draw({.camera = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height)),
-                         .instances = picture_.instances(),
-                         .batches = picture_.batches(),
-                         .now = stage_->now(),
-                         .bones_as_lines = stage_->tuning().bones_as_lines});
-    renderer_->fences().insert(stage_->frame());
-    renderer_->finish();
+    renderer_->upload(crowd_frame());
   });
+  times_.submission_ms = taken_away.drawing ? 0.0 : milliseconds_of([&] {
+    draw_counts_ = renderer_->draw_uploaded(crowd_frame());
+    renderer_->fences().insert(stage_->frame());
+  });
+  times_.wait_ms = milliseconds_of([&] { renderer_->finish(); });
+  draw_ms_ = times_.upload_ms + times_.submission_ms + times_.wait_ms;
   if (timeline_) timeline_->add_part("draw", start, TimelineLog::Clock::now());
   statistics_.set_draw(draw_counts_.draw_calls, draw_counts_.triangles);
   statistics_.add_drawn_frame(update_ms_ + draw_ms_);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/limiter.h"
 #include "app/notices.h"
 #include "app/picture.h"
 #include "app/settings.h"
@@ -63,10 +64,12 @@ class Show {
   const render::DrawCounts& draw_counts() const { return draw_counts_; }
   double last_update_ms() const { return update_ms_; }
   double last_draw_ms() const { return draw_ms_; }
+  /// Of the last frame.
+  const FrameTimes& frame_times() const { return times_; }
   bool on_software() const { return context_ != nullptr && context_->is_software(); }
 
   render::Camera camera;
-  bool films = false;  ///< the camera of a cut scene sets `camera` in each frame, where there is one
+  bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
   int width = 0;
   int height = 0;
   /// Lines for people, of what is otherwise than they would expect (app/notices.h); may be empty.
@@ -80,6 +83,8 @@ class Show {
   bool load_meshes(Failure& failure);
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
+  void film();
+  render::CrowdFrame crowd_frame() const;
   std::uint64_t completed_frame();
   int pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const;
 
@@ -93,6 +98,9 @@ class Show {
   Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;
+  CameraPath path_ = CameraPath::none;
+  render::Camera path_start_;
+  FrameTimes times_;
   double update_ms_ = 0;
   double draw_ms_ = 0;
 };

@@ -47,7 +47,9 @@ anim::LodCharacter lod_character(const CharacterSource& source) {
   return {.centre_height = static_cast<float>(source.bounds.height / 2.0),
           .radius = static_cast<float>(source.bounds.reach),
           .height = static_cast<float>(source.bounds.height),
-          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size())};
+          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
+          .level_error_metres = level_errors(source.model),
+          .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{})};
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
@@ -74,12 +76,14 @@ anim::SystemOptions system_options(const Tuning& tuning) {
 
 anim::LodRules lod_rules(const Tuning& tuning) {
   return {
-      .rule = tuning.lod == LodRule::off ? anim::LodRule::off : anim::LodRule::distance,
+      .rule = static_cast<anim::LodRule>(tuning.lod),
       .full_rate_distance = tuning.full_rate_distance,
       .interval_growth = tuning.interval_growth,
       .largest_interval = tuning.largest_interval,
       .bone_lod = tuning.bone_lod,
-      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]}};
+      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]},
+      .smooth = tuning.smooth,
+      .counts_cost = tuning.lod == LodRule::budget};
 }
 
 Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
@@ -89,6 +93,7 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
       shown_(slots_),
       meter_(characters_) {
   std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
+  crowd_lod_.set_characters(lod_characters_);
 }
 
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
@@ -168,6 +173,7 @@ void Stage::populate() {
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   lod_.resize(agents, selection_);
+  crowd_lod_.reset(agents);
   shown_.reset(agents, frame_);
   meter_.reset(agents);
   updates_.reserve(agents);
@@ -178,6 +184,7 @@ void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double
   const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
+  crowd_lod_.fade(agent, system_->clock() + fade);
   system_->play(agent, {.clip = index,
                         .fade = fade,
                         .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,

@@ -8,6 +8,7 @@
 
 #include "app/character_source.h"
 #include "app/crowd.h"
+#include "app/crowd_lod.h"
 #include "app/cut_scene.h"
 #include "app/error_meter.h"
 #include "app/fallen_agents.h"
@@ -67,6 +68,10 @@ class Stage {
   const ErrorMeter& error_meter() const { return meter_; }
 
   const anim::LodSelection& selection() const { return selection_; }
+  /// What level of detail decided, and what it saves.
+  const CrowdLod& level_of_detail() const { return crowd_lod_; }
+  /// p99 of the error on screen over the last frames, pixels, for the next frame's tolerance; none: not known.
+  void tell_measured_error(std::optional<float> pixels) { crowd_lod_.tell_measured_error(pixels); }
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }
@@ -92,8 +97,8 @@ class Stage {
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
-  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
   void measure(const render::Camera& camera, int width, int height);
+  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height);
   anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
 
   std::vector<CharacterSource> characters_;
@@ -112,6 +117,7 @@ class Stage {
   std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
   std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
   anim::LodState lod_;
+  CrowdLod crowd_lod_;
   anim::LodSelection selection_;
   std::vector<anim::AgentUpdate> updates_;
   std::optional<std::uint32_t> selected_;

@@ -46,16 +46,20 @@ void Stage::match_playback() {
 
 std::uint32_t Stage::now() const { return microseconds(system_->clock()); }
 
-anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) const {
+anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) {
   const render::CameraView view = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height));
   return {.positions = crowd_->positions(),
           .scales = crowd_->scales(),
           .characters = lod_characters_,
           .character_of = crowd_->characters(),
+          .clips = crowd_->clips(),
+          .importance = crowd_lod_.importance(),
+          .choices = &crowd_lod_.choices(),
           .camera = {.position = camera.position,
                      .frustum = render::frustum_planes(view),
-                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F)},
-          .rules = lod_rules(tuning_),
+                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F),
+                     .forward = render::forward(camera)},
+          .rules = crowd_lod_.rules(),
           .number = frames_moved_};
 }
 
@@ -63,6 +67,8 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                  std::uint64_t completed_frame) {
   const std::uint64_t last_frame = frame_++;
   slots_.reclaim(completed_frame);
+  crowd_lod_.prepare({.rules = lod_rules(tuning_), .now = system_->clock(), .frame_step = frame_step}, characters_,
+                     selected_);
   anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
                           system_->options().pus);
   shown_.hide_unseen(selection_.visible, last_frame);
@@ -84,6 +90,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   pose_fallen(last_frame);
   system_->update(updates_);
   measure(camera, width, height);
+  crowd_lod_.settle(tuning_, selection_.cost, system_->report().predicted_nanoseconds, moving_);
   get_up();
 }
 

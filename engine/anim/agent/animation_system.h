@@ -57,6 +57,7 @@ struct UpdateReport {
   std::uint32_t agents_updated = 0;
   std::uint64_t bones_evaluated = 0;
   std::uint64_t palette_bytes = 0;
+  double predicted_nanoseconds = 0;  ///< of one PU, by SystemOptions::cost: agents, and tiles as wide as they come
   CopyCounts copies;
 };
 

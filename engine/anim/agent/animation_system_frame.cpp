@@ -89,7 +89,10 @@ std::uint16_t AnimationSystem::predicted_cost(const PoseProgram& program, std::u
 
 void AnimationSystem::report_work() {
   std::array<std::array<std::uint64_t, max_bone_levels>, most_skeletons> agents_by_level{};
-  for (const AgentWork& work : work_) ++agents_by_level[work.skeleton][work.level];
+  for (const AgentWork& work : work_) {
+    ++agents_by_level[work.skeleton][work.level];
+    report_.predicted_nanoseconds += work.cost * cost_step;
+  }
   report_.agents_updated = static_cast<std::uint32_t>(work_.size());
   for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
     const Skeleton& skeleton = casts_[cast]->skeleton();
@@ -98,6 +101,9 @@ void AnimationSystem::report_work() {
       const auto entries = static_cast<std::uint64_t>(palette_count_for_bones(skeleton, bones));
       report_.bones_evaluated += agents_by_level[cast][level] * static_cast<std::uint64_t>(bones);
       report_.palette_bytes += agents_by_level[cast][level] * entries * sizeof(PaletteMatrix);
+      const auto width = static_cast<std::uint64_t>(schedule().plan.width);
+      const auto tiles = static_cast<double>((agents_by_level[cast][level] + width - 1) / width);
+      report_.predicted_nanoseconds += tiles * options_.cost.of_tile(packets_for(bones));
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "app/bone_step.h"
 #include "app/character_source.h"
 #include "app/crowd.h"
 #include "app/cut_scene.h"
@@ -39,6 +40,11 @@ class Stage {
 
   /// Other clips for the roles of a character, at a frame boundary; the crowd starts anew.
   void set_roles(std::size_t character, const RoleClips& clips);
+
+  /// Another order of a character's bones, and other levels, at a frame boundary: it is baked anew, the crowd goes on.
+  /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
+  /// anim::AnimationSystem::replace_character.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
 
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
@@ -82,6 +88,7 @@ class Stage {
   void populate();
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
+  BoneStep step_bones(const anim::DueAgent& due);
   void pose_fallen(std::uint64_t last_frame);
   void get_up();
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
@@ -96,8 +103,8 @@ class Stage {
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
-  std::vector<std::unique_ptr<const anim::CharacterRigs>> rigs_;  // [character]
-  std::uint32_t film_camera_ = 0;                                 // the system's number of the cut scene's camera
+  std::vector<std::unique_ptr<anim::CharacterRigs>> rigs_;  // [character]
+  std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
@@ -106,6 +113,7 @@ class Stage {
   std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
   anim::LodState lod_;
   anim::LodSelection selection_;
+  std::vector<BoneStep> bone_steps_;  // of each agent's last update
   std::vector<anim::AgentUpdate> updates_;
   std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;

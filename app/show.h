@@ -40,6 +40,14 @@ class Show {
   /// Keeps a character's roles for the next time; where, to tell people.
   anim::Result<std::filesystem::path> save_roles(std::size_t character) const;
 
+  /// As Stage::set_bone_lod, and what is drawn with it.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// Keeps the order of a character's bones for the next time; where, to tell people.
+  anim::Result<std::filesystem::path> save_bone_lod(std::size_t character) const;
+
+  /// Writes a character's level of detail for another engine, beside the model or among a person's files; where.
+  anim::Result<std::filesystem::path> export_lod(std::size_t character) const;
+
   /// Selects whoever is seen at a pixel from the top left of the picture drawn last; nobody there deselects.
   void select_at(float x, float y);
   void deselect() { stage_->select({}); }
@@ -80,7 +88,7 @@ class Show {
   bool open_context(const DemoOptions& options, Failure& failure);
   bool open_renderer(const DemoOptions& options, Failure& failure);
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure);
-  bool load_meshes(Failure& failure);
+  anim::Status load_meshes();
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
   void film();

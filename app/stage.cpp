@@ -120,7 +120,7 @@ anim::Status Stage::open_system() {
   film_camera_ = *camera;
   std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
   for (std::uint32_t character = 0; character < characters_.size(); ++character) {
-    rigs_.push_back(std::make_unique<const anim::CharacterRigs>(characters_[character].model));
+    rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));
     const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
     ragdolls.push_back(kinds.ragdoll);
     feet.push_back(kinds.foot_placement);
@@ -156,6 +156,24 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips) {
   populate();
 }
 
+// Slots keep their sizes: a pose goes to the next larger one.
+anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+  CharacterSource& source = characters_[character];
+  if (const anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
+  const ReorderedCharacter reordered = in_order(source, choice);
+  const auto number = static_cast<std::uint32_t>(character);
+  const anim::Status replaced = system_->replace_character(number, reordered.character, reordered.places);
+  if (!replaced) return replaced;
+  anim::reorder_bones(source.model, choice);
+  source.character = reordered.character;
+  rigs_[character]->reorder_bones(reordered.places);
+  palette_entries_ = entries_by_level(characters_);
+  lod_characters_[character] = lod_character(source);
+  shown_.reset(crowd_->size(), frame_);
+  lod_.make_all_due();
+  return anim::Done{};
+}
+
 void Stage::populate() {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
@@ -174,6 +192,7 @@ void Stage::populate() {
   }
   lod_.resize(agents, selection_);
   crowd_lod_.reset(agents);
+  bone_steps_.assign(agents, {});
   shown_.reset(agents, frame_);
   meter_.reset(agents);
   updates_.reserve(agents);

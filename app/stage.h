@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "app/bone_step.h"
 #include "app/character_source.h"
 #include "app/crowd.h"
 #include "app/crowd_lod.h"
@@ -42,6 +43,11 @@ class Stage {
   /// Other clips for the roles of a character, at a frame boundary; the crowd starts anew.
   void set_roles(std::size_t character, const RoleClips& clips);
 
+  /// Another order of a character's bones, and other levels, at a frame boundary: it is baked anew, the crowd goes on.
+  /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
+  /// anim::AnimationSystem::replace_character.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
   /// looking ahead.
@@ -70,8 +76,6 @@ class Stage {
   const anim::LodSelection& selection() const { return selection_; }
   /// What level of detail decided, and what it saves.
   const CrowdLod& level_of_detail() const { return crowd_lod_; }
-  /// p99 of the error on screen over the last frames, pixels, for the next frame's tolerance; none: not known.
-  void tell_measured_error(std::optional<float> pixels) { crowd_lod_.tell_measured_error(pixels); }
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }
@@ -92,6 +96,7 @@ class Stage {
   void populate();
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
+  BoneStep step_bones(const anim::DueAgent& due);
   void pose_fallen(std::uint64_t last_frame);
   void get_up();
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
@@ -108,8 +113,8 @@ class Stage {
   render::PaletteSlots slots_;
   ShownPoses shown_;
   ErrorMeter meter_;
-  std::vector<std::unique_ptr<const anim::CharacterRigs>> rigs_;  // [character]
-  std::uint32_t film_camera_ = 0;                                 // the system's number of the cut scene's camera
+  std::vector<std::unique_ptr<anim::CharacterRigs>> rigs_;  // [character]
+  std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
@@ -119,6 +124,7 @@ class Stage {
   anim::LodState lod_;
   CrowdLod crowd_lod_;
   anim::LodSelection selection_;
+  std::vector<BoneStep> bone_steps_;  // of each agent's last update
   std::vector<anim::AgentUpdate> updates_;
   std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;

@@ -82,10 +82,16 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
     const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
     const anim::Ticks look_ahead = ahead ? due.look_ahead * frame_step : 0;
-    updates_.push_back({.agent = due.agent, .level = due.bone_level, .look_ahead = look_ahead, .palette = nullptr});
+    const BoneStep bones = step_bones(due);
+    updates_.push_back({.agent = due.agent,
+                        .level = bones.level,
+                        .look_ahead = look_ahead,
+                        .palette = nullptr,
+                        .fade_level = bones.fade_level,
+                        .fade_halves = bones.fade_halves});
     place_feet(due, visible && !ahead);
     if (!visible) continue;
-    updates_.back().palette = show(due.agent, due.bone_level, microseconds(system_->clock() + look_ahead), last_frame);
+    updates_.back().palette = show(due.agent, bones.level, microseconds(system_->clock() + look_ahead), last_frame);
   }
   pose_fallen(last_frame);
   system_->update(updates_);
@@ -102,6 +108,16 @@ void Stage::measure(const render::Camera& camera, int width, int height) {
                               .size = size,
                               .now = now(),
                               .number = frame_});
+  const anim::ErrorFigures& error = meter_.figures();
+  crowd_lod_.tell_measured_error(error.p99_is_known() ? std::optional(error.p99) : std::nullopt);
+}
+
+// Whoever is shown goes from level to level by steps; who is not, and everybody while time stands still, at once.
+BoneStep Stage::step_bones(const anim::DueAgent& due) {
+  BoneStep& step = bone_steps_[due.agent];
+  const bool watched = moving_ && shown_.pose(due.agent).shown();
+  step = watched ? next_step(step, due.bone_level) : settled_at(due.bone_level);
+  return step;
 }
 
 anim::PaletteMatrix* Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
@@ -129,6 +145,7 @@ void Stage::pose_fallen(std::uint64_t last_frame) {
     const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - now()) > 0;
     if (looked_ahead || (!moving_ && pose.shown())) continue;
     const bool visible = std::ranges::binary_search(selection_.visible, fallen.agent, {}, &anim::VisibleAgent::agent);
+    bone_steps_[fallen.agent] = settled_at(0);
     updates_.push_back({.agent = fallen.agent, .level = 0, .look_ahead = 0, .palette = nullptr});
     if (visible) updates_.back().palette = show(fallen.agent, 0, now(), last_frame);
   }

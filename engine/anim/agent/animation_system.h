@@ -44,6 +44,10 @@ struct AgentUpdate {
   std::uint8_t level = 0;            ///< bone level
   Ticks look_ahead = 0;              ///< the pose is that of now + look_ahead (smooth skipping)
   PaletteMatrix* palette = nullptr;  ///< where the PU writes it, room for the level's entries; null: nobody draws it
+  /// On the way to or from a coarser level: the bones that it lacks are so many halves of the way to where they stand
+  /// still. At 2 the palette shows what that level shows, so that meshes can change without a pop.
+  std::uint8_t fade_level = 0;
+  std::uint8_t fade_halves = 0;  ///< 0 to 2
 };
 
 /// One agent whose exact pose is wanted.
@@ -82,6 +86,13 @@ class AnimationSystem {
   /// belongs to a skeleton. The one of create() is 0. On error (the local store is too small
   /// for it, or there are most_skeletons already) nothing has changed.
   Result<std::uint32_t> add_character(std::shared_ptr<const Character> character);
+
+  /// The same character with its bones in another order (asset/skeleton_order.h) and other levels, at a frame boundary:
+  /// agents go on where they are. `places`: the new index of each bone. Rigs that kinds of entities point at are the
+  /// host's to reorder, at once (CharacterRigs::reorder_bones). Errors, and then nothing has changed: masks, selections
+  /// or inertialisers hold on to the order; the local store is too small. Older snapshots cannot be restored.
+  Status replace_character(std::uint32_t character, std::shared_ptr<const Character> reordered,
+                           std::span<const int> places);
 
   /// New agents play nothing until asked; every agent must play something before it is updated.
   void set_agent_count(std::uint32_t agents);

@@ -77,7 +77,9 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
          .agent = update.agent,
          .cost = predicted_cost(program, member.cast, update.level),
          .skeleton = static_cast<std::uint8_t>(member.cast),
-         .level = static_cast<std::uint8_t>(update.level & 0x7FU),
+         .level = static_cast<std::uint8_t>(update.level & 3U),
+         .fade_level = static_cast<std::uint8_t>(update.fade_level & 3U),
+         .fade_halves = static_cast<std::uint8_t>(update.fade_halves & 3U),
          .held = program.needs.held});
     posed_at_[update.agent] = time;
   }

@@ -48,7 +48,7 @@ anim::LodCharacter lod_character(const CharacterSource& source) {
           .radius = static_cast<float>(source.bounds.reach),
           .height = static_cast<float>(source.bounds.height),
           .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
-          .level_error_metres = level_errors(source.model),
+          .level_error_metres = source.character->bone_lod.level_error_metres,
           .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{})};
 }
 
@@ -168,7 +168,11 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   source.character = reordered.character;
   rigs_[character]->reorder_bones(reordered.places);
   palette_entries_ = entries_by_level(characters_);
+  const std::span<const anim::SkipError> skip_errors = lod_characters_[character].clips;  // as they were in any order
   lod_characters_[character] = lod_character(source);
+  lod_characters_[character].clips = skip_errors;
+  meter_.set_character(character, source);
+  meter_.reset(crowd_->size());
   shown_.reset(crowd_->size(), frame_);
   lod_.make_all_due();
   return anim::Done{};

@@ -40,6 +40,9 @@ class Stage {
   /// Other clips for the roles of a character, at a frame boundary; the crowd starts anew.
   void set_roles(std::size_t character, const RoleClips& clips);
 
+  /// The crowd and every clock begin anew: from here on, all happens as on a stage just made.
+  void restart();
+
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
   /// looking ahead.
@@ -79,7 +82,8 @@ class Stage {
  private:
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   anim::Status open_system();
-  void populate();
+  enum class Clocks : std::uint8_t { go_on, begin_anew };
+  void populate(Clocks clocks = Clocks::go_on);
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
   void pose_fallen(std::uint64_t last_frame);

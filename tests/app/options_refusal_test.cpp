@@ -169,9 +169,6 @@ INSTANTIATE_TEST_SUITE_P(NotBuiltYet, Refusal,
                                                  "--lod budget: is not built yet; must be off or distance"},
                                          Refused{"Milliseconds", "--budget-ms 4", "--budget-ms 4: is not built yet"},
                                          Refused{"Pixels", "--error-px 2", "--error-px 2: is not built yet"},
-                                         Refused{"Recording", "--record run", "--record run: is not built yet"},
-                                         Refused{"Preset", "--preset a.json", "--preset a.json: is not built yet"},
-                                         Refused{"Replay", "--replay run", "--replay run: is not built yet"},
                                          Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),
                          name_of);
 

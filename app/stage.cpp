@@ -71,7 +71,8 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .tile = tuning.tile,
           .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
           .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
-          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe};
+          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe,
+          .cost = tuning.cost};
 }
 
 anim::LodRules lod_rules(const Tuning& tuning) {
@@ -178,13 +179,22 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   return anim::Done{};
 }
 
-void Stage::populate() {
+void Stage::restart() {
+  moving_ = true;
+  populate(Clocks::begin_anew);
+}
+
+void Stage::populate(Clocks clocks) {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
   selected_.reset();
   fallen_->reset();
   feet_->reset(agents);
   system_->set_agent_count(0);
+  if (clocks == Clocks::begin_anew) {
+    system_->restart();
+    frames_moved_ = 0;
+  }
   cut_scene_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);

@@ -88,7 +88,8 @@ class Stage {
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
-  anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
+  anim::PaletteDestination show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                std::uint64_t last_frame);
 
   std::vector<CharacterSource> characters_;
   std::vector<std::vector<std::uint32_t>> palette_entries_;  // [character][bone level]

@@ -80,10 +80,15 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   get_up();
 }
 
-anim::PaletteMatrix* Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
-                                 std::uint64_t last_frame) {
-  const std::uint32_t entries = palette_entries_[crowd_->characters()[agent]][level];
-  return shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
+anim::PaletteDestination Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                     std::uint64_t last_frame) {
+  const std::uint8_t character = crowd_->characters()[agent];
+  return shown_.show({.agent = agent,
+                      .level = level,
+                      .entries = palette_entries_[character][level],
+                      .time = pose_time,
+                      .format = system_->palette_format(character)},
+                     now(), last_frame);
 }
 
 // Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
@@ -122,8 +127,8 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
       .scale = crowd_->scales()[agent.agent],
       .heading_cosine = heading.cosine,
       .heading_sine = heading.sine,
-      .palette_from = pose.from.first_entry,
-      .palette_to = pose.to.first_entry,
+      .palette_from = pose.from_word(),
+      .palette_to = pose.to_word(),
       .blend_start = pose.from_time,
       .blend_duration = pose.to_time - pose.from_time,
       .agent = agent.agent,

@@ -69,6 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"Schedule", "--schedule none", "--schedule none: must be fused or levels"},
         Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
         Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},
+        Refused{"Palette", "--palette half", "--palette half: must be float or packed"},
         Refused{"Lod", "--lod on", "--lod on: must be off or distance"},
         Refused{"BoneLod", "--bone-lod 1", "--bone-lod 1: must be on or off"},
         Refused{"Smooth", "--smooth yes", "--smooth yes: must be on or off"},

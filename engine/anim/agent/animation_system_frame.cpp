@@ -86,11 +86,12 @@ void AnimationSystem::report_work() {
   report_.agents_updated = static_cast<std::uint32_t>(work_.size());
   for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
     const Skeleton& skeleton = casts_[cast]->skeleton();
+    const std::size_t entry_bytes = palette_entry_bytes(contexts_[cast].palette_format);
     for (std::size_t level = 0; level < skeleton.level_bone_counts.size(); ++level) {
       const int bones = skeleton.level_bone_counts[level];
       const auto entries = static_cast<std::uint64_t>(palette_count_for_bones(skeleton, bones));
       report_.bones_evaluated += agents_by_level[cast][level] * static_cast<std::uint64_t>(bones);
-      report_.palette_bytes += agents_by_level[cast][level] * entries * sizeof(PaletteMatrix);
+      report_.palette_bytes += agents_by_level[cast][level] * entries * entry_bytes;
     }
   }
 }

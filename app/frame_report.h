@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,14 @@ struct PuSpan {
   Kind kind = Kind::compute;
   float begin_ms = 0;  ///< from the start of the frame's update
   float end_ms = 0;
+  std::uint64_t bytes_in = 0, bytes_out = 0, transfers = 0;  ///< copied meanwhile
+};
+
+/// What every PU did in one of the last frames.
+struct TimelineFrame {
+  int frame = 0;
+  float length_ms = 0;
+  std::vector<std::vector<PuSpan>> lanes;  ///< [PU]
 };
 
 /// What one PU did and moved in the last frame.
@@ -47,6 +56,13 @@ struct KindRow {
   std::uint64_t reserved_bytes = 0;  ///< of the slabs they lie in
 };
 
+/// What level of detail gives an agent, to be written above its head.
+struct HeadFigures {
+  float x = 0, y = 0, z = 0;  ///< metres, just above it
+  int interval = 1;
+  int bone_level = 0;
+};
+
 /// A const view of all that the overlay shows; filled by the demo once a frame.
 struct FrameReport {
   std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
@@ -65,15 +81,22 @@ struct FrameReport {
   std::uint64_t pose_hash = 0;
   std::uint32_t draw_calls = 0;
   std::uint64_t triangles = 0;
+  // budget
+  std::optional<float> limit_ms;  ///< of animation, if one was asked for
   // roles
   std::vector<std::string> clip_names;          ///< of the character
   RoleClips role_clips = no_clips();            ///< in use
   RoleClips suggested_role_clips = no_clips();  ///< as the names suggest
   // LOD
-  std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
-  std::vector<int> agents_by_bone_level;  ///< up to 4
-  std::vector<int> level_bone_counts;     ///< up to 4
-  std::vector<BoneRow> bones;             ///< in level-of-detail order
+  std::vector<int> agents_by_interval;                         ///< [i]: visible agents with interval i + 1
+  std::vector<int> agents_by_bone_level;                       ///< up to 4
+  std::vector<int> level_bone_counts;                          ///< up to 4
+  float error_px_p50 = 0, error_px_p99 = 0, error_px_max = 0;  ///< of what is shown, over the last 60 frames
+  float pop_px_max = 0;                                        ///< the largest change of an error between two frames
+  int error_samples = 0;                                       ///< agents measured in these frames
+  bool error_px_p99_is_known = false;                          ///< enough of them
+  std::vector<BoneRow> bones;                                  ///< in level-of-detail order
+  std::vector<HeadFigures> heads;                              ///< of those near by, if asked for
   // scheduling
   int pus = 0, hardware_threads = 0;
   int local_store_kib = 0;
@@ -82,8 +105,12 @@ struct FrameReport {
   std::uint32_t local_store_laid_out_bytes = 0;  ///< of each PU
   std::uint64_t dma_in_bytes = 0, dma_out_bytes = 0, dma_transfers = 0, palette_bytes = 0;
   std::vector<PuReport> pu;
-  std::vector<KindRow> memory;  ///< kinds that have blocks
+  std::deque<TimelineFrame> timeline;  ///< the last frames, oldest first
+  std::vector<KindRow> memory;         ///< kinds that have blocks
   CameraPlace camera;
+  std::vector<std::string> preset_names;    ///< of presets that can be loaded, sorted
+  int snapshots = 0;                        ///< of the crowd as it was, that it can be taken back to
+  float snapshot_seconds = 0;               ///< how far back the newest of them is
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
 };
 
@@ -97,6 +124,7 @@ struct OverlayCommands {
   std::optional<std::size_t> character;  ///< whose roles and bones are to be shown
   std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown
   bool save_roles = false;
+  std::vector<std::string> models;        ///< files dropped on the window: characters for everyone
   bool step = false;                      ///< advance one frame while paused
   bool frame_crowd = false;               ///< as key F
   bool copy_camera = false;               ///< as key C
@@ -104,7 +132,13 @@ struct OverlayCommands {
   bool quit = false;                      ///< key Esc, while nobody is selected
   std::optional<PicturePoint> select_at;  ///< clicked at, not at the overlay
   bool deselect = false;
-  bool push_over = false;  ///< whoever is selected; as key P
+  std::optional<float> hold_at;  ///< whoever is selected: its clip is held at these seconds
+  bool let_go = false;           ///< whoever is held plays on
+  bool rewind = false;           ///< the crowd goes back to the newest snapshot, next time to the one before it
+  std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
+  bool copy_command_line = false;                                      ///< the tuning as options
+  bool push_over = false;                                              ///< whoever is selected; as key P
+  bool exact_crowd = false;  ///< while key X is held: nothing is skipped or simplified
 };
 
 }  // namespace throng::app

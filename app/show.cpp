@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/character_files.h"
 #include "app/data_folder.h"
 #include "app/exit_status.h"
 #include "app/fly_camera.h"
@@ -14,6 +15,7 @@ namespace throng::app {
 namespace {
 
 constexpr int software_window_agents = 300;
+constexpr float frustum_reach = 120.0F;  // metres
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 
 double milliseconds_of(const auto& work) {
@@ -28,32 +30,14 @@ bool fail(Failure& failure, int status, std::string message) {
 }
 
 anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
-  std::vector<CharacterSource> characters;
-  for (const std::string& file : options.models) {
-    auto character = load_character(file, file);
-    if (!character) return character.error();
-    characters.push_back(std::move(*character));
-    characters.back().file = file;
-  }
-  if (!characters.empty()) return characters;
+  if (!options.models.empty()) return load_characters(options.models);
   const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
   if (!built_in) return built_in.error();
   auto character = load_character(built_in->string(), "mannequin (built in)");
   if (!character) return character.error();
+  std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));
   return characters;
-}
-
-// The table that lies beside the model.
-bool take_kept_roles(CharacterSource& character, Failure& failure) {
-  const auto kept = RoleFile(character.file).read();
-  if (!kept) return fail(failure, exit_job_failed, kept.error().message);
-  RoleClips clips = character.roles.clips;
-  if (const auto chosen = choose_clips(*kept, character.clip_names, clips); !chosen) {
-    return fail(failure, exit_job_failed, "the roles kept for " + character.name + ": " + chosen.error().message);
-  }
-  assign_roles(character, clips);
-  return true;
 }
 
 // What the command line says goes for every character that has such a clip.
@@ -71,7 +55,10 @@ bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> chara
 }
 
 bool choose_roles(const DemoOptions& options, std::span<CharacterSource> characters, Failure& failure) {
-  const auto kept = [&](CharacterSource& character) { return take_kept_roles(character, failure); };
+  const auto kept = [&](CharacterSource& character) {
+    const anim::Status taken = take_kept_roles(character);
+    return taken || fail(failure, exit_job_failed, taken.error().message);
+  };
   const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, failure); };
   return std::ranges::all_of(characters, kept) && std::ranges::all_of(options.clips, chosen);
 }
@@ -127,14 +114,6 @@ bool Show::open_renderer(const DemoOptions& options, Failure& failure) {
   return true;
 }
 
-bool Show::load_meshes(Failure& failure) {
-  if (renderer_ == nullptr) return true;
-  std::vector<render::CrowdMeshData> meshes;
-  for (const CharacterSource& character : stage_->characters()) meshes.push_back(mesh_data(character.model));
-  const render::Status loaded = renderer_->load_characters(meshes);
-  return loaded || fail(failure, exit_job_failed, loaded.error().message);
-}
-
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure) {
   Tuning tuning = options.tuning;
   if (options.context == ContextKind::window && on_software() && !options.agents_given) {
@@ -177,7 +156,10 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   if (!options.trace.empty()) show->timeline_.emplace();
   if (!show->open_context(options, failure) || !show->open_renderer(options, failure)) return nullptr;
   if (!show->open_stage(std::move(*characters), options, failure)) return nullptr;
-  if (!show->load_meshes(failure) || !show->place_camera(options, failure)) return nullptr;
+  if (const anim::Status loaded = show->load_meshes(*show->stage_); !loaded) {
+    return fail(failure, exit_job_failed, loaded.error().message), nullptr;
+  }
+  if (!show->place_camera(options, failure)) return nullptr;
   show->update_notice();
   return show;
 }
@@ -199,6 +181,10 @@ void Show::select_at(float x, float y) {
   const auto size = glm::vec2(glm::ivec2(width, height));
   const auto picked = pick(ray_through(camera, {x, y}, size), stage_->bodies_in_view());
   stage_->select(picked ? std::optional(picked->agent) : std::nullopt);
+}
+
+void Show::hold_selected_clip(float seconds) {
+  if (const auto selected = stage_->selected()) stage_->hold_clip(*selected, seconds);
 }
 
 anim::Status Show::push_selected() {
@@ -226,12 +212,29 @@ void Show::animate(anim::Ticks delta) {
   update_ms_ = milliseconds_of([&] {
     stage_->move(delta);
     if (films && stage_->cut_scene() != nullptr) camera = stage_->cut_scene()->film(camera);
-    stage_->pose(camera, width, height, delta, completed);
+    freeze_lod_camera();
+    stage_->pose(lod_camera(), width, height, delta, completed);
   });
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
   statistics_.add_report(*stage_);
+}
+
+void Show::freeze_lod_camera() {
+  if (!stage_->tuning().inspection.freeze_camera)
+    frozen_camera_.reset();
+  else if (!frozen_camera_)
+    frozen_camera_ = camera;
+}
+
+void Show::gather_lines() {
+  const Tuning& tuning = stage_->tuning();
+  const auto aspect = static_cast<float>(width) / static_cast<float>(height);
+  const auto middle = static_cast<float>(stage_->characters().front().bounds.height / 2);
+  lines_.clear();
+  if (frozen_camera_) add_frustum(lines_, *frozen_camera_, aspect, frustum_reach);
+  if (tuning.inspection.thresholds) add_threshold_rings(lines_, tuning, lod_camera(), middle);
 }
 
 int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const {
@@ -247,12 +250,14 @@ void Show::draw() {
     picture_.compose(*stage_, [this](std::uint8_t character, float pixels, int at_least) {
       return pick_mesh_lod(character, pixels, at_least);
     });
+    gather_lines();
     draw_counts_ =
         renderer_->draw({.camera = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height)),
                          .instances = picture_.instances(),
                          .batches = picture_.batches(),
                          .now = stage_->now(),
-                         .bones_as_lines = stage_->tuning().bones_as_lines});
+                         .bones_as_lines = stage_->tuning().bones_as_lines,
+                         .lines = lines_});
     renderer_->fences().insert(stage_->frame());
     renderer_->finish();
   });

@@ -24,11 +24,13 @@ class WindowLoop {
       : show_(show),
         options_(options),
         tuning_(show.stage().tuning()),
+        accepted_(tuning_),
         input_(show.context().window()),
-        overlay_(fonts_folder(options), 1.0F, tuning_, input_.clipboard()),
+        overlay_(fonts_folder(options), options.ui_scale, tuning_, input_.clipboard()),
         fly_camera_(place_of(show.camera)),
         reporter_(show) {
     overlay_.set_hidden(options.hide_ui);
+    overlay_.show_tab(options.ui_tab);
   }
 
   anim::Status run() {
@@ -61,13 +63,17 @@ class WindowLoop {
     last_frame_ = now;
     fit_to_window();
     const InputFrame& input = input_.next_frame();
+    const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(show_.width, show_.height, seconds, input);
-    const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
     fly(input, static_cast<float>(seconds));
+    reporter_.see_from(fly_camera_.place());
+    const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
+    show_.add_overlay_time(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     obey(commands);
-    apply_tuning();
+    apply(commands.exact_crowd ? without_level_of_detail(tuning_) : tuning_);
     show_.camera = fly_camera_.camera();
     show_.animate(step(seconds, commands.step));
+    if (!tuning_.paused) show_.watch_for_rewind();
     if (show_.films) fly_camera_.set_camera(show_.camera);
     present();
     if (commands.screenshot) take_screenshot();
@@ -106,11 +112,15 @@ class WindowLoop {
     show_.renderer().present();
   }
 
-  void apply_tuning() {
-    if (tuning_ == show_.stage().tuning()) return;
-    const anim::Status applied = show_.apply(tuning_);
+  void apply(const Tuning& tuning) {
+    if (tuning == show_.stage().tuning()) return;
+    const anim::Status applied = show_.apply(tuning);
     notice_ = applied ? "" : applied.error().message;
-    if (!applied) tuning_ = show_.stage().tuning();
+    if (applied) {
+      accepted_ = tuning_;
+    } else {
+      tuning_ = accepted_;
+    }
   }
 
   void obey(const OverlayCommands& commands) {
@@ -125,12 +135,18 @@ class WindowLoop {
     if (commands.push_over) {
       if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
     }
+    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
+    if (commands.let_go) show_.let_go_of_clip();
+    if (commands.rewind) {
+      if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
+    }
     const std::size_t character = reporter_.report().character;
     if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) {
       const auto saved = show_.save_roles(character);
       notice_ = saved ? "Wrote " + saved->string() : saved.error().message;
     }
+    if (!commands.models.empty()) replace_models(commands.models);
     if (commands.character) reporter_.describe_character(show_, *commands.character);
     if (!commands.copy_camera) return;
     const std::string option = camera_option(fly_camera_.place());
@@ -138,6 +154,12 @@ class WindowLoop {
     std::puts(option.c_str());
     std::fflush(stdout);
     notice_ = "Copied: " + option;
+  }
+
+  void replace_models(const std::vector<std::string>& files) {
+    const anim::Status replaced = show_.replace_models(files);
+    if (replaced) reporter_.describe_characters(show_);
+    notice_ = replaced ? "" : replaced.error().message;
   }
 
   void take_screenshot() {
@@ -158,6 +180,7 @@ class WindowLoop {
   Show& show_;
   const DemoOptions& options_;
   Tuning tuning_;
+  Tuning accepted_;  // the last that could be
   WindowInput input_;
   Overlay overlay_;
   FlyCamera fly_camera_;

@@ -76,9 +76,12 @@ Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState
   const bool fresh = state.was_visible[agent] == 0;
   const int shown = fresh ? 0 : state.bone_level[agent];
   const int levels = frame.rules.bone_lod ? level_count : 1;
-  const int bone_level = bone_level_at(squared_distance, shown, fresh, levels, squares);
+  const bool forced = frame.force.concerns(agent);
+  const bool has_level = forced && frame.force.bone_level >= 0, has_interval = forced && frame.force.interval > 0;
+  const int bone_level = has_level ? std::min(frame.force.bone_level, level_count - 1)
+                                   : bone_level_at(squared_distance, shown, fresh, levels, squares);
   if (frame.rules.rule == LodRule::off) return {1, 1, bone_level};
-  const int interval = interval_at(squared_distance, frame.rules, squares);
+  const int interval = has_interval ? frame.force.interval : interval_at(squared_distance, frame.rules, squares);
   const int own_turn = frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval));
   return {interval, fresh ? 1 : own_turn, bone_level};
 }
@@ -95,6 +98,7 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.rules.largest_interval >= 1 && frame.rules.largest_interval <= longest_interval);
   assert(frame.character_of.empty() || frame.character_of.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
+  assert(frame.force.interval >= 0 && frame.force.interval <= longest_interval);
   static_cast<void>(frame);
   static_cast<void>(state);
 }

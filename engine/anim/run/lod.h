@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,15 @@ struct LodRules {
   int largest_interval = 8;          ///< frames, 1 to longest_interval
   bool bone_lod = true;              ///< fewer bones by distance, whatever the rule
   std::array<float, most_bone_levels - 1> level_distances{15.0F, 30.0F, 60.0F};  ///< metres, ascending
+};
+
+/// Overrules the rule, to see what an interval or a level looks like; for an agent in view, from its next update on.
+struct LodForce {
+  int interval = 0;     ///< frames, 1 to longest_interval; 0: as the rule has it
+  int bone_level = -1;  ///< 0 to the character's last, or that one if there are fewer; -1: as the rule has it
+  std::optional<std::uint32_t> agent = {};  ///< only this one; nothing: everyone
+
+  [[nodiscard]] bool concerns(std::size_t other) const { return !agent || *agent == other; }
 };
 
 /// What the rule needs to know of the camera.
@@ -90,6 +100,7 @@ struct LodState {
   void resize(std::size_t agents, LodSelection& selection);
   /// Whoever is visible next is due at once.
   void make_all_due();
+  void make_due(std::size_t agent) { was_visible[agent] = 0; }
 };
 
 /// Everything about one frame of a crowd; spans but `characters` are parallel, one element an agent.
@@ -100,6 +111,7 @@ struct LodFrame {
   std::span<const std::uint8_t> character_of;  ///< index among them; empty: everybody is the first
   LodCamera camera;
   LodRules rules;
+  LodForce force = {};       ///< the interval of it is for rules other than off
   std::uint64_t number = 0;  ///< grows by one each frame in which time passes
 };
 

@@ -1,5 +1,6 @@
 #include "app/demo.h"
 
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <sstream>
@@ -29,13 +30,16 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
     if (!figures) return figures.error();
     if (const anim::Status fixed = reporter.fix_measured(*figures); !fixed) return fixed;
   }
-  Overlay overlay(fonts ? *fonts : std::filesystem::path(), 1.0F, tuning);
+  Overlay overlay(fonts ? *fonts : std::filesystem::path(), options.ui_scale, tuning);
+  overlay.show_tab(options.ui_tab);
   const render::Status prepared = show.renderer().prepare_overlay();
   if (!prepared) return anim::Error{prepared.error().message};
   constexpr int frames_until_laid_out = 3;
   for (int frame = 0; frame < frames_until_laid_out; ++frame) {
+    const auto start = std::chrono::steady_clock::now();
     overlay.begin_frame(show.width, show.height, 1.0 / 60.0, {});
     overlay.build(reporter.report(), tuning);
+    show.add_overlay_time(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
   show.renderer().draw_overlay(*overlay.draw_data());
   if (options.ui_map.empty()) return anim::Done{};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <sstream>
 #include <system_error>
 
 namespace throng::app {
@@ -101,6 +102,19 @@ ValueReader seed_number(std::uint32_t& target) {
     const auto number = number_in<std::uint32_t>(text);
     if (!number) return "must be a whole number, 0 to 4294967295";
     target = *number;
+    return {};
+  };
+}
+
+ValueReader number_between(float& target, float least, float most) {
+  return [&target, least, most](const std::string& text) -> Complaint {
+    const auto number = finite_number_in(text);
+    if (!number || *number < static_cast<double>(least) || *number > static_cast<double>(most)) {
+      std::ostringstream range;
+      range << "must be a number, " << least << " to " << most;
+      return range.str();
+    }
+    target = static_cast<float>(*number);
     return {};
   };
 }

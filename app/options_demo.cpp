@@ -84,6 +84,15 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
                           options.ui = true;
                           return choice<bool>(options.ui_fixed, {{"measured", false}, {"fixed", true}})(text);
                         });
+  reader.value("--ui-tab", "NAME",
+               "Tab that the overlay starts with: crowd, skipping, bones, scheduling, agent, presets",
+               choice<std::string>(options.ui_tab, {{"crowd", "Crowd"},
+                                                    {"skipping", "LOD skipping"},
+                                                    {"bones", "Per-bone LOD"},
+                                                    {"scheduling", "Scheduling"},
+                                                    {"agent", "Agent"},
+                                                    {"presets", "Presets"}}));
+  reader.value("--ui-scale", "X", "Size of the overlay, 0.5 to 4 (1)", number_between(options.ui_scale, 0.5, 4));
   reader.flag("--hide-ui", options.hide_ui, "No overlay in the window");
 }
 

@@ -126,6 +126,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["update_ms_median"] = median(update_ms_);
   json["update_ms_p99"] = percentile_99(update_ms_);
   json["frame_ms_median"] = frame_ms_.empty() ? Json(nullptr) : Json(median(frame_ms_));
+  json["overlay_ms_median"] = overlay_ms_.empty() ? Json(nullptr) : Json(median(overlay_ms_));
   json["draw_calls"] = draw_calls_;
   json["triangles"] = triangles_;
   json["palette_format"] = palette_format(stage);

@@ -29,6 +29,7 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_ESCAPE, Key::escape},
     {GLFW_KEY_KP_ENTER, Key::keypad_enter},
     {GLFW_KEY_A, Key::a},
+    {GLFW_KEY_B, Key::b},
     {GLFW_KEY_C, Key::c},
     {GLFW_KEY_D, Key::d},
     {GLFW_KEY_E, Key::e},
@@ -101,6 +102,10 @@ void on_wheel(GLFWwindow* window, double /*sideways*/, double steps) {
   push(window, {.kind = InputEvent::Kind::wheel, .wheel = static_cast<float>(steps)});
 }
 
+void on_drop(GLFWwindow* window, int count, const char** paths) {
+  for (int i = 0; i < count; ++i) push(window, {.kind = InputEvent::Kind::file, .path = paths[i]});
+}
+
 void on_focus(GLFWwindow* window, int focused) {
   if (focused == GLFW_FALSE) push(window, {.kind = InputEvent::Kind::focus_lost});
 }
@@ -115,6 +120,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetCursorPosCallback(window, on_pointer);
   glfwSetCursorEnterCallback(window, on_entered);
   glfwSetScrollCallback(window, on_wheel);
+  glfwSetDropCallback(window, on_drop);
   glfwSetWindowFocusCallback(window, on_focus);
 }
 
@@ -125,6 +131,7 @@ WindowInput::~WindowInput() {
   glfwSetCursorPosCallback(window_, nullptr);
   glfwSetCursorEnterCallback(window_, nullptr);
   glfwSetScrollCallback(window_, nullptr);
+  glfwSetDropCallback(window_, nullptr);
   glfwSetWindowFocusCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }

@@ -25,11 +25,13 @@ class WindowLoop {
         options_(options),
         replay_(replay),
         tuning_(show.stage().tuning()),
+        accepted_(tuning_),
         input_(show.context().window()),
-        overlay_(fonts_folder(options), 1.0F, tuning_, input_.clipboard()),
+        overlay_(fonts_folder(options), options.ui_scale, tuning_, input_.clipboard()),
         fly_camera_(place_of(show.camera)),
         reporter_(show) {
     overlay_.set_hidden(options.hide_ui);
+    overlay_.show_tab(options.ui_tab);
   }
 
   anim::Status run() {
@@ -62,16 +64,20 @@ class WindowLoop {
     last_frame_ = now;
     fit_to_window();
     const InputFrame& input = input_.next_frame();
+    const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(show_.width, show_.height, seconds, input);
+    fly(input, static_cast<float>(seconds));
+    reporter_.see_from(fly_camera_.place());
     const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
+    show_.add_overlay_time(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_ != nullptr) {
       repeat();
     } else {
-      fly(input, static_cast<float>(seconds));
       obey(commands);
-      apply_tuning();
+      apply(commands.exact_crowd ? without_level_of_detail(tuning_) : tuning_);
       show_.camera = fly_camera_.camera();
       show_.animate(step(seconds, commands.step));
+      if (!tuning_.paused) show_.watch_for_rewind();
     }
     if (show_.films || replay_ != nullptr) fly_camera_.set_camera(show_.camera);
     present();
@@ -138,11 +144,15 @@ class WindowLoop {
     show_.renderer().present();
   }
 
-  void apply_tuning() {
-    if (tuning_ == show_.stage().tuning()) return;
-    const anim::Status applied = show_.apply(tuning_);
+  void apply(const Tuning& tuning) {
+    if (tuning == show_.stage().tuning()) return;
+    const anim::Status applied = show_.apply(tuning);
     notice_ = applied ? "" : applied.error().message;
-    if (!applied) tuning_ = show_.stage().tuning();
+    if (applied) {
+      accepted_ = tuning_;
+    } else {
+      tuning_ = accepted_;
+    }
   }
 
   void obey(const OverlayCommands& commands) {
@@ -157,11 +167,17 @@ class WindowLoop {
     if (commands.push_over) {
       if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
     }
+    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
+    if (commands.let_go) show_.let_go_of_clip();
+    if (commands.rewind) {
+      if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
+    }
     const std::size_t character = reporter_.report().character;
     if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) say_where(show_.save_roles(character));
     obey_bone_lod(commands, character);
     if (commands.record) toggle_recording();
+    if (!commands.models.empty()) replace_models(commands.models);
     if (commands.character) reporter_.describe_character(show_, *commands.character);
     if (!commands.copy_camera) return;
     const std::string option = camera_option(fly_camera_.place());
@@ -185,6 +201,12 @@ class WindowLoop {
     notice_ = written ? "Wrote " + written->string() : written.error().message;
   }
 
+  void replace_models(const std::vector<std::string>& files) {
+    const anim::Status replaced = show_.replace_models(files);
+    if (replaced) reporter_.describe_characters(show_);
+    notice_ = replaced ? "" : replaced.error().message;
+  }
+
   void take_screenshot() {
     const std::string file = unused_file(".png", screenshots_);
     const render::Status written = render::write_png(show_.renderer().read_image(), file);
@@ -202,6 +224,7 @@ class WindowLoop {
   const DemoOptions& options_;
   Replay* replay_;  // null: people say what happens
   Tuning tuning_;
+  Tuning accepted_;  // the last that could be
   WindowInput input_;
   Overlay overlay_;
   FlyCamera fly_camera_;

@@ -19,6 +19,8 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"Wheel", "flying speed; Shift faster, Ctrl slower"},
     {"Click", "select a character; P pushes it over"},
     {"F", "frame the crowd"},
+    {"X", "while held: the exact crowd, nothing skipped"},
+    {"B", "compare: the other of two tunings"},
     {"Space", "pause"},
     {"C", "copy the camera as an option"},
     {"Tab", "hide the overlay"},

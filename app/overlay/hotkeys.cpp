@@ -4,6 +4,7 @@ namespace throng::app {
 
 void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands) {
+  commands.exact_crowd = input.down(Key::x);
   for (const Key key : input.pressed) {
     switch (key) {
       case Key::space:

@@ -8,7 +8,7 @@ namespace {
 std::size_t private_bytes(int, int) { return sizeof(LookAtMemory); }
 
 void advance_look(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
-  advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, states).seconds);
+  advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, states).elapsed);
 }
 
 void turn_to_target(const EntityInStore& entity, const PoseView& pose) {

@@ -70,7 +70,7 @@ struct Tuning {
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
-  TakenAway taken_away;
+  TakenAway taken_away{};
 
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };

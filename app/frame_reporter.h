@@ -27,6 +27,7 @@ class FrameReporter {
 
  private:
   void describe_device(const Show& show);
+  void describe_bones(const anim::Character& character);
   void add_level_of_detail(const Stage& stage);
   void add_limits(const Stage& stage);
   void add_memory(const anim::AnimationSystem& system);

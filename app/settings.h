@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/crowd_roles.h"
+#include "engine/anim/run/cost_model.h"
 
 namespace throng::app {
 
@@ -17,9 +18,10 @@ enum class Stream : std::uint8_t { sampled, keyframe };
 enum class LodRule : std::uint8_t { off, distance, budget };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
+enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
+enum class ErrorSampling : std::uint8_t { off, some, all };
 /// How the camera moves by itself, from where it stands at first.
 enum class CameraPath : std::uint8_t { none, orbit, pan };
-enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod };
 
 /// Where the camera stands: x, y, z in metres; yaw, pitch, vertical field of view in degrees. Yaw 0 looks along -Z.
 struct CameraPlace {
@@ -50,12 +52,13 @@ struct Tuning {
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
   // LOD skipping
   LodRule lod = LodRule::distance;
-  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
-  float interval_growth = 12.0F;     ///< metres a further step of the interval
-  int largest_interval = 8;          ///< frames, 1 to 16
-  bool smooth = true;                ///< smooth skipping in the vertex shader
-  float error_px = 1.0F;             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
-  float budget_ms = 0.0F;            ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
+  float full_rate_distance = 12.0F;                  ///< metres: nearer agents are updated each frame
+  float interval_growth = 12.0F;                     ///< metres a further step of the interval
+  int largest_interval = 8;                          ///< frames, 1 to 16
+  bool smooth = true;                                ///< smooth skipping in the vertex shader
+  ErrorSampling error_sample = ErrorSampling::some;  ///< whose error on screen is measured, of those in view
+  float error_px = 1.0F;                             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
+  float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
   // Per-bone LOD
   bool bone_lod = true;
   float bone_level_distance[3] = {15.0F, 30.0F, 60.0F};  ///< metres from which level 1, 2, 3 is shown
@@ -71,6 +74,8 @@ struct Tuning {
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
   TakenAway taken_away{};
+  // What is predicted
+  anim::CostModel cost{};  ///< nanoseconds of one PU
 
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
@@ -93,13 +98,15 @@ struct DemoOptions {
   bool hide_ui = false;
   int msaa = -1;  ///< -1: what the device affords; 0 or 4
   bool shadows = true;
-  std::vector<RoleChoice> clips;  ///< over those of the role file, and those that names suggest
-  bool agents_given = false;      ///< a software renderer shows fewer in a window unless given
-  bool shadows_given = false;     ///< a software renderer draws none unless given
-  bool force_software = false;    ///< EGL: never the graphics card; for tests
+  std::vector<RoleChoice> clips;   ///< over those of the role file, and those that names suggest
+  bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
+  bool shadows_given = false;      ///< a software renderer draws none unless given
+  std::vector<std::string> given;  ///< the options that the command line names, "--pus"
+  bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
+  std::string record, replay;                          ///< files; empty: not asked for
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 

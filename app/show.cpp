@@ -8,6 +8,7 @@
 #include "app/data_folder.h"
 #include "app/exit_status.h"
 #include "app/fly_camera.h"
+#include "app/lod_export.h"
 #include "app/role_table.h"
 #include "app/scenes.h"
 
@@ -31,7 +32,8 @@ bool fail(Failure& failure, int status, std::string message) {
 anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
   std::vector<CharacterSource> characters;
   for (const std::string& file : options.models) {
-    auto character = load_character(file, file);
+    const BoneLodFile kept(file);
+    auto character = load_character(file, file, &kept);
     if (!character) return character.error();
     characters.push_back(std::move(*character));
     characters.back().file = file;
@@ -39,7 +41,8 @@ anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
   if (!characters.empty()) return characters;
   const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
   if (!built_in) return built_in.error();
-  auto character = load_character(built_in->string(), "mannequin (built in)");
+  const BoneLodFile kept{{}};
+  auto character = load_character(built_in->string(), "mannequin (built in)", &kept);
   if (!character) return character.error();
   characters.push_back(std::move(*character));
   return characters;
@@ -128,12 +131,13 @@ bool Show::open_renderer(const DemoOptions& options, Failure& failure) {
   return true;
 }
 
-bool Show::load_meshes(Failure& failure) {
-  if (renderer_ == nullptr) return true;
+anim::Status Show::load_meshes() {
+  if (renderer_ == nullptr) return anim::Done{};
   std::vector<render::CrowdMeshData> meshes;
   for (const CharacterSource& character : stage_->characters()) meshes.push_back(mesh_data(character.model));
   const render::Status loaded = renderer_->load_characters(meshes);
-  return loaded || fail(failure, exit_job_failed, loaded.error().message);
+  if (!loaded) return anim::Error{loaded.error().message};
+  return anim::Done{};
 }
 
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure) {
@@ -180,7 +184,10 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   if (!options.trace.empty()) show->timeline_.emplace();
   if (!show->open_context(options, failure) || !show->open_renderer(options, failure)) return nullptr;
   if (!show->open_stage(std::move(*characters), options, failure)) return nullptr;
-  if (!show->load_meshes(failure) || !show->place_camera(options, failure)) return nullptr;
+  if (const auto loaded = show->load_meshes(); !loaded) {
+    return fail(failure, exit_job_failed, loaded.error().message), nullptr;
+  }
+  if (!show->place_camera(options, failure)) return nullptr;
   show->update_notice();
   return show;
 }
@@ -190,7 +197,13 @@ anim::Status Show::apply(const Tuning& tuning) {
   const anim::Status applied = stage_->apply(tuning);
   if (applied && another_scene) films = true;
   if (applied) update_notice();
+  if (applied && recorder_) recorder_->add(tuning);
   return applied;
+}
+
+void Show::set_roles(std::size_t character, const RoleClips& clips) {
+  stage_->set_roles(character, clips);
+  if (recorder_) recorder_->add(RecordedRoles{static_cast<std::uint32_t>(character), clips});
 }
 
 anim::Result<std::filesystem::path> Show::save_roles(std::size_t index) const {
@@ -198,15 +211,60 @@ anim::Result<std::filesystem::path> Show::save_roles(std::size_t index) const {
   return RoleFile(character.file).write(all_choices(character.roles.clips, character.clip_names));
 }
 
+anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+  const anim::Status set = stage_->set_bone_lod(character, choice);
+  return set ? load_meshes() : set;
+}
+
+anim::Result<std::filesystem::path> Show::save_bone_lod(std::size_t index) const {
+  const CharacterSource& character = stage_->characters()[index];
+  return BoneLodFile(character.file).write(character.character->skeleton);
+}
+
+anim::Result<std::filesystem::path> Show::export_lod(std::size_t index) const {
+  const CharacterSource& character = stage_->characters()[index];
+  std::span<const std::uint32_t> triangles;
+  if (renderer_ != nullptr) triangles = renderer_->meshes()[index].triangles_by_lod();
+  const double pixels_per_unit = static_cast<double>(render::pixels_tall(camera, static_cast<float>(height), 1, 1));
+  return KeptFile(character.file, ".lod.export.json", "The level of detail")
+      .write(lod_as_json(character, lod_levels(character, triangles), lod_rules(stage_->tuning()), pixels_per_unit));
+}
+
 void Show::select_at(float x, float y) {
   const auto size = glm::vec2(glm::ivec2(width, height));
   const auto picked = pick(ray_through(camera, {x, y}, size), stage_->bodies_in_view());
-  stage_->select(picked ? std::optional(picked->agent) : std::nullopt);
+  select(picked ? std::optional(picked->agent) : std::nullopt);
+}
+
+void Show::select(std::optional<std::uint32_t> agent) {
+  stage_->select(agent);
+  if (recorder_) recorder_->add(RecordedSelection{agent});
 }
 
 anim::Status Show::push_selected() {
   const auto selected = stage_->selected();
-  return selected ? stage_->push_over(*selected, render::forward(camera)) : anim::Done{};
+  return selected ? push(*selected, render::forward(camera)) : anim::Done{};
+}
+
+anim::Status Show::push(std::uint32_t agent, const glm::vec3& direction) {
+  anim::Status pushed = stage_->push_over(agent, direction);
+  if (pushed && recorder_) recorder_->add(RecordedPush{agent, direction});
+  return pushed;
+}
+
+anim::Status Show::start_recording(const std::filesystem::path& file) {
+  RecordingHeader header{.characters = {}, .tuning = stage_->tuning(), .width = width, .height = height};
+  for (const CharacterSource& character : stage_->people()) header.characters.push_back(recorded(character));
+  auto recorder = RecordingWriter::create(file, header);
+  if (!recorder) return recorder.error();
+  if (stage_->frame() > 0) stage_->restart();
+  recorder_ = std::move(*recorder);
+  return anim::Done{};
+}
+
+anim::Status Show::stop_recording() {
+  if (recorder_ == nullptr) return anim::Done{};
+  return std::exchange(recorder_, nullptr)->finish();
 }
 
 void Show::update_notice() {
@@ -231,17 +289,28 @@ void Show::film() {
   }
 }
 
-void Show::animate(anim::Ticks delta) {
+void Show::animate(anim::Ticks delta) { update(delta, nullptr); }
+
+void Show::animate_as(const RecordedFrame& frame) {
+  camera = frame.view.camera;
+  films = false;
+  update(frame.delta, &frame.view);
+}
+
+void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   const anim::Ticks step = stage_->tuning().taken_away.animation ? 0 : delta;
+  LodView view;
   const std::uint64_t completed = completed_frame();
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = TimelineLog::Clock::now();
   update_ms_ = milliseconds_of([&] {
     stage_->move(step);
     film();
-    stage_->pose(camera, width, height, step, completed);
+    view = as_recorded != nullptr ? *as_recorded : LodView{camera, width, height};
+    stage_->pose(view.camera, view.width, view.height, step, completed);
   });
   times_.animation_ms = update_ms_;
+  if (recorder_) recorder_->add({step, view, stage_->system().pose_hash()}, stage_->system().agent_hashes());
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);

@@ -10,6 +10,7 @@
 #include "app/limiter.h"
 #include "app/notices.h"
 #include "app/picture.h"
+#include "app/recording_writer.h"
 #include "app/settings.h"
 #include "app/stage.h"
 #include "app/statistics.h"
@@ -36,18 +37,38 @@ class Show {
   anim::Status apply(const Tuning& tuning);
 
   /// Other clips for the roles of a character, at a frame boundary.
-  void set_roles(std::size_t character, const RoleClips& clips) { stage_->set_roles(character, clips); }
+  void set_roles(std::size_t character, const RoleClips& clips);
   /// Keeps a character's roles for the next time; where, to tell people.
   anim::Result<std::filesystem::path> save_roles(std::size_t character) const;
 
+  /// As Stage::set_bone_lod, and what is drawn with it.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// Keeps the order of a character's bones for the next time; where, to tell people.
+  anim::Result<std::filesystem::path> save_bone_lod(std::size_t character) const;
+
+  /// Writes a character's level of detail for another engine, beside the model or among a person's files; where.
+  anim::Result<std::filesystem::path> export_lod(std::size_t character) const;
+
   /// Selects whoever is seen at a pixel from the top left of the picture drawn last; nobody there deselects.
   void select_at(float x, float y);
-  void deselect() { stage_->select({}); }
+  void select(std::optional<std::uint32_t> agent);
+  void deselect() { select({}); }
   /// Pushes the selected agent over, away from the camera. Errors as Stage::push_over; nothing if nobody is selected.
   anim::Status push_selected();
+  /// Errors as Stage::push_over.
+  anim::Status push(std::uint32_t agent, const glm::vec3& direction);
 
   /// Moves and poses one frame of `delta`; 0 while paused.
   void animate(anim::Ticks delta);
+  /// The same as it was recorded: seen by that camera, in a picture of that size.
+  void animate_as(const RecordedFrame& frame);
+
+  /// Writes whatever is asked of the show from now on, and the poses that come of it, to `file`. A crowd that has moved
+  /// begins anew, so that a replay can begin where this does. Errors: the file cannot be written.
+  anim::Status start_recording(const std::filesystem::path& file);
+  /// Errors: the file could not be written; nothing if none is.
+  anim::Status stop_recording();
+  bool is_recording() const { return recorder_ != nullptr; }
   /// Draws the frame as animated last, into the renderer's picture, and waits for it, so that the time is the whole
   /// frame's.
   void draw();
@@ -80,11 +101,12 @@ class Show {
   bool open_context(const DemoOptions& options, Failure& failure);
   bool open_renderer(const DemoOptions& options, Failure& failure);
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure);
-  bool load_meshes(Failure& failure);
+  anim::Status load_meshes();
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
   void film();
   render::CrowdFrame crowd_frame() const;
+  void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
   std::uint64_t completed_frame();
   int pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const;
 
@@ -92,6 +114,7 @@ class Show {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::HeapPageSource> heap_pages_;
   std::unique_ptr<Stage> stage_;
+  std::unique_ptr<RecordingWriter> recorder_;  // null while nothing is recorded
   Picture picture_;
   Statistics statistics_;
   std::optional<TimelineLog> timeline_;

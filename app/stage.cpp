@@ -48,7 +48,7 @@ anim::LodCharacter lod_character(const CharacterSource& source) {
           .radius = static_cast<float>(source.bounds.reach),
           .height = static_cast<float>(source.bounds.height),
           .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
-          .level_error_metres = level_errors(source.model),
+          .level_error_metres = source.character->bone_lod.level_error_metres,
           .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{})};
 }
 
@@ -71,7 +71,8 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .tile = tuning.tile,
           .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
           .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
-          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe};
+          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe,
+          .cost = tuning.cost};
 }
 
 anim::LodRules lod_rules(const Tuning& tuning) {
@@ -90,7 +91,8 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
     : characters_(std::move(characters)),
       palette_entries_(entries_by_level(characters_)),
       slots_(pages, all_sizes(palette_entries_)),
-      shown_(slots_) {
+      shown_(slots_),
+      meter_(characters_) {
   std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
   crowd_lod_.set_characters(lod_characters_);
 }
@@ -119,7 +121,7 @@ anim::Status Stage::open_system() {
   film_camera_ = *camera;
   std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
   for (std::uint32_t character = 0; character < characters_.size(); ++character) {
-    rigs_.push_back(std::make_unique<const anim::CharacterRigs>(characters_[character].model));
+    rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));
     const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
     ragdolls.push_back(kinds.ragdoll);
     feet.push_back(kinds.foot_placement);
@@ -155,13 +157,44 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips) {
   populate();
 }
 
-void Stage::populate() {
+// Slots keep their sizes: a pose goes to the next larger one.
+anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+  CharacterSource& source = characters_[character];
+  if (const anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
+  const ReorderedCharacter reordered = in_order(source, choice);
+  const auto number = static_cast<std::uint32_t>(character);
+  const anim::Status replaced = system_->replace_character(number, reordered.character, reordered.places);
+  if (!replaced) return replaced;
+  anim::reorder_bones(source.model, choice);
+  source.character = reordered.character;
+  rigs_[character]->reorder_bones(reordered.places);
+  palette_entries_ = entries_by_level(characters_);
+  const std::span<const anim::SkipError> skip_errors = lod_characters_[character].clips;  // as they were in any order
+  lod_characters_[character] = lod_character(source);
+  lod_characters_[character].clips = skip_errors;
+  meter_.set_character(character, source);
+  meter_.reset(crowd_->size());
+  shown_.reset(crowd_->size(), frame_);
+  lod_.make_all_due();
+  return anim::Done{};
+}
+
+void Stage::restart() {
+  moving_ = true;
+  populate(Clocks::begin_anew);
+}
+
+void Stage::populate(Clocks clocks) {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
   selected_.reset();
   fallen_->reset();
   feet_->reset(agents);
   system_->set_agent_count(0);
+  if (clocks == Clocks::begin_anew) {
+    system_->restart();
+    frames_moved_ = 0;
+  }
   cut_scene_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
@@ -173,7 +206,9 @@ void Stage::populate() {
   }
   lod_.resize(agents, selection_);
   crowd_lod_.reset(agents);
+  bone_steps_.assign(agents, {});
   shown_.reset(agents, frame_);
+  meter_.reset(agents);
   updates_.reserve(agents);
 }
 

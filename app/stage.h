@@ -6,10 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "app/bone_step.h"
 #include "app/character_source.h"
 #include "app/crowd.h"
 #include "app/crowd_lod.h"
 #include "app/cut_scene.h"
+#include "app/error_meter.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
 #include "app/placed_feet.h"
@@ -41,6 +43,13 @@ class Stage {
   /// Other clips for the roles of a character, at a frame boundary; the crowd starts anew.
   void set_roles(std::size_t character, const RoleClips& clips);
 
+  /// Another order of a character's bones, and other levels, at a frame boundary: it is baked anew, the crowd goes on.
+  /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
+  /// anim::AnimationSystem::replace_character.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// The crowd and every clock begin anew: from here on, all happens as on a stage just made.
+  void restart();
+
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
   /// looking ahead.
@@ -62,11 +71,13 @@ class Stage {
   /// Instance record of a visible agent; false: it has no slot and is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const;
 
+  /// What level of detail costs the eye, over the last 60 frames; all 0 while nobody is measured.
+  const anim::ErrorFigures& error() const { return meter_.figures(); }
+  const ErrorMeter& error_meter() const { return meter_; }
+
   const anim::LodSelection& selection() const { return selection_; }
   /// What level of detail decided, and what it saves.
   const CrowdLod& level_of_detail() const { return crowd_lod_; }
-  /// p99 of the error on screen over the last frames, pixels, for the next frame's tolerance; none: not known.
-  void tell_measured_error(std::optional<float> pixels) { crowd_lod_.tell_measured_error(pixels); }
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }
@@ -84,14 +95,17 @@ class Stage {
  private:
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   anim::Status open_system();
-  void populate();
+  enum class Clocks : std::uint8_t { go_on, begin_anew };
+  void populate(Clocks clocks = Clocks::go_on);
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
+  BoneStep step_bones(const anim::DueAgent& due);
   void pose_fallen(std::uint64_t last_frame);
   void get_up();
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
+  void measure(const render::Camera& camera, int width, int height);
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height);
   anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
 
@@ -101,8 +115,9 @@ class Stage {
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
-  std::vector<std::unique_ptr<const anim::CharacterRigs>> rigs_;  // [character]
-  std::uint32_t film_camera_ = 0;                                 // the system's number of the cut scene's camera
+  ErrorMeter meter_;
+  std::vector<std::unique_ptr<anim::CharacterRigs>> rigs_;  // [character]
+  std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
@@ -112,6 +127,7 @@ class Stage {
   anim::LodState lod_;
   CrowdLod crowd_lod_;
   anim::LodSelection selection_;
+  std::vector<BoneStep> bone_steps_;  // of each agent's last update
   std::vector<anim::AgentUpdate> updates_;
   std::optional<std::uint32_t> selected_;
   std::uint64_t frame_ = 0;

@@ -88,7 +88,7 @@ struct Tuning {
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
-  TakenAway taken_away;
+  TakenAway taken_away{};
   // What is predicted
   anim::CostModel cost{};  ///< nanoseconds of one PU
 

@@ -45,16 +45,24 @@ HWY_INLINE Vectors<V> noise_values(D d, const NoiseMoment& moment, int first_bon
   return scaled(sum, scale);
 }
 
-/// from * (v, 1), made unit: `from` turned by twice the arc tangent of v's length.
-template <class D, class V>
+/// Radians up to which a polynomial makes turns unit, to 1e-7.
+inline constexpr float small_amplitude = 0.3F;
+/// Taylor series of 1 / sqrt(1 + x).
+inline constexpr float inverse_length_beyond_one[] = {1.0F, -0.5F, 0.375F, -0.3125F};
+
+/// from * (v, 1), made unit: `from`, which is, turned by twice the arc tangent of v's length.
+template <bool small, class D, class V>
 HWY_INLINE Quaternions<V> turned_by(D d, const Quaternions<V>& from, const Vectors<V>& v) {
+  const V square = dot(v, v);
+  const V factor = small ? polynomial(d, square, inverse_length_beyond_one)
+                         : inverse_square_root(d, hn::Add(square, hn::Set(d, 1.0F)));
   const Quaternions<V> turned{
       hn::NegMulAdd(from.z, v.y, hn::MulAdd(from.y, v.z, hn::MulAdd(from.w, v.x, from.x))),
       hn::MulAdd(from.z, v.x, hn::NegMulAdd(from.x, v.z, hn::MulAdd(from.w, v.y, from.y))),
       hn::NegMulAdd(from.y, v.x, hn::MulAdd(from.x, v.y, hn::MulAdd(from.w, v.z, from.z))),
       hn::NegMulAdd(from.z, v.z, hn::NegMulAdd(from.y, v.y, hn::NegMulAdd(from.x, v.x, from.w))),
   };
-  return scaled(turned, inverse_square_root(d, dot(turned, turned)));
+  return scaled(turned, factor);
 }
 
 /// [bones from `bone` on], 0 at and above the bone count.
@@ -66,21 +74,27 @@ HWY_INLINE V amplitudes_of(D d, const NoiseJob& job, int bone) {
   return hn::IfThenElseZero(hn::Lt(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(left))), amplitudes);
 }
 
-template <class D, class V = hn::Vec<D>>
+template <bool small, class D, class V = hn::Vec<D>>
 HWY_INLINE void noise_lanes(D d, const NoiseJob& job, int bone) {
   constexpr float half_axis_share = 0.288675135F;  // 1 / sqrt(12): three axes at their ends make half of the amplitude
   const V amplitude = amplitudes_of(d, job, bone);
   const V scale = hn::Mul(amplitude, hn::Set(d, half_axis_share));
   const auto values = noise_values(d, job.moment, job.packet * packet_bones + bone, scale);
   const auto from = load_quaternions(d, job.from + bone, packet_bones);
-  const auto turned = turned_by(d, from, values);
+  const auto turned = turned_by<small>(d, from, values);
   store(d, choose(hn::Eq(amplitude, hn::Zero(d)), from, turned), job.out + bone, packet_bones);
   if (job.out != job.from) copy_components(d, job.from + bone, job.out + bone, 4, job.components);
 }
 
 inline void noise(const NoiseJob& shared) {
   const NoiseJob job = shared;  // or it would be read again after every store
-  for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) noise_lanes(BoneLanes(), job, bone);
+  for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
+    if (job.amplitude <= small_amplitude) {
+      noise_lanes<true>(BoneLanes(), job, bone);
+    } else {
+      noise_lanes<false>(BoneLanes(), job, bone);
+    }
+  }
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -32,8 +32,8 @@ NoiseMoment noise_moment(std::uint64_t seed, const NoisePoint& point);
 /// turns about v by 2 atan(|v| / 2). A bone of amplitude 0 keeps its bits. `out` may be `from`.
 struct NoiseJob {
   const float* from = nullptr;          ///< [components][16]
-  float amplitude = 0.0F;               ///< rad, 0 to pi after bone weights: no turn is ever larger
-  const float* bone_weights = nullptr;  ///< [16], 0 or more, or null: all 1
+  float amplitude = 0.0F;               ///< rad, 0 to pi: no turn is ever larger
+  const float* bone_weights = nullptr;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
   NoiseMoment moment;
   int packet = 0;      ///< which 16 bones these are
   int bone_count = 0;  ///< of the whole pose: what lies at and above it keeps its bits

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bone_lod.h"
 #include "app/crowd_roles.h"
 #include "app/selection_report.h"
 #include "app/settings.h"
@@ -35,8 +36,11 @@ struct PuReport {
 
 struct BoneRow {
   std::string name;
-  int depth = 0;  ///< in the hierarchy
-  int level = 0;  ///< the last level that still has it: 0 full only, 3 always
+  int depth = 0;                   ///< in the hierarchy
+  int level = 0;                   ///< the last level that still has it: 0 full only, 3 always
+  int parent = -1;                 ///< place of its parent in the list
+  float error_millimetres = 0.0F;  ///< on the surface without it, 99th percentile (anim::BoneLodRow)
+  float nanoseconds = 0.0F;        ///< of an agent's update, by the cost model
 };
 
 /// Main memory of the blocks of one kind of entity, of all agents.
@@ -70,10 +74,23 @@ struct FrameReport {
   RoleClips role_clips = no_clips();            ///< in use
   RoleClips suggested_role_clips = no_clips();  ///< as the names suggest
   // LOD
-  std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
-  std::vector<int> agents_by_bone_level;  ///< up to 4
-  std::vector<int> level_bone_counts;     ///< up to 4
-  std::vector<BoneRow> bones;             ///< in level-of-detail order
+  std::vector<int> agents_by_interval;                         ///< [i]: visible agents with interval i + 1
+  std::vector<int> agents_by_bone_level;                       ///< up to 4
+  std::vector<int> level_bone_counts;                          ///< up to 4
+  float error_px_p50 = 0, error_px_p99 = 0, error_px_max = 0;  ///< of what is shown, over the last 60 frames
+  float pop_px_max = 0;                                        ///< the largest change of an error between two frames
+  int error_samples = 0;                                       ///< agents measured in these frames
+  bool error_px_p99_is_known = false;                          ///< enough of them
+  std::vector<BoneRow> bones;                                  ///< in level-of-detail order
+  float lod_tolerance_px = 0;                                  ///< in force; 0 under rules that have none
+  std::string binding_limit;                   ///< "none", "error", "budget" or "both miss"; empty under such rules
+  float predicted_pose_ms = 0;                 ///< of all PUs, by the cost model, those who reappear included
+  bool budget_held = true;                     ///< of this frame, those who reappear exempt
+  float cost_culling_percent = 0;              ///< of the cost of everyone: saved since it is out of view
+  float cost_skipping_percent = 0;             ///< of the cost of those in view: saved by skipping updates
+  float cost_bones_percent = 0;                ///< of the same: saved by dropping bones
+  std::string limit_sentence;                  ///< who limits the frame rate, with figures
+  std::vector<float> level_error_millimetres;  ///< [level]: of its surface, 99th percentile
   // scheduling
   int pus = 0, hardware_threads = 0;
   int local_store_kib = 0;
@@ -97,6 +114,9 @@ struct OverlayCommands {
   std::optional<std::size_t> character;  ///< whose roles and bones are to be shown
   std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown
   bool save_roles = false;
+  std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
+  bool save_bone_lod = false;             ///< beside the model
+  bool export_lod = false;                ///< for another engine
   bool step = false;                      ///< advance one frame while paused
   bool frame_crowd = false;               ///< as key F
   bool copy_camera = false;               ///< as key C

@@ -15,6 +15,6 @@ inline constexpr std::array<const char*, 2> lod_rule_words = {"off", "distance"}
 inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands about", "marches", "watches",
                                                            "has a seat", "trains",       "acts"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
-inline constexpr std::array<const char*, 4> debug_view_words = {"none", "interval", "bones", "mesh"};
+inline constexpr std::array<const char*, 5> debug_view_words = {"none", "interval", "bones", "mesh", "error"};
 
 }  // namespace throng::app

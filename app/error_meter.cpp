@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/anim/kernel/hierarchy.h"
+
 namespace throng::app {
 namespace {
 
@@ -34,7 +36,7 @@ void ErrorMeter::set_character(std::size_t character, const CharacterSource& sou
   MeasuredCharacter& measured = characters_[character];
   measured.points = anim::choose_surface_points(source.model);
   measured.kept_entries = mesh_data(source.model).entry_at_level;
-  measured.packing_frames = anim::packing_frames(source.model.skeleton);
+  measured.packing = anim::packing_frames(source.model.skeleton);
   measured.entries = static_cast<std::size_t>(source.model.skeleton.palette_count());
   measured.cost = cost_of_exact_bone * source.model.skeleton.bone_count() +
                   cost_of_point * static_cast<double>(measured.points.count());
@@ -108,33 +110,17 @@ void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& f
   figures_ = window_.figures();
 }
 
-// As the vertex shader does: matrices are mixed, what is packed goes from rotation to rotation.
-void ErrorMeter::blend_as_shown(const WatchedAgent& watched, const MeasuredCharacter& character, const ShownPose& pose,
-                                float blend) {
-  const std::span blended = std::span(blended_).first(character.entries);
-  const std::byte* const from = watched.blends ? watched.from : watched.to;
-  const std::vector<std::uint16_t>& kept_entries = character.kept_entries[pose.level()];
-  if (pose.to_format == anim::PaletteFormat::matrices) {
-    return anim::blend_shown_palette({.from = reinterpret_cast<const anim::PaletteMatrix*>(from),
-                                      .to = reinterpret_cast<const anim::PaletteMatrix*>(watched.to),
-                                      .blend = blend,
-                                      .kept_entries = kept_entries,
-                                      .shown = blended});
-  }
-  for (std::size_t entry = 0; entry < blended.size(); ++entry) {
-    const std::uint16_t kept = kept_entries[entry];
-    blended[entry] = anim::unpack_between(reinterpret_cast<const anim::PackedPaletteEntry*>(from)[kept],
-                                          reinterpret_cast<const anim::PackedPaletteEntry*>(watched.to)[kept],
-                                          character.packing_frames[kept], blend);
-  }
-}
-
 void ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame) {
   const MeasuredCharacter& character = characters_[frame.crowd.characters()[watched.agent]];
   const ShownPose& pose = frame.shown.pose(watched.agent);
-  if (watched.blends && pose.from_format != pose.to_format) return;  // for the length of one blend
-  blend_as_shown(watched, character, pose, anim::blend_of(pose.from_time, pose.to_time - pose.from_time, frame.now));
   const std::span blended = std::span(blended_).first(character.entries);
+  const bool packed = watched.format == anim::PaletteFormat::packed;
+  anim::blend_shown_palette({.from = anim::PaletteDestination(watched.blends ? watched.from : watched.to),
+                             .to = anim::PaletteDestination(watched.to),
+                             .packing = packed ? character.packing : std::span<const anim::PackingFrame>(),
+                             .blend = anim::blend_of(pose.from_time, pose.to_time - pose.from_time, frame.now),
+                             .kept_entries = character.kept_entries[pose.level()],
+                             .shown = blended});
   const anim::ModelOnScreen screen{
       .model_to_clip = frame.view.projection * (frame.view.view * model_to_world(frame.crowd, watched.agent)),
       .half_size = frame.size * 0.5F};

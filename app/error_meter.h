@@ -61,15 +61,13 @@ class ErrorMeter {
   struct MeasuredCharacter {
     anim::SurfacePoints points;
     std::vector<std::vector<std::uint16_t>> kept_entries;  // [bone level][entry]
-    std::vector<anim::PackingFrame> packing_frames;        // [entry], or none
+    std::vector<anim::PackingFrame> packing;               // [entry]; empty: never packed
     std::size_t entries = 0;
     double cost = 0;  // of measuring one agent, in bones evaluated
   };
 
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
   void take(WatchedAgent& watched);
-  void blend_as_shown(const WatchedAgent& watched, const MeasuredCharacter& character, const ShownPose& pose,
-                      float blend);
   void measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame);
 
   std::vector<MeasuredCharacter> characters_;

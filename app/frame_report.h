@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +20,14 @@ struct PuSpan {
   Kind kind = Kind::compute;
   float begin_ms = 0;  ///< from the start of the frame's update
   float end_ms = 0;
+  std::uint64_t bytes_in = 0, bytes_out = 0, transfers = 0;  ///< copied meanwhile
+};
+
+/// What every PU did in one of the last frames.
+struct TimelineFrame {
+  int frame = 0;
+  float length_ms = 0;
+  std::vector<std::vector<PuSpan>> lanes;  ///< [PU]
 };
 
 /// What one PU did and moved in the last frame.
@@ -51,6 +60,13 @@ struct KindRow {
   std::uint64_t reserved_bytes = 0;  ///< of the slabs they lie in
 };
 
+/// What level of detail gives an agent, to be written above its head.
+struct HeadFigures {
+  float x = 0, y = 0, z = 0;  ///< metres, just above it
+  int interval = 1;
+  int bone_level = 0;
+};
+
 /// A const view of all that the overlay shows; filled by the demo once a frame.
 struct FrameReport {
   std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
@@ -69,6 +85,8 @@ struct FrameReport {
   std::uint64_t pose_hash = 0;
   std::uint32_t draw_calls = 0;
   std::uint64_t triangles = 0;
+  // budget
+  std::optional<float> limit_ms;  ///< of animation, if one was asked for
   // roles
   std::vector<std::string> clip_names;          ///< of the character
   RoleClips role_clips = no_clips();            ///< in use
@@ -91,6 +109,7 @@ struct FrameReport {
   float cost_bones_percent = 0;                ///< of the same: saved by dropping bones
   std::string limit_sentence;                  ///< who limits the frame rate, with figures
   std::vector<float> level_error_millimetres;  ///< [level]: of its surface, 99th percentile
+  std::vector<HeadFigures> heads;              ///< of those near by, if asked for
   // scheduling
   int pus = 0, hardware_threads = 0;
   int local_store_kib = 0;
@@ -99,8 +118,12 @@ struct FrameReport {
   std::uint32_t local_store_laid_out_bytes = 0;  ///< of each PU
   std::uint64_t dma_in_bytes = 0, dma_out_bytes = 0, dma_transfers = 0, palette_bytes = 0;
   std::vector<PuReport> pu;
-  std::vector<KindRow> memory;  ///< kinds that have blocks
+  std::deque<TimelineFrame> timeline;  ///< the last frames, oldest first
+  std::vector<KindRow> memory;         ///< kinds that have blocks
   CameraPlace camera;
+  std::vector<std::string> preset_names;    ///< of presets that can be loaded, sorted
+  int snapshots = 0;                        ///< of the crowd as it was, that it can be taken back to
+  float snapshot_seconds = 0;               ///< how far back the newest of them is
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
 };
 
@@ -117,14 +140,22 @@ struct OverlayCommands {
   std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
   bool save_bone_lod = false;             ///< beside the model
   bool export_lod = false;                ///< for another engine
+  std::vector<std::string> models;        ///< files dropped on the window: characters for everyone
   bool step = false;                      ///< advance one frame while paused
   bool frame_crowd = false;               ///< as key F
   bool copy_camera = false;               ///< as key C
   bool screenshot = false;                ///< as key F12
+  bool record = false;                    ///< begins or ends a recording, as key R
   bool quit = false;                      ///< key Esc, while nobody is selected
   std::optional<PicturePoint> select_at;  ///< clicked at, not at the overlay
   bool deselect = false;
-  bool push_over = false;  ///< whoever is selected; as key P
+  std::optional<float> hold_at;  ///< whoever is selected: its clip is held at these seconds
+  bool let_go = false;           ///< whoever is held plays on
+  bool rewind = false;           ///< the crowd goes back to the newest snapshot, next time to the one before it
+  std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
+  bool copy_command_line = false;                                      ///< the tuning as options
+  bool push_over = false;                                              ///< whoever is selected; as key P
+  bool exact_crowd = false;  ///< while key X is held: nothing is skipped or simplified
 };
 
 }  // namespace throng::app

@@ -29,6 +29,9 @@ int depth_of(const anim::Skeleton& skeleton, int bone) {
 }
 
 constexpr double most_spans_in_a_lane = 512;
+constexpr std::size_t timeline_frames = 8;
+constexpr std::size_t most_heads = 300;
+constexpr float above_head = 0.12F;  // metres
 
 std::optional<PuSpan::Kind> kind_of(anim::TraceSpan::Kind kind) {
   switch (kind) {
@@ -55,11 +58,12 @@ std::vector<PuSpan> spans_of(const anim::Trace& trace, const anim::UpdateTime& t
     const auto kind = kind_of(span.kind);
     if (!kind) continue;
     const auto end = static_cast<float>(time.ms(span.end));
-    if (!spans.empty() && spans.back().kind == *kind && end - spans.back().begin_ms < shortest) {
-      spans.back().end_ms = end;
-    } else {
-      spans.push_back({*kind, static_cast<float>(time.ms(span.begin)), end});
-    }
+    const bool joins = !spans.empty() && spans.back().kind == *kind && end - spans.back().begin_ms < shortest;
+    if (!joins) spans.push_back({.kind = *kind, .begin_ms = static_cast<float>(time.ms(span.begin))});
+    spans.back().end_ms = end;
+    spans.back().bytes_in += span.bytes_in;
+    spans.back().bytes_out += span.bytes_out;
+    spans.back().transfers += span.transfers;
   }
   return spans;
 }
@@ -86,8 +90,13 @@ void count(std::vector<int>& counts, std::size_t place) {
 }  // namespace
 
 FrameReporter::FrameReporter(const Show& show) {
-  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
   describe_device(show);
+  describe_characters(show);
+}
+
+void FrameReporter::describe_characters(const Show& show) {
+  report_.characters.clear();
+  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
   describe_character(show, 0);
 }
 
@@ -148,11 +157,16 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.draw_calls = show.draw_counts().draw_calls;
   report_.triangles = show.draw_counts().triangles;
   add_level_of_detail(show.stage());
+  add_heads(show.stage());
   add_units(system, show.last_update_ms());
+  remember_timeline();
   add_memory(system);
   limit_.add(show.frame_times());
   report_.limit_sentence = limit_.sentence();
   report_.selected = report_selection(show.stage());
+  if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
+  report_.snapshots = static_cast<int>(show.moments().count());
+  report_.snapshot_seconds = static_cast<float>(anim::to_seconds(show.moments().age(show.stage())));
 }
 
 void FrameReporter::add_memory(const anim::AnimationSystem& system) {
@@ -197,6 +211,23 @@ void FrameReporter::add_limits(const Stage& stage) {
   report_.cost_bones_percent = static_cast<float>(saved.bones_percent);
 }
 
+void FrameReporter::add_heads(const Stage& stage) {
+  report_.heads.clear();
+  if (!stage.tuning().inspection.figures_above_heads) return;
+  std::vector<anim::VisibleAgent> near(stage.selection().visible.begin(), stage.selection().visible.end());
+  const auto shown = near.begin() + static_cast<std::ptrdiff_t>(std::min(near.size(), most_heads));
+  std::ranges::partial_sort(near, shown, std::ranges::greater(), &anim::VisibleAgent::pixels_tall);
+  for (const anim::VisibleAgent& agent : std::span(near.begin(), shown)) {
+    const glm::vec3 foot = stage.crowd().positions()[agent.agent];
+    const auto height = static_cast<float>(stage.character_of(agent.agent).bounds.height);
+    report_.heads.push_back({.x = foot.x,
+                             .y = foot.y + stage.crowd().scales()[agent.agent] * height + above_head,
+                             .z = foot.z,
+                             .interval = agent.interval,
+                             .bone_level = agent.bone_level});
+  }
+}
+
 void FrameReporter::add_units(const anim::AnimationSystem& system, double update_ms) {
   const anim::ScheduleOptions& schedule = system.schedule();
   report_.pus = schedule.pus;
@@ -213,6 +244,16 @@ void FrameReporter::add_units(const anim::AnimationSystem& system, double update
     report_.pu.push_back(report_of(unit, system.update_time(), update_ms));
     report_.local_store_laid_out_bytes =
         std::max(report_.local_store_laid_out_bytes, report_.pu.back().local_store_laid_out_bytes);
+  }
+}
+
+void FrameReporter::remember_timeline() {
+  if (report_.timeline.size() == timeline_frames) report_.timeline.pop_front();
+  TimelineFrame& frame = report_.timeline.emplace_back();
+  frame.frame = report_.frame;
+  for (const PuReport& pu : report_.pu) {
+    frame.lanes.push_back(pu.spans);
+    if (!pu.spans.empty()) frame.length_ms = std::max(frame.length_ms, pu.spans.back().end_ms);
   }
 }
 
@@ -239,6 +280,7 @@ anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_fil
     pu.wait_ms = 0;
     pu.spans.clear();
   }
+  report_.timeline.clear();
   return anim::Done{};
 }
 

@@ -21,6 +21,8 @@ using ValueReader = std::function<Complaint(const std::string& text)>;
 ValueReader whole_number(int& target, int least, int most);
 /// N[,N...]: each least to most.
 ValueReader number_list(std::vector<int>& target, int least, int most);
+/// Any number, least to most.
+ValueReader number_between(float& target, float least, float most);
 ValueReader seed_number(std::uint32_t& target);
 ValueReader seconds_above_zero(std::optional<double>& target);
 /// Above 0; `unit` is named where it is refused: "pixels".

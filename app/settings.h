@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/crowd_roles.h"
+#include "engine/anim/run/cost_model.h"
 
 namespace throng::app {
 
@@ -40,6 +41,18 @@ struct TakenAway {
   friend bool operator==(const TakenAway&, const TakenAway&) = default;
 };
 
+/// What lets people look at level of detail, and try what it would do. No part of a look that is worth keeping.
+struct LodInspection {
+  bool freeze_camera = false;  ///< level of detail and culling go on from where the camera was; its frustum is drawn
+  bool thresholds = false;     ///< a ring on the ground wherever the interval grows
+  bool figures_above_heads = false;  ///< interval and bone level of those near by
+  int forced_interval = 0;           ///< frames, 1 to 16; 0: as the rule has it
+  int forced_bone_level = -1;        ///< 0 to 3, or the character's last; -1: as the rule has it
+  bool force_selected_only = false;  ///< the forced values are for the selected agent, else for everyone
+
+  friend bool operator==(const LodInspection&, const LodInspection&) = default;
+};
+
 /// Every value that can be tuned while the crowd runs: the overlay edits a copy, the demo applies it at a frame
 /// boundary.
 struct Tuning {
@@ -59,6 +72,7 @@ struct Tuning {
   ErrorSampling error_sample = ErrorSampling::some;  ///< whose error on screen is measured, of those in view
   float error_px = 1.0F;                             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
+  LodInspection inspection;
   // Per-bone LOD
   bool bone_lod = true;
   float bone_level_distance[3] = {15.0F, 30.0F, 60.0F};  ///< metres from which level 1, 2, 3 is shown
@@ -75,9 +89,22 @@ struct Tuning {
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
   TakenAway taken_away;
+  // What is predicted
+  anim::CostModel cost{};  ///< nanoseconds of one PU
 
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
+
+/// The same crowd as `--lod off` shows it: everyone posed in full in every frame.
+inline Tuning without_level_of_detail(Tuning tuning) {
+  tuning.lod = LodRule::off;
+  tuning.bone_lod = false;
+  tuning.smooth = false;
+  tuning.mesh_lod = 0;
+  tuning.inspection.forced_interval = LodInspection().forced_interval;
+  tuning.inspection.forced_bone_level = LodInspection().forced_bone_level;
+  return tuning;
+}
 
 inline constexpr std::size_t most_models = 16;  ///< of people in one crowd
 
@@ -92,18 +119,22 @@ struct DemoOptions {
   std::optional<double> dt;   ///< seconds; unset: 1/60 headless, the clock in a window
   int width = 1280;
   int height = 720;
-  bool ui = false;        ///< overlay in a headless run
-  bool ui_fixed = false;  ///< with measured times from a committed report
+  bool ui = false;               ///< overlay in a headless run
+  bool ui_fixed = false;         ///< with measured times from a committed report
+  std::string ui_tab = "Crowd";  ///< that the overlay starts with
   bool hide_ui = false;
-  int msaa = -1;  ///< -1: what the device affords; 0 or 4
+  float ui_scale = 1;  ///< of every measure of the overlay
+  int msaa = -1;       ///< -1: what the device affords; 0 or 4
   bool shadows = true;
-  std::vector<RoleChoice> clips;  ///< over those of the role file, and those that names suggest
-  bool agents_given = false;      ///< a software renderer shows fewer in a window unless given
-  bool shadows_given = false;     ///< a software renderer draws none unless given
-  bool force_software = false;    ///< EGL: never the graphics card; for tests
+  std::vector<RoleChoice> clips;   ///< over those of the role file, and those that names suggest
+  bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
+  bool shadows_given = false;      ///< a software renderer draws none unless given
+  std::vector<std::string> given;  ///< the options that the command line names, "--pus"
+  bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
+  std::string record, replay;                          ///< files; empty: not asked for
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 

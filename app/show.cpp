@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/camera_path.h"
+#include "app/character_files.h"
 #include "app/data_folder.h"
 #include "app/exit_status.h"
 #include "app/fly_camera.h"
@@ -16,6 +17,7 @@ namespace throng::app {
 namespace {
 
 constexpr int software_window_agents = 300;
+constexpr float frustum_reach = 120.0F;  // metres
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 
 double milliseconds_of(const auto& work) {
@@ -30,34 +32,15 @@ bool fail(Failure& failure, int status, std::string message) {
 }
 
 anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
-  std::vector<CharacterSource> characters;
-  for (const std::string& file : options.models) {
-    const BoneLodFile kept(file);
-    auto character = load_character(file, file, &kept);
-    if (!character) return character.error();
-    characters.push_back(std::move(*character));
-    characters.back().file = file;
-  }
-  if (!characters.empty()) return characters;
+  if (!options.models.empty()) return load_characters(options.models);
   const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
   if (!built_in) return built_in.error();
   const BoneLodFile kept{{}};
   auto character = load_character(built_in->string(), "mannequin (built in)", &kept);
   if (!character) return character.error();
+  std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));
   return characters;
-}
-
-// The table that lies beside the model.
-bool take_kept_roles(CharacterSource& character, Failure& failure) {
-  const auto kept = RoleFile(character.file).read();
-  if (!kept) return fail(failure, exit_job_failed, kept.error().message);
-  RoleClips clips = character.roles.clips;
-  if (const auto chosen = choose_clips(*kept, character.clip_names, clips); !chosen) {
-    return fail(failure, exit_job_failed, "the roles kept for " + character.name + ": " + chosen.error().message);
-  }
-  assign_roles(character, clips);
-  return true;
 }
 
 // What the command line says goes for every character that has such a clip.
@@ -75,7 +58,10 @@ bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> chara
 }
 
 bool choose_roles(const DemoOptions& options, std::span<CharacterSource> characters, Failure& failure) {
-  const auto kept = [&](CharacterSource& character) { return take_kept_roles(character, failure); };
+  const auto kept = [&](CharacterSource& character) {
+    const anim::Status taken = take_kept_roles(character);
+    return taken || fail(failure, exit_job_failed, taken.error().message);
+  };
   const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, failure); };
   return std::ranges::all_of(characters, kept) && std::ranges::all_of(options.clips, chosen);
 }
@@ -131,15 +117,6 @@ bool Show::open_renderer(const DemoOptions& options, Failure& failure) {
   return true;
 }
 
-anim::Status Show::load_meshes() {
-  if (renderer_ == nullptr) return anim::Done{};
-  std::vector<render::CrowdMeshData> meshes;
-  for (const CharacterSource& character : stage_->characters()) meshes.push_back(mesh_data(character.model));
-  const render::Status loaded = renderer_->load_characters(meshes);
-  if (!loaded) return anim::Error{loaded.error().message};
-  return anim::Done{};
-}
-
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure) {
   Tuning tuning = options.tuning;
   if (options.context == ContextKind::window && on_software() && !options.agents_given) {
@@ -184,7 +161,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure)
   if (!options.trace.empty()) show->timeline_.emplace();
   if (!show->open_context(options, failure) || !show->open_renderer(options, failure)) return nullptr;
   if (!show->open_stage(std::move(*characters), options, failure)) return nullptr;
-  if (const auto loaded = show->load_meshes(); !loaded) {
+  if (const anim::Status loaded = show->load_meshes(*show->stage_); !loaded) {
     return fail(failure, exit_job_failed, loaded.error().message), nullptr;
   }
   if (!show->place_camera(options, failure)) return nullptr;
@@ -197,7 +174,13 @@ anim::Status Show::apply(const Tuning& tuning) {
   const anim::Status applied = stage_->apply(tuning);
   if (applied && another_scene) films = true;
   if (applied) update_notice();
+  if (applied && recorder_) recorder_->add(tuning);
   return applied;
+}
+
+void Show::set_roles(std::size_t character, const RoleClips& clips) {
+  stage_->set_roles(character, clips);
+  if (recorder_) recorder_->add(RecordedRoles{static_cast<std::uint32_t>(character), clips});
 }
 
 anim::Result<std::filesystem::path> Show::save_roles(std::size_t index) const {
@@ -207,7 +190,7 @@ anim::Result<std::filesystem::path> Show::save_roles(std::size_t index) const {
 
 anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
   const anim::Status set = stage_->set_bone_lod(character, choice);
-  return set ? load_meshes() : set;
+  return set ? load_meshes(*stage_) : set;
 }
 
 anim::Result<std::filesystem::path> Show::save_bone_lod(std::size_t index) const {
@@ -227,12 +210,42 @@ anim::Result<std::filesystem::path> Show::export_lod(std::size_t index) const {
 void Show::select_at(float x, float y) {
   const auto size = glm::vec2(glm::ivec2(width, height));
   const auto picked = pick(ray_through(camera, {x, y}, size), stage_->bodies_in_view());
-  stage_->select(picked ? std::optional(picked->agent) : std::nullopt);
+  select(picked ? std::optional(picked->agent) : std::nullopt);
+}
+
+void Show::select(std::optional<std::uint32_t> agent) {
+  stage_->select(agent);
+  if (recorder_) recorder_->add(RecordedSelection{agent});
+}
+
+void Show::hold_selected_clip(float seconds) {
+  if (const auto selected = stage_->selected()) stage_->hold_clip(*selected, seconds);
 }
 
 anim::Status Show::push_selected() {
   const auto selected = stage_->selected();
-  return selected ? stage_->push_over(*selected, render::forward(camera)) : anim::Done{};
+  return selected ? push(*selected, render::forward(camera)) : anim::Done{};
+}
+
+anim::Status Show::push(std::uint32_t agent, const glm::vec3& direction) {
+  anim::Status pushed = stage_->push_over(agent, direction);
+  if (pushed && recorder_) recorder_->add(RecordedPush{agent, direction});
+  return pushed;
+}
+
+anim::Status Show::start_recording(const std::filesystem::path& file) {
+  RecordingHeader header{.characters = {}, .tuning = stage_->tuning(), .width = width, .height = height};
+  for (const CharacterSource& character : stage_->people()) header.characters.push_back(recorded(character));
+  auto recorder = RecordingWriter::create(file, header);
+  if (!recorder) return recorder.error();
+  if (stage_->frame() > 0) stage_->restart();
+  recorder_ = std::move(*recorder);
+  return anim::Done{};
+}
+
+anim::Status Show::stop_recording() {
+  if (recorder_ == nullptr) return anim::Done{};
+  return std::exchange(recorder_, nullptr)->finish();
 }
 
 void Show::update_notice() {
@@ -258,21 +271,49 @@ void Show::film() {
   }
 }
 
-void Show::animate(anim::Ticks delta) {
+void Show::animate(anim::Ticks delta) { update(delta, nullptr); }
+
+void Show::animate_as(const RecordedFrame& frame) {
+  camera = frame.view.camera;
+  films = false;
+  update(frame.delta, &frame.view);
+}
+
+void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   const anim::Ticks step = stage_->tuning().taken_away.animation ? 0 : delta;
+  LodView view;
   const std::uint64_t completed = completed_frame();
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = TimelineLog::Clock::now();
   update_ms_ = milliseconds_of([&] {
     stage_->move(step);
     film();
-    stage_->pose(camera, width, height, step, completed);
+    freeze_lod_camera();
+    view = as_recorded != nullptr ? *as_recorded : LodView{lod_camera(), width, height};
+    stage_->pose(view.camera, view.width, view.height, step, completed);
   });
   times_.animation_ms = update_ms_;
+  if (recorder_) recorder_->add({step, view, stage_->system().pose_hash()}, stage_->system().agent_hashes());
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
   statistics_.add_report(*stage_);
+}
+
+void Show::freeze_lod_camera() {
+  if (!stage_->tuning().inspection.freeze_camera)
+    frozen_camera_.reset();
+  else if (!frozen_camera_)
+    frozen_camera_ = camera;
+}
+
+void Show::gather_lines() {
+  const Tuning& tuning = stage_->tuning();
+  const auto aspect = static_cast<float>(width) / static_cast<float>(height);
+  const auto middle = static_cast<float>(stage_->characters().front().bounds.height / 2);
+  lines_.clear();
+  if (frozen_camera_) add_frustum(lines_, *frozen_camera_, aspect, frustum_reach);
+  if (tuning.inspection.thresholds) add_threshold_rings(lines_, tuning, lod_camera(), middle);
 }
 
 int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const {
@@ -288,7 +329,8 @@ render::CrowdFrame Show::crowd_frame() const {
           .batches = picture_.batches(),
           .now = stage_->now(),
           .bones_as_lines = stage_->tuning().bones_as_lines,
-          .fill_pixels = !stage_->tuning().taken_away.pixels};
+          .fill_pixels = !stage_->tuning().taken_away.pixels,
+          .lines = lines_};
 }
 
 void Show::draw() {
@@ -298,6 +340,7 @@ void Show::draw() {
     picture_.compose(*stage_, [this](std::uint8_t character, float pixels, int at_least) {
       return pick_mesh_lod(character, pixels, at_least);
     });
+    gather_lines();
     renderer_->upload(crowd_frame());
   });
   times_.submission_ms = taken_away.drawing ? 0.0 : milliseconds_of([&] {

@@ -77,6 +77,7 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
           .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
           .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe,
+          .cost = tuning.cost,
           .palettes = tuning.palette == Palette::packed ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices};
 }
 
@@ -103,10 +104,11 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
 }
 
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
-                                                   render::PalettePageSource& pages) {
+                                                   render::PalettePageSource& pages, std::uint64_t first_frame) {
   characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
   std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
   stage->tuning_ = tuning;
+  stage->frame_ = first_frame;
   if (const anim::Status opened = stage->open_system(); !opened) return opened.error();
   stage->populate();
   return stage;
@@ -179,18 +181,30 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   lod_characters_[character].clips = skip_errors;
   meter_.set_character(character, source);
   meter_.reset(crowd_->size());
+  ++crowd_number_;  // moments of it are of other blocks
   shown_.reset(crowd_->size(), frame_);
   lod_.make_all_due();
   return anim::Done{};
 }
 
-void Stage::populate() {
+void Stage::restart() {
+  moving_ = true;
+  populate(Clocks::begin_anew);
+}
+
+void Stage::populate(Clocks clocks) {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
+  ++crowd_number_;
   selected_.reset();
+  held_clip_.reset();
   fallen_->reset();
   feet_->reset(agents);
   system_->set_agent_count(0);
+  if (clocks == Clocks::begin_anew) {
+    system_->restart();
+    frames_moved_ = 0;
+  }
   cut_scene_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
@@ -236,6 +250,7 @@ anim::Status Stage::push_over(std::uint32_t agent, const glm::vec3& direction) {
     const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing());
     return anim::Error{character.name + " cannot be pushed over: " + missing};
   }
+  if (holds_clip(agent)) let_go_of_clip();
   const Heading heading = crowd_->headings()[agent];
   const glm::vec2 way(heading.cosine * direction.x - heading.sine * direction.z,
                       heading.sine * direction.x + heading.cosine * direction.z);

@@ -38,10 +38,17 @@ void Stage::match_playback() {
   const std::span<const float> speeds = crowd_->playback_speeds();
   const std::size_t movers = crowd_->walkers() + crowd_->marchers();
   for (std::uint32_t agent = 0; agent < movers; ++agent) {
-    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip) continue;
+    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip || holds_clip(agent)) continue;
     system_->set_speed(agent, static_cast<double>(speeds[agent]));
     played_speeds_[agent] = speeds[agent];
   }
+}
+
+anim::LodForce Stage::lod_force(const LodInspection& inspection) const {
+  if (inspection.force_selected_only && !selected_) return {};
+  return {.interval = inspection.forced_interval,
+          .bone_level = inspection.forced_bone_level,
+          .agent = inspection.force_selected_only ? selected_ : std::nullopt};
 }
 
 std::uint32_t Stage::now() const { return microseconds(system_->clock()); }
@@ -60,6 +67,7 @@ anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int hei
                      .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F),
                      .forward = render::forward(camera)},
           .rules = crowd_lod_.rules(),
+          .force = lod_force(tuning_.inspection),
           .number = frames_moved_};
 }
 
@@ -77,7 +85,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   auto seen = selection_.visible.begin();
   for (const anim::DueAgent& due : selection_.due) {
     while (seen != selection_.visible.end() && seen->agent < due.agent) ++seen;
-    if (crowd_->holds(due.agent)) continue;  // it has fallen
+    if (crowd_->holds(due.agent) && !holds_clip(due.agent)) continue;  // it has fallen
     const bool visible = seen != selection_.visible.end() && seen->agent == due.agent;
     // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
     const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
@@ -123,14 +131,13 @@ BoneStep Stage::step_bones(const anim::DueAgent& due) {
 anim::PaletteDestination Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
                                      std::uint64_t last_frame) {
   const std::uint8_t character = crowd_->characters()[agent];
-  const std::uint32_t entries = palette_entries_[character][level];
-  const anim::PaletteDestination memory = shown_.show({.agent = agent,
-                                                       .level = level,
-                                                       .entries = entries,
-                                                       .time = pose_time,
-                                                       .format = system_->palette_format(character)},
-                                                      now(), last_frame);
-  return meter_.destination(agent, shown_.pose(agent), entries, memory);
+  const NewPose pose{.agent = agent,
+                     .level = level,
+                     .entries = palette_entries_[character][level],
+                     .time = pose_time,
+                     .format = system_->palette_format(character)};
+  const anim::PaletteDestination memory = shown_.show(pose, now(), last_frame);
+  return meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
 }
 
 // Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.

@@ -70,6 +70,8 @@ void add_error(Json& json, const anim::ErrorFigures& error) {
   json["error_px_max"] = measured ? Json(error.max) : Json(nullptr);
   json["pop_px_max"] = measured ? Json(error.pop_max) : Json(nullptr);
   json["error_samples"] = error.samples;
+}
+
 // Null where there is no such limit.
 void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) {
   const bool by_error = tuning.lod == LodRule::budget;
@@ -126,6 +128,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["update_ms_median"] = median(update_ms_);
   json["update_ms_p99"] = percentile_99(update_ms_);
   json["frame_ms_median"] = frame_ms_.empty() ? Json(nullptr) : Json(median(frame_ms_));
+  json["overlay_ms_median"] = overlay_ms_.empty() ? Json(nullptr) : Json(median(overlay_ms_));
   json["draw_calls"] = draw_calls_;
   json["triangles"] = triangles_;
   json["palette_format"] = palette_format(stage);

@@ -23,6 +23,8 @@ class Statistics {
   void set_spawn(double milliseconds) { spawn_ms_ = milliseconds; }
   void add_update(double milliseconds) { update_ms_.push_back(milliseconds); }
   void add_drawn_frame(double milliseconds) { frame_ms_.push_back(milliseconds); }
+  /// What laying out the overlay took.
+  void add_overlay(double milliseconds) { overlay_ms_.push_back(milliseconds); }
   void set_draw(std::uint32_t draw_calls, std::uint64_t triangles);
   /// After each update.
   void add_report(const Stage& stage);
@@ -30,7 +32,7 @@ class Statistics {
   anim::Status write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const;
 
  private:
-  std::vector<double> update_ms_, frame_ms_;
+  std::vector<double> update_ms_, frame_ms_, overlay_ms_;
   double spawn_ms_ = 0;
   std::uint32_t draw_calls_ = 0;
   std::uint64_t triangles_ = 0;

@@ -81,20 +81,21 @@ anim::PaletteDestination WatchedAgents::destination(std::uint32_t agent, const S
   if (place == WatchedAgent::nobody || slot_memory == nullptr) return slot_memory;
   WatchedAgent& watched = watched_[place];
   watched.blends = pose.from.first_entry != pose.to.first_entry;
-  watched.from_known = watched.to_known && watched.to_slot.page == pose.from.page &&
-                       watched.to_slot.first_entry == pose.from.first_entry;
+  watched.from_known = watched.to_known && pose.from_format == pose.to_format &&
+                       watched.to_slot.page == pose.from.page && watched.to_slot.first_entry == pose.from.first_entry;
   std::swap(watched.from, watched.to);
   watched.to_known = true;
   watched.to_slot = pose.to;
+  watched.format = pose.to_format;
   watched.slot_memory = slot_memory.memory();
-  watched.bytes = entries * anim::palette_entry_bytes(pose.to_format);
+  watched.entries = entries;
   return anim::PaletteDestination(watched.to);
 }
 
 void WatchedAgents::hand_over() {
   for (WatchedAgent& watched : watched_) {
     std::byte* const slot = std::exchange(watched.slot_memory, nullptr);
-    if (slot != nullptr) std::memcpy(slot, watched.to, watched.bytes);
+    if (slot != nullptr) std::memcpy(slot, watched.to, watched.entries * anim::palette_entry_bytes(watched.format));
   }
 }
 

@@ -20,14 +20,15 @@ struct WatchedAgent {
 
   std::uint32_t agent = nobody;
   std::uint32_t frames_left = 0;
-  std::byte* from = nullptr;  ///< of the slots that the agent shows, in the formats that its ShownPose says
+  std::byte* from = nullptr;  ///< of the slots that the agent shows, in their format; room for matrices
   std::byte* to = nullptr;
-  bool blends = false;  ///< false: shows `to` alone
+  anim::PaletteFormat format{};  ///< of both
+  bool blends = false;           ///< false: shows `to` alone
   bool from_known = false;
   bool to_known = false;
   render::PaletteSlot to_slot;
   std::byte* slot_memory = nullptr;  ///< where `to` goes after the update; null: it is there
-  std::size_t bytes = 0;             ///< written to `to`
+  std::uint32_t entries = 0;         ///< written to `to`
   anim::SurfaceErrors errors;        ///< of the frame `measured_in`
   std::uint64_t measured_in = never;
   std::uint64_t measured_again_in = never;  ///< the second of a pair of frames

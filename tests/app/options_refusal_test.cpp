@@ -69,9 +69,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"Schedule", "--schedule none", "--schedule none: must be fused or levels"},
         Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
         Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},
-        Refused{"Palette", "--palette half", "--palette half: must be float or packed"},
         Refused{"Lod", "--lod on", "--lod on: must be off, distance or budget"},
         Refused{"CameraPath", "--camera-path fly", "--camera-path fly: must be none, orbit or pan"},
+        Refused{"Palette", "--palette half", "--palette half: must be float or packed"},
         Refused{"BoneLod", "--bone-lod 1", "--bone-lod 1: must be on or off"},
         Refused{"Smooth", "--smooth yes", "--smooth yes: must be on or off"},
         Refused{"Shadows", "--shadows soft", "--shadows soft: must be on or off"},
@@ -177,10 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(NotBuiltYet, Refusal,
-                         testing::Values(Refused{"Recording", "--record run", "--record run: is not built yet"},
-                                         Refused{"Preset", "--preset a.json", "--preset a.json: is not built yet"},
-                                         Refused{"Replay", "--replay run", "--replay run: is not built yet"},
-                                         Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),
+                         testing::Values(Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),
                          name_of);
 
 TEST(EmptyText, IsRefusedWhereANameIsDue) {

@@ -66,8 +66,6 @@ void AnimationSystem::refresh_contexts() {
     contexts_.back().assets.prefetch = options_.prefetch;
     if (cast->character->hierarchy.packs()) contexts_.back().palette_format = options_.palettes;
   }
-  exact_contexts_ = contexts_;
-  for (UpdateContext& context : exact_contexts_) context.palette_format = PaletteFormat::matrices;
 }
 
 LocalStoreDemand AnimationSystem::demand(const SystemOptions& options) const {
@@ -167,6 +165,14 @@ void AnimationSystem::make_agents(std::uint32_t first) {
     cast.agents.resize(count);
   }
   reserve_work();
+}
+
+void AnimationSystem::restart() {
+  assert(agent_count() == 0 && "agents stand at times of the old clock");
+  clock_ = 0;
+  frame_ = 0;
+  pose_hash_ = 0;
+  shared_posed_at_ = 0;
 }
 
 void AnimationSystem::reserve_work() {

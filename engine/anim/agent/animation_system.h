@@ -222,6 +222,10 @@ class AnimationSystem {
   const PoseProgram& program(std::uint32_t agent) const { return cast(agent).agents.program(local(agent)); }
   /// Over the palettes of all updates so far: an agent's is seeded by agent and frame, summed over agents, chained.
   std::uint64_t pose_hash() const { return pose_hash_; }
+  /// [agent] of its last update: what pose_hash() sums up.
+  std::span<const std::uint64_t> agent_hashes() const { return agent_hashes_; }
+  /// Clock, frames and pose hash begin anew, as if the system were new. There are no agents and no shared graphs.
+  void restart();
   /// Main memory of an agent, without palettes: blocks and bookkeeping.
   double bytes_per_agent() const;
   /// In the order of the kinds; allocates.
@@ -278,9 +282,8 @@ class AnimationSystem {
 
   SystemOptions options_;
   std::vector<std::unique_ptr<Cast>> casts_;
-  std::vector<UpdateContext> contexts_;        // [cast]
-  std::vector<UpdateContext> exact_contexts_;  // [cast], whose palettes are matrices
-  std::vector<Member> members_;                // [agent]
+  std::vector<UpdateContext> contexts_;  // [cast]
+  std::vector<Member> members_;          // [agent]
   std::unique_ptr<Scheduler> scheduler_;
   std::unique_ptr<Scheduler> exact_scheduler_;  // null until it is needed, and after a change of what it would need
   std::unique_ptr<PuThreads> threads_;          // null where a host's executor runs the PUs
@@ -294,6 +297,7 @@ class AnimationSystem {
   std::vector<AgentWork> work_;
   std::vector<AgentWork> shared_work_;
   std::vector<AgentWork> exact_work_;
+  std::vector<UpdateContext> exact_contexts_;  // as contexts_, palettes as matrices
   UpdateReport report_;
 };
 

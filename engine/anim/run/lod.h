@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,15 @@ struct LodRules {
   bool counts_cost = false;  ///< LodCost::by_tolerance is asked for
 
   friend bool operator==(const LodRules&, const LodRules&) = default;
+};
+
+/// Overrules the rule, to see what an interval or a level looks like; for an agent in view, from its next update on.
+struct LodForce {
+  int interval = 0;     ///< frames, 1 to longest_interval; 0: as the rule has it
+  int bone_level = -1;  ///< 0 to the character's last, or that one if there are fewer; -1: as the rule has it
+  std::optional<std::uint32_t> agent = {};  ///< only this one; nothing: everyone
+
+  [[nodiscard]] bool concerns(std::size_t other) const { return !agent || *agent == other; }
 };
 
 /// What the rule needs to know of the camera.
@@ -106,6 +116,7 @@ struct LodState {
   void resize(std::size_t agents, LodSelection& selection);
   /// Whoever is visible next is due at once.
   void make_all_due();
+  void make_due(std::size_t agent) { was_visible[agent] = 0; }
 };
 
 class LodChoices;
@@ -121,6 +132,7 @@ struct LodFrame {
   const LodChoices* choices = nullptr;         ///< of `characters`; null: no cost is counted, and no LodRule::budget
   LodCamera camera;
   LodRules rules;
+  LodForce force = {};       ///< the interval of it is for rules other than off
   std::uint64_t number = 0;  ///< grows by one each frame in which time passes
 };
 

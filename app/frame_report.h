@@ -74,10 +74,22 @@ struct FrameReport {
   RoleClips role_clips = no_clips();            ///< in use
   RoleClips suggested_role_clips = no_clips();  ///< as the names suggest
   // LOD
-  std::vector<int> agents_by_interval;         ///< [i]: visible agents with interval i + 1
-  std::vector<int> agents_by_bone_level;       ///< up to 4
-  std::vector<int> level_bone_counts;          ///< up to 4
-  std::vector<BoneRow> bones;                  ///< in level-of-detail order
+  std::vector<int> agents_by_interval;                         ///< [i]: visible agents with interval i + 1
+  std::vector<int> agents_by_bone_level;                       ///< up to 4
+  std::vector<int> level_bone_counts;                          ///< up to 4
+  float error_px_p50 = 0, error_px_p99 = 0, error_px_max = 0;  ///< of what is shown, over the last 60 frames
+  float pop_px_max = 0;                                        ///< the largest change of an error between two frames
+  int error_samples = 0;                                       ///< agents measured in these frames
+  bool error_px_p99_is_known = false;                          ///< enough of them
+  std::vector<BoneRow> bones;                                  ///< in level-of-detail order
+  float lod_tolerance_px = 0;                                  ///< in force; 0 under rules that have none
+  std::string binding_limit;                   ///< "none", "error", "budget" or "both miss"; empty under such rules
+  float predicted_pose_ms = 0;                 ///< of all PUs, by the cost model, those who reappear included
+  bool budget_held = true;                     ///< of this frame, those who reappear exempt
+  float cost_culling_percent = 0;              ///< of the cost of everyone: saved since it is out of view
+  float cost_skipping_percent = 0;             ///< of the cost of those in view: saved by skipping updates
+  float cost_bones_percent = 0;                ///< of the same: saved by dropping bones
+  std::string limit_sentence;                  ///< who limits the frame rate, with figures
   std::vector<float> level_error_millimetres;  ///< [level]: of its surface, 99th percentile
   // scheduling
   int pus = 0, hardware_threads = 0;
@@ -109,6 +121,7 @@ struct OverlayCommands {
   bool frame_crowd = false;               ///< as key F
   bool copy_camera = false;               ///< as key C
   bool screenshot = false;                ///< as key F12
+  bool record = false;                    ///< begins or ends a recording, as key R
   bool quit = false;                      ///< key Esc, while nobody is selected
   std::optional<PicturePoint> select_at;  ///< clicked at, not at the overlay
   bool deselect = false;

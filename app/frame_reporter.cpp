@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/lod_sums.h"
 #include "app/selection_reporter.h"
 
 namespace throng::app {
@@ -149,6 +150,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   add_level_of_detail(show.stage());
   add_units(system, show.last_update_ms());
   add_memory(system);
+  limit_.add(show.frame_times());
+  report_.limit_sentence = limit_.sentence();
   report_.selected = report_selection(show.stage());
 }
 
@@ -168,10 +171,30 @@ void FrameReporter::add_level_of_detail(const Stage& stage) {
   report_.visible = static_cast<int>(stage.selection().visible.size());
   report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().largest_interval), 0);
   report_.agents_by_bone_level.assign(report_.level_bone_counts.size(), 0);
+  const anim::ErrorFigures& error = stage.error();
+  report_.error_px_p50 = error.p50;
+  report_.error_px_p99 = error.p99;
+  report_.error_px_max = error.max;
+  report_.pop_px_max = error.pop_max;
+  report_.error_samples = static_cast<int>(error.samples);
+  report_.error_px_p99_is_known = error.p99_is_known();
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     count(report_.agents_by_interval, agent.interval - 1U);
     count(report_.agents_by_bone_level, agent.bone_level);
   }
+  add_limits(stage);
+}
+
+void FrameReporter::add_limits(const Stage& stage) {
+  const LodFigures& figures = stage.level_of_detail().figures();
+  const SavedCost saved = saved_cost(figures.cost, stage.tuning().lod);
+  report_.lod_tolerance_px = figures.tolerance_px;
+  report_.binding_limit = stage.tuning().lod == LodRule::budget ? name_of(figures.binding) : "";
+  report_.predicted_pose_ms = static_cast<float>(figures.predicted_ms);
+  report_.budget_held = figures.budget_held;
+  report_.cost_culling_percent = static_cast<float>(saved.culling_percent);
+  report_.cost_skipping_percent = static_cast<float>(saved.skipping_percent);
+  report_.cost_bones_percent = static_cast<float>(saved.bones_percent);
 }
 
 void FrameReporter::add_units(const anim::AnimationSystem& system, double update_ms) {
@@ -209,6 +232,7 @@ anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_fil
   report_.gl_renderer = json.value("gl_renderer", "");
   report_.simd_target = json.value("simd_target", "");
   report_.hardware_threads = json.value("hardware_threads", 0);
+  report_.limit_sentence = json.value("limit_sentence", "");
   const float busy_ms = json.value("pu_busy_ms", 0.0F);
   for (PuReport& pu : report_.pu) {
     pu.busy_ms = busy_ms;

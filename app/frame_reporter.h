@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/frame_report.h"
+#include "app/limiter.h"
 #include "app/show.h"
 
 namespace throng::app {
@@ -28,10 +29,12 @@ class FrameReporter {
   void describe_device(const Show& show);
   void describe_bones(const anim::Character& character);
   void add_level_of_detail(const Stage& stage);
+  void add_limits(const Stage& stage);
   void add_memory(const anim::AnimationSystem& system);
   void add_units(const anim::AnimationSystem& system, double update_ms);
 
   FrameReport report_;
+  LimiterOverFrames limit_;
 };
 
 }  // namespace throng::app

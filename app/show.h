@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "app/limiter.h"
 #include "app/notices.h"
 #include "app/picture.h"
+#include "app/recording_writer.h"
 #include "app/settings.h"
 #include "app/stage.h"
 #include "app/statistics.h"
@@ -35,7 +37,7 @@ class Show {
   anim::Status apply(const Tuning& tuning);
 
   /// Other clips for the roles of a character, at a frame boundary.
-  void set_roles(std::size_t character, const RoleClips& clips) { stage_->set_roles(character, clips); }
+  void set_roles(std::size_t character, const RoleClips& clips);
   /// Keeps a character's roles for the next time; where, to tell people.
   anim::Result<std::filesystem::path> save_roles(std::size_t character) const;
 
@@ -49,12 +51,24 @@ class Show {
 
   /// Selects whoever is seen at a pixel from the top left of the picture drawn last; nobody there deselects.
   void select_at(float x, float y);
-  void deselect() { stage_->select({}); }
+  void select(std::optional<std::uint32_t> agent);
+  void deselect() { select({}); }
   /// Pushes the selected agent over, away from the camera. Errors as Stage::push_over; nothing if nobody is selected.
   anim::Status push_selected();
+  /// Errors as Stage::push_over.
+  anim::Status push(std::uint32_t agent, const glm::vec3& direction);
 
   /// Moves and poses one frame of `delta`; 0 while paused.
   void animate(anim::Ticks delta);
+  /// The same as it was recorded: seen by that camera, in a picture of that size.
+  void animate_as(const RecordedFrame& frame);
+
+  /// Writes whatever is asked of the show from now on, and the poses that come of it, to `file`. A crowd that has moved
+  /// begins anew, so that a replay can begin where this does. Errors: the file cannot be written.
+  anim::Status start_recording(const std::filesystem::path& file);
+  /// Errors: the file could not be written; nothing if none is.
+  anim::Status stop_recording();
+  bool is_recording() const { return recorder_ != nullptr; }
   /// Draws the frame as animated last, into the renderer's picture, and waits for it, so that the time is the whole
   /// frame's.
   void draw();
@@ -71,10 +85,12 @@ class Show {
   const render::DrawCounts& draw_counts() const { return draw_counts_; }
   double last_update_ms() const { return update_ms_; }
   double last_draw_ms() const { return draw_ms_; }
+  /// Of the last frame.
+  const FrameTimes& frame_times() const { return times_; }
   bool on_software() const { return context_ != nullptr && context_->is_software(); }
 
   render::Camera camera;
-  bool films = false;  ///< the camera of a cut scene sets `camera` in each frame, where there is one
+  bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
   int width = 0;
   int height = 0;
   /// Lines for people, of what is otherwise than they would expect (app/notices.h); may be empty.
@@ -88,6 +104,9 @@ class Show {
   anim::Status load_meshes();
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
+  void film();
+  render::CrowdFrame crowd_frame() const;
+  void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
   std::uint64_t completed_frame();
   int pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const;
 
@@ -95,12 +114,16 @@ class Show {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::HeapPageSource> heap_pages_;
   std::unique_ptr<Stage> stage_;
+  std::unique_ptr<RecordingWriter> recorder_;  // null while nothing is recorded
   Picture picture_;
   Statistics statistics_;
   std::optional<TimelineLog> timeline_;
   Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;
+  CameraPath path_ = CameraPath::none;
+  render::Camera path_start_;
+  FrameTimes times_;
   double update_ms_ = 0;
   double draw_ms_ = 0;
 };

@@ -33,7 +33,12 @@ EntriesByLevel entries_by_level(std::span<const CharacterSource> characters) {
 
 std::vector<std::uint32_t> all_sizes(const EntriesByLevel& entries) {
   std::vector<std::uint32_t> sizes;
-  for (const auto& of_character : entries) sizes.insert(sizes.end(), of_character.begin(), of_character.end());
+  for (const auto& of_character : entries) {
+    for (const std::uint32_t count : of_character) {
+      sizes.push_back(count);
+      sizes.push_back(slot_entries(count, anim::PaletteFormat::packed));
+    }
+  }
   return sizes;
 }
 
@@ -47,7 +52,9 @@ anim::LodCharacter lod_character(const CharacterSource& source) {
   return {.centre_height = static_cast<float>(source.bounds.height / 2.0),
           .radius = static_cast<float>(source.bounds.reach),
           .height = static_cast<float>(source.bounds.height),
-          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size())};
+          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
+          .level_error_metres = source.character->bone_lod.level_error_metres,
+          .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{})};
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
@@ -69,25 +76,31 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .tile = tuning.tile,
           .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
           .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
-          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe};
+          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe,
+          .cost = tuning.cost,
+          .palettes = tuning.palette == Palette::packed ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices};
 }
 
 anim::LodRules lod_rules(const Tuning& tuning) {
   return {
-      .rule = tuning.lod == LodRule::off ? anim::LodRule::off : anim::LodRule::distance,
+      .rule = static_cast<anim::LodRule>(tuning.lod),
       .full_rate_distance = tuning.full_rate_distance,
       .interval_growth = tuning.interval_growth,
       .largest_interval = tuning.largest_interval,
       .bone_lod = tuning.bone_lod,
-      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]}};
+      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]},
+      .smooth = tuning.smooth,
+      .counts_cost = tuning.lod == LodRule::budget};
 }
 
 Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
     : characters_(std::move(characters)),
       palette_entries_(entries_by_level(characters_)),
       slots_(pages, all_sizes(palette_entries_)),
-      shown_(slots_) {
+      shown_(slots_),
+      meter_(characters_) {
   std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
+  crowd_lod_.set_characters(lod_characters_);
 }
 
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
@@ -162,19 +175,32 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   source.character = reordered.character;
   rigs_[character]->reorder_bones(reordered.places);
   palette_entries_ = entries_by_level(characters_);
+  const std::span<const anim::SkipError> skip_errors = lod_characters_[character].clips;  // as they were in any order
   lod_characters_[character] = lod_character(source);
+  lod_characters_[character].clips = skip_errors;
+  meter_.set_character(character, source);
+  meter_.reset(crowd_->size());
   shown_.reset(crowd_->size(), frame_);
   lod_.make_all_due();
   return anim::Done{};
 }
 
-void Stage::populate() {
+void Stage::restart() {
+  moving_ = true;
+  populate(Clocks::begin_anew);
+}
+
+void Stage::populate(Clocks clocks) {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
   selected_.reset();
   fallen_->reset();
   feet_->reset(agents);
   system_->set_agent_count(0);
+  if (clocks == Clocks::begin_anew) {
+    system_->restart();
+    frames_moved_ = 0;
+  }
   cut_scene_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
@@ -185,8 +211,10 @@ void Stage::populate() {
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   lod_.resize(agents, selection_);
+  crowd_lod_.reset(agents);
   bone_steps_.assign(agents, {});
   shown_.reset(agents, frame_);
+  meter_.reset(agents);
   updates_.reserve(agents);
 }
 
@@ -195,6 +223,7 @@ void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double
   const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
+  crowd_lod_.fade(agent, system_->clock() + fade);
   system_->play(agent, {.clip = index,
                         .fade = fade,
                         .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,

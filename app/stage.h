@@ -9,7 +9,9 @@
 #include "app/bone_step.h"
 #include "app/character_source.h"
 #include "app/crowd.h"
+#include "app/crowd_lod.h"
 #include "app/cut_scene.h"
+#include "app/error_meter.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
 #include "app/placed_feet.h"
@@ -45,6 +47,8 @@ class Stage {
   /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
   /// anim::AnimationSystem::replace_character.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// The crowd and every clock begin anew: from here on, all happens as on a stage just made.
+  void restart();
 
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
@@ -67,7 +71,13 @@ class Stage {
   /// Instance record of a visible agent; false: it has no slot and is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const;
 
+  /// What level of detail costs the eye, over the last 60 frames; all 0 while nobody is measured.
+  const anim::ErrorFigures& error() const { return meter_.figures(); }
+  const ErrorMeter& error_meter() const { return meter_; }
+
   const anim::LodSelection& selection() const { return selection_; }
+  /// What level of detail decided, and what it saves.
+  const CrowdLod& level_of_detail() const { return crowd_lod_; }
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }
@@ -85,7 +95,8 @@ class Stage {
  private:
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   anim::Status open_system();
-  void populate();
+  enum class Clocks : std::uint8_t { go_on, begin_anew };
+  void populate(Clocks clocks = Clocks::go_on);
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
   BoneStep step_bones(const anim::DueAgent& due);
@@ -94,8 +105,10 @@ class Stage {
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
-  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
-  anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
+  void measure(const render::Camera& camera, int width, int height);
+  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height);
+  anim::PaletteDestination show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                std::uint64_t last_frame);
 
   std::vector<CharacterSource> characters_;
   std::vector<std::vector<std::uint32_t>> palette_entries_;  // [character][bone level]
@@ -103,6 +116,7 @@ class Stage {
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
+  ErrorMeter meter_;
   std::vector<std::unique_ptr<anim::CharacterRigs>> rigs_;  // [character]
   std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
@@ -112,6 +126,7 @@ class Stage {
   std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
   std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
   anim::LodState lod_;
+  CrowdLod crowd_lod_;
   anim::LodSelection selection_;
   std::vector<BoneStep> bone_steps_;  // of each agent's last update
   std::vector<anim::AgentUpdate> updates_;

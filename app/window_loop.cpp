@@ -20,9 +20,10 @@ constexpr double single_step = 1.0 / 60.0;
 
 class WindowLoop {
  public:
-  WindowLoop(Show& show, const DemoOptions& options)
+  WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
       : show_(show),
         options_(options),
+        replay_(replay),
         tuning_(show.stage().tuning()),
         input_(show.context().window()),
         overlay_(fonts_folder(options), 1.0F, tuning_, input_.clipboard()),
@@ -38,7 +39,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
-    return anim::Done{};
+    return failed_;
   }
 
  private:
@@ -63,18 +64,49 @@ class WindowLoop {
     const InputFrame& input = input_.next_frame();
     overlay_.begin_frame(show_.width, show_.height, seconds, input);
     const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
-    fly(input, static_cast<float>(seconds));
-    obey(commands);
-    apply_tuning();
-    show_.camera = fly_camera_.camera();
-    show_.animate(step(seconds, commands.step));
-    if (show_.films) fly_camera_.set_camera(show_.camera);
+    if (replay_ != nullptr) {
+      repeat();
+    } else {
+      fly(input, static_cast<float>(seconds));
+      obey(commands);
+      apply_tuning();
+      show_.camera = fly_camera_.camera();
+      show_.animate(step(seconds, commands.step));
+    }
+    if (show_.films || replay_ != nullptr) fly_camera_.set_camera(show_.camera);
     present();
     if (commands.screenshot) take_screenshot();
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
     write_ui_map();
-    done_ = commands.quit || input_.asked_to_close();
+    done_ = done_ || commands.quit || input_.asked_to_close();
+  }
+
+  // What was recorded happens, and nothing else.
+  void repeat() {
+    const anim::Result<bool> repeated = replay_->step(show_);
+    if (!repeated) failed_ = repeated.error();
+    done_ = !repeated || !*repeated;
+    tuning_ = show_.stage().tuning();
+  }
+
+  void toggle_recording() {
+    if (show_.is_recording()) {
+      const anim::Status stopped = show_.stop_recording();
+      notice_ = stopped ? "Wrote " + recording_ : stopped.error().message;
+      return;
+    }
+    recording_ = unused_file(".rec", recordings_);
+    const anim::Status started = show_.start_recording(recording_);
+    notice_ = started ? "The crowd begins anew and is recorded; R writes " + recording_ : started.error().message;
+  }
+
+  // "throng-1.png", in the working folder.
+  static std::string unused_file(const char* ending, int& number) {
+    std::string file;
+    do file = "throng-" + std::to_string(++number) + ending;
+    while (std::filesystem::exists(file));
+    return file;
   }
 
   // Whoever takes the camera in hand has it from then on.
@@ -129,6 +161,7 @@ class WindowLoop {
     if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) say_where(show_.save_roles(character));
     obey_bone_lod(commands, character);
+    if (commands.record) toggle_recording();
     if (commands.character) reporter_.describe_character(show_, *commands.character);
     if (!commands.copy_camera) return;
     const std::string option = camera_option(fly_camera_.place());
@@ -153,9 +186,7 @@ class WindowLoop {
   }
 
   void take_screenshot() {
-    std::string file;
-    do file = "throng-" + std::to_string(++screenshots_) + ".png";
-    while (std::filesystem::exists(file));
+    const std::string file = unused_file(".png", screenshots_);
     const render::Status written = render::write_png(show_.renderer().read_image(), file);
     notice_ = written ? "Wrote " + file : written.error().message;
   }
@@ -169,6 +200,7 @@ class WindowLoop {
 
   Show& show_;
   const DemoOptions& options_;
+  Replay* replay_;  // null: people say what happens
   Tuning tuning_;
   WindowInput input_;
   Overlay overlay_;
@@ -176,13 +208,18 @@ class WindowLoop {
   FrameReporter reporter_;
   Clock::time_point last_frame_ = Clock::now();
   std::string notice_;
+  std::string recording_;  // its file
+  anim::Status failed_ = anim::Done{};
   int screenshots_ = 0;
+  int recordings_ = 0;
   bool minimised_ = false;
   bool done_ = false;
 };
 
 }  // namespace
 
-anim::Status run_window(Show& show, const DemoOptions& options) { return WindowLoop(show, options).run(); }
+anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay) {
+  return WindowLoop(show, options, replay).run();
+}
 
 }  // namespace throng::app

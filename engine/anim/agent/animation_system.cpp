@@ -64,6 +64,7 @@ void AnimationSystem::refresh_contexts() {
   for (const std::unique_ptr<Cast>& cast : casts_) {
     contexts_.push_back(cast->context(kernels));
     contexts_.back().assets.prefetch = options_.prefetch;
+    if (cast->character->hierarchy.packs()) contexts_.back().palette_format = options_.palettes;
   }
 }
 
@@ -119,6 +120,7 @@ void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t sto
                                                            .trace = options_.trace},
                                            most_entries);
   scheduler_->reserve(agent_count());
+  exact_scheduler_.reset();
 }
 
 void AnimationSystem::set_agent_count(std::uint32_t agents) {
@@ -163,6 +165,14 @@ void AnimationSystem::make_agents(std::uint32_t first) {
     cast.agents.resize(count);
   }
   reserve_work();
+}
+
+void AnimationSystem::restart() {
+  assert(agent_count() == 0 && "agents stand at times of the old clock");
+  clock_ = 0;
+  frame_ = 0;
+  pose_hash_ = 0;
+  shared_posed_at_ = 0;
 }
 
 void AnimationSystem::reserve_work() {

@@ -236,6 +236,31 @@ std::optional<ClipRequest> Crowd::release(std::uint32_t agent) {
   return request;
 }
 
+void Crowd::remember(CrowdMoment& into) const {
+  into = {.now = now_,
+          .behind = behind_,
+          .next_waves = next_waves_,
+          .minds = minds_,
+          .walkers = walkers_,
+          .positions = positions_,
+          .headings = headings_,
+          .speeds = speeds_,
+          .playback_speeds = playback_speeds_};
+}
+
+void Crowd::go_back_to(const CrowdMoment& moment) {
+  assert(moment.positions.size() == positions_.size());
+  now_ = moment.now;
+  behind_ = moment.behind;
+  next_waves_ = moment.next_waves;
+  minds_ = *moment.minds;
+  walkers_ = *moment.walkers;
+  positions_ = moment.positions;
+  headings_ = moment.headings;
+  speeds_ = moment.speeds;
+  playback_speeds_ = moment.playback_speeds;
+}
+
 CrowdSphere bounding_sphere(const Crowd& crowd) {
   glm::vec3 lowest(0.0F);
   glm::vec3 highest(0.0F);

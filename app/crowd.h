@@ -30,6 +30,17 @@ struct CrowdLooks {
   std::vector<Variant> variants;
 };
 
+/// All of a crowd that changes as time passes.
+struct CrowdMoment {
+  anim::Ticks now = 0;
+  std::vector<anim::Ticks> behind, next_waves;
+  std::optional<CrowdMinds> minds;
+  std::optional<CrowdWalkers> walkers;
+  std::vector<glm::vec3> positions;
+  std::vector<Heading> headings;
+  std::vector<float> speeds, playback_speeds;
+};
+
 /// Who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents, seed,
 /// the characters' roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the state
 /// after the last `advance`, and live as long as the crowd.
@@ -57,6 +68,11 @@ class Crowd {
   /// Lets it go on. A marcher catches up with its place in the file.
   std::optional<ClipRequest> release(std::uint32_t agent);
   bool holds(std::uint32_t agent) const { return minds_.holds(agent); }
+
+  /// Keeps all that changes, and puts it back: the crowd goes on as it did then, to the bit. A moment of this very
+  /// crowd.
+  void remember(CrowdMoment& into) const;
+  void go_back_to(const CrowdMoment& moment);
 
   std::size_t size() const { return positions_.size(); }
   std::span<const glm::vec3> positions() const { return positions_; }  ///< metres, between the feet

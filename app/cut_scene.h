@@ -25,6 +25,14 @@ class CutScene {
   /// their roots are, and poses the camera.
   void advance();
 
+  /// Where the script is.
+  struct Moment {
+    anim::Ticks begun = 0;
+    std::uint8_t act = 0;
+  };
+  Moment moment() const { return {begun_, static_cast<std::uint8_t>(act_)}; }
+  void go_back_to(const Moment& moment) { begun_ = moment.begun, act_ = static_cast<Act>(moment.act); }
+
   /// The lens as it stands, with the field of view of `camera`.
   render::Camera film(const render::Camera& camera) const;
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/bone_lod.h"
 #include "app/crowd_roles.h"
 #include "app/selection_report.h"
 #include "app/settings.h"
@@ -18,6 +20,14 @@ struct PuSpan {
   Kind kind = Kind::compute;
   float begin_ms = 0;  ///< from the start of the frame's update
   float end_ms = 0;
+  std::uint64_t bytes_in = 0, bytes_out = 0, transfers = 0;  ///< copied meanwhile
+};
+
+/// What every PU did in one of the last frames.
+struct TimelineFrame {
+  int frame = 0;
+  float length_ms = 0;
+  std::vector<std::vector<PuSpan>> lanes;  ///< [PU]
 };
 
 /// What one PU did and moved in the last frame.
@@ -35,8 +45,11 @@ struct PuReport {
 
 struct BoneRow {
   std::string name;
-  int depth = 0;  ///< in the hierarchy
-  int level = 0;  ///< the last level that still has it: 0 full only, 3 always
+  int depth = 0;                   ///< in the hierarchy
+  int level = 0;                   ///< the last level that still has it: 0 full only, 3 always
+  int parent = -1;                 ///< place of its parent in the list
+  float error_millimetres = 0.0F;  ///< on the surface without it, 99th percentile (anim::BoneLodRow)
+  float nanoseconds = 0.0F;        ///< of an agent's update, by the cost model
 };
 
 /// Main memory of the blocks of one kind of entity, of all agents.
@@ -45,6 +58,13 @@ struct KindRow {
   std::uint64_t blocks = 0;
   std::uint64_t bytes = 0;           ///< of living blocks
   std::uint64_t reserved_bytes = 0;  ///< of the slabs they lie in
+};
+
+/// What level of detail gives an agent, to be written above its head.
+struct HeadFigures {
+  float x = 0, y = 0, z = 0;  ///< metres, just above it
+  int interval = 1;
+  int bone_level = 0;
 };
 
 /// A const view of all that the overlay shows; filled by the demo once a frame.
@@ -65,6 +85,8 @@ struct FrameReport {
   std::uint64_t pose_hash = 0;
   std::uint32_t draw_calls = 0;
   std::uint64_t triangles = 0;
+  // budget
+  std::optional<float> limit_ms;  ///< of animation, if one was asked for
   // roles
   std::vector<std::string> clip_names;          ///< of the character
   RoleClips role_clips = no_clips();            ///< in use
@@ -78,6 +100,16 @@ struct FrameReport {
   int error_samples = 0;                                       ///< agents measured in these frames
   bool error_px_p99_is_known = false;                          ///< enough of them
   std::vector<BoneRow> bones;                                  ///< in level-of-detail order
+  float lod_tolerance_px = 0;                                  ///< in force; 0 under rules that have none
+  std::string binding_limit;                   ///< "none", "error", "budget" or "both miss"; empty under such rules
+  float predicted_pose_ms = 0;                 ///< of all PUs, by the cost model, those who reappear included
+  bool budget_held = true;                     ///< of this frame, those who reappear exempt
+  float cost_culling_percent = 0;              ///< of the cost of everyone: saved since it is out of view
+  float cost_skipping_percent = 0;             ///< of the cost of those in view: saved by skipping updates
+  float cost_bones_percent = 0;                ///< of the same: saved by dropping bones
+  std::string limit_sentence;                  ///< who limits the frame rate, with figures
+  std::vector<float> level_error_millimetres;  ///< [level]: of its surface, 99th percentile
+  std::vector<HeadFigures> heads;              ///< of those near by, if asked for
   // scheduling
   int pus = 0, hardware_threads = 0;
   int local_store_kib = 0;
@@ -86,8 +118,12 @@ struct FrameReport {
   std::uint32_t local_store_laid_out_bytes = 0;  ///< of each PU
   std::uint64_t dma_in_bytes = 0, dma_out_bytes = 0, dma_transfers = 0, palette_bytes = 0;
   std::vector<PuReport> pu;
-  std::vector<KindRow> memory;  ///< kinds that have blocks
+  std::deque<TimelineFrame> timeline;  ///< the last frames, oldest first
+  std::vector<KindRow> memory;         ///< kinds that have blocks
   CameraPlace camera;
+  std::vector<std::string> preset_names;    ///< of presets that can be loaded, sorted
+  int snapshots = 0;                        ///< of the crowd as it was, that it can be taken back to
+  float snapshot_seconds = 0;               ///< how far back the newest of them is
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
 };
 
@@ -101,14 +137,25 @@ struct OverlayCommands {
   std::optional<std::size_t> character;  ///< whose roles and bones are to be shown
   std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown
   bool save_roles = false;
+  std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
+  bool save_bone_lod = false;             ///< beside the model
+  bool export_lod = false;                ///< for another engine
+  std::vector<std::string> models;        ///< files dropped on the window: characters for everyone
   bool step = false;                      ///< advance one frame while paused
   bool frame_crowd = false;               ///< as key F
   bool copy_camera = false;               ///< as key C
   bool screenshot = false;                ///< as key F12
+  bool record = false;                    ///< begins or ends a recording, as key R
   bool quit = false;                      ///< key Esc, while nobody is selected
   std::optional<PicturePoint> select_at;  ///< clicked at, not at the overlay
   bool deselect = false;
-  bool push_over = false;  ///< whoever is selected; as key P
+  std::optional<float> hold_at;  ///< whoever is selected: its clip is held at these seconds
+  bool let_go = false;           ///< whoever is held plays on
+  bool rewind = false;           ///< the crowd goes back to the newest snapshot, next time to the one before it
+  std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
+  bool copy_command_line = false;                                      ///< the tuning as options
+  bool push_over = false;                                              ///< whoever is selected; as key P
+  bool exact_crowd = false;  ///< while key X is held: nothing is skipped or simplified
 };
 
 }  // namespace throng::app

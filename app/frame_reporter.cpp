@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/lod_sums.h"
 #include "app/selection_reporter.h"
 
 namespace throng::app {
@@ -27,15 +28,10 @@ int depth_of(const anim::Skeleton& skeleton, int bone) {
   return depth;
 }
 
-int last_level_with(const anim::Skeleton& skeleton, int bone) {
-  int level = 0;
-  for (std::size_t i = 0; i < skeleton.level_bone_counts.size(); ++i) {
-    if (bone < skeleton.level_bone_counts[i]) level = static_cast<int>(i);
-  }
-  return level;
-}
-
 constexpr double most_spans_in_a_lane = 512;
+constexpr std::size_t timeline_frames = 8;
+constexpr std::size_t most_heads = 300;
+constexpr float above_head = 0.12F;  // metres
 
 std::optional<PuSpan::Kind> kind_of(anim::TraceSpan::Kind kind) {
   switch (kind) {
@@ -62,11 +58,12 @@ std::vector<PuSpan> spans_of(const anim::Trace& trace, const anim::UpdateTime& t
     const auto kind = kind_of(span.kind);
     if (!kind) continue;
     const auto end = static_cast<float>(time.ms(span.end));
-    if (!spans.empty() && spans.back().kind == *kind && end - spans.back().begin_ms < shortest) {
-      spans.back().end_ms = end;
-    } else {
-      spans.push_back({*kind, static_cast<float>(time.ms(span.begin)), end});
-    }
+    const bool joins = !spans.empty() && spans.back().kind == *kind && end - spans.back().begin_ms < shortest;
+    if (!joins) spans.push_back({.kind = *kind, .begin_ms = static_cast<float>(time.ms(span.begin))});
+    spans.back().end_ms = end;
+    spans.back().bytes_in += span.bytes_in;
+    spans.back().bytes_out += span.bytes_out;
+    spans.back().transfers += span.transfers;
   }
   return spans;
 }
@@ -93,8 +90,13 @@ void count(std::vector<int>& counts, std::size_t place) {
 }  // namespace
 
 FrameReporter::FrameReporter(const Show& show) {
-  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
   describe_device(show);
+  describe_characters(show);
+}
+
+void FrameReporter::describe_characters(const Show& show) {
+  report_.characters.clear();
+  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
   describe_character(show, 0);
 }
 
@@ -114,12 +116,26 @@ void FrameReporter::describe_character(const Show& show, std::size_t character) 
   report_.clip_names = source.clip_names;
   report_.suggested_role_clips = source.suggested;
   report_.level_bone_counts = skeleton.level_bone_counts;
+  describe_bones(*source.character);
+}
+
+void FrameReporter::describe_bones(const anim::Character& character) {
+  constexpr float millimetres = 1000.0F;
   report_.bones.clear();
-  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
-    report_.bones.push_back({.name = skeleton.bones[static_cast<std::size_t>(bone)].name,
-                             .depth = depth_of(skeleton, bone),
-                             .level = last_level_with(skeleton, bone)});
+  for (const anim::BoneLodRow& row : character.bone_lod.rows) {
+    const anim::Bone& bone = character.skeleton.bones[static_cast<std::size_t>(row.bone)];
+    report_.bones.push_back({.name = bone.name,
+                             .depth = depth_of(character.skeleton, row.bone),
+                             .level = row.level,
+                             .parent = bone.parent,
+                             .error_millimetres = row.error_metres * millimetres,
+                             .nanoseconds = static_cast<float>(nanoseconds_a_bone())});
   }
+  report_.level_error_millimetres.clear();
+  for (const float metres : character.bone_lod.level_error_metres) {
+    report_.level_error_millimetres.push_back(metres * millimetres);
+  }
+  report_.level_error_millimetres.resize(character.skeleton.level_bone_counts.size());
 }
 
 void FrameReporter::update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice) {
@@ -141,9 +157,16 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.draw_calls = show.draw_counts().draw_calls;
   report_.triangles = show.draw_counts().triangles;
   add_level_of_detail(show.stage());
+  add_heads(show.stage());
   add_units(system, show.last_update_ms());
+  remember_timeline();
   add_memory(system);
+  limit_.add(show.frame_times());
+  report_.limit_sentence = limit_.sentence();
   report_.selected = report_selection(show.stage());
+  if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
+  report_.snapshots = static_cast<int>(show.moments().count());
+  report_.snapshot_seconds = static_cast<float>(anim::to_seconds(show.moments().age(show.stage())));
 }
 
 void FrameReporter::add_memory(const anim::AnimationSystem& system) {
@@ -173,6 +196,36 @@ void FrameReporter::add_level_of_detail(const Stage& stage) {
     count(report_.agents_by_interval, agent.interval - 1U);
     count(report_.agents_by_bone_level, agent.bone_level);
   }
+  add_limits(stage);
+}
+
+void FrameReporter::add_limits(const Stage& stage) {
+  const LodFigures& figures = stage.level_of_detail().figures();
+  const SavedCost saved = saved_cost(figures.cost, stage.tuning().lod);
+  report_.lod_tolerance_px = figures.tolerance_px;
+  report_.binding_limit = stage.tuning().lod == LodRule::budget ? name_of(figures.binding) : "";
+  report_.predicted_pose_ms = static_cast<float>(figures.predicted_ms);
+  report_.budget_held = figures.budget_held;
+  report_.cost_culling_percent = static_cast<float>(saved.culling_percent);
+  report_.cost_skipping_percent = static_cast<float>(saved.skipping_percent);
+  report_.cost_bones_percent = static_cast<float>(saved.bones_percent);
+}
+
+void FrameReporter::add_heads(const Stage& stage) {
+  report_.heads.clear();
+  if (!stage.tuning().inspection.figures_above_heads) return;
+  std::vector<anim::VisibleAgent> near(stage.selection().visible.begin(), stage.selection().visible.end());
+  const auto shown = near.begin() + static_cast<std::ptrdiff_t>(std::min(near.size(), most_heads));
+  std::ranges::partial_sort(near, shown, std::ranges::greater(), &anim::VisibleAgent::pixels_tall);
+  for (const anim::VisibleAgent& agent : std::span(near.begin(), shown)) {
+    const glm::vec3 foot = stage.crowd().positions()[agent.agent];
+    const auto height = static_cast<float>(stage.character_of(agent.agent).bounds.height);
+    report_.heads.push_back({.x = foot.x,
+                             .y = foot.y + stage.crowd().scales()[agent.agent] * height + above_head,
+                             .z = foot.z,
+                             .interval = agent.interval,
+                             .bone_level = agent.bone_level});
+  }
 }
 
 void FrameReporter::add_units(const anim::AnimationSystem& system, double update_ms) {
@@ -194,6 +247,16 @@ void FrameReporter::add_units(const anim::AnimationSystem& system, double update
   }
 }
 
+void FrameReporter::remember_timeline() {
+  if (report_.timeline.size() == timeline_frames) report_.timeline.pop_front();
+  TimelineFrame& frame = report_.timeline.emplace_back();
+  frame.frame = report_.frame;
+  for (const PuReport& pu : report_.pu) {
+    frame.lanes.push_back(pu.spans);
+    if (!pu.spans.empty()) frame.length_ms = std::max(frame.length_ms, pu.spans.back().end_ms);
+  }
+}
+
 anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_file) {
   std::ifstream stream(report_file);
   const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
@@ -210,12 +273,14 @@ anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_fil
   report_.gl_renderer = json.value("gl_renderer", "");
   report_.simd_target = json.value("simd_target", "");
   report_.hardware_threads = json.value("hardware_threads", 0);
+  report_.limit_sentence = json.value("limit_sentence", "");
   const float busy_ms = json.value("pu_busy_ms", 0.0F);
   for (PuReport& pu : report_.pu) {
     pu.busy_ms = busy_ms;
     pu.wait_ms = 0;
     pu.spans.clear();
   }
+  report_.timeline.clear();
   return anim::Done{};
 }
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "app/frame_report.h"
+#include "app/limiter.h"
+#include "app/selection_log.h"
 #include "app/show.h"
 
 namespace throng::app {
@@ -13,11 +15,16 @@ class FrameReporter {
  public:
   explicit FrameReporter(const Show& show);
 
+  /// The characters of the show, which may be others than before.
+  void describe_characters(const Show& show);
   /// Whose roles and bones are reported, of the show's characters; the first until told otherwise.
   void describe_character(const Show& show, std::size_t character);
 
   /// After a frame was animated and drawn; `frame_ms` from its start to its end.
   void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
+
+  /// The camera of the frame that begins.
+  void see_from(const CameraPlace& camera) { report_.camera = camera; }
 
   /// Puts the measured figures of a committed report in place of this machine's, so that pictures can be compared.
   anim::Status fix_measured(const std::filesystem::path& report_file);
@@ -26,11 +33,17 @@ class FrameReporter {
 
  private:
   void describe_device(const Show& show);
+  void describe_bones(const anim::Character& character);
   void add_level_of_detail(const Stage& stage);
+  void add_limits(const Stage& stage);
+  void add_heads(const Stage& stage);
   void add_memory(const anim::AnimationSystem& system);
+  void remember_timeline();
   void add_units(const anim::AnimationSystem& system, double update_ms);
 
   FrameReport report_;
+  LimiterOverFrames limit_;
+  SelectionLog selection_log_;
 };
 
 }  // namespace throng::app

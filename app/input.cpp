@@ -6,6 +6,7 @@ const InputFrame& InputQueue::next_frame() {
   frame_.moved_x = frame_.moved_y = frame_.wheel = 0;
   frame_.pressed.clear();
   frame_.characters.clear();
+  frame_.dropped.clear();
   changed_keys_.reset();
   changed_buttons_.reset();
   while (!events_.empty() && !must_wait(events_.front())) {
@@ -28,6 +29,7 @@ bool InputQueue::must_wait(const InputEvent& event) const {
       return changed_keys_.any() || changed_buttons_.any();
     case InputEvent::Kind::wheel:
     case InputEvent::Kind::character:
+    case InputEvent::Kind::file:
       return false;
   }
   return false;
@@ -50,6 +52,9 @@ void InputQueue::apply(const InputEvent& event) {
       break;
     case InputEvent::Kind::character:
       frame_.characters.push_back(event.character);
+      break;
+    case InputEvent::Kind::file:
+      frame_.dropped.push_back(event.path);
       break;
     case InputEvent::Kind::focus_lost:
       frame_.keys_down.reset();

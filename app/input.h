@@ -31,12 +31,14 @@ enum class Key : std::uint8_t {
   escape,
   keypad_enter,
   a,
+  b,
   c,
   d,
   e,
   f,
   p,
   q,
+  r,
   s,
   v,
   w,
@@ -54,7 +56,7 @@ enum class Key : std::uint8_t {
 
 /// One thing that happened at the window, in the order in which it happened.
 struct InputEvent {
-  enum class Kind : std::uint8_t { pointer, button, wheel, key, character, focus_lost };
+  enum class Kind : std::uint8_t { pointer, button, wheel, key, character, file, focus_lost };
   Kind kind = Kind::pointer;
   float x = 0, y = 0;                      ///< pointer: pixels from the top left
   MouseButton button = MouseButton::left;  ///< button
@@ -62,6 +64,7 @@ struct InputEvent {
   bool down = false;                       ///< button, key
   float wheel = 0;                         ///< wheel: steps, up is positive
   char32_t character = 0;                  ///< character: Unicode code point
+  std::string path = {};                   ///< file: dropped on the window; those of one drop are pushed together
 };
 
 /// What a frame knows of mouse and keyboard.
@@ -71,8 +74,9 @@ struct InputFrame {
   float wheel = 0;                       ///< steps since the frame before
   std::bitset<static_cast<std::size_t>(MouseButton::count)> buttons_down;
   std::bitset<static_cast<std::size_t>(Key::count)> keys_down;
-  std::vector<Key> pressed;   ///< keys that went down in this frame, in order
-  std::u32string characters;  ///< text typed in this frame
+  std::vector<Key> pressed;          ///< keys that went down in this frame, in order
+  std::u32string characters;         ///< text typed in this frame
+  std::vector<std::string> dropped;  ///< files dropped on the window in this frame
 
   [[nodiscard]] bool down(Key key) const { return keys_down[static_cast<std::size_t>(key)]; }
   [[nodiscard]] bool down(MouseButton button) const { return buttons_down[static_cast<std::size_t>(button)]; }

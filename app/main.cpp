@@ -9,6 +9,7 @@
 #include "app/demo.h"
 #include "app/exit_status.h"
 #include "app/inspect_command.h"
+#include "app/lod_command.h"
 #include "app/options.h"
 #include "app/pose_command.h"
 
@@ -35,6 +36,7 @@ struct Run {
     return run_if_writable({{"--screenshot", options.screenshot},
                             {"--stats", options.stats},
                             {"--trace", options.trace},
+                            {"--record", options.record},
                             {"--ui-map", options.ui_map}},
                            [&] { return run_demo(options); });
   }
@@ -44,6 +46,11 @@ struct Run {
   }
 
   int operator()(const InspectOptions& options) const { return run_inspect(options); }
+
+  int operator()(const LodOptions& options) const {
+    return run_if_writable({{"--json", options.json}, {"--plot", options.plot}, {"--export", options.export_file}},
+                           [&] { return run_lod(options); });
+  }
 
   int operator()(const BenchOptions& options) const {
     return run_if_writable({{"--json", options.json}, {"--plot", options.plot}, {"--trace", options.trace}},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <sstream>
 #include <system_error>
 
 namespace throng::app {
@@ -105,11 +106,34 @@ ValueReader seed_number(std::uint32_t& target) {
   };
 }
 
+ValueReader number_between(float& target, float least, float most) {
+  return [&target, least, most](const std::string& text) -> Complaint {
+    const auto number = finite_number_in(text);
+    if (!number || *number < static_cast<double>(least) || *number > static_cast<double>(most)) {
+      std::ostringstream range;
+      range << "must be a number, " << least << " to " << most;
+      return range.str();
+    }
+    target = static_cast<float>(*number);
+    return {};
+  };
+}
+
 ValueReader seconds_above_zero(std::optional<double>& target) {
   return [&target](const std::string& text) -> Complaint {
     const auto number = finite_number_in(text);
     if (!number || *number <= 0) return "must be a number of seconds above 0";
     target = number;
+    return {};
+  };
+}
+
+ValueReader number_above_zero(float& target, std::string unit) {
+  return [&target, unit = std::move(unit)](const std::string& text) -> Complaint {
+    const auto number = finite_number_in(text);
+    constexpr double least = 1e-3, most = 1e6;
+    if (!number || *number < least || *number > most) return "must be a number of " + unit + " above 0";
+    target = static_cast<float>(*number);
     return {};
   };
 }
@@ -183,6 +207,7 @@ ValueReader mesh_lod(int& target) {
 ValueReader camera(DemoOptions& options) {
   return [&options](const std::string& text) -> Complaint {
     if (text.find(',') == std::string::npos) {
+      options.camera.reset();
       return any_text(options.camera_name)(text);
     }
     const auto numbers = numbers_in(text);

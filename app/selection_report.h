@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,19 @@
 #include "app/crowd_roles.h"
 
 namespace throng::app {
+
+/// A value in the header of an entity's block.
+struct BlockField {
+  std::string name;
+  std::string value;
+};
+
+/// What level of detail gave an agent in a frame.
+struct LodMoment {
+  bool visible = false;
+  std::uint8_t interval = 1;
+  std::uint8_t bone_level = 0;
+};
 
 /// One entity of an agent's graph, as its block stands after the last update.
 struct EntityRow {
@@ -21,6 +35,8 @@ struct EntityRow {
   int priority = 0;                                   ///< 0 highest: players; below 0 what reads them
   bool resident = false;                              ///< keeps its transforms in main memory
   bool shared = false;                                ///< several agents read it
+  std::vector<BlockField> fields = {};                ///< of the block's header
+  std::vector<std::uint8_t> block = {};               ///< the bytes themselves
 };
 
 /// How a pushed agent is: Stage::fallen in the overlay's words.
@@ -40,8 +56,12 @@ struct SelectionReport {
   int bones = 0;       ///< of that level
   bool can_fall = false;
   int channels = 0;
-  std::vector<EntityRow> entities;  ///< each once, sources before what reads them, the pose last
-  std::uint32_t bytes = 0;          ///< of all blocks
+  std::vector<EntityRow> entities;       ///< each once, sources before what reads them, the pose last
+  std::uint32_t bytes = 0;               ///< of all blocks
+  std::vector<LodMoment> history = {};   ///< of the last frames, oldest first
+  std::vector<std::string> events = {};  ///< data keys met and clips begun, the newest first
+  std::optional<float> held_at = {};     ///< seconds: its clip is held there by hand
+  float clip_seconds = 0;                ///< of the clip that it plays; 0: none
 };
 
 }  // namespace throng::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/block_fields.h"
 #include "engine/anim/entity/player.h"
 
 namespace throng::app {
@@ -37,6 +38,10 @@ EntityRow row_of(const anim::PoseStep& step, const anim::EntityPools& pools, con
                 .priority = -static_cast<int>(step.below_highest),
                 .resident = layout.transforms_offset != 0,
                 .shared = step.shared};
+  const std::byte* const block = pools.block(step.entity);
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(block);
+  row.block.assign(bytes, bytes + row.bytes);
+  row.fields = block_fields(*reinterpret_cast<const anim::AnimationStateHeader*>(block));
   if (!is_player(step.entity)) return row;
   const auto& player = pools.as<anim::Player>(step.entity);
   const anim::BakedClip& clip = character.clips[player.clip];
@@ -85,6 +90,8 @@ std::optional<SelectionReport> report_selection(const Stage& stage) {
                          .can_fall = stage.can_fall(agent),
                          .channels = static_cast<int>(stage.system().channel_count(agent)),
                          .entities = {}};
+  if (stage.held_clip()) report.held_at = stage.held_clip()->seconds;
+  report.clip_seconds = stage.clip_seconds(agent);
   add_level_of_detail(stage, report);
   add_graph(stage.system(), report);
   return report;

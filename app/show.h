@@ -7,8 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "app/limiter.h"
+#include "app/lod_view.h"
 #include "app/notices.h"
 #include "app/picture.h"
+#include "app/recording_writer.h"
+#include "app/rewind.h"
 #include "app/settings.h"
 #include "app/stage.h"
 #include "app/statistics.h"
@@ -34,19 +38,55 @@ class Show {
   /// New values at a frame boundary; the sentence if they cannot be, and then nothing has changed.
   anim::Status apply(const Tuning& tuning);
 
+  /// Other characters for everyone, a file each, at a frame boundary; the crowd starts anew. On error, which names the
+  /// file, nothing has changed.
+  anim::Status replace_models(std::span<const std::string> files);
+
   /// Other clips for the roles of a character, at a frame boundary.
-  void set_roles(std::size_t character, const RoleClips& clips) { stage_->set_roles(character, clips); }
+  void set_roles(std::size_t character, const RoleClips& clips);
   /// Keeps a character's roles for the next time; where, to tell people.
   anim::Result<std::filesystem::path> save_roles(std::size_t character) const;
 
+  /// As Stage::set_bone_lod, and what is drawn with it.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// Keeps the order of a character's bones for the next time; where, to tell people.
+  anim::Result<std::filesystem::path> save_bone_lod(std::size_t character) const;
+
+  /// Writes a character's level of detail for another engine, beside the model or among a person's files; where.
+  anim::Result<std::filesystem::path> export_lod(std::size_t character) const;
+
   /// Selects whoever is seen at a pixel from the top left of the picture drawn last; nobody there deselects.
   void select_at(float x, float y);
-  void deselect() { stage_->select({}); }
+  void select(std::optional<std::uint32_t> agent);
+  void deselect() { select({}); }
   /// Pushes the selected agent over, away from the camera. Errors as Stage::push_over; nothing if nobody is selected.
   anim::Status push_selected();
+  /// Errors as Stage::push_over.
+  anim::Status push(std::uint32_t agent, const glm::vec3& direction);
+
+  /// From where level of detail and culling look: `camera`, or where that was when it was frozen.
+  const render::Camera& lod_camera() const { return frozen_camera_ ? *frozen_camera_ : camera; }
+
+  /// Holds the selected agent's clip at `seconds`; nothing if nobody is selected.
+  void hold_selected_clip(float seconds);
+  void let_go_of_clip() { stage_->let_go_of_clip(); }
+
+  /// After each frame of a crowd that may be taken back to it; and takes it back, each time further.
+  void watch_for_rewind() { rewind_.watch(*stage_); }
+  anim::Status rewind() { return rewind_.go_back(*stage_); }
+  const Rewind& moments() const { return rewind_; }
 
   /// Moves and poses one frame of `delta`; 0 while paused.
   void animate(anim::Ticks delta);
+  /// The same as it was recorded: seen by that camera, in a picture of that size.
+  void animate_as(const RecordedFrame& frame);
+
+  /// Writes whatever is asked of the show from now on, and the poses that come of it, to `file`. A crowd that has moved
+  /// begins anew, so that a replay can begin where this does. Errors: the file cannot be written.
+  anim::Status start_recording(const std::filesystem::path& file);
+  /// Errors: the file could not be written; nothing if none is.
+  anim::Status stop_recording();
+  bool is_recording() const { return recorder_ != nullptr; }
   /// Draws the frame as animated last, into the renderer's picture, and waits for it, so that the time is the whole
   /// frame's.
   void draw();
@@ -56,6 +96,8 @@ class Show {
   render::gl::Context& context() { return *context_; }
   const Stage& stage() const { return *stage_; }
   const Picture& picture() const { return picture_; }
+  /// What laying out the overlay took in this frame.
+  void add_overlay_time(double milliseconds) { statistics_.add_overlay(milliseconds); }
   const Statistics& statistics() const { return statistics_; }
   /// What `--trace` writes; nothing unless it was asked for.
   const std::optional<TimelineLog>& timeline() const { return timeline_; }
@@ -63,10 +105,12 @@ class Show {
   const render::DrawCounts& draw_counts() const { return draw_counts_; }
   double last_update_ms() const { return update_ms_; }
   double last_draw_ms() const { return draw_ms_; }
+  /// Of the last frame.
+  const FrameTimes& frame_times() const { return times_; }
   bool on_software() const { return context_ != nullptr && context_->is_software(); }
 
   render::Camera camera;
-  bool films = false;  ///< the camera of a cut scene sets `camera` in each frame, where there is one
+  bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
   int width = 0;
   int height = 0;
   /// Lines for people, of what is otherwise than they would expect (app/notices.h); may be empty.
@@ -77,9 +121,14 @@ class Show {
   bool open_context(const DemoOptions& options, Failure& failure);
   bool open_renderer(const DemoOptions& options, Failure& failure);
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure);
-  bool load_meshes(Failure& failure);
+  anim::Status load_meshes(const Stage& stage);
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
+  void film();
+  render::CrowdFrame crowd_frame() const;
+  void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
+  void freeze_lod_camera();
+  void gather_lines();
   std::uint64_t completed_frame();
   int pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const;
 
@@ -87,12 +136,19 @@ class Show {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::HeapPageSource> heap_pages_;
   std::unique_ptr<Stage> stage_;
+  std::unique_ptr<RecordingWriter> recorder_;  // null while nothing is recorded
   Picture picture_;
+  SceneLines lines_;
+  Rewind rewind_;
+  std::optional<render::Camera> frozen_camera_;
   Statistics statistics_;
   std::optional<TimelineLog> timeline_;
   Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;
+  CameraPath path_ = CameraPath::none;
+  render::Camera path_start_;
+  FrameTimes times_;
   double update_ms_ = 0;
   double draw_ms_ = 0;
 };

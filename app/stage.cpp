@@ -33,7 +33,12 @@ EntriesByLevel entries_by_level(std::span<const CharacterSource> characters) {
 
 std::vector<std::uint32_t> all_sizes(const EntriesByLevel& entries) {
   std::vector<std::uint32_t> sizes;
-  for (const auto& of_character : entries) sizes.insert(sizes.end(), of_character.begin(), of_character.end());
+  for (const auto& of_character : entries) {
+    for (const std::uint32_t count : of_character) {
+      sizes.push_back(count);
+      sizes.push_back(slot_entries(count, anim::PaletteFormat::packed));
+    }
+  }
   return sizes;
 }
 
@@ -47,7 +52,9 @@ anim::LodCharacter lod_character(const CharacterSource& source) {
   return {.centre_height = static_cast<float>(source.bounds.height / 2.0),
           .radius = static_cast<float>(source.bounds.reach),
           .height = static_cast<float>(source.bounds.height),
-          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size())};
+          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
+          .level_error_metres = source.character->bone_lod.level_error_metres,
+          .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{})};
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
@@ -69,17 +76,21 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .tile = tuning.tile,
           .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
           .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
-          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe};
+          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe,
+          .cost = tuning.cost,
+          .palettes = tuning.palette == Palette::packed ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices};
 }
 
 anim::LodRules lod_rules(const Tuning& tuning) {
   return {
-      .rule = tuning.lod == LodRule::off ? anim::LodRule::off : anim::LodRule::distance,
+      .rule = static_cast<anim::LodRule>(tuning.lod),
       .full_rate_distance = tuning.full_rate_distance,
       .interval_growth = tuning.interval_growth,
       .largest_interval = tuning.largest_interval,
       .bone_lod = tuning.bone_lod,
-      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]}};
+      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]},
+      .smooth = tuning.smooth,
+      .counts_cost = tuning.lod == LodRule::budget};
 }
 
 Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
@@ -89,13 +100,15 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
       shown_(slots_),
       meter_(characters_) {
   std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
+  crowd_lod_.set_characters(lod_characters_);
 }
 
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
-                                                   render::PalettePageSource& pages) {
+                                                   render::PalettePageSource& pages, std::uint64_t first_frame) {
   characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
   std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
   stage->tuning_ = tuning;
+  stage->frame_ = first_frame;
   if (const anim::Status opened = stage->open_system(); !opened) return opened.error();
   stage->populate();
   return stage;
@@ -115,7 +128,7 @@ anim::Status Stage::open_system() {
   film_camera_ = *camera;
   std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
   for (std::uint32_t character = 0; character < characters_.size(); ++character) {
-    rigs_.push_back(std::make_unique<const anim::CharacterRigs>(characters_[character].model));
+    rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));
     const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
     ragdolls.push_back(kinds.ragdoll);
     feet.push_back(kinds.foot_placement);
@@ -151,13 +164,47 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips) {
   populate();
 }
 
-void Stage::populate() {
+// Slots keep their sizes: a pose goes to the next larger one.
+anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+  CharacterSource& source = characters_[character];
+  if (const anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
+  const ReorderedCharacter reordered = in_order(source, choice);
+  const auto number = static_cast<std::uint32_t>(character);
+  const anim::Status replaced = system_->replace_character(number, reordered.character, reordered.places);
+  if (!replaced) return replaced;
+  anim::reorder_bones(source.model, choice);
+  source.character = reordered.character;
+  rigs_[character]->reorder_bones(reordered.places);
+  palette_entries_ = entries_by_level(characters_);
+  const std::span<const anim::SkipError> skip_errors = lod_characters_[character].clips;  // as they were in any order
+  lod_characters_[character] = lod_character(source);
+  lod_characters_[character].clips = skip_errors;
+  meter_.set_character(character, source);
+  meter_.reset(crowd_->size());
+  ++crowd_number_;  // moments of it are of other blocks
+  shown_.reset(crowd_->size(), frame_);
+  lod_.make_all_due();
+  return anim::Done{};
+}
+
+void Stage::restart() {
+  moving_ = true;
+  populate(Clocks::begin_anew);
+}
+
+void Stage::populate(Clocks clocks) {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
+  ++crowd_number_;
   selected_.reset();
+  held_clip_.reset();
   fallen_->reset();
   feet_->reset(agents);
   system_->set_agent_count(0);
+  if (clocks == Clocks::begin_anew) {
+    system_->restart();
+    frames_moved_ = 0;
+  }
   cut_scene_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
@@ -168,6 +215,8 @@ void Stage::populate() {
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   lod_.resize(agents, selection_);
+  crowd_lod_.reset(agents);
+  bone_steps_.assign(agents, {});
   shown_.reset(agents, frame_);
   meter_.reset(agents);
   updates_.reserve(agents);
@@ -178,6 +227,7 @@ void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double
   const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
+  crowd_lod_.fade(agent, system_->clock() + fade);
   system_->play(agent, {.clip = index,
                         .fade = fade,
                         .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,
@@ -200,6 +250,7 @@ anim::Status Stage::push_over(std::uint32_t agent, const glm::vec3& direction) {
     const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing());
     return anim::Error{character.name + " cannot be pushed over: " + missing};
   }
+  if (holds_clip(agent)) let_go_of_clip();
   const Heading heading = crowd_->headings()[agent];
   const glm::vec2 way(heading.cosine * direction.x - heading.sine * direction.z,
                       heading.sine * direction.x + heading.cosine * direction.z);

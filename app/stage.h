@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "app/bone_step.h"
 #include "app/character_source.h"
 #include "app/crowd.h"
+#include "app/crowd_lod.h"
 #include "app/cut_scene.h"
 #include "app/error_meter.h"
 #include "app/fallen_agents.h"
@@ -25,15 +27,18 @@
 
 namespace throng::app {
 
+struct StageMoment;
+
 /// Where the crowd, its level of detail, its animation and its palette slots meet. A frame is
 ///     move(dt)            the crowd walks on, asks for clips, every clock advances
 ///     pose(...)           level of detail chooses, slots are taken, the PUs write them
 /// after which selection() and records() say what to draw.
 class Stage {
  public:
-  /// `characters`: 1 to most_models people, then props; every agent is one of them.
+  /// `characters`: 1 to most_models people, then props; every agent is one of them. Asks
+  /// `pages` for none before the first pose. `first_frame`: frames are counted on from it.
   static anim::Result<std::unique_ptr<Stage>> create(std::vector<CharacterSource> characters, const Tuning& tuning,
-                                                     render::PalettePageSource& pages);
+                                                     render::PalettePageSource& pages, std::uint64_t first_frame = 0);
 
   /// New tuning, at a frame boundary. A different crowd starts anew; on error the old tuning goes on.
   anim::Status apply(const Tuning& tuning);
@@ -41,13 +46,20 @@ class Stage {
   /// Other clips for the roles of a character, at a frame boundary; the crowd starts anew.
   void set_roles(std::size_t character, const RoleClips& clips);
 
+  /// Another order of a character's bones, and other levels, at a frame boundary: it is baked anew, the crowd goes on.
+  /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
+  /// anim::AnimationSystem::replace_character.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// The crowd and every clock begin anew: from here on, all happens as on a stage just made.
+  void restart();
+
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
   /// looking ahead.
   void pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step, std::uint64_t completed_frame);
 
   /// The agent that is looked at, marked in the picture; it is forgotten when the crowd starts anew.
-  void select(std::optional<std::uint32_t> agent) { selected_ = agent; }
+  void select(std::optional<std::uint32_t> agent);
   std::optional<std::uint32_t> selected() const { return selected_; }
 
   /// Pushes an agent over, in the world's `direction` (the height of it is ignored). Errors: there is nothing in its
@@ -55,6 +67,26 @@ class Stage {
   anim::Status push_over(std::uint32_t agent, const glm::vec3& direction);
   bool can_fall(std::uint32_t agent) const;
   const FallenAgents& fallen() const { return *fallen_; }
+
+  /// Holds the clip that an agent plays at `seconds` of it, and the agent where it is; nothing happens to one who acts
+  /// or has fallen. Selecting another one lets it go.
+  void hold_clip(std::uint32_t agent, float seconds);
+  void let_go_of_clip();
+  struct HeldClip {
+    std::uint32_t agent = 0;
+    int clip = no_clip;
+    float seconds = 0;
+  };
+  const std::optional<HeldClip>& held_clip() const { return held_clip_; }
+  /// Of the clip that the agent plays, or is held in; 0 if it plays none.
+  float clip_seconds(std::uint32_t agent) const;
+
+  /// Keeps all that changes as time passes; and puts it back, after which the crowd goes on to the same poses. Errors:
+  /// the moment is of another crowd or schedule; then nothing has changed.
+  void remember(StageMoment& into) const;
+  anim::Status go_back_to(const StageMoment& moment);
+  /// Another one for each crowd that started anew.
+  std::uint64_t crowd_number() const { return crowd_number_; }
 
   /// What can be clicked at: those in view, in ascending order of agent; allocates.
   std::vector<UprightBody> bodies_in_view() const;
@@ -67,6 +99,8 @@ class Stage {
   const ErrorMeter& error_meter() const { return meter_; }
 
   const anim::LodSelection& selection() const { return selection_; }
+  /// What level of detail decided, and what it saves.
+  const CrowdLod& level_of_detail() const { return crowd_lod_; }
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }
@@ -84,17 +118,22 @@ class Stage {
  private:
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   anim::Status open_system();
-  void populate();
+  enum class Clocks : std::uint8_t { go_on, begin_anew };
+  void populate(Clocks clocks = Clocks::go_on);
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
+  BoneStep step_bones(const anim::DueAgent& due);
   void pose_fallen(std::uint64_t last_frame);
   void get_up();
+  bool holds_clip(std::uint32_t agent) const { return held_clip_ && held_clip_->agent == agent; }
   void request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
-  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
+  anim::LodForce lod_force(const LodInspection& inspection) const;
   void measure(const render::Camera& camera, int width, int height);
-  anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
+  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height);
+  anim::PaletteDestination show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                std::uint64_t last_frame);
 
   std::vector<CharacterSource> characters_;
   std::vector<std::vector<std::uint32_t>> palette_entries_;  // [character][bone level]
@@ -103,8 +142,8 @@ class Stage {
   render::PaletteSlots slots_;
   ShownPoses shown_;
   ErrorMeter meter_;
-  std::vector<std::unique_ptr<const anim::CharacterRigs>> rigs_;  // [character]
-  std::uint32_t film_camera_ = 0;                                 // the system's number of the cut scene's camera
+  std::vector<std::unique_ptr<anim::CharacterRigs>> rigs_;  // [character]
+  std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
@@ -112,9 +151,13 @@ class Stage {
   std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
   std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
   anim::LodState lod_;
+  CrowdLod crowd_lod_;
   anim::LodSelection selection_;
+  std::vector<BoneStep> bone_steps_;  // of each agent's last update
   std::vector<anim::AgentUpdate> updates_;
   std::optional<std::uint32_t> selected_;
+  std::optional<HeldClip> held_clip_;
+  std::uint64_t crowd_number_ = 0;
   std::uint64_t frame_ = 0;
   std::uint64_t frames_moved_ = 0;  // those in which time passed
   bool moving_ = true;

@@ -38,24 +38,36 @@ void Stage::match_playback() {
   const std::span<const float> speeds = crowd_->playback_speeds();
   const std::size_t movers = crowd_->walkers() + crowd_->marchers();
   for (std::uint32_t agent = 0; agent < movers; ++agent) {
-    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip) continue;
+    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip || holds_clip(agent)) continue;
     system_->set_speed(agent, static_cast<double>(speeds[agent]));
     played_speeds_[agent] = speeds[agent];
   }
 }
 
+anim::LodForce Stage::lod_force(const LodInspection& inspection) const {
+  if (inspection.force_selected_only && !selected_) return {};
+  return {.interval = inspection.forced_interval,
+          .bone_level = inspection.forced_bone_level,
+          .agent = inspection.force_selected_only ? selected_ : std::nullopt};
+}
+
 std::uint32_t Stage::now() const { return microseconds(system_->clock()); }
 
-anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) const {
+anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) {
   const render::CameraView view = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height));
   return {.positions = crowd_->positions(),
           .scales = crowd_->scales(),
           .characters = lod_characters_,
           .character_of = crowd_->characters(),
+          .clips = crowd_->clips(),
+          .importance = crowd_lod_.importance(),
+          .choices = &crowd_lod_.choices(),
           .camera = {.position = camera.position,
                      .frustum = render::frustum_planes(view),
-                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F)},
-          .rules = lod_rules(tuning_),
+                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F),
+                     .forward = render::forward(camera)},
+          .rules = crowd_lod_.rules(),
+          .force = lod_force(tuning_.inspection),
           .number = frames_moved_};
 }
 
@@ -63,6 +75,8 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                  std::uint64_t completed_frame) {
   const std::uint64_t last_frame = frame_++;
   slots_.reclaim(completed_frame);
+  crowd_lod_.prepare({.rules = lod_rules(tuning_), .now = system_->clock(), .frame_step = frame_step}, characters_,
+                     selected_);
   anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
                           system_->options().pus);
   shown_.hide_unseen(selection_.visible, last_frame);
@@ -71,19 +85,26 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   auto seen = selection_.visible.begin();
   for (const anim::DueAgent& due : selection_.due) {
     while (seen != selection_.visible.end() && seen->agent < due.agent) ++seen;
-    if (crowd_->holds(due.agent)) continue;  // it has fallen
+    if (crowd_->holds(due.agent) && !holds_clip(due.agent)) continue;  // it has fallen
     const bool visible = seen != selection_.visible.end() && seen->agent == due.agent;
     // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
     const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
     const anim::Ticks look_ahead = ahead ? due.look_ahead * frame_step : 0;
-    updates_.push_back({.agent = due.agent, .level = due.bone_level, .look_ahead = look_ahead, .palette = nullptr});
+    const BoneStep bones = step_bones(due);
+    updates_.push_back({.agent = due.agent,
+                        .level = bones.level,
+                        .look_ahead = look_ahead,
+                        .palette = nullptr,
+                        .fade_level = bones.fade_level,
+                        .fade_halves = bones.fade_halves});
     place_feet(due, visible && !ahead);
     if (!visible) continue;
-    updates_.back().palette = show(due.agent, due.bone_level, microseconds(system_->clock() + look_ahead), last_frame);
+    updates_.back().palette = show(due.agent, bones.level, microseconds(system_->clock() + look_ahead), last_frame);
   }
   pose_fallen(last_frame);
   system_->update(updates_);
   measure(camera, width, height);
+  crowd_lod_.settle(tuning_, selection_.cost, system_->report().predicted_nanoseconds, moving_);
   get_up();
 }
 
@@ -95,20 +116,35 @@ void Stage::measure(const render::Camera& camera, int width, int height) {
                               .size = size,
                               .now = now(),
                               .number = frame_});
+  const anim::ErrorFigures& error = meter_.figures();
+  crowd_lod_.tell_measured_error(error.p99_is_known() ? std::optional(error.p99) : std::nullopt);
 }
 
-anim::PaletteMatrix* Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
-                                 std::uint64_t last_frame) {
-  const std::uint32_t entries = palette_entries_[crowd_->characters()[agent]][level];
-  anim::PaletteMatrix* const memory =
-      shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
-  return meter_.destination(agent, shown_.pose(agent), entries, memory);
+// Whoever is shown goes from level to level by steps; who is not, and everybody while time stands still, at once.
+BoneStep Stage::step_bones(const anim::DueAgent& due) {
+  BoneStep& step = bone_steps_[due.agent];
+  const bool watched = moving_ && shown_.pose(due.agent).shown();
+  step = watched ? next_step(step, due.bone_level) : settled_at(due.bone_level);
+  return step;
 }
 
-// Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
+anim::PaletteDestination Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                     std::uint64_t last_frame) {
+  const std::uint8_t character = crowd_->characters()[agent];
+  const NewPose pose{.agent = agent,
+                     .level = level,
+                     .entries = palette_entries_[character][level],
+                     .time = pose_time,
+                     .format = system_->palette_format(character)};
+  const anim::PaletteDestination memory = shown_.show(pose, now(), last_frame);
+  return meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
+}
+
+// Whoever is evaluated each frame and not ahead, so that it is known where the feet are; without level of detail,
+// everyone.
 void Stage::place_feet(const anim::DueAgent& due, bool near_by) {
   const bool everyone = tuning_.lod == LodRule::off;
-  if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && due.look_ahead <= 1))) {
+  if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && lod_.interval[due.agent] == 1))) {
     feet_->place(*crowd_, due.agent);
   } else {
     feet_->let_go(due.agent);
@@ -122,6 +158,7 @@ void Stage::pose_fallen(std::uint64_t last_frame) {
     const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - now()) > 0;
     if (looked_ahead || (!moving_ && pose.shown())) continue;
     const bool visible = std::ranges::binary_search(selection_.visible, fallen.agent, {}, &anim::VisibleAgent::agent);
+    bone_steps_[fallen.agent] = settled_at(0);
     updates_.push_back({.agent = fallen.agent, .level = 0, .look_ahead = 0, .palette = nullptr});
     if (visible) updates_.back().palette = show(fallen.agent, 0, now(), last_frame);
   }
@@ -140,8 +177,8 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
             .scale = crowd_->scales()[agent.agent],
             .heading_cosine = heading.cosine,
             .heading_sine = heading.sine,
-            .palette_from = pose.from.first_entry,
-            .palette_to = pose.to.first_entry,
+            .palette_from = pose.from_word(),
+            .palette_to = pose.to_word(),
             .blend_start = pose.from_time,
             .blend_duration = pose.to_time - pose.from_time,
             .agent = agent.agent,

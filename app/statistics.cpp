@@ -36,6 +36,16 @@ Json bones_per_agent(const Stage& stage) {
   return mean(bones, agents);
 }
 
+const char* palette_format(const Stage& stage) {
+  std::size_t packed = 0;
+  const std::size_t characters = stage.people().size();
+  for (std::uint32_t character = 0; character < characters; ++character) {
+    if (stage.system().palette_format(character) == anim::PaletteFormat::packed) ++packed;
+  }
+  if (packed == 0) return "float";
+  return packed == characters ? "packed" : "mixed";
+}
+
 void add_scheduling(Json& json, const Stage& stage) {
   const anim::ScheduleOptions& schedule = stage.system().schedule();
   std::size_t laid_out = 0;
@@ -60,6 +70,23 @@ void add_error(Json& json, const anim::ErrorFigures& error) {
   json["error_px_max"] = measured ? Json(error.max) : Json(nullptr);
   json["pop_px_max"] = measured ? Json(error.pop_max) : Json(nullptr);
   json["error_samples"] = error.samples;
+}
+
+// Null where there is no such limit.
+void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) {
+  const bool by_error = tuning.lod == LodRule::budget;
+  const SavedCost saved = sums.saved(tuning.lod);
+  const auto held = [&](const LodSums::Held& limit, float asked) {
+    return by_error && asked > 0.0F && limit.frames > 0 ? Json(limit.percent()) : Json(nullptr);
+  };
+  json["lod_tolerance_px"] = by_error ? Json(sums.last.tolerance_px) : Json(nullptr);
+  json["binding_limit"] = by_error ? Json(name_of(sums.last.binding)) : Json(nullptr);
+  json["error_limit_held_percent"] = held(sums.error, tuning.error_px);
+  json["budget_held_percent"] = held(sums.budget, tuning.budget_ms);
+  json["predicted_pose_ms_per_frame"] = sums.predicted_ms_a_frame();
+  json["cost_culling_percent"] = saved.culling_percent;
+  json["cost_skipping_percent"] = saved.skipping_percent;
+  json["cost_bones_percent"] = saved.bones_percent;
 }
 
 }  // namespace
@@ -88,6 +115,7 @@ void Statistics::add_report(const Stage& stage) {
   stream_bytes_ += stage.system().stream_bytes();
   agents_updated_ += report.agents_updated;
   bones_evaluated_ += report.bones_evaluated;
+  lod_.add(stage.level_of_detail().figures());
 }
 
 anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
@@ -100,8 +128,10 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["update_ms_median"] = median(update_ms_);
   json["update_ms_p99"] = percentile_99(update_ms_);
   json["frame_ms_median"] = frame_ms_.empty() ? Json(nullptr) : Json(median(frame_ms_));
+  json["overlay_ms_median"] = overlay_ms_.empty() ? Json(nullptr) : Json(median(overlay_ms_));
   json["draw_calls"] = draw_calls_;
   json["triangles"] = triangles_;
+  json["palette_format"] = palette_format(stage);
   json["palette_bytes_per_frame"] = mean(palette_bytes_, frames_);
   json["dma_in_bytes_per_frame"] = mean(dma_in_, frames_);
   json["dma_out_bytes_per_frame"] = mean(dma_out_, frames_);
@@ -110,6 +140,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["agents_updated_per_frame"] = mean(agents_updated_, frames_);
   json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
   add_error(json, stage.error_meter().since_start());
+  add_level_of_detail(json, lod_, stage.tuning());
   json["gl_version"] = null_if_empty(drawn_by.gl_version);
   json["gl_renderer"] = null_if_empty(drawn_by.gl_renderer);
   json["context"] = drawn_by.context;

@@ -29,12 +29,14 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_ESCAPE, Key::escape},
     {GLFW_KEY_KP_ENTER, Key::keypad_enter},
     {GLFW_KEY_A, Key::a},
+    {GLFW_KEY_B, Key::b},
     {GLFW_KEY_C, Key::c},
     {GLFW_KEY_D, Key::d},
     {GLFW_KEY_E, Key::e},
     {GLFW_KEY_F, Key::f},
     {GLFW_KEY_P, Key::p},
     {GLFW_KEY_Q, Key::q},
+    {GLFW_KEY_R, Key::r},
     {GLFW_KEY_S, Key::s},
     {GLFW_KEY_V, Key::v},
     {GLFW_KEY_W, Key::w},
@@ -100,6 +102,10 @@ void on_wheel(GLFWwindow* window, double /*sideways*/, double steps) {
   push(window, {.kind = InputEvent::Kind::wheel, .wheel = static_cast<float>(steps)});
 }
 
+void on_drop(GLFWwindow* window, int count, const char** paths) {
+  for (int i = 0; i < count; ++i) push(window, {.kind = InputEvent::Kind::file, .path = paths[i]});
+}
+
 void on_focus(GLFWwindow* window, int focused) {
   if (focused == GLFW_FALSE) push(window, {.kind = InputEvent::Kind::focus_lost});
 }
@@ -114,6 +120,7 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetCursorPosCallback(window, on_pointer);
   glfwSetCursorEnterCallback(window, on_entered);
   glfwSetScrollCallback(window, on_wheel);
+  glfwSetDropCallback(window, on_drop);
   glfwSetWindowFocusCallback(window, on_focus);
 }
 
@@ -124,6 +131,7 @@ WindowInput::~WindowInput() {
   glfwSetCursorPosCallback(window_, nullptr);
   glfwSetCursorEnterCallback(window_, nullptr);
   glfwSetScrollCallback(window_, nullptr);
+  glfwSetDropCallback(window_, nullptr);
   glfwSetWindowFocusCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }

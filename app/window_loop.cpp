@@ -20,15 +20,18 @@ constexpr double single_step = 1.0 / 60.0;
 
 class WindowLoop {
  public:
-  WindowLoop(Show& show, const DemoOptions& options)
+  WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
       : show_(show),
         options_(options),
+        replay_(replay),
         tuning_(show.stage().tuning()),
+        accepted_(tuning_),
         input_(show.context().window()),
-        overlay_(fonts_folder(options), 1.0F, tuning_, input_.clipboard()),
+        overlay_(fonts_folder(options), options.ui_scale, tuning_, input_.clipboard()),
         fly_camera_(place_of(show.camera)),
         reporter_(show) {
     overlay_.set_hidden(options.hide_ui);
+    overlay_.show_tab(options.ui_tab);
   }
 
   anim::Status run() {
@@ -38,7 +41,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
-    return anim::Done{};
+    return failed_;
   }
 
  private:
@@ -61,20 +64,55 @@ class WindowLoop {
     last_frame_ = now;
     fit_to_window();
     const InputFrame& input = input_.next_frame();
+    const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(show_.width, show_.height, seconds, input);
-    const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
     fly(input, static_cast<float>(seconds));
-    obey(commands);
-    apply_tuning();
-    show_.camera = fly_camera_.camera();
-    show_.animate(step(seconds, commands.step));
-    if (show_.films) fly_camera_.set_camera(show_.camera);
+    reporter_.see_from(fly_camera_.place());
+    const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
+    show_.add_overlay_time(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
+    if (replay_ != nullptr) {
+      repeat();
+    } else {
+      obey(commands);
+      apply(commands.exact_crowd ? without_level_of_detail(tuning_) : tuning_);
+      show_.camera = fly_camera_.camera();
+      show_.animate(step(seconds, commands.step));
+      if (!tuning_.paused) show_.watch_for_rewind();
+    }
+    if (show_.films || replay_ != nullptr) fly_camera_.set_camera(show_.camera);
     present();
     if (commands.screenshot) take_screenshot();
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
     write_ui_map();
-    done_ = commands.quit || input_.asked_to_close();
+    done_ = done_ || commands.quit || input_.asked_to_close();
+  }
+
+  // What was recorded happens, and nothing else.
+  void repeat() {
+    const anim::Result<bool> repeated = replay_->step(show_);
+    if (!repeated) failed_ = repeated.error();
+    done_ = !repeated || !*repeated;
+    tuning_ = show_.stage().tuning();
+  }
+
+  void toggle_recording() {
+    if (show_.is_recording()) {
+      const anim::Status stopped = show_.stop_recording();
+      notice_ = stopped ? "Wrote " + recording_ : stopped.error().message;
+      return;
+    }
+    recording_ = unused_file(".rec", recordings_);
+    const anim::Status started = show_.start_recording(recording_);
+    notice_ = started ? "The crowd begins anew and is recorded; R writes " + recording_ : started.error().message;
+  }
+
+  // "throng-1.png", in the working folder.
+  static std::string unused_file(const char* ending, int& number) {
+    std::string file;
+    do file = "throng-" + std::to_string(++number) + ending;
+    while (std::filesystem::exists(file));
+    return file;
   }
 
   // Whoever takes the camera in hand has it from then on.
@@ -106,11 +144,15 @@ class WindowLoop {
     show_.renderer().present();
   }
 
-  void apply_tuning() {
-    if (tuning_ == show_.stage().tuning()) return;
-    const anim::Status applied = show_.apply(tuning_);
+  void apply(const Tuning& tuning) {
+    if (tuning == show_.stage().tuning()) return;
+    const anim::Status applied = show_.apply(tuning);
     notice_ = applied ? "" : applied.error().message;
-    if (!applied) tuning_ = show_.stage().tuning();
+    if (applied) {
+      accepted_ = tuning_;
+    } else {
+      tuning_ = accepted_;
+    }
   }
 
   void obey(const OverlayCommands& commands) {
@@ -125,12 +167,17 @@ class WindowLoop {
     if (commands.push_over) {
       if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
     }
+    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
+    if (commands.let_go) show_.let_go_of_clip();
+    if (commands.rewind) {
+      if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
+    }
     const std::size_t character = reporter_.report().character;
     if (commands.roles) show_.set_roles(character, *commands.roles);
-    if (commands.save_roles) {
-      const auto saved = show_.save_roles(character);
-      notice_ = saved ? "Wrote " + saved->string() : saved.error().message;
-    }
+    if (commands.save_roles) say_where(show_.save_roles(character));
+    obey_bone_lod(commands, character);
+    if (commands.record) toggle_recording();
+    if (!commands.models.empty()) replace_models(commands.models);
     if (commands.character) reporter_.describe_character(show_, *commands.character);
     if (!commands.copy_camera) return;
     const std::string option = camera_option(fly_camera_.place());
@@ -140,10 +187,28 @@ class WindowLoop {
     notice_ = "Copied: " + option;
   }
 
+  void obey_bone_lod(const OverlayCommands& commands, std::size_t character) {
+    if (commands.bone_lod) {
+      const anim::Status set = show_.set_bone_lod(character, *commands.bone_lod);
+      notice_ = set ? "" : set.error().message;
+      reporter_.describe_character(show_, character);
+    }
+    if (commands.export_lod) say_where(show_.export_lod(character));
+    if (commands.save_bone_lod) say_where(show_.save_bone_lod(character));
+  }
+
+  void say_where(const anim::Result<std::filesystem::path>& written) {
+    notice_ = written ? "Wrote " + written->string() : written.error().message;
+  }
+
+  void replace_models(const std::vector<std::string>& files) {
+    const anim::Status replaced = show_.replace_models(files);
+    if (replaced) reporter_.describe_characters(show_);
+    notice_ = replaced ? "" : replaced.error().message;
+  }
+
   void take_screenshot() {
-    std::string file;
-    do file = "throng-" + std::to_string(++screenshots_) + ".png";
-    while (std::filesystem::exists(file));
+    const std::string file = unused_file(".png", screenshots_);
     const render::Status written = render::write_png(show_.renderer().read_image(), file);
     notice_ = written ? "Wrote " + file : written.error().message;
   }
@@ -157,20 +222,27 @@ class WindowLoop {
 
   Show& show_;
   const DemoOptions& options_;
+  Replay* replay_;  // null: people say what happens
   Tuning tuning_;
+  Tuning accepted_;  // the last that could be
   WindowInput input_;
   Overlay overlay_;
   FlyCamera fly_camera_;
   FrameReporter reporter_;
   Clock::time_point last_frame_ = Clock::now();
   std::string notice_;
+  std::string recording_;  // its file
+  anim::Status failed_ = anim::Done{};
   int screenshots_ = 0;
+  int recordings_ = 0;
   bool minimised_ = false;
   bool done_ = false;
 };
 
 }  // namespace
 
-anim::Status run_window(Show& show, const DemoOptions& options) { return WindowLoop(show, options).run(); }
+anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay) {
+  return WindowLoop(show, options, replay).run();
+}
 
 }  // namespace throng::app

@@ -27,11 +27,6 @@ std::string bones_of(const FrameReport& report, int level) {
   return index < report.level_bone_counts.size() ? std::to_string(report.level_bone_counts[index]) : "-";
 }
 
-/// Four, unless the character has fewer.
-int level_count(const FrameReport& report) {
-  return report.level_bone_counts.empty() ? 4 : std::min(4, static_cast<int>(report.level_bone_counts.size()));
-}
-
 int nearest_divider(const Tuning& tuning, int dividers, float metres) {
   int nearest = 0;
   for (int i = 1; i < dividers; ++i) {
@@ -172,6 +167,10 @@ void show_bones(const TabContext& context) {
 }
 
 }  // namespace
+
+int level_count(const FrameReport& report) {
+  return report.level_bone_counts.empty() ? 4 : std::min(4, static_cast<int>(report.level_bone_counts.size()));
+}
 
 void show_bone_lod_tab(const TabContext& context) {
   show_levels(context);

@@ -62,10 +62,24 @@ void show_time(const TabContext& context) {
   widgets.number("Speed", tuning.time_scale, standard.time_scale,
                  {.lowest = 0, .highest = 4, .decimals = 2, .suffix = " x"},
                  {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
-  const float width = widgets.theme().px(108);
+  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::BeginDisabled(!tuning.paused);
   commands.step = widgets.button("Step", {.what = "One frame onwards, while paused."}, width) || commands.step;
   ImGui::EndDisabled();
+  ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
+  ImGui::BeginDisabled(report.snapshots == 0);
+  commands.rewind |= widgets.button("Rewind",
+                                    {.what = "Back to the newest of up to ten snapshots, one each half second; pressed "
+                                             "again, to the one before it. From there everything happens as it did.",
+                                     .cost = "Memory of ten crowds; none are taken above 20,000 agents."},
+                                    width);
+  ImGui::EndDisabled();
+  const std::string kept = report.snapshots == 0
+                               ? "No snapshot yet."
+                               : std::to_string(report.snapshots) + " snapshots, the newest " +
+                                     fixed(static_cast<double>(report.snapshot_seconds), 1) + " s ago.";
+  widgets.caption(kept);
 }
 
 void show_picture(const TabContext& context) {

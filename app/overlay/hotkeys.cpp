@@ -4,6 +4,7 @@ namespace throng::app {
 
 void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands) {
+  commands.exact_crowd = input.down(Key::x);
   for (const Key key : input.pressed) {
     switch (key) {
       case Key::space:
@@ -20,6 +21,9 @@ void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitch
         break;
       case Key::c:
         commands.copy_camera = true;
+        break;
+      case Key::r:
+        commands.record = true;
         break;
       case Key::f12:
         commands.screenshot = true;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/lod_thresholds.h"
 #include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
@@ -73,16 +74,13 @@ void show_agents_by_interval(const TabContext& context) {
 
 }  // namespace
 
-int interval_at(const Tuning& tuning, float metres) {
-  if (tuning.lod == LodRule::off || metres < tuning.full_rate_distance) return 1;
-  const float beyond = std::floor((metres - tuning.full_rate_distance) / tuning.interval_growth);
-  return std::clamp(2 + static_cast<int>(beyond), 1, tuning.largest_interval);
-}
-
 void show_lod_skipping_tab(const TabContext& context) {
   show_rule(context);
-  show_intervals_over_distance(context);
+  show_lod_inspection(context);
   show_agents_by_interval(context);
+  show_intervals_over_distance(context);
+  show_budget(context);
+  show_error_on_screen(context);
 }
 
 }  // namespace throng::app

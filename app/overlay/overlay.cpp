@@ -5,32 +5,29 @@
 #include <cmath>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <imgui.h>
 
+#include "app/overlay/agent_tab.h"
 #include "app/overlay/cards.h"
 #include "app/overlay/crowd_click.h"
+#include "app/overlay/head_labels.h"
 #include "app/overlay/hotkeys.h"
+#include "app/overlay/presets_tab.h"
+#include "app/overlay/scheduling_tab.h"
 #include "app/overlay/selection_card.h"
 #include "app/overlay/tabs.h"
 
 namespace throng::app {
 namespace {
 
-constexpr float column_width = 380, strip_height = 132, header_height = 38, tab_height = 34;
+constexpr float column_width = 380, strip_height = 132, header_height = 38, tab_height = 28;
 
-struct Tab {
-  const char* name;
-  void (*show)(const TabContext&);
-};
-
-constexpr std::array<Tab, 4> tabs = {{{"Crowd", show_crowd_tab},
-                                      {"LOD skipping", show_lod_skipping_tab},
-                                      {"Per-bone LOD", show_bone_lod_tab},
-                                      {"Scheduling", show_scheduling_tab}}};
+constexpr std::array<const char*, 6> tab_names = {"Crowd",      "LOD skipping", "Per-bone LOD",
+                                                  "Scheduling", "Agent",        "Presets"};
+constexpr std::size_t tabs_in_a_row = 3;
 
 /// The keys that text editing knows, in our words.
 constexpr std::array<std::pair<int, Key>, 21> edit_keys = {{
@@ -98,13 +95,17 @@ Layout lay_out(const Theme& theme, ImVec2 size) {
           .column = {.from = {column_x, 0}, .to = size}};
 }
 
-std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, const Theme& theme) {
+std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, bool exact, const Theme& theme) {
   std::vector<Notice> notices;
   std::istringstream lines(report.notice);
   for (std::string line; std::getline(lines, line);) notices.push_back({colour::changed, line});
   if (theme.fonts_missing)
     notices.push_back({colour::changed, "The overlay's fonts were not found in the data folder."});
+  if (tuning.inspection.freeze_camera) {
+    notices.push_back({colour::accent, "Level of detail goes on from where the camera was frozen."});
+  }
   if (tuning.paused) notices.push_back({colour::frame, "Paused. Space goes on."});
+  if (exact) notices.push_back({colour::accent, "The exact crowd, while X is held."});
   return notices;
 }
 
@@ -123,10 +124,14 @@ struct Overlay::State {
   OverlaySwitches switches;
   CrowdClick click;
   std::size_t tab = 0;
+  SchedulingTab scheduling;
+  AgentTab agent;
+  PresetsTab presets;
 
   void show_header(const Area& column) const;
   void show_tab_bar(const Area& column);
   void show_column(const Area& column, const TabContext& context_of_tab);
+  void show_tab(const TabContext& context_of_tab);
 };
 
 Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& standard, const Clipboard& clipboard)
@@ -162,23 +167,28 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   State& state = *state_;
   OverlayCommands commands;
   state.map.widgets.clear();
+  commands.models = state.input.dropped;
   commands.select_at = state.click.update(state.input, !uses_pointer());
   if (!uses_keyboard()) {
     apply_hotkeys(state.input, report.selected.has_value(), state.switches, tuning, commands);
+    if (std::ranges::count(state.input.pressed, Key::b) > 0) state.presets.pair.change_places(tuning);
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   if (!state.switches.hidden) {
+    show_head_labels(state.widgets, layout.crowd, report);
     Area below_notices = layout.crowd;
-    below_notices.from.y = show_notices(state.widgets, layout.crowd, notices_of(report, tuning, state.theme));
+    below_notices.from.y =
+        show_notices(state.widgets, layout.crowd, notices_of(report, tuning, commands.exact_crowd, state.theme));
     show_frame_strip(state.widgets, layout.strip, report);
     state.show_column(layout.column, {state.widgets, report, tuning, state.standard, commands});
     if (report.selected) show_selection_card(state.widgets, below_notices, *report.selected, commands);
     if (state.switches.help) show_help_card(state.widgets, layout.crowd);
   }
   ImGui::Render();
-  state.map.tab = tabs.at(state.tab).name;
+  state.map.tab = tab_names.at(state.tab);
   state.map.hidden = state.switches.hidden;
   state.map.help = state.switches.help;
+  state.map.shows_b = state.presets.pair.shows_b();
   state.map.typing = ImGui::GetIO().WantTextInput;
   return commands;
 }
@@ -190,22 +200,22 @@ void Overlay::State::show_header(const Area& column) const {
 }
 
 void Overlay::State::show_tab_bar(const Area& column) {
-  const float top = column.from.y + theme.px(header_height), bottom = top + theme.px(tab_height);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddLine({column.from.x, bottom}, {column.to.x, bottom}, colour::grid);
-  float x = column.from.x + theme.px(8);
-  for (std::size_t i = 0; i < tabs.size(); ++i) {
-    const std::string name = tabs.at(i).name;
-    const float width = theme.regular->CalcTextSizeA(theme.regular->FontSize, FLT_MAX, 0, name.c_str()).x;
-    const Area place{.from = {x, top}, .to = {x + width + theme.px(17), bottom}};
+  const float width = (column.width() - theme.px(16)) / static_cast<float>(tabs_in_a_row);
+  for (std::size_t i = 0; i < tab_names.size(); ++i) {
+    const auto row = static_cast<float>(i / tabs_in_a_row), place_in_row = static_cast<float>(i % tabs_in_a_row);
+    const ImVec2 from(column.from.x + theme.px(8) + width * place_in_row,
+                      column.from.y + theme.px(header_height + tab_height * row));
+    const Area place{.from = from, .to = {from.x + width, from.y + theme.px(tab_height)}};
+    const std::string name = tab_names.at(i);
     if (widgets.clickable("tab:" + name, place)) tab = i;
     const bool shown = i == tab, hovered = ImGui::IsItemHovered();
-    draw_text(theme.regular, {x + theme.px(8.5F), top + theme.px(8)}, shown || hovered ? colour::text : colour::dim,
-              name);
-    if (shown) {
-      draw.AddRectFilled({x + theme.px(8), bottom - theme.px(2)}, {place.to.x - theme.px(8), bottom}, colour::accent);
-    }
-    x = place.to.x;
+    draw_text(theme.regular, {(place.from.x + place.to.x) / 2, from.y + theme.px(5)},
+              shown || hovered ? colour::text : colour::dim, name, 0.5F);
+    draw.AddLine({place.from.x, place.to.y}, {place.to.x, place.to.y}, colour::grid);
+    if (!shown) continue;
+    draw.AddRectFilled({place.from.x + theme.px(8), place.to.y - theme.px(2)}, {place.to.x - theme.px(8), place.to.y},
+                       colour::accent);
   }
 }
 
@@ -214,16 +224,33 @@ void Overlay::State::show_column(const Area& column, const TabContext& context_o
   ImGui::GetWindowDrawList()->AddLine(column.from, {column.from.x, column.to.y}, colour::panel_edge);
   show_header(column);
   show_tab_bar(column);
-  const float top = theme.px(header_height + tab_height) + 1;
+  const float top = theme.px(header_height + 2 * tab_height) + 1;
   ImGui::SetCursorScreenPos({column.from.x, column.from.y + top});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(16), theme.px(8)});
   // One child a tab: each keeps where it was scrolled to.
-  ImGui::BeginChild(tabs.at(tab).name, {column.width(), column.height() - top}, false,
+  ImGui::BeginChild(tab_names.at(tab), {column.width(), column.height() - top}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
-  tabs.at(tab).show(context_of_tab);
+  show_tab(context_of_tab);
   ImGui::EndChild();
   ImGui::PopStyleVar();
   ImGui::End();
+}
+
+void Overlay::State::show_tab(const TabContext& context_of_tab) {
+  switch (tab) {
+    case 0:
+      return show_crowd_tab(context_of_tab);
+    case 1:
+      return show_lod_skipping_tab(context_of_tab);
+    case 2:
+      return show_bone_lod_tab(context_of_tab);
+    case 3:
+      return scheduling.show(context_of_tab);
+    case 4:
+      return agent.show(context_of_tab);
+    default:
+      return presets.show(context_of_tab);
+  }
 }
 
 ImDrawData* Overlay::draw_data() const { return ImGui::GetDrawData(); }
@@ -246,8 +273,8 @@ bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
 void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
 
 void Overlay::show_tab(const std::string& name) {
-  const auto* const found = std::ranges::find(tabs, std::string_view(name), &Tab::name);
-  if (found != tabs.end()) state_->tab = static_cast<std::size_t>(found - tabs.begin());
+  const auto* const found = std::ranges::find(tab_names, name);
+  if (found != tab_names.end()) state_->tab = static_cast<std::size_t>(found - tab_names.begin());
 }
 
 bool Overlay::fonts_missing() const { return state_->theme.fonts_missing; }

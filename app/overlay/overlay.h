@@ -70,7 +70,7 @@ class Overlay {
   bool uses_keyboard() const;
 
   void set_hidden(bool hidden);
-  /// Shows one of "Crowd", "LOD skipping", "Per-bone LOD", "Scheduling"; any other name is ignored.
+  /// Shows one of "Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"; any other name is ignored.
   void show_tab(const std::string& name);
 
   /// The fonts were not found; ImGui's own is in use.

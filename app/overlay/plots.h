@@ -35,9 +35,6 @@ struct Steps {
 };
 void draw_steps(const Theme& theme, const Area& area, const Steps& steps);
 
-/// The spans of the PUs, one line each, over milliseconds.
-void draw_timeline(const Theme& theme, const Area& area, std::span<const PuReport> pus, float longest_ms);
-
 /// A rounded dark ground for a plot.
 void draw_well(const Theme& theme, const Area& area);
 

@@ -1,3 +1,5 @@
+#include "app/overlay/scheduling_tab.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -5,7 +7,6 @@
 #include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
-#include "app/overlay/tabs.h"
 
 namespace throng::app {
 namespace {
@@ -48,6 +49,10 @@ void show_machine(const TabContext& context) {
                  {.what = "sampled: even rows of quantised rotations, made for crowds. keyframe: the clip's own keys, "
                           "exact, with the paper's interpolation structures.",
                   .cost = "keyframe moves about 7 KB a player and needs a larger local store."});
+  widgets.choice("Palette", tuning.palette, standard.palette, palette_words,
+                 {.what = "What is written for a bone: float, a 3x4 matrix of 48 bytes, or packed, a rotation and a "
+                          "place of 16, unpacked in the vertex shader. Skeletons that are not rigid stay float.",
+                  .cost = "packed: arithmetic for every vertex that is drawn."});
 }
 
 using Cells = std::array<std::string, 8>;
@@ -117,19 +122,6 @@ void show_legend(const Theme& theme) {
   ImGui::Dummy({0, theme.small->FontSize});
 }
 
-void show_timeline(const TabContext& context) {
-  const FrameReport& report = context.report;
-  float end = 0;
-  for (const PuReport& pu : report.pu) {
-    for (const PuSpan& span : pu.spans) end = std::max(end, span.end_ms);
-  }
-  if (end <= 0) return;
-  context.widgets.section("Last update, PU by PU");
-  const float lanes = std::clamp(20.0F * static_cast<float>(report.pu.size()), 60.0F, 150.0F);
-  draw_timeline(context.widgets.theme(), context.widgets.area("Timeline", lanes + 16), report.pu, end);
-  show_legend(context.widgets.theme());
-}
-
 void show_totals(const TabContext& context) {
   const FrameReport& report = context.report;
   Widgets& widgets = context.widgets;
@@ -162,7 +154,15 @@ void show_memory(const TabContext& context) {
 
 }  // namespace
 
-void show_scheduling_tab(const TabContext& context) {
+void SchedulingTab::show_timeline(const TabContext& context) {
+  if (context.report.timeline.empty()) return;
+  context.widgets.section("Last updates, PU by PU");
+  timeline_.show(context.widgets, context.report.timeline);
+  show_legend(context.widgets.theme());
+  context.widgets.caption("Wheel: zoom. Drag: along. Double click: all.");
+}
+
+void SchedulingTab::show(const TabContext& context) {
   show_machine(context);
   show_pu_table(context);
   show_timeline(context);

@@ -15,12 +15,16 @@ struct TabContext {
   OverlayCommands& commands;
 };
 
+/// Bone levels of the character shown: four, unless it has fewer.
+int level_count(const FrameReport& report);
+
 void show_crowd_tab(const TabContext& context);
 void show_lod_skipping_tab(const TabContext& context);
-void show_bone_lod_tab(const TabContext& context);
-void show_scheduling_tab(const TabContext& context);
+/// Parts of it.
+void show_lod_inspection(const TabContext& context);
+void show_budget(const TabContext& context);
+void show_error_on_screen(const TabContext& context);
 
-/// Frames between two updates of an agent, as the distance rule of the tuning gives them.
-int interval_at(const Tuning& tuning, float metres);
+void show_bone_lod_tab(const TabContext& context);
 
 }  // namespace throng::app

@@ -17,6 +17,15 @@ const char* word(const std::array<const char*, Count>& words, Choice choice) {
   return words.at(static_cast<std::size_t>(choice));
 }
 
+Json inspection_json(const LodInspection& look) {
+  return {{"freeze_camera", look.freeze_camera},
+          {"thresholds", look.thresholds},
+          {"figures_above_heads", look.figures_above_heads},
+          {"forced_interval", look.forced_interval},
+          {"forced_bone_level", look.forced_bone_level},
+          {"force_selected_only", look.force_selected_only}};
+}
+
 Json tuning_json(const Tuning& tuning) {
   return {{"scene", word(scene_words, tuning.scene)},
           {"agents", tuning.agents},
@@ -29,6 +38,7 @@ Json tuning_json(const Tuning& tuning) {
           {"largest_interval", tuning.largest_interval},
           {"smooth", tuning.smooth},
           {"placed_feet", tuning.placed_feet},
+          {"inspection", inspection_json(tuning.inspection)},
           {"bone_lod", tuning.bone_lod},
           {"bone_level_distance", tuning.bone_level_distance},
           {"mesh_lod", tuning.mesh_lod},
@@ -50,19 +60,33 @@ Json selected_json(const std::optional<SelectionReport>& selected) {
   if (!selected) return nullptr;
   Json entities = Json::array();
   for (const EntityRow& row : selected->entities) entities.push_back(entity_json(row));
-  return {{"agent", selected->agent}, {"posture", word(posture_words, selected->posture)},
-          {"x", selected->x},         {"y", selected->y},
-          {"z", selected->z},         {"bytes", selected->bytes},
-          {"entities", entities}};
+  return {{"agent", selected->agent},
+          {"posture", word(posture_words, selected->posture)},
+          {"x", selected->x},
+          {"y", selected->y},
+          {"z", selected->z},
+          {"bytes", selected->bytes},
+          {"entities", entities},
+          {"held_at", selected->held_at ? Json(*selected->held_at) : Json(nullptr)},
+          {"history_frames", selected->history.size()},
+          {"events", selected->events}};
 }
 
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
+          {"characters", report.characters},
           {"drawn", report.drawn},
+          {"visible", report.visible},
           {"agents_updated", report.agents_updated},
+          {"agents_by_interval", report.agents_by_interval},
+          {"agents_by_bone_level", report.agents_by_bone_level},
+          {"heads", report.heads.size()},
           {"pus", report.pus},
           {"local_store_kib", report.local_store_kib},
           {"tile", report.tile},
+          {"snapshots", report.snapshots},
+          {"preset_names", report.preset_names},
+          {"timeline_frames", report.timeline.size()},
           {"notice", report.notice},
           {"selected", selected_json(report.selected)}};
 }
@@ -88,6 +112,7 @@ std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& r
                          {"tab", map.tab},
                          {"hidden", map.hidden},
                          {"help", map.help},
+                         {"shows_b", map.shows_b},
                          {"typing", map.typing},
                          {"tuning", tuning_json(tuning)},
                          {"report", report_json(report)},

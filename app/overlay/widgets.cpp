@@ -188,15 +188,15 @@ bool Widgets::choose(const char* label, int& index, int standard, std::span<cons
   return index != before;
 }
 
-bool Widgets::button(const char* label, const Help& help, float width) {
+bool Widgets::named_button(const char* words, const std::string& name, const Help& help, float width) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const Area place = rectangle(from, {from.x + width, from.y + theme_.px(26)});
-  const bool clicked = clickable(label, place);
+  const bool clicked = clickable(name, place);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   const ImU32 fill = held ? colour::accent_soft : (hovered ? colour::well_hovered : colour::well);
   ImGui::GetWindowDrawList()->AddRectFilled(place.from, place.to, ImGui::GetColorU32(fill), theme_.px(4));
-  draw_text(theme_.regular, {(place.from.x + place.to.x) / 2, from.y + theme_.px(5)}, colour::text, label, 0.5F);
-  if (hovered && resting_on(place)) tooltip(label, help, "");
+  draw_text(theme_.regular, {(place.from.x + place.to.x) / 2, from.y + theme_.px(5)}, colour::text, words, 0.5F);
+  if (hovered && resting_on(place)) tooltip(words, help, "");
   return clicked;
 }
 

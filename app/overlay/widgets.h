@@ -39,7 +39,11 @@ class Widgets {
   bool number(const char* label, int& value, int standard, const NumberScale& scale, const Help& help);
   bool number(const char* label, float& value, float standard, const NumberScale& scale, const Help& help);
   bool toggle(const char* label, bool& value, bool standard, const Help& help);
-  bool button(const char* label, const Help& help, float width);
+  bool button(const char* label, const Help& help, float width) { return named_button(label, label, help, width); }
+  /// One of several with the same words: `name` tells it apart in the map.
+  bool named_button(const char* words, const std::string& name, const Help& help, float width);
+  /// A few words, at most 63 bytes; `hint` stands there while it is empty.
+  bool text(const char* label, std::string& value, const char* hint, const Help& help);
   void fact(const char* label, const std::string& value, const Help& help);
   void caption(const std::string& text);
 

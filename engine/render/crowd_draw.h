@@ -25,6 +25,13 @@ struct CameraView {
   glm::mat4 projection{1.0F};
 };
 
+/// A straight line in the world, of an even width on the screen.
+struct SceneLine {
+  glm::vec3 from{0.0F};
+  glm::vec3 to{0.0F};
+  std::uint32_t color = 0xFFFFFFFF;  ///< sRGB, red in the lowest byte, alpha in the highest
+};
+
 /// All that one picture needs: plain data, valid for the call.
 struct CrowdFrame {
   CameraView camera;
@@ -32,6 +39,8 @@ struct CrowdFrame {
   std::span<const CrowdBatch> batches;  ///< in ascending order of page, then character
   std::uint32_t now = 0;                ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
   bool bones_as_lines = false;
+  bool fill_pixels = true;                ///< false: all is drawn, but no pixel is filled
+  std::span<const SceneLine> lines = {};  ///< drawn over the crowd
 };
 
 struct DrawCounts {

@@ -29,19 +29,22 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gl::Context& context, const R
   if (!contact) return contact.error();
   Result<CrowdPass> crowd = CrowdPass::create(*shaders);
   if (!crowd) return crowd.error();
+  Result<LinePass> lines = LinePass::create(*shaders);
+  if (!lines) return lines.error();
   Result<SkinningReadBack> reader = SkinningReadBack::create(*shaders);
   if (!reader) return reader.error();
   return std::unique_ptr<Renderer>(new Renderer(context, options, std::move(shaders), std::move(*ground),
-                                                std::move(*contact), std::move(*crowd), *reader));
+                                                std::move(*contact), std::move(*crowd), std::move(*lines), *reader));
 }
 
 Renderer::Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
-                   GroundPass ground, ContactPass contact, CrowdPass crowd, SkinningReadBack reader)
+                   GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SkinningReadBack reader)
     : context_(&context),
       shaders_(std::move(shaders)),
       ground_(std::move(ground)),
       contact_(std::move(contact)),
       crowd_(std::move(crowd)),
+      lines_(std::move(lines)),
       read_back_(reader),
       target_(options.size, options.samples),
       frame_uniforms_(create_frame_uniforms()),
@@ -82,14 +85,21 @@ std::vector<ReadBackVertex> Renderer::read_back(const CrowdFrame& frame, const R
 }
 
 DrawCounts Renderer::draw(const CrowdFrame& frame) {
-  assert(!meshes_.empty());
   upload(frame);
+  return draw_uploaded(frame);
+}
+
+DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
+  assert(!meshes_.empty());
   target_.bind_scene();
+  if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   ground_.draw();
   DrawCounts counts{1, 1};
   if (shadows_) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
   add(counts, contact_.draw(static_cast<std::uint32_t>(frame.instances.size()), !shadows_));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
+  add(counts, lines_.draw(frame.lines, target_.size()));
+  glDisable(GL_RASTERIZER_DISCARD);
   target_.resolve();
   return counts;
 }

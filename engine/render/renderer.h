@@ -19,6 +19,7 @@
 #include "engine/render/image.h"
 #include "engine/render/image_target.h"
 #include "engine/render/instance_stream.h"
+#include "engine/render/line_pass.h"
 #include "engine/render/mesh.h"
 #include "engine/render/overlay_renderer.h"
 #include "engine/render/palette_buffer.h"
@@ -68,8 +69,12 @@ class Renderer {
 
   FrameFences& fences() { return fences_; }
 
-  /// Draws ground, shadows and crowd. Nothing is kept of `frame`.
+  /// Draws ground, shadows, crowd and lines. Nothing is kept of `frame`.
   DrawCounts draw(const CrowdFrame& frame);
+
+  /// The two parts of draw(), to be timed apart. What was uploaded last can be drawn again.
+  void upload(const CrowdFrame& frame);
+  DrawCounts draw_uploaded(const CrowdFrame& frame);
 
   /// Where the vertex shader puts each vertex of one agent of `frame`, for tests; draws nothing and waits.
   std::vector<ReadBackVertex> read_back(const CrowdFrame& frame, const ReadBackAgent& agent);
@@ -101,14 +106,14 @@ class Renderer {
 
  private:
   Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
-           GroundPass ground, ContactPass contact, CrowdPass crowd, SkinningReadBack reader);
-  void upload(const CrowdFrame& frame);
+           GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SkinningReadBack reader);
 
   gl::Context* context_;
   std::unique_ptr<ShaderLibrary> shaders_;
   GroundPass ground_;
   ContactPass contact_;
   CrowdPass crowd_;
+  LinePass lines_;
   SkinningReadBack read_back_;
   std::optional<OverlayRenderer> overlay_;
   ImageTarget target_;

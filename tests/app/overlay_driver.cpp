@@ -24,6 +24,15 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.save_roles |= commands.save_roles;
     all.deselect |= commands.deselect;
     all.push_over |= commands.push_over;
+    all.exact_crowd |= commands.exact_crowd;
+    all.rewind |= commands.rewind;
+    all.let_go |= commands.let_go;
+    all.copy_command_line |= commands.copy_command_line;
+    if (commands.hold_at) all.hold_at = commands.hold_at;
+    if (commands.save_preset) all.save_preset = commands.save_preset;
+    if (commands.load_preset) all.load_preset = commands.load_preset;
+    if (commands.delete_preset) all.delete_preset = commands.delete_preset;
+    if (!commands.models.empty()) all.models = commands.models;
     if (commands.select_at) all.select_at = commands.select_at;
     if (commands.character) all.character = commands.character;
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);
@@ -97,6 +106,8 @@ FrameReport full_report() {
   PuReport pu;
   pu.spans = {{PuSpan::Kind::fetch, 0, 0.1F}, {PuSpan::Kind::compute, 0.1F, 0.9F}};
   report.pu = {pu, pu};
+  report.timeline = {{.frame = 1, .length_ms = 0.9F, .lanes = {pu.spans, pu.spans}},
+                     {.frame = 2, .length_ms = 0.9F, .lanes = {pu.spans, pu.spans}}};
   return report;
 }
 

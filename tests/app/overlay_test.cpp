@@ -12,13 +12,13 @@
 namespace throng::app {
 namespace {
 
-constexpr std::array tabs = {"Crowd", "LOD skipping", "Per-bone LOD", "Scheduling"};
+constexpr std::array tabs = {"Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"};
 
 std::string written(const Tuning& tuning) { return to_json({}, tuning, {}); }
 
 TEST(Overlay, AClickOnATabShowsIt) {
   OverlayDriver driver;
-  for (const std::string tab : {"Scheduling", "LOD skipping", "Per-bone LOD", "Crowd"}) {
+  for (const std::string tab : {"Scheduling", "Agent", "LOD skipping", "Presets", "Per-bone LOD", "Crowd"}) {
     driver.click("tab:" + tab);
     EXPECT_EQ(driver.overlay.ui_map().tab, tab);
   }

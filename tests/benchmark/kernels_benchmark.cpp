@@ -4,6 +4,7 @@
 #include <memory>
 #include <numeric>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/kernel/hierarchy.h"
 #include "engine/anim/kernel/kernels.h"
+
+namespace throng::anim {
+void register_dense_rows();  // dense_rows_benchmark.cpp
+}  // namespace throng::anim
 
 /// The fused pipeline of one PU without anything around it: two samples, one blend, model space and palette, 62 bones,
 /// tiles of 16 characters, every character at times and a weight of its own. Read ns_per_bone; compare only within one
@@ -28,6 +33,7 @@ struct alignas(64) Line {
   float floats[16];
 };
 constexpr int palette_lines = static_cast<int>(bones * sizeof(PaletteMatrix) / sizeof(Line)) + 1;
+constexpr int packed_lines = (bones + 3) / 4;
 using Lines = std::vector<Line>;
 
 Lines floats(int count) { return Lines(static_cast<std::size_t>((count + 15) / 16)); }
@@ -107,8 +113,9 @@ struct Character {
 /// Everything that the loop reads and writes, made before it.
 class Crowd {
  public:
-  explicit Crowd(int characters)
-      : program_(compile_hierarchy(branching_skeleton())),
+  Crowd(int characters, PaletteFormat format)
+      : format_(format),
+        program_(compile_hierarchy(branching_skeleton())),
         first_(stream_of(turning_rows(1.0))),
         second_(stream_of(turning_rows(1.7))),
         palettes_(static_cast<std::size_t>(characters * palette_lines)) {
@@ -126,12 +133,13 @@ class Crowd {
 
  private:
   void animate_tile(const Kernels& kernels, std::size_t first) {
-    PaletteMatrix* palettes[widest_tile];
+    PaletteDestination palettes[widest_tile];
     SamplePoint points[2][widest_tile];
     const int count = static_cast<int>(std::min(characters_.size() - first, std::size_t{widest_tile}));
     for (int lane = 0; lane < count; ++lane) {
       const std::size_t character = first + static_cast<std::size_t>(lane);
-      palettes[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + character * std::size_t{palette_lines});
+      const std::size_t lines = format_ == PaletteFormat::packed ? packed_lines : palette_lines;
+      palettes[lane] = PaletteDestination(reinterpret_cast<std::byte*>(palettes_.data() + character * lines));
       points[0][lane] = locate(as_stream(first_), characters_[character].first_time);
       points[1][lane] = locate(as_stream(second_), characters_[character].second_time);
     }
@@ -142,6 +150,7 @@ class Crowd {
     job.local = local_.front().floats;
     job.carry = carry_.front().floats;
     job.branch_slots = slots_.front().floats;
+    job.format = format_;
     job.palettes = palettes;
     for (job.packet = 0; job.packet < packets; ++job.packet) {
       for (int lane = 0; lane < count; ++lane) {
@@ -155,6 +164,7 @@ class Crowd {
     }
   }
 
+  PaletteFormat format_;
   HierarchyProgram program_;
   Lines first_, second_;
   std::vector<Character> characters_;
@@ -171,8 +181,8 @@ void report(benchmark::State& state, std::size_t bones_an_iteration) {
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-void pipeline(benchmark::State& state, const Kernels& kernels) {
-  Crowd crowd(static_cast<int>(state.range(0)));
+void pipeline(benchmark::State& state, const Kernels& kernels, PaletteFormat format) {
+  Crowd crowd(static_cast<int>(state.range(0)), format);
   for ([[maybe_unused]] const auto& round : state) crowd.animate(kernels);
   report(state, crowd.size() * bones);
 }
@@ -204,12 +214,27 @@ class Workbench {
             offset_decay(0.05F, 0.1F), rigid_components,   out_.front().floats};
   }
   NoiseJob noise() {
-    return {from_.front().floats, mask_.front().floats, noise_at(12345678, 3.0F), 1, 1,
-            rigid_components,     out_.front().floats};
+    return {.from = from_.front().floats,
+            .amplitude = 0.02F,
+            .moment = noise_moment(1, noise_at(12345678, 3.0F)),
+            .packet = 1,
+            .bone_count = bones,
+            .out = from_.front().floats};
+  }
+  /// Two clips for each character of a tile, or as many that show one.
+  PoseClipsJob pose_clips(bool blended) {
+    for (int lane = 0; lane < widest_tile; ++lane) {
+      const Ticks time = ticks_per_second * lane / widest_tile;
+      clips_[lane] = {&as_stream(stream_), locate(as_stream(stream_), time), lane, 0.0F};
+      blended_[lane] = {&as_stream(stream_), locate(as_stream(stream_), ticks_per_second - 1 - time), lane, 0.3F};
+    }
+    return {.clips = clips_,
+            .blended = blended ? std::span<const ClipMoment>(blended_) : std::span<const ClipMoment>(),
+            .local = local_.front().floats};
   }
   ModelPaletteJob model_palette() {
     for (int lane = 0; lane < widest_tile; ++lane) {
-      destinations_[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + lane * palette_lines);
+      destinations_[lane] = PaletteDestination(reinterpret_cast<std::byte*>(palettes_.data() + lane * palette_lines));
     }
     ModelPaletteJob job;
     job.hierarchy = &program_;
@@ -230,11 +255,12 @@ class Workbench {
   const float* sources_[4] = {from_.front().floats, to_.front().floats, from_.front().floats, to_.front().floats};
   const float* masks_[4] = {mask_.front().floats, nullptr, mask_.front().floats, nullptr};
   float shares_[4] = {0.1F, 0.2F, 0.3F, 0.4F};
+  ClipMoment clips_[widest_tile], blended_[widest_tile];
   Lines local_ = floats(widest_tile * packet_floats);
   Lines carry_ = floats(branch_slot_floats * widest_tile);
   Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
   Lines palettes_ = floats(widest_tile * palette_lines * 16);
-  PaletteMatrix* destinations_[widest_tile];
+  PaletteDestination destinations_[widest_tile];
 };
 
 /// One kernel over one packet of one character.
@@ -249,9 +275,19 @@ void register_alone(const std::string& name, const Kernels& kernels, void (*Kern
   });
 }
 
-void model_palette_alone(benchmark::State& state, const Kernels& kernels) {
+void pose_clips_alone(benchmark::State& state, const Kernels& kernels, bool blended) {
+  Workbench bench;
+  PoseClipsJob job = bench.pose_clips(blended);
+  for ([[maybe_unused]] const auto& round : state) {
+    for (job.packet = 0; job.packet < packets; ++job.packet) kernels.pose_clips(job);
+  }
+  report(state, widest_tile * bones);
+}
+
+void model_palette_alone(benchmark::State& state, const Kernels& kernels, PaletteFormat format) {
   Workbench bench;
   ModelPaletteJob job = bench.model_palette();
+  job.format = format;
   for ([[maybe_unused]] const auto& round : state) {
     for (job.packet = 0; job.packet < packets; ++job.packet) kernels.model_palette(job);
   }
@@ -283,8 +319,15 @@ void register_all() {
     register_alone("capture_offset", kernels, &Kernels::capture_offset, &Workbench::capture_offset);
     register_alone("apply_offset", kernels, &Kernels::apply_offset, &Workbench::apply_offset);
     register_alone("noise", kernels, &Kernels::noise, &Workbench::noise);
-    benchmark::RegisterBenchmark(("model_palette/" + target).c_str(), model_palette_alone, kernels);
-    sizes(benchmark::RegisterBenchmark(("pipeline/" + target).c_str(), pipeline, kernels));
+    benchmark::RegisterBenchmark(("pose_clips/" + target).c_str(), pose_clips_alone, kernels, false);
+    benchmark::RegisterBenchmark(("pose_blended_clips/" + target).c_str(), pose_clips_alone, kernels, true);
+    benchmark::RegisterBenchmark(("model_palette/" + target).c_str(), model_palette_alone, kernels,
+                                 PaletteFormat::matrices);
+    benchmark::RegisterBenchmark(("packed_model_palette/" + target).c_str(), model_palette_alone, kernels,
+                                 PaletteFormat::packed);
+    sizes(benchmark::RegisterBenchmark(("pipeline/" + target).c_str(), pipeline, kernels, PaletteFormat::matrices));
+    sizes(
+        benchmark::RegisterBenchmark(("packed_pipeline/" + target).c_str(), pipeline, kernels, PaletteFormat::packed));
   }
   sizes(benchmark::RegisterBenchmark("write_floor", write_floor));
 }
@@ -296,6 +339,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   throng::anim::register_all();
+  throng::anim::register_dense_rows();
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

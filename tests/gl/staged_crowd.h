@@ -35,6 +35,7 @@ class StagedCrowd {
 
   /// Fences what was read of the last frame; then the crowd walks on, is posed and composed.
   void pass_frame();
+  void retune(const Tuning& tuning);
   void draw_camera_back(float metres) { camera_.position -= metres * render::forward(camera_); }
 
   /// Whether the device shows `agent` strictly between two poses.
@@ -53,6 +54,8 @@ class StagedCrowd {
     write(pose.from, change(reference_->palette(agent, moments.from)));
     write(pose.to, change(reference_->palette(agent, moments.to)));
   }
+  /// No fault: the pose that `agent` comes to, packed, by the same rotations' other quaternions.
+  void negate_rotations(std::uint32_t agent);
   render::InstanceRecord& record(std::uint32_t agent) { return instances_[instance_of(agent)]; }
 
   const Stage& stage() const { return *stage_; }
@@ -67,6 +70,7 @@ class StagedCrowd {
   std::vector<render::ReadBackVertex> surface_on_device(std::uint32_t agent);
   std::uint32_t instance_of(std::uint32_t agent) const;
   double blend_of(std::uint32_t agent) const;
+  std::vector<glm::dvec3> reference_surface(std::uint32_t agent) const;
   render::CrowdFrame frame() const;
   void write(const render::PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette);
 

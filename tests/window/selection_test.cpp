@@ -68,6 +68,18 @@ TEST_F(LoneAgent, IsDeselectedByAClickBesideItAndByEscape) {
   wait_until_selected(false);
 }
 
+TEST_F(LoneAgent, ItsClipIsHeldByDraggingAndLetGo) {
+  click_at(chest);
+  wait_until_selected(true);
+  click("tab:Agent");
+  drag("Hold clip at", 0.7);
+  const Json map =
+      wait_for("a held clip", [](const Json& now) { return !now["report"]["selected"]["held_at"].is_null(); });
+  EXPECT_GT(map["report"]["selected"]["history_frames"], 0);
+  click("Let go");
+  wait_for("a clip that plays", [](const Json& now) { return now["report"]["selected"]["held_at"].is_null(); });
+}
+
 TEST_F(LoneAgent, IsPushedOverByTheButtonAndGetsUp) {
   click_at(chest);
   wait_until_selected(true);

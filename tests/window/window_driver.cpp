@@ -7,6 +7,8 @@
 
 #include <unistd.h>
 
+#include "tests/window/file_drop.h"
+
 namespace throng::app {
 namespace {
 
@@ -129,6 +131,10 @@ void WindowDriver::press(const std::string& name) {
 }
 
 void WindowDriver::type(const std::string& text) { xdotool({"type", text}); }
+
+void WindowDriver::drop(const std::string& file) {
+  ASSERT_TRUE(drop_file(display_name_, file, soon())) << "the window took no file";
+}
 
 void WindowDriver::type_into(const std::string& widget, const std::string& text) {
   click(widget);

@@ -35,6 +35,8 @@ class WindowDriver : public testing::Test {
   void hold(const std::string& name);
   void let_go(const std::string& name);
   void type(const std::string& text);
+  /// Drops a file on the window.
+  void drop(const std::string& file);
   void type_into(const std::string& widget, const std::string& text);
   void point_at(double x, double y);
   void button(int number, bool down);

@@ -41,12 +41,30 @@ Result<std::uint32_t> AnimationSystem::add_character(std::shared_ptr<const Chara
   return configured.error();
 }
 
+Status AnimationSystem::replace_character(std::uint32_t character, std::shared_ptr<const Character> reordered,
+                                          std::span<const int> places) {
+  Cast& cast = *casts_[character];
+  if (const std::string bound = cast.bound_to_bone_order(); !bound.empty()) {
+    return Error{"the bones of \"" + cast.skeleton().name + "\" keep their order: its agents have " + bound};
+  }
+  const std::shared_ptr<const Character> before = cast.replace_character(std::move(reordered));
+  const Status configured = configure(options_);
+  if (configured) {
+    cast.reorder_kept_transforms(places);
+    return configured;
+  }
+  cast.replace_character(before);
+  refresh_contexts();
+  return configured;
+}
+
 void AnimationSystem::refresh_contexts() {
   const Kernels& kernels = options_.kernels == nullptr ? best_kernels() : *options_.kernels;
   contexts_.clear();
   for (const std::unique_ptr<Cast>& cast : casts_) {
     contexts_.push_back(cast->context(kernels));
     contexts_.back().assets.prefetch = options_.prefetch;
+    if (cast->character->hierarchy.packs()) contexts_.back().palette_format = options_.palettes;
   }
 }
 
@@ -147,6 +165,14 @@ void AnimationSystem::make_agents(std::uint32_t first) {
     cast.agents.resize(count);
   }
   reserve_work();
+}
+
+void AnimationSystem::restart() {
+  assert(agent_count() == 0 && "agents stand at times of the old clock");
+  clock_ = 0;
+  frame_ = 0;
+  pose_hash_ = 0;
+  shared_posed_at_ = 0;
 }
 
 void AnimationSystem::reserve_work() {

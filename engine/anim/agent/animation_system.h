@@ -32,7 +32,9 @@ struct SystemOptions {
   bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
   CostModel cost{};             ///< what orders tasks and cuts tiles
   StorePolicy stores = StorePolicy::prefetched;  ///< how palettes are written
-  const Kernels* kernels = nullptr;              ///< null: the best that this machine runs
+  /// What is written: `packed` of the characters that can be packed (see palette_format), matrices of all others.
+  PaletteFormat palettes = PaletteFormat::matrices;
+  const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
 
   friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
 };
@@ -41,9 +43,13 @@ inline constexpr int max_pus = 256;
 /// One agent to be posed in this frame.
 struct AgentUpdate {
   std::uint32_t agent = 0;
-  std::uint8_t level = 0;            ///< bone level
-  Ticks look_ahead = 0;              ///< the pose is that of now + look_ahead (smooth skipping)
-  PaletteMatrix* palette = nullptr;  ///< where the PU writes it, room for the level's entries; null: nobody draws it
+  std::uint8_t level = 0;           ///< bone level
+  Ticks look_ahead = 0;             ///< the pose is that of now + look_ahead (smooth skipping)
+  PaletteDestination palette = {};  ///< where the PU writes it, room for the level's entries; null: nobody draws it
+  /// On the way to or from a coarser level: the bones that it lacks are so many halves of the way to where they stand
+  /// still. At 2 the palette shows what that level shows, so that meshes can change without a pop.
+  std::uint8_t fade_level = 0;
+  std::uint8_t fade_halves = 0;  ///< 0 to 2
 };
 
 /// One agent whose exact pose is wanted.
@@ -57,6 +63,7 @@ struct UpdateReport {
   std::uint32_t agents_updated = 0;
   std::uint64_t bones_evaluated = 0;
   std::uint64_t palette_bytes = 0;
+  double predicted_nanoseconds = 0;  ///< of one PU, by SystemOptions::cost: agents, and tiles as wide as they come
   CopyCounts copies;
 };
 
@@ -74,13 +81,21 @@ class AnimationSystem {
                                                          const SystemOptions& options);
   ~AnimationSystem();
 
-  /// At a frame boundary. Poses do not depend on any of the options but the stream. On error nothing has changed.
+  /// At a frame boundary. Poses do not depend on any of the options but the stream; the hash of what is written also
+  /// depends on the format of palettes. On error nothing has changed.
   Status configure(const SystemOptions& options);
 
   /// Another character (a camera and a prop are characters too), at load time: its number for add_agents and for what
   /// belongs to a skeleton. The one of create() is 0. On error (the local store is too small
   /// for it, or there are most_skeletons already) nothing has changed.
   Result<std::uint32_t> add_character(std::shared_ptr<const Character> character);
+
+  /// The same character with its bones in another order (asset/skeleton_order.h) and other levels, at a frame boundary:
+  /// agents go on where they are. `places`: the new index of each bone. Rigs that kinds of entities point at are the
+  /// host's to reorder, at once (CharacterRigs::reorder_bones). Errors, and then nothing has changed: masks, selections
+  /// or inertialisers hold on to the order; the local store is too small. Older snapshots cannot be restored.
+  Status replace_character(std::uint32_t character, std::shared_ptr<const Character> reordered,
+                           std::span<const int> places);
 
   /// New agents play nothing until asked; every agent must play something before it is updated.
   void set_agent_count(std::uint32_t agents);
@@ -89,6 +104,8 @@ class AnimationSystem {
   std::uint32_t add_agents(std::uint32_t count, std::uint32_t character);
   /// One more agent of each of these characters, in this order: the first one's number.
   std::uint32_t add_agents(std::span<const std::uint8_t> characters);
+  /// Of the palettes of a character's agents.
+  PaletteFormat palette_format(std::uint32_t character) const { return contexts_[character].palette_format; }
   /// Which character the agent is, as add_agents was told.
   std::uint32_t character_number(std::uint32_t agent) const { return members_[agent].cast; }
   std::uint32_t agent_count() const { return static_cast<std::uint32_t>(members_.size()); }
@@ -208,6 +225,10 @@ class AnimationSystem {
   const PoseProgram& program(std::uint32_t agent) const { return cast(agent).agents.program(local(agent)); }
   /// Over the palettes of all updates so far: an agent's is seeded by agent and frame, summed over agents, chained.
   std::uint64_t pose_hash() const { return pose_hash_; }
+  /// [agent] of its last update: what pose_hash() sums up.
+  std::span<const std::uint64_t> agent_hashes() const { return agent_hashes_; }
+  /// Clock, frames and pose hash begin anew, as if the system were new. There are no agents and no shared graphs.
+  void restart();
   /// Main memory of an agent, without palettes: blocks and bookkeeping.
   double bytes_per_agent() const;
   /// In the order of the kinds; allocates.
@@ -279,6 +300,7 @@ class AnimationSystem {
   std::vector<AgentWork> work_;
   std::vector<AgentWork> shared_work_;
   std::vector<AgentWork> exact_work_;
+  std::vector<UpdateContext> exact_contexts_;  // as contexts_, palettes as matrices
   UpdateReport report_;
 };
 

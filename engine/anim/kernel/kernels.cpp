@@ -19,9 +19,11 @@
 #include "engine/anim/kernel/add-inl.h"
 #include "engine/anim/kernel/blend-inl.h"
 #include "engine/anim/kernel/general_palette-inl.h"
+#include "engine/anim/kernel/look_at-inl.h"
 #include "engine/anim/kernel/mix-inl.h"
 #include "engine/anim/kernel/noise-inl.h"
 #include "engine/anim/kernel/offset-inl.h"
+#include "engine/anim/kernel/packed_palette-inl.h"
 #include "engine/anim/kernel/pose_clips-inl.h"
 #include "engine/anim/kernel/rigid_palette-inl.h"
 #include "engine/anim/kernel/sample-inl.h"
@@ -35,10 +37,13 @@ void model_palette_tile(const ModelPaletteJob& job) {
   using D = LanesUpTo<width>;
   const int begin = job.packet * packet_bones;
   const int end = HWY_MIN(begin + packet_bones, job.bone_count);
+  assert((job.format == PaletteFormat::matrices || job.hierarchy->packs()) && "palettes that cannot be packed");
   if (begin >= end) return;
   for (int lane = 0; lane < job.characters; lane += lane_count<D>) {
-    if (job.hierarchy->rigid) {
-      rigid_palette_lanes<width>(D(), job, lane, begin, end);
+    if (job.format == PaletteFormat::packed) {
+      rigid_palette_lanes<JointMotion, width>(D(), job, lane, begin, end);
+    } else if (job.hierarchy->rigid) {
+      rigid_palette_lanes<RigidMotion, width>(D(), job, lane, begin, end);
     } else {
       general_palette_lanes<width>(D(), job, lane, begin, end);
     }
@@ -74,6 +79,7 @@ Kernels kernel_set() {
           .capture_offset = &capture_offset,
           .apply_offset = &apply_offset,
           .noise = &noise,
+          .look_at = &look_at,
           .model_palette = &model_palette,
           .fence_stores = &fence_stores};
 }

@@ -9,9 +9,12 @@
 #include "engine/anim/kernel/hierarchy.h"
 #include "engine/anim/kernel/noise.h"
 #include "engine/anim/kernel/offset.h"
+#include "engine/anim/kernel/packed_palette.h"
 #include "engine/anim/kernel/pose.h"
 
 namespace throng::anim {
+
+struct LookAtJob;
 
 /// Pure functions over shaped spans: across bones up to the local pose, across characters from
 /// there. Inside: no allocation, no lock, no global. All pointers are 64-byte aligned unless said.
@@ -111,16 +114,19 @@ struct ModelPaletteJob {
   const float* local = nullptr;  ///< [width][components][16]
   bool displaced = true;         ///< false on rigid skeletons: positions are 0, and are not read
   StorePolicy stores = StorePolicy::prefetched;
-  float* carry = nullptr;                    ///< in and out, [branch_slot_floats][width]
-  float* branch_slots = nullptr;             ///< in and out, [slot_count][branch_slot_floats][width]
-  PaletteMatrix* const* palettes = nullptr;  ///< [characters], 16-byte aligned; the kernel writes entries in ascending
-                                             ///< order, whole cache lines where it can, and never reads them
+  float* carry = nullptr;                          ///< in and out, [branch_slot_floats][width]
+  float* branch_slots = nullptr;                   ///< in and out, [slot_count][branch_slot_floats][width]
+  PaletteFormat format = PaletteFormat::matrices;  ///< packed: where the hierarchy `packs`
+  const PaletteDestination* palettes =
+      nullptr;                      ///< [characters], 16-byte aligned; the kernel writes entries in ascending
+                                    ///< order, whole cache lines where it can, and never reads them
   std::uint64_t* hashes = nullptr;  ///< [characters] or null: adds each written entry's hash, see palette_entry_hash
 };
 
-/// The hash of one palette entry: of its 12 float bit patterns under its joint index. A pose's hash is the sum over its
-/// entries, so it does not depend on the order in which they are written.
+/// The hash of one palette entry: of its bits, those of 12 floats or of 4 words, under its joint index. A pose's hash
+/// is the sum over its entries, so it does not depend on the order in which they are written.
 std::uint64_t palette_entry_hash(std::uint32_t joint, const PaletteMatrix& matrix);
+std::uint64_t palette_entry_hash(std::uint32_t joint, const PackedPaletteEntry& entry);
 
 /// One SIMD target's set.
 struct Kernels {
@@ -135,6 +141,7 @@ struct Kernels {
   void (*capture_offset)(const OffsetCaptureJob& job);
   void (*apply_offset)(const OffsetApplyJob& job);
   void (*noise)(const NoiseJob& job);
+  void (*look_at)(std::span<LookAtJob> jobs);  ///< at most widest_tile, all of one rig; see look_at.h
   void (*model_palette)(const ModelPaletteJob& job);
   void (*fence_stores)();  ///< what was streamed is visible to whoever learns of it from now on
 };

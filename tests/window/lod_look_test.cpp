@@ -1,0 +1,69 @@
+#include <string>
+
+#include "tests/window/window_driver.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::json;
+
+class LookAtLod : public WindowDriver {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(WindowDriver::SetUp());
+    click("tab:LOD skipping");
+  }
+};
+
+TEST_F(LookAtLod, AFrozenCameraDecidesWhileAnotherOneFlies) {
+  press("space");
+  wait_for("the pause", [](const Json& map) { return map["tuning"]["paused"] == true; });
+  click("Freeze LOD camera");
+  const Json before = wait_for("the frozen camera",
+                               [](const Json& map) { return map["tuning"]["inspection"]["freeze_camera"] == true; });
+  point_at(450, 300);
+  button(3, true);
+  point_at(100, 300);
+  point_at(850, 300);
+  const Json after =
+      wait_for("another direction", [&](const Json& map) { return map["camera"]["yaw"] != before["camera"]["yaw"]; });
+  button(3, false);
+  EXPECT_EQ(next_map()["report"]["visible"], before["report"]["visible"]);
+}
+
+TEST_F(LookAtLod, HoldingXShowsTheExactCrowd) {
+  const Json tuning = next_map()["tuning"];
+  hold("x");
+  wait_for("everyone to be posed", [](const Json& map) { return map["report"]["agents_updated"] == 50; });
+  EXPECT_EQ(next_map()["tuning"], tuning) << "the values stay as they are";
+  let_go("x");
+  wait_for("level of detail", [](const Json& map) { return map["report"]["agents_updated"] < 50; });
+}
+
+TEST_F(LookAtLod, AForcedIntervalIsEveryones) {
+  type_into("Force interval.field", "16");
+  wait_for("everyone in view at interval 16", [](const Json& map) {
+    const Json& counts = map["report"]["agents_by_interval"];
+    return counts.size() == 16 && counts[15] == map["report"]["visible"] && map["report"]["visible"] > 0;
+  });
+}
+
+TEST_F(LookAtLod, FiguresStandAboveHeads) {
+  click("Above heads");
+  wait_for("figures", [](const Json& map) { return map["report"]["heads"] > 0 && map["widgets"].contains("Heads"); });
+}
+
+TEST_F(LookAtLod, TheCrowdIsTakenBackInTime) {
+  click("tab:Crowd");
+  const Json before = wait_for("snapshots", [](const Json& map) { return map["report"]["snapshots"] >= 2; });
+  press("space");
+  const int kept =
+      wait_for("the pause", [](const Json& map) { return map["tuning"]["paused"] == true; })["report"]["snapshots"];
+  click("Rewind");
+  wait_for("one snapshot fewer", [&](const Json& map) { return map["report"]["snapshots"] == kept - 1; });
+  press("space");
+  next_map(5);
+}
+
+}  // namespace
+}  // namespace throng::app

@@ -1,0 +1,36 @@
+#include <string>
+
+#include "tests/window/window_driver.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::json;
+using DroppedModel = WindowDriver;
+
+std::string notice_of(const Json& map) { return map["report"]["notice"]; }
+
+TEST_F(DroppedModel, ReplacesTheCharacterAndTheCrowdGoesOn) {
+  const std::string model = std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb";
+  drop(model);
+  const Json map = wait_for("the new character", [&](const Json& now) {
+    return now["report"]["characters"] == Json::array({model}) && now["report"]["drawn"] > 0;
+  });
+  EXPECT_EQ(map["report"]["agents"], 50);
+  next_map(5);
+}
+
+TEST_F(DroppedModel, ABadOneChangesNothingAndSaysWhy) {
+  const Json before = next_map()["report"]["characters"];
+  const std::string bad = std::string(THRONG_SOURCE_DIR) + "/README.md";
+  drop(bad);
+  const Json map =
+      wait_for("a refusal", [&](const Json& now) { return notice_of(now).find(bad) != std::string::npos; });
+  EXPECT_EQ(map["report"]["characters"], before);
+  const Json later = next_map(5);
+  EXPECT_EQ(later["report"]["agents"], 50);
+  EXPECT_GT(later["report"]["drawn"], 0);
+}
+
+}  // namespace
+}  // namespace throng::app

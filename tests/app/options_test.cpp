@@ -257,9 +257,7 @@ TEST(Help, IsThereForEveryCommand) {
   EXPECT_THAT(shown("bench --help"), HasSubstr("Usage: throng bench [MODEL]"));
 }
 
-TEST(Help, PromisesNothingThatIsNotBuilt) {
-  EXPECT_THAT(shown("--help"), testing::Not(HasSubstr("budget")));
-}
+TEST(Help, PromisesNothingThatIsNotBuilt) { EXPECT_THAT(shown("--help"), testing::Not(HasSubstr("budget"))); }
 
 TEST(Version, NamesTheProgram) { EXPECT_THAT(shown("--version"), testing::StartsWith("throng ")); }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/anim/run/lod.h"
+
 namespace throng::app {
 namespace {
 
@@ -21,12 +23,20 @@ std::uint32_t step_color(int step, int steps) {
   return row[static_cast<std::size_t>(place)];
 }
 
-std::uint32_t debug_color(DebugView view, const anim::VisibleAgent& agent, int bone_level) {
+int error_step(float pixels) {
+  int step = 0;
+  for (float limit = 0.25F; step + 1 < error_steps && pixels >= limit; limit *= 2.0F) ++step;
+  return step;
+}
+
+std::uint32_t debug_color(DebugView view, const AgentDetail& detail) {
   switch (view) {
     case DebugView::interval:
-      return step_color(agent.interval - 1, 8);
+      return step_color(detail.interval - 1, 8);
     case DebugView::bone_level:
-      return step_color(bone_level, anim::most_bone_levels);
+      return step_color(detail.bone_level, anim::most_bone_levels);
+    case DebugView::error:
+      return detail.error_px < 0.0F ? 0 : step_color(error_step(detail.error_px), error_steps);
     case DebugView::none:
     case DebugView::mesh_lod:
       return 0;

@@ -9,7 +9,8 @@ namespace throng::app {
 anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files) {
   std::vector<CharacterSource> characters;
   for (const std::string& file : files) {
-    auto character = load_character(file, file);
+    const BoneLodFile kept(file);
+    auto character = load_character(file, file, &kept);
     if (!character) return character.error();
     characters.push_back(std::move(*character));
     characters.back().file = file;

@@ -66,18 +66,11 @@ render::MaterialData material_data(const anim::Material& material) {
   return data;
 }
 
-// A dropped bone's vertices follow its nearest kept ancestor: the first entry of the same skin that this bone has.
+// What a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.
 std::vector<std::uint16_t> entries_at_level(const anim::Skeleton& skeleton, int bone_count) {
-  std::vector<std::uint16_t> kept;
-  for (int entry = 0; entry < skeleton.palette_count(); ++entry) {
-    const int bone =
-        anim::nearest_kept_bone(skeleton, skeleton.palette[static_cast<std::size_t>(entry)].bone, bone_count);
-    const auto same_bone = [bone](const anim::PaletteEntry& candidate) { return candidate.bone == bone; };
-    const auto found = std::ranges::find_if(skeleton.palette, same_bone);
-    const bool itself = skeleton.palette[static_cast<std::size_t>(entry)].bone == bone;
-    kept.push_back(static_cast<std::uint16_t>(itself ? entry : found - skeleton.palette.begin()));
-  }
-  return kept;
+  std::vector<std::uint16_t> entries;
+  for (const int entry : anim::kept_entries(skeleton, bone_count)) entries.push_back(static_cast<std::uint16_t>(entry));
+  return entries;
 }
 
 std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
@@ -97,17 +90,38 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
 
 }  // namespace
 
-anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name) {
+anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
+                                             const BoneLodFile* kept) {
   anim::Result<anim::ImportedFile> file = import::import_file(path);
   if (!file) return file.error();
   CharacterSource source;
   source.name = name;
   source.model = std::move(file->models.front());
+  if (kept != nullptr) {
+    const auto choice = kept->read(source.model.skeleton);
+    if (!choice) return choice.error();
+    if (*choice) anim::reorder_bones(source.model, **choice);
+  }
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
   source.bounds = anim::measure_bounds(source.model);
   guess_roles(source);
   source.repairs = std::move(file->repairs);
   return source;
+}
+
+ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice) {
+  anim::Model model;  // what baking reads of it
+  model.skeleton = source.model.skeleton;
+  model.skins = source.model.skins;
+  model.clips = source.model.clips;
+  model.meshes = source.model.meshes;
+  anim::reorder_bones(model, choice);
+  ReorderedCharacter reordered{.character = std::make_shared<const anim::Character>(anim::bake_character(model)),
+                               .places = std::vector<int>(choice.bones.size())};
+  for (std::size_t place = 0; place < choice.bones.size(); ++place) {
+    reordered.places[static_cast<std::size_t>(choice.bones[place])] = static_cast<int>(place);
+  }
+  return reordered;
 }
 
 void assign_roles(CharacterSource& source, const RoleClips& clips) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bone_lod.h"
 #include "app/crowd_roles.h"
 #include "engine/anim/asset/character.h"
 #include "engine/anim/asset/character_bounds.h"
@@ -30,8 +31,17 @@ struct CharacterSource {
   bool has_surface() const { return !model.meshes.empty(); }
 };
 
-/// Imports and bakes the largest model of `path`.
-anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name);
+/// Imports and bakes the largest model of `path`; `kept`: the order of its bones that a person chose, if any.
+anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
+                                             const BoneLodFile* kept = nullptr);
+
+/// A character whose bones are in another order, and the new index of each bone.
+struct ReorderedCharacter {
+  std::shared_ptr<const anim::Character> character;
+  std::vector<int> places;
+};
+/// Bakes `source` in an order that check_bone_lod() let pass; `source` itself is as it was.
+ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice);
 
 /// Plays `clips` for the roles, and measures how far the gaits among them get.
 void assign_roles(CharacterSource& source, const RoleClips& clips);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bone_lod.h"
 #include "app/crowd_roles.h"
 #include "app/selection_report.h"
 #include "app/settings.h"
@@ -44,8 +45,11 @@ struct PuReport {
 
 struct BoneRow {
   std::string name;
-  int depth = 0;  ///< in the hierarchy
-  int level = 0;  ///< the last level that still has it: 0 full only, 3 always
+  int depth = 0;                   ///< in the hierarchy
+  int level = 0;                   ///< the last level that still has it: 0 full only, 3 always
+  int parent = -1;                 ///< place of its parent in the list
+  float error_millimetres = 0.0F;  ///< on the surface without it, 99th percentile (anim::BoneLodRow)
+  float nanoseconds = 0.0F;        ///< of an agent's update, by the cost model
 };
 
 /// Main memory of the blocks of one kind of entity, of all agents.
@@ -81,8 +85,6 @@ struct FrameReport {
   std::uint64_t pose_hash = 0;
   std::uint32_t draw_calls = 0;
   std::uint64_t triangles = 0;
-  // budget
-  std::optional<float> limit_ms;  ///< of animation, if one was asked for
   // roles
   std::vector<std::string> clip_names;          ///< of the character
   RoleClips role_clips = no_clips();            ///< in use
@@ -97,6 +99,15 @@ struct FrameReport {
   bool error_px_p99_is_known = false;                          ///< enough of them
   std::vector<BoneRow> bones;                                  ///< in level-of-detail order
   std::vector<HeadFigures> heads;                              ///< of those near by, if asked for
+  float lod_tolerance_px = 0;                                  ///< in force; 0 under rules that have none
+  std::string binding_limit;                   ///< "none", "error", "budget" or "both miss"; empty under such rules
+  float predicted_pose_ms = 0;                 ///< of all PUs, by the cost model, those who reappear included
+  bool budget_held = true;                     ///< of this frame, those who reappear exempt
+  float cost_culling_percent = 0;              ///< of the cost of everyone: saved since it is out of view
+  float cost_skipping_percent = 0;             ///< of the cost of those in view: saved by skipping updates
+  float cost_bones_percent = 0;                ///< of the same: saved by dropping bones
+  std::string limit_sentence;                  ///< who limits the frame rate, with figures
+  std::vector<float> level_error_millimetres;  ///< [level]: of its surface, 99th percentile
   // scheduling
   int pus = 0, hardware_threads = 0;
   int local_store_kib = 0;
@@ -125,6 +136,9 @@ struct OverlayCommands {
   std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown
   bool save_roles = false;
   std::vector<std::string> models;        ///< files dropped on the window: characters for everyone
+  std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
+  bool save_bone_lod = false;             ///< beside the model
+  bool export_lod = false;                ///< for another engine
   bool step = false;                      ///< advance one frame while paused
   bool frame_crowd = false;               ///< as key F
   bool copy_camera = false;               ///< as key C

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/lod_sums.h"
 #include "app/selection_reporter.h"
 
 namespace throng::app {
@@ -25,14 +26,6 @@ int depth_of(const anim::Skeleton& skeleton, int bone) {
     ++depth;
   }
   return depth;
-}
-
-int last_level_with(const anim::Skeleton& skeleton, int bone) {
-  int level = 0;
-  for (std::size_t i = 0; i < skeleton.level_bone_counts.size(); ++i) {
-    if (bone < skeleton.level_bone_counts[i]) level = static_cast<int>(i);
-  }
-  return level;
 }
 
 constexpr double most_spans_in_a_lane = 512;
@@ -123,12 +116,26 @@ void FrameReporter::describe_character(const Show& show, std::size_t character) 
   report_.clip_names = source.clip_names;
   report_.suggested_role_clips = source.suggested;
   report_.level_bone_counts = skeleton.level_bone_counts;
+  describe_bones(*source.character);
+}
+
+void FrameReporter::describe_bones(const anim::Character& character) {
+  constexpr float millimetres = 1000.0F;
   report_.bones.clear();
-  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
-    report_.bones.push_back({.name = skeleton.bones[static_cast<std::size_t>(bone)].name,
-                             .depth = depth_of(skeleton, bone),
-                             .level = last_level_with(skeleton, bone)});
+  for (const anim::BoneLodRow& row : character.bone_lod.rows) {
+    const anim::Bone& bone = character.skeleton.bones[static_cast<std::size_t>(row.bone)];
+    report_.bones.push_back({.name = bone.name,
+                             .depth = depth_of(character.skeleton, row.bone),
+                             .level = row.level,
+                             .parent = bone.parent,
+                             .error_millimetres = row.error_metres * millimetres,
+                             .nanoseconds = static_cast<float>(nanoseconds_a_bone())});
   }
+  report_.level_error_millimetres.clear();
+  for (const float metres : character.bone_lod.level_error_metres) {
+    report_.level_error_millimetres.push_back(metres * millimetres);
+  }
+  report_.level_error_millimetres.resize(character.skeleton.level_bone_counts.size());
 }
 
 void FrameReporter::update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice) {
@@ -154,6 +161,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   add_units(system, show.last_update_ms());
   remember_timeline();
   add_memory(system);
+  limit_.add(show.frame_times());
+  report_.limit_sentence = limit_.sentence();
   report_.selected = report_selection(show.stage());
   if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
   report_.snapshots = static_cast<int>(show.moments().count());
@@ -176,10 +185,30 @@ void FrameReporter::add_level_of_detail(const Stage& stage) {
   report_.visible = static_cast<int>(stage.selection().visible.size());
   report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().largest_interval), 0);
   report_.agents_by_bone_level.assign(report_.level_bone_counts.size(), 0);
+  const anim::ErrorFigures& error = stage.error();
+  report_.error_px_p50 = error.p50;
+  report_.error_px_p99 = error.p99;
+  report_.error_px_max = error.max;
+  report_.pop_px_max = error.pop_max;
+  report_.error_samples = static_cast<int>(error.samples);
+  report_.error_px_p99_is_known = error.p99_is_known();
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     count(report_.agents_by_interval, agent.interval - 1U);
     count(report_.agents_by_bone_level, agent.bone_level);
   }
+  add_limits(stage);
+}
+
+void FrameReporter::add_limits(const Stage& stage) {
+  const LodFigures& figures = stage.level_of_detail().figures();
+  const SavedCost saved = saved_cost(figures.cost, stage.tuning().lod);
+  report_.lod_tolerance_px = figures.tolerance_px;
+  report_.binding_limit = stage.tuning().lod == LodRule::budget ? name_of(figures.binding) : "";
+  report_.predicted_pose_ms = static_cast<float>(figures.predicted_ms);
+  report_.budget_held = figures.budget_held;
+  report_.cost_culling_percent = static_cast<float>(saved.culling_percent);
+  report_.cost_skipping_percent = static_cast<float>(saved.skipping_percent);
+  report_.cost_bones_percent = static_cast<float>(saved.bones_percent);
 }
 
 void FrameReporter::add_heads(const Stage& stage) {
@@ -244,6 +273,7 @@ anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_fil
   report_.gl_renderer = json.value("gl_renderer", "");
   report_.simd_target = json.value("simd_target", "");
   report_.hardware_threads = json.value("hardware_threads", 0);
+  report_.limit_sentence = json.value("limit_sentence", "");
   const float busy_ms = json.value("pu_busy_ms", 0.0F);
   for (PuReport& pu : report_.pu) {
     pu.busy_ms = busy_ms;

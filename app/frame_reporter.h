@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/frame_report.h"
+#include "app/limiter.h"
 #include "app/selection_log.h"
 #include "app/show.h"
 
@@ -32,14 +33,17 @@ class FrameReporter {
 
  private:
   void describe_device(const Show& show);
+  void describe_bones(const anim::Character& character);
   void add_level_of_detail(const Stage& stage);
   void add_heads(const Stage& stage);
+  void add_limits(const Stage& stage);
   void add_memory(const anim::AnimationSystem& system);
   void remember_timeline();
   void add_units(const anim::AnimationSystem& system, double update_ms);
 
   FrameReport report_;
   SelectionLog selection_log_;
+  LimiterOverFrames limit_;
 };
 
 }  // namespace throng::app

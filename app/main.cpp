@@ -9,6 +9,7 @@
 #include "app/demo.h"
 #include "app/exit_status.h"
 #include "app/inspect_command.h"
+#include "app/lod_command.h"
 #include "app/options.h"
 #include "app/pose_command.h"
 
@@ -44,6 +45,11 @@ struct Run {
   }
 
   int operator()(const InspectOptions& options) const { return run_inspect(options); }
+
+  int operator()(const LodOptions& options) const {
+    return run_if_writable({{"--json", options.json}, {"--plot", options.plot}, {"--export", options.export_file}},
+                           [&] { return run_lod(options); });
+  }
 
   int operator()(const BenchOptions& options) const {
     return run_if_writable({{"--json", options.json}, {"--plot", options.plot}, {"--trace", options.trace}},

@@ -128,6 +128,16 @@ ValueReader seconds_above_zero(std::optional<double>& target) {
   };
 }
 
+ValueReader number_above_zero(float& target, std::string unit) {
+  return [&target, unit = std::move(unit)](const std::string& text) -> Complaint {
+    const auto number = finite_number_in(text);
+    constexpr double least = 1e-3, most = 1e6;
+    if (!number || *number < least || *number > most) return "must be a number of " + unit + " above 0";
+    target = static_cast<float>(*number);
+    return {};
+  };
+}
+
 ValueReader times_list(std::vector<double>& target) {
   return [&target](const std::string& text) -> Complaint {
     auto times = numbers_in(text);

@@ -25,6 +25,8 @@ ValueReader number_list(std::vector<int>& target, int least, int most);
 ValueReader number_between(float& target, float least, float most);
 ValueReader seed_number(std::uint32_t& target);
 ValueReader seconds_above_zero(std::optional<double>& target);
+/// Above 0; `unit` is named where it is refused: "pixels".
+ValueReader number_above_zero(float& target, std::string unit);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative
 ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to 16,384
 ValueReader auto_or_kibibytes(int& target);           ///< auto is 0

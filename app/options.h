@@ -6,6 +6,7 @@
 
 #include "app/bench_options.h"
 #include "app/inspect_options.h"
+#include "app/lod_options.h"
 #include "app/pose_options.h"
 #include "app/settings.h"
 
@@ -21,7 +22,8 @@ struct UsageError {
   std::string message;
 };
 
-using ParsedCommand = std::variant<DemoOptions, PoseOptions, InspectOptions, BenchOptions, ShowText, UsageError>;
+using ParsedCommand =
+    std::variant<DemoOptions, PoseOptions, InspectOptions, LodOptions, BenchOptions, ShowText, UsageError>;
 
 /// Reads a command line as the README documents it; `arguments` are without the program's own name. Of files, it
 /// only looks whether --data is there.

@@ -11,6 +11,7 @@ namespace throng::app {
 ParsedCommand parse_demo(const std::vector<std::string>& arguments);
 ParsedCommand parse_pose(const std::vector<std::string>& arguments);
 ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
+ParsedCommand parse_lod(const std::vector<std::string>& arguments);
 ParsedCommand parse_bench(const std::vector<std::string>& arguments);
 
 }  // namespace throng::app

@@ -22,17 +22,29 @@ void declare_crowd(OptionReader& reader, DemoOptions& options) {
   reader.value("--seed", "S", "Another seed, another crowd (1)", seed_number(tuning.seed));
 }
 
+std::vector<std::pair<std::string, LodRule>> lod_rule_names() {
+  return {{"off", LodRule::off}, {"distance", LodRule::distance}, {"budget", LodRule::budget}};
+}
+
 void declare_level_of_detail(OptionReader& reader, Tuning& tuning) {
   reader.heading("Level of detail");
-  reader.value(
-      "--lod", "RULE", "off or distance (distance); off also turns off the three below, unless they are given",
-      not_built_yet({"budget"}, choice<LodRule>(tuning.lod, {{"off", LodRule::off}, {"distance", LodRule::distance}})));
+  reader.value("--lod", "RULE",
+               "off, distance or budget (distance, or budget with one of the next two); off also turns off bone LOD, "
+               "smoothing and mesh LOD, unless they are given",
+               choice<LodRule>(tuning.lod, lod_rule_names()));
+  reader.value("--error-px", "X", "Pixels that 99% of what is shown are off at most (1 without --budget-ms)",
+               number_above_zero(tuning.error_px, "pixels"));
+  reader.value("--budget-ms", "X", "Predicted milliseconds of all PUs that posing may cost a frame (no limit)",
+               number_above_zero(tuning.budget_ms, "milliseconds"));
   reader.value("--bone-lod", "on|off", "Fewer bones far away (on)", on_or_off(tuning.bone_lod));
   reader.value("--smooth", "on|off", "Blend between skipped updates (on)", on_or_off(tuning.smooth));
   reader.value("--mesh-lod", "on|off|N", "By size on screen, the finest, or always number 0 to 3 (on)",
                mesh_lod(tuning.mesh_lod));
-  reader.later("--budget-ms");
-  reader.later("--error-px");
+  reader.value(
+      "--error-sample", "WHICH",
+      "Whose error on screen is measured: some of those in view, all, or off for nobody (some)",
+      choice<ErrorSampling>(tuning.error_sample,
+                            {{"some", ErrorSampling::some}, {"all", ErrorSampling::all}, {"off", ErrorSampling::off}}));
 }
 
 void declare_scheduling(OptionReader& reader, Tuning& tuning) {
@@ -49,6 +61,10 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
   reader.value("--camera", "PLACE", "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees",
                camera(options));
+  reader.value(
+      "--camera-path", "NAME", "orbit around the crowd, or pan to both sides, from where --camera stands (none)",
+      choice<CameraPath>(options.camera_path,
+                         {{"none", CameraPath::none}, {"orbit", CameraPath::orbit}, {"pan", CameraPath::pan}}));
   reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
                choice<int>(options.msaa, {{"0", 0}, {"4", 4}}));
   reader.value("--shadows", "on|off", "Shadows (on)", on_or_off(options.shadows));
@@ -96,12 +112,24 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
   for (const char* const name : {"--preset", "--record"}) reader.later(name);
 }
 
-/// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly.
+/// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly. Who gives a
+/// limit asks for the rule that holds it.
 void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
+  const bool error_given = reader.given("--error-px"), budget_given = reader.given("--budget-ms");
+  if (!reader.given("--lod") && (error_given || budget_given)) tuning.lod = LodRule::budget;
+  if (budget_given && !error_given) tuning.error_px = 0.0F;
   if (tuning.lod != LodRule::off) return;
   if (!reader.given("--bone-lod")) tuning.bone_lod = false;
   if (!reader.given("--smooth")) tuning.smooth = false;
   if (!reader.given("--mesh-lod")) tuning.mesh_lod = 0;
+}
+
+/// Limits without the rule that holds them.
+std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& tuning) {
+  for (const std::string limit : {"--error-px", "--budget-ms"}) {
+    if (reader.given(limit) && tuning.lod != LodRule::budget) return limit + ": goes with --lod budget";
+  }
+  return {};
 }
 
 /// Options that are right alone and wrong together.
@@ -150,6 +178,7 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   options.agents_given = reader.given("--agents");
   options.shadows_given = reader.given("--shadows");
   settle_level_of_detail(reader, options.tuning);
+  if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};
   if (auto contradiction = contradiction_in(options)) return UsageError{*contradiction};
   return options;
 }

@@ -33,6 +33,24 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   return options;
 }
 
+ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
+  LodOptions options;
+  OptionReader reader("throng lod", "Measures what each bone level of a character saves, and what it shows.");
+  reader.heading("What is measured");
+  reader.model(options.model, "A glTF file (.glb or .gltf); without it, the built-in character",
+               OptionReader::Need::optional);
+  reader.value("--pixels", "N", "Height on screen for errors in pixels, 1 to 10000 (200)",
+               whole_number(options.pixels, 1, 10000));
+  reader.heading("Files");
+  reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
+  reader.value("--plot", "FILE.svg", "Draw them", svg_file(options.plot));
+  reader.value("--export", "FILE", "Write distances, intervals, bones and meshes for another engine",
+               file_name(options.export_file));
+  reader.value("--data", "DIR", "Folder of assets", existing_folder(options.data));
+  if (auto stop = reader.read(arguments)) return *stop;
+  return options;
+}
+
 namespace {
 
 void declare_measured(OptionReader& reader, BenchOptions& options) {

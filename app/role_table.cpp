@@ -1,16 +1,11 @@
 #include "app/role_table.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <numeric>
 #include <optional>
-#include <system_error>
 
 #include <nlohmann/json.hpp>
-#include <unistd.h>
-
-#include "app/atomic_file.h"
 
 namespace throng::app {
 namespace {
@@ -45,15 +40,6 @@ std::string nearest_names(std::string_view wanted, std::span<const std::string> 
   for (const std::string& name : nearest) list += (list.empty() ? "" : ", ") + name;
   return list;
 }
-
-fs::path configuration_folder() {
-  const char* const config = std::getenv("XDG_CONFIG_HOME");
-  if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "throng";
-  const char* const home = std::getenv("HOME");
-  return home == nullptr || *home == '\0' ? fs::path() : fs::path(home) / ".config" / "throng";
-}
-
-bool can_write_in(const fs::path& folder) { return access(folder.empty() ? "." : folder.c_str(), W_OK) == 0; }
 
 anim::Error wrong(const fs::path& file, const std::string& what) { return {file.string() + ": " + what}; }
 
@@ -97,20 +83,11 @@ std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std:
   return choices;
 }
 
-RoleFile::RoleFile(const fs::path& model) {
-  const std::string name = (model.empty() ? "mannequin" : model.filename().string()) + ".throng.json";
-  if (!model.empty()) beside_ = model.parent_path() / name;
-  const fs::path folder = configuration_folder();
-  if (!folder.empty()) own_ = folder / name;
-}
+RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
 
 anim::Result<std::vector<RoleChoice>> RoleFile::read() const {
-  // Where a table cannot be kept beside the model, a person's own goes before the one that came with it.
-  const bool own_first = beside_.empty() || !can_write_in(beside_.parent_path());
-  std::error_code error;
-  const bool own = own_first && !own_.empty() && fs::exists(own_, error);
-  const fs::path file = own ? own_ : beside_;
-  if (file.empty() || !fs::exists(file, error)) return std::vector<RoleChoice>();
+  const fs::path file = file_.found();
+  if (file.empty()) return std::vector<RoleChoice>();
   std::ifstream stream(file);
   if (!stream) return wrong(file, "cannot be read");
   const Json table = Json::parse(stream, nullptr, false);
@@ -129,17 +106,7 @@ anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) cons
   Json clips = Json::object();
   for (const auto& [role, clip] : choices) clips[role_names.at(index_of(role))] = clip;
   const Json table = {{"version", version}, {"clips", clips}};
-  const std::string text = table.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  const bool beside = !beside_.empty() && can_write_in(beside_.parent_path());
-  const fs::path file = beside ? beside_ : own_;
-  if (file.empty())
-    return wrong(beside_.empty() ? fs::path("The roles") : beside_,
-                 "cannot be written, and neither XDG_CONFIG_HOME nor HOME names a folder");
-  std::error_code error;
-  if (!beside) fs::create_directories(file.parent_path(), error);
-  const anim::Status written = write_whole_file(file, text);
-  if (!written) return written.error();
-  return file;
+  return file_.write(table.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace throng::app

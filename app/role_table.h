@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/crowd_roles.h"
+#include "app/kept_file.h"
 #include "engine/anim/base/result.h"
 
 namespace throng::app {
@@ -23,8 +24,7 @@ std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std:
 /// Roles that are not in it keep what the names suggest.
 class RoleFile {
  public:
-  /// `model`: its file; empty for the built-in character. The table lies beside the model, or in
-  /// $XDG_CONFIG_HOME/throng (else ~/.config/throng) where that folder cannot be written, or the character is built in.
+  /// `model`: its file; empty for the built-in character.
   explicit RoleFile(const std::filesystem::path& model);
 
   /// Empty if there is no file. The error names the file and what is wrong in it.
@@ -33,8 +33,7 @@ class RoleFile {
   anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
 
  private:
-  std::filesystem::path beside_;  // empty for the built-in character
-  std::filesystem::path own_;     // in the user's configuration; empty if the system names none
+  KeptFile file_;
 };
 
 }  // namespace throng::app

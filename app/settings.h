@@ -14,10 +14,13 @@ enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film };
 enum class Schedule : std::uint8_t { fused, levels };
 enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
 enum class Stream : std::uint8_t { sampled, keyframe };
-enum class LodRule : std::uint8_t { off, distance };
+enum class LodRule : std::uint8_t { off, distance, budget };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
-enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod };
+enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
+enum class ErrorSampling : std::uint8_t { off, some, all };
+/// How the camera moves by itself, from where it stands at first.
+enum class CameraPath : std::uint8_t { none, orbit, pan };
 
 /// Where the camera stands: x, y, z in metres; yaw, pitch, vertical field of view in degrees. Yaw 0 looks along -Z.
 struct CameraPlace {
@@ -38,6 +41,16 @@ struct LodInspection {
   friend bool operator==(const LodInspection&, const LodInspection&) = default;
 };
 
+/// Parts of a frame left out, to see what each of them costs.
+struct TakenAway {
+  bool animation = false;  ///< time stands still
+  bool upload = false;     ///< the records of the last frame are drawn again; characters may jump
+  bool drawing = false;    ///< no draw call: the picture stays
+  bool pixels = false;     ///< the crowd is drawn, but no pixel of it is filled
+
+  friend bool operator==(const TakenAway&, const TakenAway&) = default;
+};
+
 /// Every value that can be tuned while the crowd runs: the overlay edits a copy, the demo applies it at a frame
 /// boundary.
 struct Tuning {
@@ -50,11 +63,14 @@ struct Tuning {
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
   // LOD skipping
   LodRule lod = LodRule::distance;
-  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
-  float interval_growth = 12.0F;     ///< metres a further step of the interval
-  int largest_interval = 8;          ///< frames, 1 to 16
-  bool smooth = true;                ///< smooth skipping in the vertex shader
-  LodInspection inspection;
+  float full_rate_distance = 12.0F;                  ///< metres: nearer agents are updated each frame
+  float interval_growth = 12.0F;                     ///< metres a further step of the interval
+  int largest_interval = 8;                          ///< frames, 1 to 16
+  bool smooth = true;                                ///< smooth skipping in the vertex shader
+  ErrorSampling error_sample = ErrorSampling::some;  ///< whose error on screen is measured, of those in view
+  float error_px = 1.0F;                             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
+  float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
+  LodInspection inspection = {};
   // Per-bone LOD
   bool bone_lod = true;
   float bone_level_distance[3] = {15.0F, 30.0F, 60.0F};  ///< metres from which level 1, 2, 3 is shown
@@ -69,6 +85,7 @@ struct Tuning {
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
+  TakenAway taken_away;
 
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
@@ -109,6 +126,7 @@ struct DemoOptions {
   bool shadows_given = false;     ///< a software renderer draws none unless given
   bool force_software = false;    ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
+  CameraPath camera_path = CameraPath::none;
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };

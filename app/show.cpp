@@ -4,10 +4,12 @@
 #include <chrono>
 #include <utility>
 
+#include "app/camera_path.h"
 #include "app/character_files.h"
 #include "app/data_folder.h"
 #include "app/exit_status.h"
 #include "app/fly_camera.h"
+#include "app/lod_export.h"
 #include "app/role_table.h"
 #include "app/scenes.h"
 
@@ -33,7 +35,8 @@ anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
   if (!options.models.empty()) return load_characters(options.models);
   const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
   if (!built_in) return built_in.error();
-  auto character = load_character(built_in->string(), "mannequin (built in)");
+  const BoneLodFile kept{{}};
+  auto character = load_character(built_in->string(), "mannequin (built in)", &kept);
   if (!character) return character.error();
   std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));
@@ -142,7 +145,9 @@ bool Show::place_camera(const DemoOptions& options, Failure& failure) {
                 "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
   }
   camera = camera_at(options.camera.value_or(named->place));
-  films = !options.camera && options.camera_name.empty();
+  path_ = options.camera_path;
+  path_start_ = camera;
+  films = path_ != CameraPath::none || (!options.camera && options.camera_name.empty());
   return true;
 }
 
@@ -177,6 +182,25 @@ anim::Result<std::filesystem::path> Show::save_roles(std::size_t index) const {
   return RoleFile(character.file).write(all_choices(character.roles.clips, character.clip_names));
 }
 
+anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+  const anim::Status set = stage_->set_bone_lod(character, choice);
+  return set ? load_meshes(*stage_) : set;
+}
+
+anim::Result<std::filesystem::path> Show::save_bone_lod(std::size_t index) const {
+  const CharacterSource& character = stage_->characters()[index];
+  return BoneLodFile(character.file).write(character.character->skeleton);
+}
+
+anim::Result<std::filesystem::path> Show::export_lod(std::size_t index) const {
+  const CharacterSource& character = stage_->characters()[index];
+  std::span<const std::uint32_t> triangles;
+  if (renderer_ != nullptr) triangles = renderer_->meshes()[index].triangles_by_lod();
+  const double pixels_per_unit = static_cast<double>(render::pixels_tall(camera, static_cast<float>(height), 1, 1));
+  return KeptFile(character.file, ".lod.export.json", "The level of detail")
+      .write(lod_as_json(character, lod_levels(character, triangles), lod_rules(stage_->tuning()), pixels_per_unit));
+}
+
 void Show::select_at(float x, float y) {
   const auto size = glm::vec2(glm::ivec2(width, height));
   const auto picked = pick(ray_through(camera, {x, y}, size), stage_->bodies_in_view());
@@ -205,16 +229,27 @@ std::uint64_t Show::completed_frame() {
   return renderer_->fences().frames_in_flight() == 0 ? stage_->frame() : drawn;
 }
 
+void Show::film() {
+  if (!films) return;
+  if (path_ != CameraPath::none) {
+    camera = along(path_, path_start_, anim::to_seconds(stage_->system().clock()));
+  } else if (stage_->cut_scene() != nullptr) {
+    camera = stage_->cut_scene()->film(camera);
+  }
+}
+
 void Show::animate(anim::Ticks delta) {
+  const anim::Ticks step = stage_->tuning().taken_away.animation ? 0 : delta;
   const std::uint64_t completed = completed_frame();
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = TimelineLog::Clock::now();
   update_ms_ = milliseconds_of([&] {
-    stage_->move(delta);
-    if (films && stage_->cut_scene() != nullptr) camera = stage_->cut_scene()->film(camera);
+    stage_->move(step);
+    film();
     freeze_lod_camera();
-    stage_->pose(lod_camera(), width, height, delta, completed);
+    stage_->pose(lod_camera(), width, height, step, completed);
   });
+  times_.animation_ms = update_ms_;
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
@@ -244,23 +279,32 @@ int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least)
   return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
 }
 
+render::CrowdFrame Show::crowd_frame() const {
+  return {.camera = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height)),
+          .instances = picture_.instances(),
+          .batches = picture_.batches(),
+          .now = stage_->now(),
+          .bones_as_lines = stage_->tuning().bones_as_lines,
+          .fill_pixels = !stage_->tuning().taken_away.pixels,
+          .lines = lines_};
+}
+
 void Show::draw() {
   const auto start = TimelineLog::Clock::now();
-  draw_ms_ = milliseconds_of([&] {
+  const TakenAway& taken_away = stage_->tuning().taken_away;
+  times_.upload_ms = taken_away.upload ? 0.0 : milliseconds_of([&] {
     picture_.compose(*stage_, [this](std::uint8_t character, float pixels, int at_least) {
       return pick_mesh_lod(character, pixels, at_least);
     });
     gather_lines();
-    draw_counts_ =
-        renderer_->draw({.camera = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height)),
-                         .instances = picture_.instances(),
-                         .batches = picture_.batches(),
-                         .now = stage_->now(),
-                         .bones_as_lines = stage_->tuning().bones_as_lines,
-                         .lines = lines_});
-    renderer_->fences().insert(stage_->frame());
-    renderer_->finish();
+    renderer_->upload(crowd_frame());
   });
+  times_.submission_ms = taken_away.drawing ? 0.0 : milliseconds_of([&] {
+    draw_counts_ = renderer_->draw_uploaded(crowd_frame());
+    renderer_->fences().insert(stage_->frame());
+  });
+  times_.wait_ms = milliseconds_of([&] { renderer_->finish(); });
+  draw_ms_ = times_.upload_ms + times_.submission_ms + times_.wait_ms;
   if (timeline_) timeline_->add_part("draw", start, TimelineLog::Clock::now());
   statistics_.set_draw(draw_counts_.draw_calls, draw_counts_.triangles);
   statistics_.add_drawn_frame(update_ms_ + draw_ms_);

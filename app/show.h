@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/limiter.h"
 #include "app/lod_view.h"
 #include "app/notices.h"
 #include "app/picture.h"
@@ -44,6 +45,14 @@ class Show {
   void set_roles(std::size_t character, const RoleClips& clips) { stage_->set_roles(character, clips); }
   /// Keeps a character's roles for the next time; where, to tell people.
   anim::Result<std::filesystem::path> save_roles(std::size_t character) const;
+
+  /// As Stage::set_bone_lod, and what is drawn with it.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// Keeps the order of a character's bones for the next time; where, to tell people.
+  anim::Result<std::filesystem::path> save_bone_lod(std::size_t character) const;
+
+  /// Writes a character's level of detail for another engine, beside the model or among a person's files; where.
+  anim::Result<std::filesystem::path> export_lod(std::size_t character) const;
 
   /// Selects whoever is seen at a pixel from the top left of the picture drawn last; nobody there deselects.
   void select_at(float x, float y);
@@ -83,10 +92,12 @@ class Show {
   const render::DrawCounts& draw_counts() const { return draw_counts_; }
   double last_update_ms() const { return update_ms_; }
   double last_draw_ms() const { return draw_ms_; }
+  /// Of the last frame.
+  const FrameTimes& frame_times() const { return times_; }
   bool on_software() const { return context_ != nullptr && context_->is_software(); }
 
   render::Camera camera;
-  bool films = false;  ///< the camera of a cut scene sets `camera` in each frame, where there is one
+  bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
   int width = 0;
   int height = 0;
   /// Lines for people, of what is otherwise than they would expect (app/notices.h); may be empty.
@@ -102,6 +113,8 @@ class Show {
   void update_notice();
   void freeze_lod_camera();
   void gather_lines();
+  void film();
+  render::CrowdFrame crowd_frame() const;
   std::uint64_t completed_frame();
   int pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const;
 
@@ -118,6 +131,9 @@ class Show {
   Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;
+  CameraPath path_ = CameraPath::none;
+  render::Camera path_start_;
+  FrameTimes times_;
   double update_ms_ = 0;
   double draw_ms_ = 0;
 };

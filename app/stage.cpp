@@ -47,7 +47,9 @@ anim::LodCharacter lod_character(const CharacterSource& source) {
   return {.centre_height = static_cast<float>(source.bounds.height / 2.0),
           .radius = static_cast<float>(source.bounds.reach),
           .height = static_cast<float>(source.bounds.height),
-          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size())};
+          .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
+          .level_error_metres = level_errors(source.model),
+          .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{})};
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
@@ -74,20 +76,24 @@ anim::SystemOptions system_options(const Tuning& tuning) {
 
 anim::LodRules lod_rules(const Tuning& tuning) {
   return {
-      .rule = tuning.lod == LodRule::off ? anim::LodRule::off : anim::LodRule::distance,
+      .rule = static_cast<anim::LodRule>(tuning.lod),
       .full_rate_distance = tuning.full_rate_distance,
       .interval_growth = tuning.interval_growth,
       .largest_interval = tuning.largest_interval,
       .bone_lod = tuning.bone_lod,
-      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]}};
+      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]},
+      .smooth = tuning.smooth,
+      .counts_cost = tuning.lod == LodRule::budget};
 }
 
 Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
     : characters_(std::move(characters)),
       palette_entries_(entries_by_level(characters_)),
       slots_(pages, all_sizes(palette_entries_)),
-      shown_(slots_) {
+      shown_(slots_),
+      meter_(characters_) {
   std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
+  crowd_lod_.set_characters(lod_characters_);
 }
 
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
@@ -115,7 +121,7 @@ anim::Status Stage::open_system() {
   film_camera_ = *camera;
   std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
   for (std::uint32_t character = 0; character < characters_.size(); ++character) {
-    rigs_.push_back(std::make_unique<const anim::CharacterRigs>(characters_[character].model));
+    rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));
     const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
     ragdolls.push_back(kinds.ragdoll);
     feet.push_back(kinds.foot_placement);
@@ -151,6 +157,25 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips) {
   populate();
 }
 
+// Slots keep their sizes: a pose goes to the next larger one.
+anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+  CharacterSource& source = characters_[character];
+  if (const anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
+  const ReorderedCharacter reordered = in_order(source, choice);
+  const auto number = static_cast<std::uint32_t>(character);
+  const anim::Status replaced = system_->replace_character(number, reordered.character, reordered.places);
+  if (!replaced) return replaced;
+  anim::reorder_bones(source.model, choice);
+  source.character = reordered.character;
+  rigs_[character]->reorder_bones(reordered.places);
+  palette_entries_ = entries_by_level(characters_);
+  lod_characters_[character] = lod_character(source);
+  ++crowd_number_;  // what was remembered has blocks of another shape
+  shown_.reset(crowd_->size(), frame_);
+  lod_.make_all_due();
+  return anim::Done{};
+}
+
 void Stage::populate() {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
@@ -170,7 +195,10 @@ void Stage::populate() {
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   lod_.resize(agents, selection_);
+  crowd_lod_.reset(agents);
+  bone_steps_.assign(agents, {});
   shown_.reset(agents, frame_);
+  meter_.reset(agents);
   updates_.reserve(agents);
 }
 
@@ -179,6 +207,7 @@ void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double
   const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
+  crowd_lod_.fade(agent, system_->clock() + fade);
   system_->play(agent, {.clip = index,
                         .fade = fade,
                         .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,

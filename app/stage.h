@@ -6,9 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "app/bone_step.h"
 #include "app/character_source.h"
 #include "app/crowd.h"
+#include "app/crowd_lod.h"
 #include "app/cut_scene.h"
+#include "app/error_meter.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
 #include "app/placed_feet.h"
@@ -43,6 +46,11 @@ class Stage {
   /// Other clips for the roles of a character, at a frame boundary; the crowd starts anew.
   void set_roles(std::size_t character, const RoleClips& clips);
 
+  /// Another order of a character's bones, and other levels, at a frame boundary: it is baked anew, the crowd goes on.
+  /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
+  /// anim::AnimationSystem::replace_character.
+  anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
   /// looking ahead.
@@ -75,7 +83,7 @@ class Stage {
   /// the moment is of another crowd or schedule; then nothing has changed.
   void remember(StageMoment& into) const;
   anim::Status go_back_to(const StageMoment& moment);
-  /// Another one for each crowd that started anew.
+  /// Another one for each crowd that started anew, or whose bones changed their order.
   std::uint64_t crowd_number() const { return crowd_number_; }
 
   /// What can be clicked at: those in view, in ascending order of agent; allocates.
@@ -84,7 +92,13 @@ class Stage {
   /// Instance record of a visible agent; false: it has no slot and is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const;
 
+  /// What level of detail costs the eye, over the last 60 frames; all 0 while nobody is measured.
+  const anim::ErrorFigures& error() const { return meter_.figures(); }
+  const ErrorMeter& error_meter() const { return meter_; }
+
   const anim::LodSelection& selection() const { return selection_; }
+  /// What level of detail decided, and what it saves.
+  const CrowdLod& level_of_detail() const { return crowd_lod_; }
   const ShownPoses& shown() const { return shown_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }
@@ -105,6 +119,7 @@ class Stage {
   void populate();
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
+  BoneStep step_bones(const anim::DueAgent& due);
   void pose_fallen(std::uint64_t last_frame);
   void get_up();
   bool holds_clip(std::uint32_t agent) const { return held_clip_ && held_clip_->agent == agent; }
@@ -112,7 +127,8 @@ class Stage {
   void request_clip(const std::optional<ClipRequest>& request);
   UprightBody body_of(std::uint32_t agent) const;
   anim::LodForce lod_force(const LodInspection& inspection) const;
-  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height) const;
+  void measure(const render::Camera& camera, int width, int height);
+  anim::LodFrame lod_frame(const render::Camera& camera, int width, int height);
   anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
 
   std::vector<CharacterSource> characters_;
@@ -121,8 +137,9 @@ class Stage {
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
-  std::vector<std::unique_ptr<const anim::CharacterRigs>> rigs_;  // [character]
-  std::uint32_t film_camera_ = 0;                                 // the system's number of the cut scene's camera
+  ErrorMeter meter_;
+  std::vector<std::unique_ptr<anim::CharacterRigs>> rigs_;  // [character]
+  std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
@@ -130,7 +147,9 @@ class Stage {
   std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
   std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
   anim::LodState lod_;
+  CrowdLod crowd_lod_;
   anim::LodSelection selection_;
+  std::vector<BoneStep> bone_steps_;  // of each agent's last update
   std::vector<anim::AgentUpdate> updates_;
   std::optional<std::uint32_t> selected_;
   std::optional<HeldClip> held_clip_;

@@ -12,6 +12,11 @@ float contact_scale(const CharacterSource& source) {
   return source.roles.is_prop ? 0.0F : static_cast<float>(source.roles.size());
 }
 
+// Colours of errors are for everybody in view.
+ErrorSampling error_sampling(const Tuning& tuning) {
+  return tuning.debug_view == DebugView::error ? ErrorSampling::all : tuning.error_sample;
+}
+
 std::uint32_t microseconds(anim::Ticks ticks) {
   return static_cast<std::uint32_t>(ticks * 10 / (anim::ticks_per_second / 100'000));
 }
@@ -48,16 +53,20 @@ anim::LodForce Stage::lod_force(const LodInspection& inspection) const {
 
 std::uint32_t Stage::now() const { return microseconds(system_->clock()); }
 
-anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) const {
+anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int height) {
   const render::CameraView view = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height));
   return {.positions = crowd_->positions(),
           .scales = crowd_->scales(),
           .characters = lod_characters_,
           .character_of = crowd_->characters(),
+          .clips = crowd_->clips(),
+          .importance = crowd_lod_.importance(),
+          .choices = &crowd_lod_.choices(),
           .camera = {.position = camera.position,
                      .frustum = render::frustum_planes(view),
-                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F)},
-          .rules = lod_rules(tuning_),
+                     .pixels_per_unit = render::pixels_tall(camera, static_cast<float>(height), 1.0F, 1.0F),
+                     .forward = render::forward(camera)},
+          .rules = crowd_lod_.rules(),
           .force = lod_force(tuning_.inspection),
           .number = frames_moved_};
 }
@@ -66,9 +75,12 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                  std::uint64_t completed_frame) {
   const std::uint64_t last_frame = frame_++;
   slots_.reclaim(completed_frame);
+  crowd_lod_.prepare({.rules = lod_rules(tuning_), .now = system_->clock(), .frame_step = frame_step}, characters_,
+                     selected_);
   anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
                           system_->options().pus);
   shown_.hide_unseen(selection_.visible, last_frame);
+  meter_.begin_frame(error_sampling(tuning_), selection_.visible, shown_);
   updates_.clear();
   auto seen = selection_.visible.begin();
   for (const anim::DueAgent& due : selection_.due) {
@@ -78,20 +90,50 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
     const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
     const anim::Ticks look_ahead = ahead ? due.look_ahead * frame_step : 0;
-    updates_.push_back({.agent = due.agent, .level = due.bone_level, .look_ahead = look_ahead, .palette = nullptr});
+    const BoneStep bones = step_bones(due);
+    updates_.push_back({.agent = due.agent,
+                        .level = bones.level,
+                        .look_ahead = look_ahead,
+                        .palette = nullptr,
+                        .fade_level = bones.fade_level,
+                        .fade_halves = bones.fade_halves});
     place_feet(due, visible && !ahead);
     if (!visible) continue;
-    updates_.back().palette = show(due.agent, due.bone_level, microseconds(system_->clock() + look_ahead), last_frame);
+    updates_.back().palette = show(due.agent, bones.level, microseconds(system_->clock() + look_ahead), last_frame);
   }
   pose_fallen(last_frame);
   system_->update(updates_);
+  measure(camera, width, height);
+  crowd_lod_.settle(tuning_, selection_.cost, system_->report().predicted_nanoseconds, moving_);
   get_up();
+}
+
+void Stage::measure(const render::Camera& camera, int width, int height) {
+  const glm::vec2 size(static_cast<float>(width), static_cast<float>(height));
+  meter_.end_frame(*system_, {.crowd = *crowd_,
+                              .shown = shown_,
+                              .view = render::view_of(camera, size.x / size.y),
+                              .size = size,
+                              .now = now(),
+                              .number = frame_});
+  const anim::ErrorFigures& error = meter_.figures();
+  crowd_lod_.tell_measured_error(error.p99_is_known() ? std::optional(error.p99) : std::nullopt);
+}
+
+// Whoever is shown goes from level to level by steps; who is not, and everybody while time stands still, at once.
+BoneStep Stage::step_bones(const anim::DueAgent& due) {
+  BoneStep& step = bone_steps_[due.agent];
+  const bool watched = moving_ && shown_.pose(due.agent).shown();
+  step = watched ? next_step(step, due.bone_level) : settled_at(due.bone_level);
+  return step;
 }
 
 anim::PaletteMatrix* Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
                                  std::uint64_t last_frame) {
   const std::uint32_t entries = palette_entries_[crowd_->characters()[agent]][level];
-  return shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
+  anim::PaletteMatrix* const memory =
+      shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
+  return meter_.destination(agent, shown_.pose(agent), entries, memory);
 }
 
 // Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
@@ -111,6 +153,7 @@ void Stage::pose_fallen(std::uint64_t last_frame) {
     const bool looked_ahead = pose.shown() && static_cast<std::int32_t>(pose.to_time - now()) > 0;
     if (looked_ahead || (!moving_ && pose.shown())) continue;
     const bool visible = std::ranges::binary_search(selection_.visible, fallen.agent, {}, &anim::VisibleAgent::agent);
+    bone_steps_[fallen.agent] = settled_at(0);
     updates_.push_back({.agent = fallen.agent, .level = 0, .look_ahead = 0, .palette = nullptr});
     if (visible) updates_.back().palette = show(fallen.agent, 0, now(), last_frame);
   }
@@ -125,22 +168,25 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
   if (!pose.shown()) return false;
   const glm::vec3 position = crowd_->positions()[agent.agent];
   const Heading heading = crowd_->headings()[agent.agent];
-  record = {
-      .position = {position.x, position.y, position.z},
-      .scale = crowd_->scales()[agent.agent],
-      .heading_cosine = heading.cosine,
-      .heading_sine = heading.sine,
-      .palette_from = pose.from.first_entry,
-      .palette_to = pose.to.first_entry,
-      .blend_start = pose.from_time,
-      .blend_duration = pose.to_time - pose.from_time,
-      .agent = agent.agent,
-      .debug_color = agent.agent == selected_ ? selected_color : debug_color(tuning_.debug_view, agent, pose.level()),
-      .tints = {},
-      .bone_level = pose.level(),
-      .shape = crowd_->variants()[agent.agent].shape(),
-      .hair = crowd_->variants()[agent.agent].hair(),
-      .contact_scale = contact_scale(character_of(agent.agent))};
+  record = {.position = {position.x, position.y, position.z},
+            .scale = crowd_->scales()[agent.agent],
+            .heading_cosine = heading.cosine,
+            .heading_sine = heading.sine,
+            .palette_from = pose.from.first_entry,
+            .palette_to = pose.to.first_entry,
+            .blend_start = pose.from_time,
+            .blend_duration = pose.to_time - pose.from_time,
+            .agent = agent.agent,
+            .debug_color = agent.agent == selected_
+                               ? selected_color
+                               : debug_color(tuning_.debug_view, {.interval = agent.interval,
+                                                                  .bone_level = pose.level(),
+                                                                  .error_px = meter_.error_of(agent.agent)}),
+            .tints = {},
+            .bone_level = pose.level(),
+            .shape = crowd_->variants()[agent.agent].shape(),
+            .hair = crowd_->variants()[agent.agent].hair(),
+            .contact_scale = contact_scale(character_of(agent.agent))};
   std::ranges::copy(crowd_->tints()[agent.agent], record.tints);
   return true;
 }

@@ -70,6 +70,9 @@ anim::Status Stage::go_back_to(const StageMoment& moment) {
   // What is shown are poses of the future.
   shown_.reset(crowd_->size(), frame_);
   lod_.make_all_due();
+  crowd_lod_.reset(crowd_->size());
+  bone_steps_.assign(crowd_->size(), {});
+  meter_.reset(crowd_->size());
   return anim::Done{};
 }
 

@@ -52,6 +52,31 @@ void add_scheduling(Json& json, const Stage& stage) {
   json["local_store_peak_bytes"] = laid_out;
 }
 
+// Of the whole run; null where it was not measured, or too seldom.
+void add_error(Json& json, const anim::ErrorFigures& error) {
+  const bool measured = error.samples > 0;
+  json["error_px_p50"] = measured ? Json(error.p50) : Json(nullptr);
+  json["error_px_p99"] = error.p99_is_known() ? Json(error.p99) : Json(nullptr);
+  json["error_px_max"] = measured ? Json(error.max) : Json(nullptr);
+  json["pop_px_max"] = measured ? Json(error.pop_max) : Json(nullptr);
+  json["error_samples"] = error.samples;
+  // Null where there is no such limit.
+  void add_level_of_detail(Json & json, const LodSums& sums, const Tuning& tuning) {
+    const bool by_error = tuning.lod == LodRule::budget;
+    const SavedCost saved = sums.saved(tuning.lod);
+    const auto held = [&](const LodSums::Held& limit, float asked) {
+      return by_error && asked > 0.0F && limit.frames > 0 ? Json(limit.percent()) : Json(nullptr);
+    };
+    json["lod_tolerance_px"] = by_error ? Json(sums.last.tolerance_px) : Json(nullptr);
+    json["binding_limit"] = by_error ? Json(name_of(sums.last.binding)) : Json(nullptr);
+    json["error_limit_held_percent"] = held(sums.error, tuning.error_px);
+    json["budget_held_percent"] = held(sums.budget, tuning.budget_ms);
+    json["predicted_pose_ms_per_frame"] = sums.predicted_ms_a_frame();
+    json["cost_culling_percent"] = saved.culling_percent;
+    json["cost_skipping_percent"] = saved.skipping_percent;
+    json["cost_bones_percent"] = saved.bones_percent;
+  }
+
 }  // namespace
 
 double median(std::vector<double> values) { return nearest_rank(std::move(values), 0.5); }
@@ -78,6 +103,7 @@ void Statistics::add_report(const Stage& stage) {
   stream_bytes_ += stage.system().stream_bytes();
   agents_updated_ += report.agents_updated;
   bones_evaluated_ += report.bones_evaluated;
+  lod_.add(stage.level_of_detail().figures());
 }
 
 anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
@@ -100,6 +126,8 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["stream_bytes_per_frame"] = mean(stream_bytes_, frames_);
   json["agents_updated_per_frame"] = mean(agents_updated_, frames_);
   json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
+  add_error(json, stage.error_meter().since_start());
+  add_level_of_detail(json, lod_, stage.tuning());
   json["gl_version"] = null_if_empty(drawn_by.gl_version);
   json["gl_renderer"] = null_if_empty(drawn_by.gl_renderer);
   json["context"] = drawn_by.context;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/lod_sums.h"
 #include "app/stage.h"
 #include "engine/anim/base/result.h"
 
@@ -38,6 +39,7 @@ class Statistics {
   std::uint64_t frames_ = 0;
   std::uint64_t palette_bytes_ = 0, dma_in_ = 0, dma_out_ = 0, dma_transfers_ = 0, stream_bytes_ = 0;
   std::uint64_t agents_updated_ = 0, bones_evaluated_ = 0;
+  LodSums lod_;
 };
 
 /// The middle of `values`, and the value that 99% do not exceed; 0 for none.

@@ -142,10 +142,8 @@ class WindowLoop {
     }
     const std::size_t character = reporter_.report().character;
     if (commands.roles) show_.set_roles(character, *commands.roles);
-    if (commands.save_roles) {
-      const auto saved = show_.save_roles(character);
-      notice_ = saved ? "Wrote " + saved->string() : saved.error().message;
-    }
+    if (commands.save_roles) say_where(show_.save_roles(character));
+    obey_bone_lod(commands, character);
     if (!commands.models.empty()) replace_models(commands.models);
     if (commands.character) reporter_.describe_character(show_, *commands.character);
     if (!commands.copy_camera) return;
@@ -160,6 +158,20 @@ class WindowLoop {
     const anim::Status replaced = show_.replace_models(files);
     if (replaced) reporter_.describe_characters(show_);
     notice_ = replaced ? "" : replaced.error().message;
+  }
+
+  void obey_bone_lod(const OverlayCommands& commands, std::size_t character) {
+    if (commands.bone_lod) {
+      const anim::Status set = show_.set_bone_lod(character, *commands.bone_lod);
+      notice_ = set ? "" : set.error().message;
+      reporter_.describe_character(show_, character);
+    }
+    if (commands.export_lod) say_where(show_.export_lod(character));
+    if (commands.save_bone_lod) say_where(show_.save_bone_lod(character));
+  }
+
+  void say_where(const anim::Result<std::filesystem::path>& written) {
+    notice_ = written ? "Wrote " + written->string() : written.error().message;
   }
 
   void take_screenshot() {

@@ -10,10 +10,10 @@ inline constexpr std::array<const char*, 5> scene_words = {"plaza", "parade", "s
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
 inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe"};
-inline constexpr std::array<const char*, 2> lod_rule_words = {"off", "distance"};
+inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};
 inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands about", "marches", "watches",
                                                            "has a seat", "trains",       "acts"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
-inline constexpr std::array<const char*, 4> debug_view_words = {"none", "interval", "bones", "mesh"};
+inline constexpr std::array<const char*, 5> debug_view_words = {"none", "interval", "bones", "mesh", "error"};
 
 }  // namespace throng::app

@@ -39,6 +39,7 @@ struct CrowdFrame {
   std::span<const CrowdBatch> batches;  ///< in ascending order of page, then character
   std::uint32_t now = 0;                ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
   bool bones_as_lines = false;
+  bool fill_pixels = true;                ///< false: all is drawn, but no pixel is filled
   std::span<const SceneLine> lines = {};  ///< drawn over the crowd
 };
 

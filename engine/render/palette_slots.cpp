@@ -4,6 +4,7 @@
 #include <cassert>
 #include <functional>
 #include <new>
+#include <span>
 #include <utility>
 
 namespace throng::render {
@@ -14,6 +15,13 @@ constexpr std::align_val_t line{64};
 std::uint32_t whole_line_groups(std::uint32_t entries) {
   constexpr auto group = static_cast<std::uint32_t>(palette_entries_per_line_group);
   return (entries + group - 1) / group * group;
+}
+
+/// The smallest of the sizes, which descend, that is large enough.
+std::uint32_t next_size(std::span<const std::uint32_t> sizes, std::uint32_t entries) {
+  const auto smaller = std::ranges::find_if(sizes, [entries](std::uint32_t size) { return size < entries; });
+  assert(smaller != sizes.begin() && "more entries than any slot was announced to have");
+  return *(smaller - 1);
 }
 
 }  // namespace
@@ -45,7 +53,7 @@ PaletteSlots::PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t>
 }
 
 PaletteSlot PaletteSlots::acquire(std::uint32_t entries, std::uint32_t near) {
-  entries = whole_line_groups(entries);
+  entries = next_size(sizes_, whole_line_groups(entries));
   if (near != PaletteSlot::none) return take(near, entries);
   for (std::uint32_t page = 0; page < pages_.size(); ++page) {
     if (!has_room_for_newcomer(pages_[page])) continue;

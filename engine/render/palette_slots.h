@@ -61,8 +61,8 @@ class PaletteSlots {
   /// `sizes`: how many entries slots will be asked for, those of each character's bone levels, in any order.
   PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> sizes);
 
-  /// Room for `entries`, one of the sizes. An invalid slot means: no memory left (on `near`, where given); the agent is
-  /// not drawn. A slot may be larger than it needs to be.
+  /// Room for `entries`, at most the largest of the sizes; the next of them is taken. An invalid slot means: no memory
+  /// left (on `near`, where given); the agent is not drawn. A slot may be larger than it needs to be.
   PaletteSlot acquire(std::uint32_t entries, std::uint32_t near = PaletteSlot::none);
   void retire(const PaletteSlot& slot, std::uint64_t last_frame);
   void reclaim(std::uint64_t completed_frame);

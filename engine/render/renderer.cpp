@@ -85,15 +85,21 @@ std::vector<ReadBackVertex> Renderer::read_back(const CrowdFrame& frame, const R
 }
 
 DrawCounts Renderer::draw(const CrowdFrame& frame) {
-  assert(!meshes_.empty());
   upload(frame);
+  return draw_uploaded(frame);
+}
+
+DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
+  assert(!meshes_.empty());
   target_.bind_scene();
+  if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   ground_.draw();
   DrawCounts counts{1, 1};
   if (shadows_) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
   add(counts, contact_.draw(static_cast<std::uint32_t>(frame.instances.size()), !shadows_));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
   add(counts, lines_.draw(frame.lines, target_.size()));
+  glDisable(GL_RASTERIZER_DISCARD);
   target_.resolve();
   return counts;
 }

@@ -72,6 +72,10 @@ class Renderer {
   /// Draws ground, shadows, crowd and lines. Nothing is kept of `frame`.
   DrawCounts draw(const CrowdFrame& frame);
 
+  /// The two parts of draw(), to be timed apart. What was uploaded last can be drawn again.
+  void upload(const CrowdFrame& frame);
+  DrawCounts draw_uploaded(const CrowdFrame& frame);
+
   /// Where the vertex shader puts each vertex of one agent of `frame`, for tests; draws nothing and waits.
   std::vector<ReadBackVertex> read_back(const CrowdFrame& frame, const ReadBackAgent& agent);
 
@@ -103,7 +107,6 @@ class Renderer {
  private:
   Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
            GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SkinningReadBack reader);
-  void upload(const CrowdFrame& frame);
 
   gl::Context* context_;
   std::unique_ptr<ShaderLibrary> shaders_;

@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"Schedule", "--schedule none", "--schedule none: must be fused or levels"},
         Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
         Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},
-        Refused{"Lod", "--lod on", "--lod on: must be off or distance"},
+        Refused{"Lod", "--lod on", "--lod on: must be off, distance or budget"},
+        Refused{"CameraPath", "--camera-path fly", "--camera-path fly: must be none, orbit or pan"},
         Refused{"BoneLod", "--bone-lod 1", "--bone-lod 1: must be on or off"},
         Refused{"Smooth", "--smooth yes", "--smooth yes: must be on or off"},
         Refused{"Shadows", "--shadows soft", "--shadows soft: must be on or off"},
@@ -83,6 +84,16 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"SecondModel", "inspect a.glb b.glb",
                 "b.glb: unexpected; options begin with --, and one model is the most"},
         Refused{"SeventeenthModel", "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 q.glb", "q.glb: 16 models are the most"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Limits, Refusal,
+    testing::Values(Refused{"NoPixels", "--error-px 0", "--error-px 0: must be a number of pixels above 0"},
+                    Refused{"PixelsInWords", "--error-px one", "--error-px one: must be a number of pixels above 0"},
+                    Refused{"NoTime", "--budget-ms -2", "--budget-ms -2: must be a number of milliseconds above 0"},
+                    Refused{"PixelsByDistance", "--lod distance --error-px 1", "--error-px: goes with --lod budget"},
+                    Refused{"TimeWithoutLevelOfDetail", "--lod off --budget-ms 4",
+                            "--budget-ms: goes with --lod budget"}),
     name_of);
 
 const std::string roles = "roles are stand, look_around, walk, jog, run, wave, cheer, clap and sit";
@@ -165,11 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(NotBuiltYet, Refusal,
-                         testing::Values(Refused{"Budget", "--lod budget",
-                                                 "--lod budget: is not built yet; must be off or distance"},
-                                         Refused{"Milliseconds", "--budget-ms 4", "--budget-ms 4: is not built yet"},
-                                         Refused{"Pixels", "--error-px 2", "--error-px 2: is not built yet"},
-                                         Refused{"Recording", "--record run", "--record run: is not built yet"},
+                         testing::Values(Refused{"Recording", "--record run", "--record run: is not built yet"},
                                          Refused{"Preset", "--preset a.json", "--preset a.json: is not built yet"},
                                          Refused{"Replay", "--replay run", "--replay run: is not built yet"},
                                          Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),

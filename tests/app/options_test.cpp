@@ -143,6 +143,20 @@ TEST(RequiredValue, IsTakenAfterASpaceOrAnEqualsSign) {
   EXPECT_EQ(demo("--agents=5").tuning.agents, 5);
 }
 
+TEST(LodBudget, IsTheRuleOfWhoeverGivesALimit) {
+  EXPECT_EQ(demo("--error-px 0.5").tuning.lod, LodRule::budget);
+  EXPECT_EQ(demo("--budget-ms 4").tuning.lod, LodRule::budget);
+  EXPECT_EQ(demo("").tuning.lod, LodRule::distance);
+}
+
+TEST(LodBudget, HoldsAPixelUnlessOtherLimitsAreGiven) {
+  const auto limits = [](const Tuning& tuning) { return std::pair(tuning.error_px, tuning.budget_ms); };
+  EXPECT_EQ(limits(demo("--lod budget").tuning), std::pair(1.0F, 0.0F));
+  EXPECT_EQ(limits(demo("--error-px 0.5").tuning), std::pair(0.5F, 0.0F));
+  EXPECT_EQ(limits(demo("--budget-ms 4").tuning), std::pair(0.0F, 4.0F));
+  EXPECT_EQ(limits(demo("--budget-ms 4 --error-px 2").tuning), std::pair(2.0F, 4.0F));
+}
+
 TEST(LodOff, TurnsOffAllThatOnlySavesWork) {
   const Tuning tuning = demo("--lod off").tuning;
   EXPECT_EQ(tuning.lod, LodRule::off);
@@ -257,10 +271,7 @@ TEST(Help, IsThereForEveryCommand) {
   EXPECT_THAT(shown("bench --help"), HasSubstr("Usage: throng bench [MODEL]"));
 }
 
-TEST(Help, PromisesNothingThatIsNotBuilt) {
-  EXPECT_THAT(shown("--help"), testing::Not(HasSubstr("--record")));
-  EXPECT_THAT(shown("--help"), testing::Not(HasSubstr("budget")));
-}
+TEST(Help, PromisesNothingThatIsNotBuilt) { EXPECT_THAT(shown("--help"), testing::Not(HasSubstr("--record"))); }
 
 TEST(Version, NamesTheProgram) { EXPECT_THAT(shown("--version"), testing::StartsWith("throng ")); }
 

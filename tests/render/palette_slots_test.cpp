@@ -52,6 +52,14 @@ TEST(PaletteSlots, HoldWhatTheirLevelNeeds) {
   EXPECT_EQ(slots.acquire(21).entries, 24U);
 }
 
+TEST(PaletteSlots, OfASizeThatNobodyAnnouncedAreOfTheNextLarger) {
+  HeapPageSource source(std::size_t{1} << 16U);
+  PaletteSlots slots(source, {64, 24});
+  EXPECT_EQ(slots.acquire(40).entries, 64U);
+  EXPECT_EQ(slots.acquire(21).entries, 24U);
+  EXPECT_EQ(slots.acquire(3).entries, 24U);
+}
+
 TEST(PaletteSlots, RetiredOneIsNotReusedBeforeItsLastFrameCompleted) {
   LimitedPages pages(64, 1);
   PaletteSlots slots(pages, {64});

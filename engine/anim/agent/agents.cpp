@@ -7,6 +7,24 @@
 namespace throng::anim {
 namespace {
 
+/// A pose, [packet][components][16], whose bones move to other places.
+void reorder_lanes(std::span<const int> places, int components, float* pose) {
+  const auto lane = [&](int bone, int component) -> std::size_t {
+    return static_cast<std::size_t>((bone / packet_bones * components + component) * packet_bones +
+                                    bone % packet_bones);
+  };
+  const std::size_t floats = pose_bytes(static_cast<int>(places.size()), components) / sizeof(float);
+  const std::vector<float> before(pose, pose + floats);
+  for (int bone = 0; bone < static_cast<int>(places.size()); ++bone) {
+    for (int component = 0; component < components; ++component) {
+      pose[lane(places[static_cast<std::size_t>(bone)], component)] = before[lane(bone, component)];
+    }
+  }
+}
+
+}  // namespace
+namespace {
+
 constexpr std::size_t usual_steps = 6;  // a fade that was interrupted, and feet
 
 }  // namespace
@@ -124,6 +142,24 @@ void Agents::recompile() {
     [[maybe_unused]] const Status compiled =
         compile_program(*pools_, agents_[agent].program.root(), owners_ | agent, agents_[agent].program);
     assert(compiled && "it did before");
+  }
+}
+
+void Agents::restart_keyframes() {
+  for (Agent& agent : agents_) {
+    visit_handles(agent, [&](Handle& handle) {
+      if (handle.pool() == EntityPools::keyframe_players) pools_->as<Player>(handle).cursor = {};
+    });
+  }
+}
+
+void Agents::reorder_kept_transforms(std::span<const int> places) {
+  for (Agent& agent : agents_) {
+    visit_handles(agent, [&](Handle& handle) {
+      if (!pools_->layout(handle).kind->keeps_transforms) return;
+      auto& state = pools_->as<AnimationStateHeader>(handle);
+      reorder_lanes(places, state.components, transforms_of(state));
+    });
   }
 }
 

@@ -63,6 +63,11 @@ class Agents {
   /// Moves every player of an agent to the pool of the builder's stream.
   void restream(const EntityBuilder& build, std::uint32_t agent);
 
+  /// Keyframe players find their keys anew at the next update: the streams are others.
+  void restart_keyframes();
+  /// Entities that keep transforms keep those of the same bones: `places` has the new index of each.
+  void reorder_kept_transforms(std::span<const int> places);
+
   /// The most that any program asks of the local store.
   StoreNeeds largest_needs() const;
 

@@ -41,6 +41,23 @@ Result<std::uint32_t> AnimationSystem::add_character(std::shared_ptr<const Chara
   return configured.error();
 }
 
+Status AnimationSystem::replace_character(std::uint32_t character, std::shared_ptr<const Character> reordered,
+                                          std::span<const int> places) {
+  Cast& cast = *casts_[character];
+  if (const std::string bound = cast.bound_to_bone_order(); !bound.empty()) {
+    return Error{"the bones of \"" + cast.skeleton().name + "\" keep their order: its agents have " + bound};
+  }
+  const std::shared_ptr<const Character> before = cast.replace_character(std::move(reordered));
+  const Status configured = configure(options_);
+  if (configured) {
+    cast.reorder_kept_transforms(places);
+    return configured;
+  }
+  cast.replace_character(before);
+  refresh_contexts();
+  return configured;
+}
+
 void AnimationSystem::refresh_contexts() {
   const Kernels& kernels = options_.kernels == nullptr ? best_kernels() : *options_.kernels;
   contexts_.clear();
@@ -102,6 +119,7 @@ void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t sto
                                                            .trace = options_.trace},
                                            most_entries);
   scheduler_->reserve(agent_count());
+  exact_scheduler_.reset();
 }
 
 void AnimationSystem::set_agent_count(std::uint32_t agents) {

@@ -44,6 +44,16 @@ struct AgentUpdate {
   std::uint8_t level = 0;            ///< bone level
   Ticks look_ahead = 0;              ///< the pose is that of now + look_ahead (smooth skipping)
   PaletteMatrix* palette = nullptr;  ///< where the PU writes it, room for the level's entries; null: nobody draws it
+  /// On the way to or from a coarser level: the bones that it lacks are so many halves of the way to where they stand
+  /// still. At 2 the palette shows what that level shows, so that meshes can change without a pop.
+  std::uint8_t fade_level = 0;
+  std::uint8_t fade_halves = 0;  ///< 0 to 2
+};
+
+/// One agent whose exact pose is wanted.
+struct ExactPose {
+  std::uint32_t agent = 0;
+  PaletteMatrix* palette = nullptr;  ///< out, room for all entries of its skeleton; 64-byte aligned
 };
 
 /// What the last update did.
@@ -51,6 +61,7 @@ struct UpdateReport {
   std::uint32_t agents_updated = 0;
   std::uint64_t bones_evaluated = 0;
   std::uint64_t palette_bytes = 0;
+  double predicted_nanoseconds = 0;  ///< of one PU, by SystemOptions::cost: agents, and tiles as wide as they come
   CopyCounts copies;
 };
 
@@ -75,6 +86,13 @@ class AnimationSystem {
   /// belongs to a skeleton. The one of create() is 0. On error (the local store is too small
   /// for it, or there are most_skeletons already) nothing has changed.
   Result<std::uint32_t> add_character(std::shared_ptr<const Character> character);
+
+  /// The same character with its bones in another order (asset/skeleton_order.h) and other levels, at a frame boundary:
+  /// agents go on where they are. `places`: the new index of each bone. Rigs that kinds of entities point at are the
+  /// host's to reorder, at once (CharacterRigs::reorder_bones). Errors, and then nothing has changed: masks, selections
+  /// or inertialisers hold on to the order; the local store is too small. Older snapshots cannot be restored.
+  Status replace_character(std::uint32_t character, std::shared_ptr<const Character> reordered,
+                           std::span<const int> places);
 
   /// New agents play nothing until asked; every agent must play something before it is updated.
   void set_agent_count(std::uint32_t agents);
@@ -156,6 +174,11 @@ class AnimationSystem {
   void advance(Ticks delta) { clock_ += delta; }
   Ticks clock() const { return clock_; }
   void update(std::span<const AgentUpdate> agents);
+
+  /// Palettes of the clock, with all bones, of agents that were updated before: what level of detail is measured
+  /// against. However far ahead an agent stands, its players and blends are wound back; what remembers more than a time
+  /// (rag-dolls, gazes, placed feet) is taken as it is. Changes nothing: copies of blocks are updated and dropped.
+  void pose_exactly(std::span<const ExactPose> agents);
 
   /// Root motion, data keys and absolute root of an agent, at a frame boundary: after advance(), ask for the interval
   /// from the clock before to the clock now, before any request.
@@ -242,6 +265,9 @@ class AnimationSystem {
   void begin_shared_work();
   bool update_shared(Cast& cast);
   void begin_work(std::span<const AgentUpdate> agents);
+  std::uint16_t predicted_cost(const PoseProgram& program, std::uint32_t cast, int level) const;
+  bool exact_stores_hold() const;
+  void make_exact_scheduler();
   void report_work();
   void end_work();
 
@@ -250,7 +276,8 @@ class AnimationSystem {
   std::vector<UpdateContext> contexts_;  // [cast]
   std::vector<Member> members_;          // [agent]
   std::unique_ptr<Scheduler> scheduler_;
-  std::unique_ptr<PuThreads> threads_;  // null where a host's executor runs the PUs
+  std::unique_ptr<Scheduler> exact_scheduler_;  // null until it is needed, and after a change of what it would need
+  std::unique_ptr<PuThreads> threads_;          // null where a host's executor runs the PUs
 
   Ticks clock_ = 0;
   std::uint64_t frame_ = 0;
@@ -260,6 +287,7 @@ class AnimationSystem {
   std::vector<std::uint64_t> agent_hashes_;  // [agent] of its last update
   std::vector<AgentWork> work_;
   std::vector<AgentWork> shared_work_;
+  std::vector<AgentWork> exact_work_;
   UpdateReport report_;
 };
 

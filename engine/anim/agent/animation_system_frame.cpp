@@ -57,8 +57,11 @@ void AnimationSystem::begin_shared_work() {
 }
 
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
+  constexpr std::size_t soon = 8;
   work_.clear();
-  for (const AgentUpdate& update : agents) {
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    if (i + soon < agents.size()) __builtin_prefetch(&cast(agents[i + soon].agent).agents.program(local(agents[i + soon].agent)));
+    const AgentUpdate& update = agents[i];
     const Member member = members_[update.agent];
     const Agents& cast = casts_[member.cast]->agents;
     if (cast.next_update(member.local) <= clock_) update_channels(update.agent);
@@ -72,17 +75,26 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
          .palette = update.palette,
          .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
          .agent = update.agent,
-         .cost = cost_in_steps(options_.cost.of_agent(program.parts, contexts_[member.cast].packets(update.level))),
+         .cost = predicted_cost(program, member.cast, update.level),
          .skeleton = static_cast<std::uint8_t>(member.cast),
-         .level = static_cast<std::uint8_t>(update.level & 0x7FU),
+         .level = static_cast<std::uint8_t>(update.level & 3U),
+         .fade_level = static_cast<std::uint8_t>(update.fade_level & 3U),
+         .fade_halves = static_cast<std::uint8_t>(update.fade_halves & 3U),
          .held = program.needs.held});
     posed_at_[update.agent] = time;
   }
 }
 
+std::uint16_t AnimationSystem::predicted_cost(const PoseProgram& program, std::uint32_t cast, int level) const {
+  return cost_in_steps(options_.cost.of_agent(program.parts, contexts_[cast].packets(level)));
+}
+
 void AnimationSystem::report_work() {
   std::array<std::array<std::uint64_t, max_bone_levels>, most_skeletons> agents_by_level{};
-  for (const AgentWork& work : work_) ++agents_by_level[work.skeleton][work.level];
+  for (const AgentWork& work : work_) {
+    ++agents_by_level[work.skeleton][work.level];
+    report_.predicted_nanoseconds += work.cost * cost_step;
+  }
   report_.agents_updated = static_cast<std::uint32_t>(work_.size());
   for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
     const Skeleton& skeleton = casts_[cast]->skeleton();
@@ -91,6 +103,9 @@ void AnimationSystem::report_work() {
       const auto entries = static_cast<std::uint64_t>(palette_count_for_bones(skeleton, bones));
       report_.bones_evaluated += agents_by_level[cast][level] * static_cast<std::uint64_t>(bones);
       report_.palette_bytes += agents_by_level[cast][level] * entries * sizeof(PaletteMatrix);
+      const auto width = static_cast<std::uint64_t>(schedule().plan.width);
+      const auto tiles = static_cast<double>((agents_by_level[cast][level] + width - 1) / width);
+      report_.predicted_nanoseconds += tiles * options_.cost.of_tile(packets_for(bones));
     }
   }
 }

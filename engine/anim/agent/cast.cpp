@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/anim/asset/still_pose.h"
+
 namespace throng::anim {
 namespace {
 
@@ -15,6 +17,12 @@ ClipStreams streams_of(const BakedClip& clip) {
           .duration = clip.duration,
           .root_motion = &clip.root_motion,
           .data_keys = clip.data_keys};
+}
+
+std::vector<ClipStreams> all_streams_of(const Character& character) {
+  std::vector<ClipStreams> streams;
+  for (const BakedClip& clip : character.clips) streams.push_back(streams_of(clip));
+  return streams;
 }
 
 void add(PoolMemory& sum, const PoolMemory& part) {
@@ -35,10 +43,27 @@ std::size_t CastSnapshot::bytes() const {
 
 Cast::Cast(std::shared_ptr<const Character> played)
     : character(std::move(played)),
+      still_pose(anim::still_pose(character->skeleton)),
+      clips(all_streams_of(*character)),
       pools(skeleton().bone_count(), skeleton().components(), Residency::transient),
       agents(pools),
-      shared(pools, shared_owner) {
-  for (const BakedClip& clip : character->clips) clips.push_back(streams_of(clip));
+      shared(pools, shared_owner) {}
+
+std::shared_ptr<const Character> Cast::replace_character(std::shared_ptr<const Character> reordered) {
+  assert(reordered->skeleton.bone_count() == skeleton().bone_count() && "another character");
+  assert(reordered->clips.size() == character->clips.size() && "another character");
+  clips = all_streams_of(*reordered);
+  still_pose = anim::still_pose(reordered->skeleton);
+  agents.restart_keyframes();
+  shared.restart_keyframes();
+  return std::exchange(character, std::move(reordered));
+}
+
+std::string Cast::bound_to_bone_order() const {
+  if (!masks.empty()) return "masks of bones";
+  if (!selections.empty()) return "selections of bones";
+  if (pools.pool(EntityPools::inertialisers).memory().blocks_alive > 0) return "inertialisers";
+  return {};
 }
 
 UpdateContext Cast::context(const Kernels& kernels) const {
@@ -50,7 +75,8 @@ UpdateContext Cast::context(const Kernels& kernels) const {
                      .bone_count = skeleton().bone_count(),
                      .components = skeleton().components()},
           .level_bone_counts = skeleton().level_bone_counts,
-          .pools = &pools};
+          .pools = &pools,
+          .still_pose = still_pose};
 }
 
 int Cast::add_mask(BoneMask mask) {
@@ -89,6 +115,7 @@ void Cast::reserve_fades(StreamKind stream, std::size_t agent_count) {
 }
 
 void Cast::snapshot(CastSnapshot& into) const {
+  into.character = character;
   into.pools.resize(std::size_t{2} * pools.kind_count());
   for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
     pools.pool(kind).snapshot(into.pools[2 * kind]);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/anim/agent/agents.h"
@@ -21,6 +22,7 @@ struct KindMemory {
 
 /// Blocks and graphs of a cast as they were.
 struct CastSnapshot {
+  std::shared_ptr<const Character> character;
   std::vector<PoolSnapshot> pools;  // own and shared of each kind, in turns
   std::optional<Agents> agents;
   std::optional<Agents> shared;
@@ -39,6 +41,16 @@ struct Cast {
   /// As PUs read it: valid until a mask or a selection is added.
   UpdateContext context(const Kernels& kernels) const;
 
+  /// The same character with its bones in another order; the one before.
+  std::shared_ptr<const Character> replace_character(std::shared_ptr<const Character> reordered);
+  /// See Agents.
+  void reorder_kept_transforms(std::span<const int> places) {
+    agents.reorder_kept_transforms(places);
+    shared.reorder_kept_transforms(places);
+  }
+  /// Something of the cast, in words, that holds on to the order of the bones; empty: nothing does.
+  std::string bound_to_bone_order() const;
+
   int add_mask(BoneMask mask);
   std::uint32_t add_selection(BoneSelection selection);
 
@@ -54,6 +66,7 @@ struct Cast {
   std::size_t bytes_alive() const;
 
   std::shared_ptr<const Character> character;
+  std::vector<float> still_pose;
   std::vector<ClipStreams> clips;
   std::vector<BoneMask> masks;
   std::vector<const float*> mask_weights;  // of masks, as the context lists them

@@ -32,6 +32,12 @@ LegBones leg_of(const LimbBones& bones) {
   return {.hip = bones.upper, .knee = bones.middle, .ankle = bones.end, .toe = bones.tip};
 }
 
+void reorder(JointChain& chain, std::span<const int> places) {
+  for (std::int16_t& bone : std::span(chain.bones).first(static_cast<std::size_t>(chain.count))) {
+    bone = static_cast<std::int16_t>(places[static_cast<std::size_t>(bone)]);
+  }
+}
+
 }  // namespace
 
 CharacterRigs::CharacterRigs(const Model& model, const RagdollOptions& ragdoll) {
@@ -94,6 +100,17 @@ void CharacterRigs::find_limb(const Skeleton& skeleton, const std::optional<Limb
   }
   limb_places_[static_cast<std::size_t>(limb)] = static_cast<std::uint32_t>(limbs_.size());
   limbs_.push_back(*made);
+}
+
+void CharacterRigs::reorder_bones(std::span<const int> places) {
+  if (look_at_) reorder(look_at_->chain, places);
+  if (foot_placement_) {
+    for (PlacedLeg& leg : foot_placement_->legs) reorder(leg.limb.chain, places);
+  }
+  for (TwoBoneLimb& limb : limbs_) reorder(limb.chain, places);
+  if (!ragdoll_) return;
+  for (RagdollBody& body : ragdoll_->bodies) body.bone = places[static_cast<std::size_t>(body.bone)];
+  for (RagdollLink& link : ragdoll_->links) link.bone = places[static_cast<std::size_t>(link.bone)];
 }
 
 RigKinds CharacterRigs::add_to(AnimationSystem& system, std::uint32_t character) const {

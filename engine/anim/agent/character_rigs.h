@@ -39,6 +39,10 @@ class CharacterRigs {
   /// them.
   RigKinds add_to(AnimationSystem& system, std::uint32_t character = 0) const;
 
+  /// The character's bones are in another order from now on: `places` has the new index of each. What systems point at
+  /// stays where it is; see AnimationSystem::replace_character.
+  void reorder_bones(std::span<const int> places);
+
   const std::optional<LookAtRig>& look_at() const { return look_at_; }
   const std::optional<FootPlacementRig>& foot_placement() const { return foot_placement_; }
   const std::optional<RagdollRig>& ragdoll() const { return ragdoll_; }

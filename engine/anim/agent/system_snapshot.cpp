@@ -33,6 +33,10 @@ Status AnimationSystem::restore(const SystemSnapshot& from) {
     if (cast.pools.size() != std::size_t{2} * casts_[i]->pools.kind_count()) {
       return Error{"kinds of entities were added since this snapshot: take another one"};
     }
+    if (cast.character != casts_[i]->character) {
+      return Error{"the bones of \"" + casts_[i]->skeleton().name +
+                   "\" are in another order since this snapshot: take another one"};
+    }
     needs.largest.widen(cast.agents->largest_needs());
     needs.shared_entity_bytes =
         std::max<std::size_t>(needs.shared_entity_bytes, cast.shared->largest_needs().entity_bytes);

@@ -132,8 +132,11 @@ void add_clip(Character& character, const SurfaceProxy& proxy, const Clip& clip,
 
 Character bake_character(const Model& model, const BakeOptions& options) {
   const SurfaceProxy proxy = make_surface_proxy(model);
-  Character character{
-      .skeleton = model.skeleton, .hierarchy = compile_hierarchy(model.skeleton), .clips = {}, .height = proxy.height};
+  Character character{.skeleton = model.skeleton,
+                      .hierarchy = compile_hierarchy(model.skeleton),
+                      .clips = {},
+                      .height = proxy.height,
+                      .bone_lod = measure_bone_lod(model)};
   for (const Clip& clip : model.clips) add_clip(character, proxy, clip, options);
   if (character.clips.empty()) {
     Clip rest;

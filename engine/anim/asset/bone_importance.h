@@ -6,9 +6,13 @@
 
 namespace throng::anim {
 
-/// For each bone the farthest that a point of the surface at or below it is off, over poses of all clips, when the bone
-/// and all below it follow its parent: metres, and what a level of detail without that limb costs. A model without
-/// clips counts the farthest distance of such a point from the bone, one without a surface that of the bones below it.
+/// For each bone how far the surface at and below it is off when the bone and all below it follow its parent as in the
+/// bind pose: metres, what a level of detail without that limb costs. The farthest point of each pose counts, and of
+/// poses spread over all clips the 99th percentile.
+std::vector<double> bone_errors(const Model& model);
+
+/// The same for ordering bones: a model without clips, which shows no errors, counts the farthest distance of a point
+/// from the bone.
 std::vector<double> bone_importance(const Model& model);
 
 }  // namespace throng::anim

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "engine/anim/asset/bone_lod.h"
 #include "engine/anim/asset/data_keys.h"
 #include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/model.h"
@@ -47,7 +48,8 @@ struct Character {
   HierarchyProgram hierarchy;
   std::vector<BakedClip> clips;  ///< never empty: a model without clips gets one, "rest", of its rest pose
   std::vector<std::string> data_key_names = {};  ///< of all its clips, each once
-  double height = 0.0;  ///< metres, of the rest pose's surface, or of its joints where there is no surface
+  double height = 0.0;    ///< metres, of the rest pose's surface, or of its joints where there is no surface
+  BoneLod bone_lod = {};  ///< what dropping bones costs in looks
 };
 
 /// Bakes every clip of `model`. Never fails on what import accepted.

@@ -13,11 +13,11 @@ std::span<Handle> sources(std::byte* block, const EntityLayout&) {
 }
 
 void blend_velocities(EaseBlender& blender, const AnimationStateHeader& from, const AnimationStateHeader& to) {
+  const float to_share = blender.fraction, from_share = 1.0F - blender.fraction;
+  const auto between = [&](float a, float b) { return from_share * a + to_share * b; };
   for (int axis = 0; axis < 3; ++axis) {
-    blender.state.linear_velocity[axis] =
-        std::lerp(from.linear_velocity[axis], to.linear_velocity[axis], blender.fraction);
-    blender.state.angular_velocity[axis] =
-        std::lerp(from.angular_velocity[axis], to.angular_velocity[axis], blender.fraction);
+    blender.state.linear_velocity[axis] = between(from.linear_velocity[axis], to.linear_velocity[axis]);
+    blender.state.angular_velocity[axis] = between(from.angular_velocity[axis], to.angular_velocity[axis]);
   }
 }
 

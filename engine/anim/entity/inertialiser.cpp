@@ -39,7 +39,8 @@ std::span<Handle> sources(std::byte* block, const EntityLayout&) {
 OffsetDecay decay_now(const Inertialiser& inertialiser) {
   if (inertialiser.settled != 0) return undiminished;
   const float half_life = has_left(inertialiser) ? inertialiser.half_life : inertialiser.old_half_life;
-  return offset_decay(static_cast<float>(to_seconds(inertialiser.since_capture)), half_life);
+  const Ticks decayed = std::max<Ticks>(inertialiser.since_capture, 0);  // wound back, at most to the capture
+  return offset_decay(static_cast<float>(to_seconds(decayed)), half_life);
 }
 
 // No time has passed since the first half: there is no velocity to be had yet.

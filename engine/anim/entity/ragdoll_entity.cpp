@@ -26,7 +26,7 @@ std::span<Handle> sources(std::byte* block, const EntityLayout&) {
 
 void advance_ragdoll(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
   auto& ragdoll = entity.as<RagdollEntity>();
-  entity.prepared_as<Elapsed>() = {ragdoll.state.delta_time};
+  entity.prepared_as<Elapsed>() = {std::max<Ticks>(ragdoll.state.delta_time, 0)};
   ragdoll.state.delta_time = 0;
   std::ranges::fill(ragdoll.state.linear_velocity, 0.0F);
   std::ranges::fill(ragdoll.state.angular_velocity, 0.0F);

@@ -76,6 +76,14 @@ std::uint64_t steps_over(const PoseProgram& program, std::size_t base, IsPosed&&
   return wanted;
 }
 
+/// Hints: programs lie scattered, and are read once an update.
+void prefetch_steps(std::span<const AgentWork> soon) {
+  for (const AgentWork& work : soon) __builtin_prefetch(work.program->steps.data());
+}
+void prefetch_programs(std::span<const AgentWork> later) {
+  for (const AgentWork& work : later) __builtin_prefetch(work.program);
+}
+
 std::size_t own_bytes(std::span<const AgentWork> tile) {
   std::size_t bytes = 0;
   for (const AgentWork& work : tile) bytes += work.program->needs.fetch_bytes;
@@ -89,7 +97,15 @@ std::span<const AgentWork> FusedTasks::agents(int task) const {
   return work_.subspan(tile.first, tile.count);
 }
 
+std::span<const AgentWork> FusedTasks::agents_behind(int task, std::uint32_t tiles) const {
+  const Tile& tile = tiles_[static_cast<std::size_t>(task)];
+  const std::size_t first = std::min<std::size_t>(tile.first + std::size_t{tiles} * tile.count, work_.size());
+  return work_.subspan(first, std::min<std::size_t>(tile.count, work_.size() - first));
+}
+
 void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
+  prefetch_steps(agents_behind(task, 1));
+  prefetch_programs(agents_behind(task, 2));
   const EntityPools& pools = *context(task).pools;
   std::byte* local = store_->fetch_buffer(buffer).data();
   const auto fetch_block = [&](Handle entity, std::uint32_t size) {
@@ -107,6 +123,7 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
 }
 
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
+  if (changes_ == BlockChanges::dropped) return;
   const EntityPools& pools = *context(task).pools;
   const std::byte* local = store_->fetch_buffer(buffer).data();
   for (const AgentWork& work : agents(task)) {

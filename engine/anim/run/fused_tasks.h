@@ -12,6 +12,12 @@
 
 namespace throng::anim {
 
+/// What becomes of the blocks that an update has changed in the local store.
+enum class BlockChanges : std::uint8_t {
+  written_back,
+  dropped,  ///< the update was a look at what would be: entities stay where they stand
+};
+
 /// The `fused` schedule: a task runs the whole graphs of a tile's characters, players to palette, in one stay in the
 /// local store. Blocks are fetched whole, their changed bytes written back; a shared source is fetched once a tile and
 /// never written back.
@@ -23,8 +29,15 @@ namespace throng::anim {
 class FusedTasks {
  public:
   FusedTasks(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, std::span<const Tile> tiles,
-             TaskQueue::Taker queue, const LocalStore& store, const PaletteStores& palettes)
-      : contexts_(contexts), work_(work), tiles_(tiles), queue_(queue), store_(&store), palettes_(palettes) {}
+             TaskQueue::Taker queue, const LocalStore& store, const PaletteStores& palettes,
+             BlockChanges changes = BlockChanges::written_back)
+      : contexts_(contexts),
+        work_(work),
+        tiles_(tiles),
+        queue_(queue),
+        store_(&store),
+        palettes_(palettes),
+        changes_(changes) {}
 
   std::optional<int> next() { return queue_.take(); }
   void fetch(int task, int buffer, CopyEngine& engine) const;
@@ -51,6 +64,8 @@ class FusedTasks {
   };
 
   std::span<const AgentWork> agents(int task) const;
+  /// As many as the task has, so many tiles of its size behind it.
+  std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   void advance_entities(const Characters& characters);
   const ShownClips& advance_character(const Characters& characters, const AgentWork& work, std::byte*& block,
@@ -68,6 +83,7 @@ class FusedTasks {
   TaskQueue::Taker queue_;
   const LocalStore* store_;
   PaletteStores palettes_;
+  BlockChanges changes_;
   FusedScratch scratch_;
   std::array<ShownClips, PoseProgram::max_steps> shown_;  // by the steps of the character that is under way
   ClipTile clips_;                                        // the characters that show clips

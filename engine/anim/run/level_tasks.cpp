@@ -102,7 +102,7 @@ void PaletteTasks::begin_tile(const UpdateContext& context, std::span<const Agen
 void PaletteTasks::compute(const Task& task, int buffer, CopyEngine& engine) {
   const std::span<const AgentWork> tile = agents(task);
   if (task.packet == 0) begin_tile(context(task), tile);
-  const auto* local = reinterpret_cast<const float*>(store_->fetch_buffer(buffer).data());
+  auto* local = reinterpret_cast<float*>(store_->fetch_buffer(buffer).data());
   model_palette_packet(context(task), scratch_, local, tile,
                        {.width = width_, .packet = task.packet, .stores = palettes_.policy});
   engine.advance();

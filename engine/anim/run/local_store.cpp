@@ -11,9 +11,13 @@ namespace {
 
 constexpr std::size_t line = 64;
 
-// A transfer begins when it is queued: by the time that it is moved, its bytes have come near.
-void begin_transfer(const std::byte* from, std::size_t size) {
-  for (std::size_t offset = 0; offset < size; offset += line) __builtin_prefetch(from + offset);
+// Lines that are on their way at once: enough for them to have arrived when they are moved, few enough not to fill the
+// processor's buffers, where everything else would wait behind them.
+constexpr std::size_t transfers_under_way = 16;
+
+void begin_transfer(const CopyEngine::Transfer& transfer) {
+  if (!transfer.inward) return;  // what goes out is in the local store
+  for (std::size_t offset = 0; offset < transfer.size; offset += line) __builtin_prefetch(transfer.from + offset);
 }
 
 // Its own loop, never memcpy: the address sanitizer intercepts that, and this must reach guarded pools.
@@ -58,8 +62,8 @@ std::span<std::byte> LocalStore::scratch() const {
 void CopyEngine::fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
   assert(size % line == 0);
   guard(local, size);
-  begin_transfer(main_memory, size);
   queue_.push_back({main_memory, local, size, true});
+  if (queue_.size() <= next_ + transfers_under_way) begin_transfer(queue_.back());
   queued_bytes_ += size;
   queued_counts_.bytes_in += size;
   ++queued_counts_.transfers;
@@ -108,6 +112,7 @@ void CopyEngine::move(std::size_t bytes) {
     left -= size;
     moved += size;
     if (moved < transfer.size) break;
+    if (next + transfers_under_way < queue_.size()) begin_transfer(queue_[next + transfers_under_way]);
     ++next;
     moved = 0;
   }

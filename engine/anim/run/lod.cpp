@@ -4,6 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "engine/anim/run/lod_choices.h"
 
 namespace throng::anim {
 namespace {
@@ -65,25 +68,51 @@ bool in_view(const glm::vec3& centre, float radius, const LodCamera& camera) {
 
 float squared(const glm::vec3& from_camera) { return dot(from_camera, from_camera); }
 
+/// An agent as it is seen this frame.
+struct Seen {
+  float squared_distance;   // metres
+  float metres_a_pixel;     // of error, in the character's own space, over its importance
+  bool fresh;               // it was out of view
+  const MotionLod* motion;  // null where no cost is counted
+};
+
 struct Decision {
   int interval;
   int look_ahead;
   int bone_level;
 };
 
-Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState& state, std::size_t agent,
-                int level_count, float squared_distance) {
-  const bool fresh = state.was_visible[agent] == 0;
-  const int shown = fresh ? 0 : state.bone_level[agent];
+LodChoice choose_by_distance(const LodFrame& frame, const Thresholds& squares, int shown_level, int level_count,
+                             const Seen& seen) {
   const int levels = frame.rules.bone_lod ? level_count : 1;
-  const bool forced = frame.force.concerns(agent);
-  const bool has_level = forced && frame.force.bone_level >= 0, has_interval = forced && frame.force.interval > 0;
-  const int bone_level = has_level ? std::min(frame.force.bone_level, level_count - 1)
-                                   : bone_level_at(squared_distance, shown, fresh, levels, squares);
-  if (frame.rules.rule == LodRule::off) return {1, 1, bone_level};
-  const int interval = has_interval ? frame.force.interval : interval_at(squared_distance, frame.rules, squares);
-  const int own_turn = frames_to_own_turn(agent, frame.number, static_cast<std::uint64_t>(interval));
-  return {interval, fresh ? 1 : own_turn, bone_level};
+  const int shown = seen.fresh ? 0 : shown_level;
+  const int level = bone_level_at(seen.squared_distance, shown, seen.fresh, levels, squares);
+  const int interval = frame.rules.rule == LodRule::off ? 1 : interval_at(seen.squared_distance, frame.rules, squares);
+  return {static_cast<std::uint8_t>(interval), static_cast<std::uint8_t>(level)};
+}
+
+LodChoice choose_within_tolerance(const LodRules& rules, const Seen& seen, LodChoice shown) {
+  const float allowed = rules.tolerance_pixels * seen.metres_a_pixel;
+  if (seen.fresh || shown.interval > rules.largest_interval) return seen.motion->choose(allowed);
+  return seen.motion->choose(allowed, shown);
+}
+
+void obey(const LodFrame& frame, std::size_t agent, int level_count, LodChoice& choice) {
+  const LodForce& force = frame.force;
+  if (!force.concerns(agent)) return;
+  if (force.interval > 0) choice.interval = static_cast<std::uint8_t>(force.interval);
+  if (force.bone_level >= 0) choice.bone_level = static_cast<std::uint8_t>(std::min(force.bone_level, level_count - 1));
+}
+
+Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState& state, std::size_t agent,
+                int level_count, const Seen& seen) {
+  LodChoice choice = frame.rules.rule == LodRule::budget
+                         ? choose_within_tolerance(frame.rules, seen, {state.interval[agent], state.bone_level[agent]})
+                         : choose_by_distance(frame, squares, state.bone_level[agent], level_count, seen);
+  obey(frame, agent, level_count, choice);
+  if (frame.rules.rule == LodRule::off) return {1, 1, choice.bone_level};
+  const int own_turn = frames_to_own_turn(agent, frame.number, choice.interval);
+  return {choice.interval, seen.fresh ? 1 : own_turn, choice.bone_level};
 }
 
 void update(LodState& state, std::size_t agent, std::uint64_t frame, const Decision& decision) {
@@ -97,8 +126,11 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.positions.size() == state.next_update.size());
   assert(frame.rules.largest_interval >= 1 && frame.rules.largest_interval <= longest_interval);
   assert(frame.character_of.empty() || frame.character_of.size() == frame.positions.size());
+  assert(frame.clips.empty() || frame.clips.size() == frame.positions.size());
+  assert(frame.importance.empty() || frame.importance.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
   assert(frame.force.interval >= 0 && frame.force.interval <= longest_interval);
+  assert(frame.rules.rule != LodRule::budget || (frame.choices != nullptr && frame.rules.tolerance_pixels > 0.0F));
   static_cast<void>(frame);
   static_cast<void>(state);
 }
@@ -126,39 +158,90 @@ const LodCharacter& character_of(const LodFrame& frame, std::size_t agent) {
   return frame.characters[frame.character_of.empty() ? 0 : frame.character_of[agent]];
 }
 
+const MotionLod* motion_of(const LodFrame& frame, std::size_t agent) {
+  if (frame.choices == nullptr) return nullptr;
+  const std::size_t character = frame.character_of.empty() ? 0 : frame.character_of[agent];
+  return &frame.choices->of(character, frame.clips.empty() ? 0 : frame.clips[agent]);
+}
+
+float cosine_of_degrees(float degrees) { return std::cos(degrees * std::numbers::pi_v<float> / 180.0F); }
+
+// What moves across the line of sight, away from the middle of the picture, covers more pixels by the square of the
+// cosine of the angle in between.
+constexpr float least_cosine = 0.5F;
+
+float metres_a_pixel(const LodFrame& frame, float cosine_of_centre, std::size_t agent, const glm::vec3& from_camera,
+                     float distance) {
+  const float cosine = std::clamp(dot(from_camera, frame.camera.forward) / distance, least_cosine, 1.0F);
+  const float pixels = frame.scales[agent] * frame.camera.pixels_per_unit / (distance * cosine * cosine);
+  const float importance = frame.importance.empty() ? 1.0F : frame.importance[agent];
+  return 1.0F / (pixels * importance * (cosine >= cosine_of_centre ? frame.rules.centre_importance : 1.0F));
+}
+
 /// Agents that one job decides for, one after the other. Lists begin where they would if all were chosen.
 struct LodTile {
   std::size_t first = 0, end = 0;
   std::size_t visible = 0, due = 0;  // how many
+  LodCost cost;
 
   void decide_all(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection) {
     visible = due = 0;
-    for (std::size_t agent = first; agent < end; ++agent) decide_one(frame, squares, state, selection, agent);
+    by_tolerance_.fill(0);
+    const float cosine_of_centre = cosine_of_degrees(frame.rules.centre_degrees);
+    for (std::size_t agent = first; agent < end; ++agent) {
+      decide_one(frame, squares, cosine_of_centre, state, selection, agent);
+    }
+    std::ranges::copy(by_tolerance_, cost.by_tolerance.begin());
   }
 
  private:
-  void decide_one(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection,
-                  std::size_t agent) {
+  void decide_one(const LodFrame& frame, const Thresholds& squares, float cosine_of_centre, LodState& state,
+                  LodSelection& selection, std::size_t agent) {
     const LodCharacter& character = character_of(frame, agent);
     const float scale = frame.scales[agent];
     const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, character.centre_height * scale, 0.0F);
+    const glm::vec3 from_camera = centre - frame.camera.position;
     const bool is_visible = in_view(centre, character.radius * scale, frame.camera);
-    const float squared_distance = squared(centre - frame.camera.position);
-    const bool turn_has_come = state.was_visible[agent] == 0 || frame.number >= state.next_update[agent];
-    if (frame.rules.rule == LodRule::off || (is_visible && turn_has_come)) {
-      const Decision decision = decide(frame, squares, state, agent, character.level_count, squared_distance);
+    Seen seen{.squared_distance = squared(from_camera),
+              .metres_a_pixel = 0.0F,
+              .fresh = state.was_visible[agent] == 0,
+              .motion = motion_of(frame, agent)};
+    const float distance = std::max(std::sqrt(seen.squared_distance), near_enough_to_divide);
+    if (is_visible && frame.rules.rule == LodRule::budget) {
+      seen.metres_a_pixel = metres_a_pixel(frame, cosine_of_centre, agent, from_camera, distance);
+    }
+    const bool turn_has_come = seen.fresh || frame.number >= state.next_update[agent];
+    const bool is_due = frame.rules.rule == LodRule::off || (is_visible && turn_has_come);
+    if (is_due) {
+      const Decision decision = decide(frame, squares, state, agent, character.level_count, seen);
       update(state, agent, frame.number, decision);
       selection.room_for_due[first + due++] = {static_cast<std::uint32_t>(agent),
                                                static_cast<std::uint8_t>(decision.look_ahead), state.bone_level[agent]};
     }
     if (is_visible) {
-      const float distance = std::max(std::sqrt(squared_distance), near_enough_to_divide);
       selection.room_for_visible[first + visible++] = {
           static_cast<std::uint32_t>(agent), character.height * scale * frame.camera.pixels_per_unit / distance,
           state.interval[agent], state.bone_level[agent]};
     }
+    if (seen.motion != nullptr) {
+      count_cost(seen, is_visible, is_due, state.bone_level[agent], frame.rules.counts_cost);
+    }
     state.was_visible[agent] = is_visible ? 1 : 0;
   }
+
+  void count_cost(const Seen& seen, bool is_visible, bool is_due, std::size_t level, bool by_tolerance) {
+    const std::uint32_t all_bones = seen.motion->update_cost(0);
+    cost.everyone += all_bones;
+    if (!is_visible) return;
+    cost.visible += all_bones;
+    if (by_tolerance) seen.motion->add_cost(seen.metres_a_pixel, by_tolerance_);
+    if (!is_due) return;
+    cost.due_all_bones += all_bones;
+    cost.due += seen.motion->update_cost(level);
+    if (seen.fresh) cost.reappeared += seen.motion->update_cost(level);
+  }
+
+  std::array<std::uint32_t, tolerance_steps> by_tolerance_{};
 };
 
 /// Closes the gaps between the lists of the tiles; returns the length of the whole.
@@ -175,7 +258,7 @@ std::span<Element> joined(std::vector<Element>& room, std::span<const LodTile> t
 }
 
 constexpr std::size_t agents_worth_a_job = 512;
-constexpr std::size_t most_lod_tiles = 256;
+constexpr std::size_t most_lod_tiles = 64;
 
 }  // namespace
 
@@ -185,7 +268,10 @@ void select_for_update(const LodFrame& frame, LodState& state, LodSelection& sel
   const std::size_t count =
       std::clamp<std::size_t>(std::min(agents / agents_worth_a_job, std::size_t(jobs)), 1, most_lod_tiles);
   std::array<LodTile, most_lod_tiles> tiles;
-  for (std::size_t i = 0; i < count; ++i) tiles[i] = {.first = agents * i / count, .end = agents * (i + 1) / count};
+  for (std::size_t i = 0; i < count; ++i) {
+    tiles[i].first = agents * i / count;
+    tiles[i].end = agents * (i + 1) / count;
+  }
 
   struct Context {
     const LodFrame& frame;
@@ -202,6 +288,8 @@ void select_for_update(const LodFrame& frame, LodState& state, LodSelection& sel
                                          &shared});
   selection.visible = joined(selection.room_for_visible, shared.tiles, &LodTile::visible);
   selection.due = joined(selection.room_for_due, shared.tiles, &LodTile::due);
+  selection.cost = {};
+  for (const LodTile& tile : shared.tiles) selection.cost += tile.cost;
 }
 
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection) {

@@ -10,7 +10,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "engine/anim/asset/skip_error.h"
 #include "engine/anim/run/executor.h"
+#include "engine/anim/run/lod_cost.h"
 
 /// Who is updated this frame, how far ahead, and with how many bones: the paper's LOD by skipping updates and by
 /// dropping bones. Decided from bounds and camera numbers before any animation; depends on nothing but its inputs.
@@ -19,6 +21,7 @@ namespace throng::anim {
 enum class LodRule : std::uint8_t {
   off,       ///< every agent, seen or not, is posed every frame
   distance,  ///< the farther from the camera, the longer the interval between updates
+  budget,    ///< whatever is cheapest whose predicted error on screen is within a tolerance
 };
 
 inline constexpr int most_bone_levels = 4;
@@ -34,6 +37,14 @@ struct LodRules {
   int largest_interval = 8;          ///< frames, 1 to longest_interval
   bool bone_lod = true;              ///< fewer bones by distance, whatever the rule
   std::array<float, most_bone_levels - 1> level_distances{15.0F, 30.0F, 60.0F};  ///< metres, ascending
+  // LodRule::budget, which reads neither distances nor interval_growth
+  float tolerance_pixels = 1.0F;    ///< an agent's error on screen, over its importance; above 0
+  float centre_importance = 1.25F;  ///< of those within centre_degrees of the middle of the picture
+  float centre_degrees = 8.0F;
+  bool smooth = true;        ///< skipped frames blend (smooth skipping)
+  bool counts_cost = false;  ///< LodCost::by_tolerance is asked for
+
+  friend bool operator==(const LodRules&, const LodRules&) = default;
 };
 
 /// Overrules the rule, to see what an interval or a level looks like; for an agent in view, from its next update on.
@@ -47,18 +58,22 @@ struct LodForce {
 
 /// What the rule needs to know of the camera.
 struct LodCamera {
-  glm::vec3 position{0.0F};            ///< metres, world space
-  std::array<glm::vec4, 6> frustum{};  ///< unit normal, offset: inside where dot(normal, point) + offset >= 0
-  float pixels_per_unit = 1.0F;        ///< pixels that one metre covers at a distance of one metre
+  glm::vec3 position{0.0F};              ///< metres, world space
+  std::array<glm::vec4, 6> frustum{};    ///< unit normal, offset: inside where dot(normal, point) + offset >= 0
+  float pixels_per_unit = 1.0F;          ///< pixels that one metre covers at a distance of one metre
+  glm::vec3 forward{0.0F, 0.0F, -1.0F};  ///< unit
 };
 
 /// What the rule needs to know of a character: a sphere about the vertical axis that holds every pose, its height and
 /// its bone levels. All scaled with the agent.
 struct LodCharacter {
-  float centre_height = 0.9F;          ///< metres above the feet
-  float radius = 1.2F;                 ///< metres
-  float height = 1.8F;                 ///< metres, of the standing character
-  int level_count = most_bone_levels;  ///< 1 to most_bone_levels
+  float centre_height = 0.9F;                                        ///< metres above the feet
+  float radius = 1.2F;                                               ///< metres
+  float height = 1.8F;                                               ///< metres, of the standing character
+  int level_count = most_bone_levels;                                ///< 1 to most_bone_levels
+  std::array<float, most_bone_levels> level_error_metres{};          ///< what a level is off on its surface, [0] is 0
+  std::array<std::uint32_t, most_bone_levels> update_nanoseconds{};  ///< of one PU, an update at a level
+  std::span<const SkipError> clips = {};                             ///< what skipping costs, by clip
 };
 
 /// An agent in view, in ascending order of `agent`.
@@ -80,6 +95,7 @@ struct DueAgent {
 struct LodSelection {
   std::span<VisibleAgent> visible;
   std::span<DueAgent> due;
+  LodCost cost;  ///< where LodFrame::choices are given
 
   std::vector<VisibleAgent> room_for_visible;  ///< [agents]
   std::vector<DueAgent> room_for_due;          ///< [agents]
@@ -103,12 +119,17 @@ struct LodState {
   void make_due(std::size_t agent) { was_visible[agent] = 0; }
 };
 
+class LodChoices;
+
 /// Everything about one frame of a crowd; spans but `characters` are parallel, one element an agent.
 struct LodFrame {
   std::span<const glm::vec3> positions;  ///< metres, world space, between the feet
   std::span<const float> scales;
   std::span<const LodCharacter> characters;    ///< empty: everybody is a LodCharacter as it is
   std::span<const std::uint8_t> character_of;  ///< index among them; empty: everybody is the first
+  std::span<const int> clips;                  ///< index among the character's, below 0: stands still; empty: all 0
+  std::span<const float> importance;           ///< above 0, 1: as the rules say, 2: half the error; empty: all 1
+  const LodChoices* choices = nullptr;         ///< of `characters`; null: no cost is counted, and no LodRule::budget
   LodCamera camera;
   LodRules rules;
   LodForce force = {};       ///< the interval of it is for rules other than off

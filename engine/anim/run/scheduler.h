@@ -22,7 +22,8 @@ struct ScheduleOptions {
   int pus = 1;
   CostModel cost{};
   StorePolicy stores = StorePolicy::prefetched;
-  Tracing trace = Tracing::on;  ///< what each PU does is recorded, span by span
+  Tracing trace = Tracing::on;                              ///< what each PU does is recorded, span by span
+  BlockChanges block_changes = BlockChanges::written_back;  ///< of `fused`; `levels` writes all back
 };
 
 /// Hands tiles to PUs (paper 2.2.3, 2.2.5, 3.2). Tasks are never equal units: big ones go first, and

@@ -1,5 +1,7 @@
 #include "engine/anim/run/tile_scratch.h"
 
+#include "engine/anim/run/bone_fade.h"
+
 namespace throng::anim {
 
 ModelScratch ModelScratch::carve(ScratchCarver& carver, int width, int components, int slots, bool with_local) {
@@ -21,8 +23,12 @@ void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, Pale
   }
 }
 
-void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, const float* local,
+void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, float* local,
                           std::span<const AgentWork> tile, const TilePacket& about) {
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    if (tile[i].fade_halves == 0) continue;
+    fade_bones(context, tile[i], about.packet, about.displaced, local + i * context.packet_floats());
+  }
   context.assets.kernels->model_palette({.hierarchy = context.hierarchy,
                                          .packet = about.packet,
                                          .bone_count = context.level_bone_counts[tile.front().level],

@@ -61,14 +61,14 @@ struct PaletteStores {
   StorePolicy policy = StorePolicy::prefetched;
 };
 
-/// Model space and palette of one packet. `local` is [width][components][16].
+/// Model space and palette of one packet. `local` is [width][components][16]; bones that leave a level are changed.
 struct TilePacket {
   int width;
   int packet;
   bool displaced = true;  ///< see ModelPaletteJob
   StorePolicy stores = StorePolicy::prefetched;
 };
-void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, const float* local,
+void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, float* local,
                           std::span<const AgentWork> tile, const TilePacket& about);
 
 /// Hands the hashes to the agents that asked for them.

@@ -34,7 +34,7 @@ class Crowd {
     work.push_back({.program = &rig_->program(agent % rig_->agent_count()),
                     .agent = agent,
                     .cost = cost_in_steps(cost.of_agent(parts, packets_)),
-                    .level = static_cast<std::uint8_t>(level & 0x7F)});
+                    .level = static_cast<std::uint8_t>(level & 3)});
   }
 
   std::vector<Tile> cut(std::span<int> shares) {

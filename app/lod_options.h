@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace throng::app {
+
+/// What `throng lod` was asked for.
+struct LodOptions {
+  std::string model;        ///< empty: the built-in character
+  int pixels = 200;         ///< height on screen at which errors are said in pixels
+  std::string json, plot;   ///< empty: not asked for; json may be `-`, standard output
+  std::string export_file;  ///< for another engine
+  std::string data;         ///< folder of the built-in character
+};
+
+}  // namespace throng::app

@@ -1,0 +1,57 @@
+// What level of detail is measured against: the poses of now, without a trace of having been looked at.
+
+#include <algorithm>
+#include <cassert>
+
+#include "engine/anim/agent/animation_system.h"
+
+namespace throng::anim {
+
+void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
+  exact_work_.clear();
+  for (const ExactPose& exact : agents) {
+    const Member member = members_[exact.agent];
+    const PoseProgram& program = casts_[member.cast]->agents.program(member.local);
+    assert(!program.steps.empty() && "an agent must have been updated before");
+    exact_work_.push_back({.program = &program,
+                           .delta = clock_ - posed_at_[exact.agent],
+                           .palette = exact.palette,
+                           .agent = exact.agent,
+                           .cost = predicted_cost(program, member.cast, 0),
+                           .skeleton = static_cast<std::uint8_t>(member.cast),
+                           .held = program.needs.held});
+  }
+  if (exact_scheduler_ == nullptr || !exact_stores_hold()) make_exact_scheduler();
+  exact_scheduler_->update(contexts_, {}, exact_work_, executor());
+}
+
+bool AnimationSystem::exact_stores_hold() const {
+  const LocalStorePlan& plan = exact_scheduler_->options().plan;
+  return std::ranges::all_of(exact_work_, [&](const AgentWork& work) {
+    return plan_holds(plan, contexts_[work.skeleton], Schedule::fused, work.program->needs);
+  });
+}
+
+// Stores of its own, as large as need be, so that a look neither fails nor depends on how the crowd is scheduled.
+void AnimationSystem::make_exact_scheduler() {
+  LocalStoreDemand needs = local_store_demand(casts_, options_.stream);
+  needs.schedule = Schedule::fused;
+  needs.double_buffering = DoubleBuffering::off;
+  const std::size_t bytes = automatic_local_store(contexts_, needs);
+  const Result<LocalStorePlan> plan = plan_local_store(contexts_, needs, bytes, 0);
+  assert(plan && "an automatic local store holds what it was made for");
+  constexpr std::size_t no_unseen_palettes = 0;
+  exact_scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = Schedule::fused,
+                                                                 .double_buffering = DoubleBuffering::off,
+                                                                 .plan = *plan,
+                                                                 .local_store_bytes = bytes,
+                                                                 .pus = options_.pus,
+                                                                 .cost = options_.cost,
+                                                                 .stores = StorePolicy::plain,
+                                                                 .trace = Tracing::off,
+                                                                 .block_changes = BlockChanges::dropped},
+                                                 no_unseen_palettes);
+  exact_scheduler_->reserve(agent_count());
+}
+
+}  // namespace throng::anim

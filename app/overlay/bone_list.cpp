@@ -4,6 +4,7 @@
 #include <cctype>
 #include <numeric>
 
+#include "app/overlay/bone_order_edit.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
 
@@ -65,23 +66,6 @@ void scroll_with_drag() {
 }
 
 }  // namespace
-
-BoneLodChoice taken_back(const BoneLodChoice& choice, const std::vector<int>& level_counts) {
-  BoneLodChoice back{.bones = std::vector<int>(choice.bones.size()), .level_counts = level_counts};
-  for (std::size_t place = 0; place < choice.bones.size(); ++place) {
-    back.bones[static_cast<std::size_t>(choice.bones[place])] = static_cast<int>(place);
-  }
-  return back;
-}
-
-BoneLodChoice with_border_moved(BoneLodChoice choice, std::size_t level, int bones) {
-  std::vector<int>& counts = choice.level_counts;
-  const auto last = static_cast<int>(counts.size()) - 1, moved = static_cast<int>(level);
-  counts[level] = std::clamp(bones, 1 + last - moved, counts.front() - moved);
-  for (std::size_t i = level; i-- > 1;) counts[i] = std::max(counts[i], counts[i + 1] + 1);
-  for (std::size_t i = level + 1; i < counts.size(); ++i) counts[i] = std::min(counts[i], counts[i - 1] - 1);
-  return choice;
-}
 
 bool BoneList::matches(const BoneRow& bone) const {
   return search_.empty() || lower(bone.name).find(lower(search_)) != std::string::npos;

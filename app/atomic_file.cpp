@@ -95,6 +95,40 @@ anim::Status write_whole_file(const fs::path& file, std::string_view contents) {
   return cannot_write(file, why);
 }
 
+anim::Result<FileBeside> FileBeside::create(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) return cannot_write(file, EISDIR);
+  if (is_device_or_pipe(file)) return anim::Error{file.string() + ": must be a file, not a device or pipe"};
+  fs::path target = followed(file);
+  fs::path beside = name_beside(target);
+  std::FILE* const stream = std::fopen(beside.c_str(), "wbe");
+  if (stream == nullptr) return cannot_write(file, errno);
+  return FileBeside(std::move(target), std::move(beside), stream);
+}
+
+FileBeside::FileBeside(FileBeside&& other) noexcept
+    : file_(std::move(other.file_)),
+      beside_(std::move(other.beside_)),
+      stream_(std::exchange(other.stream_, nullptr)),
+      error_(other.error_) {}
+
+FileBeside::~FileBeside() {
+  if (stream_ != nullptr) std::fclose(stream_);
+}
+
+void FileBeside::write(std::string_view contents) {
+  if (error_ != 0) return;
+  if (std::fwrite(contents.data(), 1, contents.size(), stream_) != contents.size()) error_ = errno;
+}
+
+anim::Status FileBeside::commit() {
+  const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
+  if (!closed && error_ == 0) error_ = errno;
+  if (error_ == 0 && rename(beside_.c_str(), file_.c_str()) != 0) error_ = errno;
+  if (error_ == 0) return anim::Done{};
+  return cannot_write(file_, error_);
+}
+
 anim::Status write_output(const std::string& file, std::string_view contents) {
   if (file != "-") return write_whole_file(file, contents);
   const bool written = std::fwrite(contents.data(), 1, contents.size(), stdout) == contents.size();

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/anim/base/result.h"
 
@@ -14,6 +16,29 @@ anim::Status write_whole_file(const std::filesystem::path& file, std::string_vie
 
 /// As write_whole_file; `-` means standard output.
 anim::Status write_output(const std::string& file, std::string_view contents);
+
+/// A file that is written as its contents come, beside its place under a temporary name, FILE.PID.part, and renamed
+/// when it is whole. Without commit() the part stays where it is. Not for devices and pipes.
+class FileBeside {
+ public:
+  static anim::Result<FileBeside> create(const std::filesystem::path& file);
+  FileBeside(FileBeside&& other) noexcept;
+  FileBeside& operator=(FileBeside&&) = delete;
+  ~FileBeside();
+
+  /// What goes wrong is said by commit().
+  void write(std::string_view contents);
+  anim::Status commit();
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  FileBeside(std::filesystem::path file, std::filesystem::path beside, std::FILE* stream)
+      : file_(std::move(file)), beside_(std::move(beside)), stream_(stream) {}
+
+  std::filesystem::path file_, beside_;
+  std::FILE* stream_;  // null after commit()
+  int error_ = 0;      // of the first write that failed
+};
 
 /// Whether write_whole_file() could write there now, so that an hour's run does not end in a full stop. Leaves nothing.
 /// `option` begins the sentence of the error.

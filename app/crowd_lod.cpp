@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/anim/asset/bone_importance.h"
-
 namespace throng::app {
 namespace {
 
@@ -99,17 +97,6 @@ void CrowdLod::settle(const Tuning& tuning, const anim::LodCost& cost, double pr
       {.cost_by_tolerance = cost.by_tolerance, .nanoseconds = counted, .measured_error_pixels = measured_error_});
   figures_.binding = controller_.binding();
   if (measured_error_ && tuning.error_px > 0.0F) figures_.error_held = *measured_error_ <= tuning.error_px;
-}
-
-std::array<float, anim::most_bone_levels> level_errors(const anim::Model& model) {
-  const std::vector<double> importance = anim::bone_importance(model);
-  std::array<float, anim::most_bone_levels> errors{};
-  for (std::size_t level = 0; level < model.skeleton.level_bone_counts.size(); ++level) {
-    const auto kept = static_cast<std::size_t>(model.skeleton.level_bone_counts[level]);
-    const auto dropped = std::span(importance).subspan(kept);
-    if (!dropped.empty()) errors[level] = static_cast<float>(std::ranges::max(dropped));
-  }
-  return errors;
 }
 
 std::array<std::uint32_t, anim::most_bone_levels> update_costs(const anim::Skeleton& skeleton,

@@ -78,9 +78,6 @@ class CrowdLod {
   LodFigures figures_;
 };
 
-/// What each level is off, metres: the most that any bone it drops moves the surface.
-std::array<float, anim::most_bone_levels> level_errors(const anim::Model& model);
-
 /// What an update at each level costs one PU, nanoseconds, for a character that plays one clip.
 std::array<std::uint32_t, anim::most_bone_levels> update_costs(const anim::Skeleton& skeleton,
                                                                const anim::CostModel& cost);

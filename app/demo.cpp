@@ -1,6 +1,7 @@
 #include "app/demo.h"
 
 #include <chrono>
+#include <cstdio>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -11,6 +12,7 @@
 #include "app/fly_camera.h"
 #include "app/frame_reporter.h"
 #include "app/overlay/overlay.h"
+#include "app/replay.h"
 #include "app/show.h"
 #include "app/window_loop.h"
 
@@ -60,7 +62,19 @@ int write_results(Show& show, const DemoOptions& options) {
   return exit_done;
 }
 
-anim::Status run_headless(Show& show, const DemoOptions& options) {
+anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay) {
+  const DrawWhich which = show.draws() ? drawn_frames(options) : DrawWhich::none;
+  for (int frame = 1; !options.frames_given || frame <= options.frames; ++frame) {
+    const anim::Result<bool> repeated = replay.step(show);
+    if (!repeated) return repeated.error();
+    if (!*repeated) break;
+    if (which == DrawWhich::all) show.draw();
+  }
+  if (which == DrawWhich::last) show.draw();
+  return anim::Done{};
+}
+
+anim::Status run_frames(Show& show, const DemoOptions& options) {
   const anim::Ticks step = anim::to_ticks(options.dt.value_or(1.0 / 60.0));
   const DrawWhich which = drawn_frames(options);
   for (int frame = 1; frame <= options.frames; ++frame) {
@@ -68,8 +82,32 @@ anim::Status run_headless(Show& show, const DemoOptions& options) {
     const bool last = frame == options.frames;
     if (show.draws() && (which == DrawWhich::all || (which == DrawWhich::last && last))) show.draw();
   }
-  if (options.ui && show.draws() && which != DrawWhich::none) return draw_overlay(show, options);
   return anim::Done{};
+}
+
+anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
+  const anim::Status run = replay != nullptr ? run_replay(show, options, *replay) : run_frames(show, options);
+  if (!run) return run;
+  if (options.ui && show.draws() && drawn_frames(options) != DrawWhich::none) return draw_overlay(show, options);
+  return anim::Done{};
+}
+
+anim::Status run_recorded(Show& show, const DemoOptions& options, Replay* replay) {
+  if (!options.record.empty()) {
+    if (anim::Status started = show.start_recording(options.record); !started) return started;
+  }
+  if (replay != nullptr) {
+    if (anim::Status begun = replay->begin(show); !begun) return begun;
+  }
+  const bool window = options.context == ContextKind::window;
+  const anim::Status run = window ? run_window(show, options, replay) : run_headless(show, options, replay);
+  const anim::Status recorded = show.stop_recording();
+  return run ? recorded : run;
+}
+
+// Beside JSON on standard output, on standard error.
+void say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
+  std::fprintf(options.stats == "-" ? stderr : stdout, "%s\n", replay.summary().c_str());
 }
 
 // What a window shows over the crowd.
@@ -78,18 +116,26 @@ void say_on_stderr(const std::string& notice) {
   for (std::string line; std::getline(lines, line);) end_with(exit_done, line);
 }
 
-}  // namespace
-
-int run_demo(const DemoOptions& options) {
+int run_show(const DemoOptions& options, Replay* replay) {
   Failure failure;
   const std::unique_ptr<Show> show = Show::create(options, failure);
   if (show == nullptr) return end_with(static_cast<ExitStatus>(failure.status), failure.message);
-  const bool window = options.context == ContextKind::window;
-  const anim::Status run = window ? run_window(*show, options) : run_headless(*show, options);
+  const anim::Status run = run_recorded(*show, options, replay);
   if (!run) return end_with(exit_job_failed, run.error().message);
   const int written = write_results(*show, options);
-  if (!window && written == exit_done) say_on_stderr(show->notice);
-  return written;
+  if (written != exit_done) return written;
+  if (replay != nullptr) say_what_was_repeated(*replay, options);
+  if (options.context != ContextKind::window) say_on_stderr(show->notice);
+  return exit_done;
+}
+
+}  // namespace
+
+int run_demo(const DemoOptions& given) {
+  if (given.replay.empty()) return run_show(given, nullptr);
+  const auto replay = Replay::open(given.replay);
+  if (!replay) return end_with(exit_job_failed, replay.error().message);
+  return run_show((*replay)->options(given), replay->get());
 }
 
 }  // namespace throng::app

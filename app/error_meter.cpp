@@ -25,16 +25,19 @@ glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
 }  // namespace
 
 ErrorMeter::ErrorMeter(std::span<const CharacterSource> characters) {
-  for (const CharacterSource& source : characters) {
-    MeasuredCharacter& measured = characters_.emplace_back();
-    measured.points = anim::choose_surface_points(source.model);
-    measured.kept_entries = mesh_data(source.model).entry_at_level;
-    measured.entries = static_cast<std::size_t>(source.model.skeleton.palette_count());
-    measured.cost = cost_of_exact_bone * source.model.skeleton.bone_count() +
-                    cost_of_point * static_cast<double>(measured.points.count());
-    most_entries_ = std::max(most_entries_, measured.entries);
-  }
+  characters_.resize(characters.size());
+  for (std::size_t i = 0; i < characters.size(); ++i) set_character(i, characters[i]);
   blended_.resize(most_entries_);
+}
+
+void ErrorMeter::set_character(std::size_t character, const CharacterSource& source) {
+  MeasuredCharacter& measured = characters_[character];
+  measured.points = anim::choose_surface_points(source.model);
+  measured.kept_entries = mesh_data(source.model).entry_at_level;
+  measured.entries = static_cast<std::size_t>(source.model.skeleton.palette_count());
+  measured.cost = cost_of_exact_bone * source.model.skeleton.bone_count() +
+                  cost_of_point * static_cast<double>(measured.points.count());
+  most_entries_ = std::max(most_entries_, measured.entries);
 }
 
 void ErrorMeter::reset(std::size_t agents) {

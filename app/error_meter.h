@@ -35,6 +35,8 @@ class ErrorMeter {
 
   explicit ErrorMeter(std::span<const CharacterSource> characters);
 
+  /// The same character with its bones in another order; a reset follows.
+  void set_character(std::size_t character, const CharacterSource& source);
   /// A crowd starts anew.
   void reset(std::size_t agents);
 

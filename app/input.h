@@ -38,6 +38,7 @@ enum class Key : std::uint8_t {
   f,
   p,
   q,
+  r,
   s,
   v,
   w,

@@ -36,6 +36,7 @@ struct Run {
     return run_if_writable({{"--screenshot", options.screenshot},
                             {"--stats", options.stats},
                             {"--trace", options.trace},
+                            {"--record", options.record},
                             {"--ui-map", options.ui_map}},
                            [&] { return run_demo(options); });
   }

@@ -46,6 +46,14 @@ OptionReader::~OptionReader() = default;
 
 bool OptionReader::given(const std::string& name) const { return app_->count(name) > 0; }
 
+std::vector<std::string> OptionReader::all_given() const {
+  std::vector<std::string> names;
+  for (const Binding& binding : bindings_) {
+    if (binding.option->count() > 0) names.push_back(binding.name);
+  }
+  return names;
+}
+
 void OptionReader::model(std::string& target, const std::string& description, Need need) {
   CLI::Option* const option = app_->add_option("MODEL")->required(need == Need::required);
   bindings_.push_back({option, "MODEL", " ", "", description, heading_, any_text(target), need});

@@ -52,6 +52,7 @@ class OptionReader {
 
   /// After read().
   bool given(const std::string& name) const;
+  std::vector<std::string> all_given() const;
 
  private:
   struct Binding {

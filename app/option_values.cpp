@@ -207,6 +207,7 @@ ValueReader mesh_lod(int& target) {
 ValueReader camera(DemoOptions& options) {
   return [&options](const std::string& text) -> Complaint {
     if (text.find(',') == std::string::npos) {
+      options.camera.reset();
       return any_text(options.camera_name)(text);
     }
     const auto numbers = numbers_in(text);

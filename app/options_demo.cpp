@@ -1,11 +1,21 @@
 #include <limits>
+#include <set>
 
 #include "app/option_reader.h"
 #include "app/options_commands.h"
 #include "app/options_scheduling.h"
+#include "app/preset.h"
 
 namespace throng::app {
 namespace {
+
+// Before all others, which win over them.
+void declare_starting_values(OptionReader& reader, DemoOptions& options) {
+  reader.heading("Starting values; options given beside them win");
+  reader.value("--preset", "NAME|FILE", "A preset by its name in the overlay, or a file (none)",
+               preset_values(options));
+  reader.value("--set", "KEY=VALUE,...", "Any value of a preset by its key", set_values(options.tuning));
+}
 
 void declare_crowd(OptionReader& reader, DemoOptions& options) {
   Tuning& tuning = options.tuning;
@@ -99,7 +109,8 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
   reader.value("--frames", "N", "Frames (headless: 60; a window: until it is closed)",
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
   reader.value("--dt", "S", "Seconds a frame (headless: 1/60; a window: the clock)", seconds_above_zero(options.dt));
-  reader.later("--replay");
+  reader.value("--replay", "FILE", "Repeat a recording, and name the first frame and agent that differ",
+               file_name(options.replay));
 }
 
 void declare_files(OptionReader& reader, DemoOptions& options) {
@@ -109,7 +120,7 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
   reader.value("--ui-map", "FILE", "Write where every widget of the overlay is, as JSON", file_name(options.ui_map));
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
-  for (const char* const name : {"--preset", "--record"}) reader.later(name);
+  reader.value("--record", "FILE", "Record what is asked for and the poses that come of it", file_name(options.record));
 }
 
 /// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly. Who gives a
@@ -118,7 +129,7 @@ void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
   const bool error_given = reader.given("--error-px"), budget_given = reader.given("--budget-ms");
   if (!reader.given("--lod") && (error_given || budget_given)) tuning.lod = LodRule::budget;
   if (budget_given && !error_given) tuning.error_px = 0.0F;
-  if (tuning.lod != LodRule::off) return;
+  if (tuning.lod != LodRule::off || !reader.given("--lod")) return;
   if (!reader.given("--bone-lod")) tuning.bone_lod = false;
   if (!reader.given("--smooth")) tuning.smooth = false;
   if (!reader.given("--mesh-lod")) tuning.mesh_lod = 0;
@@ -132,8 +143,23 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
   return {};
 }
 
+/// What a recording says is not for the command line to say.
+std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
+  static const std::set<std::string> free_to_choose{
+      "MODEL",    "--replay",     "--pus",     "--local-store", "--tile",    "--schedule", "--double-buffer",
+      "--size",   "--msaa",       "--shadows", "--ui",          "--hide-ui", "--headless", "--draw",
+      "--frames", "--screenshot", "--stats",   "--trace",       "--ui-map",  "--data"};
+  for (const std::string& name : options.given) {
+    if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
+  }
+  return {};
+}
+
 /// Options that are right alone and wrong together.
 std::optional<std::string> contradiction_in(const DemoOptions& options) {
+  if (!options.replay.empty()) {
+    if (auto contradiction = contradiction_of_replay(options)) return contradiction;
+  }
   const bool draws_nothing = options.context == ContextKind::none;
   const bool window = options.context == ContextKind::window;
   if (draws_nothing && !options.screenshot.empty())
@@ -161,6 +187,7 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   reader.heading("What is shown");
   reader.models(options.models, most_models,
                 "glTF files (.glb or .gltf), up to 16 in one crowd; without any, the built-in character");
+  declare_starting_values(reader, options);
   declare_crowd(reader, options);
   declare_level_of_detail(reader, options.tuning);
   declare_scheduling(reader, options.tuning);
@@ -174,8 +201,10 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
       "  throng bench [MODEL]    what an update of many agents costs");
 
   if (auto stop = reader.read(arguments)) return *stop;
+  options.given = reader.all_given();
   options.frames_given = reader.given("--frames");
-  options.agents_given = reader.given("--agents");
+  options.agents_given =
+      reader.given("--agents") || reader.given("--preset") || options.tuning.agents != Tuning{}.agents;
   options.shadows_given = reader.given("--shadows");
   settle_level_of_detail(reader, options.tuning);
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};

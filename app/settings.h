@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/crowd_roles.h"
+#include "engine/anim/run/cost_model.h"
 
 namespace throng::app {
 
@@ -86,6 +87,8 @@ struct Tuning {
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
   TakenAway taken_away;
+  // What is predicted
+  anim::CostModel cost{};  ///< nanoseconds of one PU
 
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
@@ -121,13 +124,15 @@ struct DemoOptions {
   float ui_scale = 1;  ///< of every measure of the overlay
   int msaa = -1;       ///< -1: what the device affords; 0 or 4
   bool shadows = true;
-  std::vector<RoleChoice> clips;  ///< over those of the role file, and those that names suggest
-  bool agents_given = false;      ///< a software renderer shows fewer in a window unless given
-  bool shadows_given = false;     ///< a software renderer draws none unless given
-  bool force_software = false;    ///< EGL: never the graphics card; for tests
+  std::vector<RoleChoice> clips;   ///< over those of the role file, and those that names suggest
+  bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
+  bool shadows_given = false;      ///< a software renderer draws none unless given
+  std::vector<std::string> given;  ///< the options that the command line names, "--pus"
+  bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
+  std::string record, replay;                          ///< files; empty: not asked for
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 

@@ -174,7 +174,13 @@ anim::Status Show::apply(const Tuning& tuning) {
   const anim::Status applied = stage_->apply(tuning);
   if (applied && another_scene) films = true;
   if (applied) update_notice();
+  if (applied && recorder_) recorder_->add(tuning);
   return applied;
+}
+
+void Show::set_roles(std::size_t character, const RoleClips& clips) {
+  stage_->set_roles(character, clips);
+  if (recorder_) recorder_->add(RecordedRoles{static_cast<std::uint32_t>(character), clips});
 }
 
 anim::Result<std::filesystem::path> Show::save_roles(std::size_t index) const {
@@ -204,7 +210,12 @@ anim::Result<std::filesystem::path> Show::export_lod(std::size_t index) const {
 void Show::select_at(float x, float y) {
   const auto size = glm::vec2(glm::ivec2(width, height));
   const auto picked = pick(ray_through(camera, {x, y}, size), stage_->bodies_in_view());
-  stage_->select(picked ? std::optional(picked->agent) : std::nullopt);
+  select(picked ? std::optional(picked->agent) : std::nullopt);
+}
+
+void Show::select(std::optional<std::uint32_t> agent) {
+  stage_->select(agent);
+  if (recorder_) recorder_->add(RecordedSelection{agent});
 }
 
 void Show::hold_selected_clip(float seconds) {
@@ -213,7 +224,28 @@ void Show::hold_selected_clip(float seconds) {
 
 anim::Status Show::push_selected() {
   const auto selected = stage_->selected();
-  return selected ? stage_->push_over(*selected, render::forward(camera)) : anim::Done{};
+  return selected ? push(*selected, render::forward(camera)) : anim::Done{};
+}
+
+anim::Status Show::push(std::uint32_t agent, const glm::vec3& direction) {
+  anim::Status pushed = stage_->push_over(agent, direction);
+  if (pushed && recorder_) recorder_->add(RecordedPush{agent, direction});
+  return pushed;
+}
+
+anim::Status Show::start_recording(const std::filesystem::path& file) {
+  RecordingHeader header{.characters = {}, .tuning = stage_->tuning(), .width = width, .height = height};
+  for (const CharacterSource& character : stage_->people()) header.characters.push_back(recorded(character));
+  auto recorder = RecordingWriter::create(file, header);
+  if (!recorder) return recorder.error();
+  if (stage_->frame() > 0) stage_->restart();
+  recorder_ = std::move(*recorder);
+  return anim::Done{};
+}
+
+anim::Status Show::stop_recording() {
+  if (recorder_ == nullptr) return anim::Done{};
+  return std::exchange(recorder_, nullptr)->finish();
 }
 
 void Show::update_notice() {
@@ -238,8 +270,17 @@ void Show::film() {
   }
 }
 
-void Show::animate(anim::Ticks delta) {
+void Show::animate(anim::Ticks delta) { update(delta, nullptr); }
+
+void Show::animate_as(const RecordedFrame& frame) {
+  camera = frame.view.camera;
+  films = false;
+  update(frame.delta, &frame.view);
+}
+
+void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   const anim::Ticks step = stage_->tuning().taken_away.animation ? 0 : delta;
+  LodView view;
   const std::uint64_t completed = completed_frame();
   const bool had_memory = !stage_->shown().out_of_memory();
   const auto start = TimelineLog::Clock::now();
@@ -247,9 +288,11 @@ void Show::animate(anim::Ticks delta) {
     stage_->move(step);
     film();
     freeze_lod_camera();
-    stage_->pose(lod_camera(), width, height, step, completed);
+    view = as_recorded != nullptr ? *as_recorded : LodView{lod_camera(), width, height};
+    stage_->pose(view.camera, view.width, view.height, step, completed);
   });
   times_.animation_ms = update_ms_;
+  if (recorder_) recorder_->add({step, view, stage_->system().pose_hash()}, stage_->system().agent_hashes());
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);

@@ -11,6 +11,7 @@
 #include "app/lod_view.h"
 #include "app/notices.h"
 #include "app/picture.h"
+#include "app/recording_writer.h"
 #include "app/rewind.h"
 #include "app/settings.h"
 #include "app/stage.h"
@@ -42,7 +43,7 @@ class Show {
   anim::Status replace_models(std::span<const std::string> files);
 
   /// Other clips for the roles of a character, at a frame boundary.
-  void set_roles(std::size_t character, const RoleClips& clips) { stage_->set_roles(character, clips); }
+  void set_roles(std::size_t character, const RoleClips& clips);
   /// Keeps a character's roles for the next time; where, to tell people.
   anim::Result<std::filesystem::path> save_roles(std::size_t character) const;
 
@@ -56,9 +57,12 @@ class Show {
 
   /// Selects whoever is seen at a pixel from the top left of the picture drawn last; nobody there deselects.
   void select_at(float x, float y);
-  void deselect() { stage_->select({}); }
+  void select(std::optional<std::uint32_t> agent);
+  void deselect() { select({}); }
   /// Pushes the selected agent over, away from the camera. Errors as Stage::push_over; nothing if nobody is selected.
   anim::Status push_selected();
+  /// Errors as Stage::push_over.
+  anim::Status push(std::uint32_t agent, const glm::vec3& direction);
 
   /// From where level of detail and culling look: `camera`, or where that was when it was frozen.
   const render::Camera& lod_camera() const { return frozen_camera_ ? *frozen_camera_ : camera; }
@@ -74,6 +78,15 @@ class Show {
 
   /// Moves and poses one frame of `delta`; 0 while paused.
   void animate(anim::Ticks delta);
+  /// The same as it was recorded: seen by that camera, in a picture of that size.
+  void animate_as(const RecordedFrame& frame);
+
+  /// Writes whatever is asked of the show from now on, and the poses that come of it, to `file`. A crowd that has moved
+  /// begins anew, so that a replay can begin where this does. Errors: the file cannot be written.
+  anim::Status start_recording(const std::filesystem::path& file);
+  /// Errors: the file could not be written; nothing if none is.
+  anim::Status stop_recording();
+  bool is_recording() const { return recorder_ != nullptr; }
   /// Draws the frame as animated last, into the renderer's picture, and waits for it, so that the time is the whole
   /// frame's.
   void draw();
@@ -115,6 +128,7 @@ class Show {
   void gather_lines();
   void film();
   render::CrowdFrame crowd_frame() const;
+  void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
   std::uint64_t completed_frame();
   int pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const;
 
@@ -122,6 +136,7 @@ class Show {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::HeapPageSource> heap_pages_;
   std::unique_ptr<Stage> stage_;
+  std::unique_ptr<RecordingWriter> recorder_;  // null while nothing is recorded
   Picture picture_;
   SceneLines lines_;
   Rewind rewind_;

@@ -48,7 +48,7 @@ anim::LodCharacter lod_character(const CharacterSource& source) {
           .radius = static_cast<float>(source.bounds.reach),
           .height = static_cast<float>(source.bounds.height),
           .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
-          .level_error_metres = level_errors(source.model),
+          .level_error_metres = source.character->bone_lod.level_error_metres,
           .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{})};
 }
 
@@ -71,7 +71,8 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .tile = tuning.tile,
           .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
           .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
-          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe};
+          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe,
+          .cost = tuning.cost};
 }
 
 anim::LodRules lod_rules(const Tuning& tuning) {
@@ -169,14 +170,23 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   source.character = reordered.character;
   rigs_[character]->reorder_bones(reordered.places);
   palette_entries_ = entries_by_level(characters_);
+  const std::span<const anim::SkipError> skip_errors = lod_characters_[character].clips;  // as they were in any order
   lod_characters_[character] = lod_character(source);
+  lod_characters_[character].clips = skip_errors;
+  meter_.set_character(character, source);
+  meter_.reset(crowd_->size());
   ++crowd_number_;  // what was remembered has blocks of another shape
   shown_.reset(crowd_->size(), frame_);
   lod_.make_all_due();
   return anim::Done{};
 }
 
-void Stage::populate() {
+void Stage::restart() {
+  moving_ = true;
+  populate(Clocks::begin_anew);
+}
+
+void Stage::populate(Clocks clocks) {
   const auto agents = static_cast<std::size_t>(tuning_.agents);
   crowd_ = std::make_unique<Crowd>(tuning_.scene, agents, tuning_.seed, roles_of(characters_));
   ++crowd_number_;
@@ -185,6 +195,10 @@ void Stage::populate() {
   fallen_->reset();
   feet_->reset(agents);
   system_->set_agent_count(0);
+  if (clocks == Clocks::begin_anew) {
+    system_->restart();
+    frames_moved_ = 0;
+  }
   cut_scene_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);

@@ -50,6 +50,8 @@ class Stage {
   /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
   /// anim::AnimationSystem::replace_character.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// The crowd and every clock begin anew: from here on, all happens as on a stage just made.
+  void restart();
 
   void move(anim::Ticks delta);
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
@@ -116,7 +118,8 @@ class Stage {
  private:
   Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages);
   anim::Status open_system();
-  void populate();
+  enum class Clocks : std::uint8_t { go_on, begin_anew };
+  void populate(Clocks clocks = Clocks::go_on);
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
   BoneStep step_bones(const anim::DueAgent& due);

@@ -36,6 +36,7 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_F, Key::f},
     {GLFW_KEY_P, Key::p},
     {GLFW_KEY_Q, Key::q},
+    {GLFW_KEY_R, Key::r},
     {GLFW_KEY_S, Key::s},
     {GLFW_KEY_V, Key::v},
     {GLFW_KEY_W, Key::w},

@@ -10,6 +10,7 @@
 #include "app/fly_camera.h"
 #include "app/frame_reporter.h"
 #include "app/overlay/overlay.h"
+#include "app/preset.h"
 #include "app/window_input.h"
 
 namespace throng::app {
@@ -20,9 +21,10 @@ constexpr double single_step = 1.0 / 60.0;
 
 class WindowLoop {
  public:
-  WindowLoop(Show& show, const DemoOptions& options)
+  WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
       : show_(show),
         options_(options),
+        replay_(replay),
         tuning_(show.stage().tuning()),
         accepted_(tuning_),
         input_(show.context().window()),
@@ -30,6 +32,7 @@ class WindowLoop {
         fly_camera_(place_of(show.camera)),
         reporter_(show) {
     overlay_.set_hidden(options.hide_ui);
+    reporter_.set_preset_names(preset_names());
     overlay_.show_tab(options.ui_tab);
   }
 
@@ -40,7 +43,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
-    return anim::Done{};
+    return failed_;
   }
 
  private:
@@ -65,22 +68,53 @@ class WindowLoop {
     const InputFrame& input = input_.next_frame();
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(show_.width, show_.height, seconds, input);
-    fly(input, static_cast<float>(seconds));
+    if (replay_ == nullptr) fly(input, static_cast<float>(seconds));
     reporter_.see_from(fly_camera_.place());
     const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
     show_.add_overlay_time(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
-    obey(commands);
-    apply(commands.exact_crowd ? without_level_of_detail(tuning_) : tuning_);
-    show_.camera = fly_camera_.camera();
-    show_.animate(step(seconds, commands.step));
-    if (!tuning_.paused) show_.watch_for_rewind();
-    if (show_.films) fly_camera_.set_camera(show_.camera);
+    if (replay_ != nullptr) {
+      repeat();
+    } else {
+      obey(commands);
+      apply(commands.exact_crowd ? without_level_of_detail(tuning_) : tuning_);
+      show_.camera = fly_camera_.camera();
+      show_.animate(step(seconds, commands.step));
+      if (!tuning_.paused) show_.watch_for_rewind();
+    }
+    if (show_.films || replay_ != nullptr) fly_camera_.set_camera(show_.camera);
     present();
     if (commands.screenshot) take_screenshot();
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
     write_ui_map();
-    done_ = commands.quit || input_.asked_to_close();
+    done_ = done_ || commands.quit || input_.asked_to_close();
+  }
+
+  // What was recorded happens, and nothing else.
+  void repeat() {
+    const anim::Result<bool> repeated = replay_->step(show_);
+    if (!repeated) failed_ = repeated.error();
+    done_ = !repeated || !*repeated;
+    tuning_ = show_.stage().tuning();
+  }
+
+  void toggle_recording() {
+    if (show_.is_recording()) {
+      const anim::Status stopped = show_.stop_recording();
+      notice_ = stopped ? "Wrote " + recording_ : stopped.error().message;
+      return;
+    }
+    recording_ = unused_file(".rec", recordings_);
+    const anim::Status started = show_.start_recording(recording_);
+    notice_ = started ? "The crowd begins anew and is recorded; R writes " + recording_ : started.error().message;
+  }
+
+  // "throng-1.png", in the working folder.
+  static std::string unused_file(const char* ending, int& number) {
+    std::string file;
+    do file = "throng-" + std::to_string(++number) + ending;
+    while (std::filesystem::exists(file));
+    return file;
   }
 
   // Whoever takes the camera in hand has it from then on.
@@ -135,23 +169,65 @@ class WindowLoop {
     if (commands.push_over) {
       if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
     }
+    obey_hands(commands);
+    obey_presets(commands);
+    const std::size_t character = reporter_.report().character;
+    if (commands.roles) show_.set_roles(character, *commands.roles);
+    if (commands.save_roles) say_where(show_.save_roles(character));
+    obey_bone_lod(commands, character);
+    if (commands.record) toggle_recording();
+    if (commands.character) reporter_.describe_character(show_, *commands.character);
+    if (commands.copy_camera) copy(camera_option(fly_camera_.place()));
+  }
+
+  // What no recording can repeat.
+  void obey_hands(const OverlayCommands& commands) {
+    const bool asked = commands.hold_at || commands.rewind || !commands.models.empty();
+    if (asked && show_.is_recording()) {
+      notice_ = "A recording cannot repeat that: end it first, with R";
+      return;
+    }
     if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
     if (commands.let_go) show_.let_go_of_clip();
     if (commands.rewind) {
       if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
     }
-    const std::size_t character = reporter_.report().character;
-    if (commands.roles) show_.set_roles(character, *commands.roles);
-    if (commands.save_roles) say_where(show_.save_roles(character));
-    obey_bone_lod(commands, character);
     if (!commands.models.empty()) replace_models(commands.models);
-    if (commands.character) reporter_.describe_character(show_, *commands.character);
-    if (!commands.copy_camera) return;
-    const std::string option = camera_option(fly_camera_.place());
-    input_.clipboard().set(option);
-    std::puts(option.c_str());
+  }
+
+  void obey_presets(const OverlayCommands& commands) {
+    if (commands.save_preset) {
+      const std::filesystem::path file = preset_file(*commands.save_preset);
+      const anim::Status written = write_preset(file, {tuning_, fly_camera_.place()});
+      notice_ = written ? "Wrote " + file.string() : written.error().message;
+    }
+    if (commands.load_preset) load_preset(preset_file(*commands.load_preset));
+    if (commands.delete_preset) {
+      std::error_code failed;
+      std::filesystem::remove(preset_file(*commands.delete_preset), failed);
+      notice_ = failed ? preset_file(*commands.delete_preset).string() + ": " + failed.message() : "";
+    }
+    if (commands.save_preset || commands.delete_preset) reporter_.set_preset_names(preset_names());
+    if (commands.copy_command_line) copy(command_line(tuning_, Tuning(), fly_camera_.place()));
+  }
+
+  void load_preset(const std::filesystem::path& file) {
+    const anim::Result<Preset> preset = read_preset(file);
+    notice_ = preset ? "" : preset.error().message;
+    if (!preset) return;
+    const LodInspection look = tuning_.inspection;
+    tuning_ = preset->tuning;
+    tuning_.inspection = look;
+    if (!preset->camera) return;
+    show_.films = false;
+    fly_camera_.set_camera(camera_at(*preset->camera));
+  }
+
+  void copy(const std::string& options) {
+    input_.clipboard().set(options);
+    std::puts(options.c_str());
     std::fflush(stdout);
-    notice_ = "Copied: " + option;
+    notice_ = "Copied: " + options;
   }
 
   void replace_models(const std::vector<std::string>& files) {
@@ -175,9 +251,7 @@ class WindowLoop {
   }
 
   void take_screenshot() {
-    std::string file;
-    do file = "throng-" + std::to_string(++screenshots_) + ".png";
-    while (std::filesystem::exists(file));
+    const std::string file = unused_file(".png", screenshots_);
     const render::Status written = render::write_png(show_.renderer().read_image(), file);
     notice_ = written ? "Wrote " + file : written.error().message;
   }
@@ -191,6 +265,7 @@ class WindowLoop {
 
   Show& show_;
   const DemoOptions& options_;
+  Replay* replay_;  // null: people say what happens
   Tuning tuning_;
   Tuning accepted_;  // the last that could be
   WindowInput input_;
@@ -199,13 +274,18 @@ class WindowLoop {
   FrameReporter reporter_;
   Clock::time_point last_frame_ = Clock::now();
   std::string notice_;
+  std::string recording_;  // its file
+  anim::Status failed_ = anim::Done{};
   int screenshots_ = 0;
+  int recordings_ = 0;
   bool minimised_ = false;
   bool done_ = false;
 };
 
 }  // namespace
 
-anim::Status run_window(Show& show, const DemoOptions& options) { return WindowLoop(show, options).run(); }
+anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay) {
+  return WindowLoop(show, options, replay).run();
+}
 
 }  // namespace throng::app

@@ -24,6 +24,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"Space", "pause"},
     {"C", "copy the camera as an option"},
     {"Tab", "hide the overlay"},
+    {"R", "begin a recording; again, end it"},
     {"F12", "screenshot"},
     {"F1", "this card"},
     {"Esc", "deselect; quit"},

@@ -22,6 +22,9 @@ void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitch
       case Key::c:
         commands.copy_camera = true;
         break;
+      case Key::r:
+        commands.record = true;
+        break;
       case Key::f12:
         commands.screenshot = true;
         break;

@@ -166,6 +166,14 @@ void AnimationSystem::make_agents(std::uint32_t first) {
   reserve_work();
 }
 
+void AnimationSystem::restart() {
+  assert(agent_count() == 0 && "agents stand at times of the old clock");
+  clock_ = 0;
+  frame_ = 0;
+  pose_hash_ = 0;
+  shared_posed_at_ = 0;
+}
+
 void AnimationSystem::reserve_work() {
   posed_at_.resize(agent_count(), clock_);
   agent_hashes_.resize(agent_count(), 0);

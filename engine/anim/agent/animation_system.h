@@ -217,6 +217,10 @@ class AnimationSystem {
   const PoseProgram& program(std::uint32_t agent) const { return cast(agent).agents.program(local(agent)); }
   /// Over the palettes of all updates so far: an agent's is seeded by agent and frame, summed over agents, chained.
   std::uint64_t pose_hash() const { return pose_hash_; }
+  /// [agent] of its last update: what pose_hash() sums up.
+  std::span<const std::uint64_t> agent_hashes() const { return agent_hashes_; }
+  /// Clock, frames and pose hash begin anew, as if the system were new. There are no agents and no shared graphs.
+  void restart();
   /// Main memory of an agent, without palettes: blocks and bookkeeping.
   double bytes_per_agent() const;
   /// In the order of the kinds; allocates.

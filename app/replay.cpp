@@ -1,0 +1,170 @@
+#include "app/replay.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "app/preset_fields.h"
+#include "app/statistics.h"
+
+namespace throng::app {
+namespace {
+
+bool has_clips(const CharacterSource& character, const RoleClips& roles) {
+  const auto clips = static_cast<int>(character.clip_names.size());
+  return std::ranges::all_of(roles, [&](int clip) { return clip >= no_clip && clip < clips; });
+}
+
+// The agents whose hashes are not as recorded: the first of them, and how many.
+struct Difference {
+  std::uint32_t first = 0;
+  std::size_t agents = 0;
+};
+
+Difference difference(std::span<const std::uint64_t> hashes, std::span<const std::uint16_t> recorded) {
+  Difference found;
+  for (std::uint32_t agent = 0; agent < hashes.size(); ++agent) {
+    if (short_hash(hashes[agent]) == recorded[agent]) continue;
+    if (found.agents++ == 0) found.first = agent;
+  }
+  return found;
+}
+
+std::string name_of(std::uint32_t agent, const Stage& stage) {
+  if (agent >= stage.crowd().size()) return "the camera of the cut scene";
+  return "agent " + std::to_string(agent) + ", " + stage.character_of(agent).name;
+}
+
+}  // namespace
+
+anim::Result<std::unique_ptr<Replay>> Replay::open(const std::filesystem::path& file) {
+  auto reader = RecordingReader::open(file);
+  if (!reader) return reader.error();
+  return std::unique_ptr<Replay>(new Replay(file, std::move(*reader)));
+}
+
+DemoOptions Replay::options(const DemoOptions& given) {
+  given_ = given;
+  const RecordingHeader& header = reader_->header();
+  DemoOptions options = given;
+  if (options.models.empty()) {
+    for (const RecordedCharacter& character : header.characters) {
+      if (!character.file.empty()) options.models.push_back(character.file);
+    }
+  }
+  options.tuning = with_own_scheduling(header.tuning);
+  options.agents_given = true;
+  if (std::ranges::find(given.given, "--size") == given.given.end()) {
+    options.width = header.width;
+    options.height = header.height;
+  }
+  return options;
+}
+
+Tuning Replay::with_own_scheduling(Tuning tuning) const {
+  static constexpr std::array<std::string_view, 5> own{"--pus", "--local-store", "--tile", "--schedule",
+                                                       "--double-buffer"};
+  for (const std::string& name : given_.given) {
+    if (std::ranges::find(own, name) != own.end()) copy_field(*find_preset_field(name), given_.tuning, tuning);
+  }
+  return tuning;
+}
+
+anim::Status Replay::begin(Show& show) const {
+  const std::vector<RecordedCharacter>& recorded_people = reader_->header().characters;
+  const auto people = show.stage().people();
+  if (people.size() != recorded_people.size()) {
+    return anim::Error{file_.string() + ": is of " + std::to_string(recorded_people.size()) +
+                       " characters, and there are " + std::to_string(people.size())};
+  }
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    if (recorded(people[i]).fingerprint != recorded_people[i].fingerprint) {
+      return anim::Error{file_.string() + ": " + people[i].name +
+                         " is not the character that was recorded: its bones, levels or clips differ"};
+    }
+    const RoleClips& roles = recorded_people[i].roles;
+    if (roles == people[i].roles.clips) continue;
+    if (!has_clips(people[i], roles)) return reader_->error_at(1, "plays a clip that " + people[i].name + " has not");
+    show.set_roles(i, roles);
+  }
+  return anim::Done{};
+}
+
+anim::Result<bool> Replay::step(Show& show) {
+  for (;;) {
+    const anim::Result<RecordedItem> item = reader_->next();
+    if (!item) return item.error();
+    if (std::holds_alternative<RecordedEnd>(*item)) return false;
+    if (const auto* const frame = std::get_if<RecordedFrame>(&*item)) {
+      show.animate_as(*frame);
+      agents_ = show.stage().crowd().size();
+      if (const anim::Status equal = compare(*frame, show.stage()); !equal) return equal.error();
+      return true;
+    }
+    if (const anim::Status repeated = repeat(*item, show); !repeated) return repeated.error();
+  }
+}
+
+anim::Status Replay::repeat(const RecordedItem& item, Show& show) const {
+  if (const auto* const tuning = std::get_if<Tuning>(&item)) return repeat(*tuning, show);
+  if (const auto* const selection = std::get_if<RecordedSelection>(&item)) return repeat(*selection, show);
+  if (const auto* const push = std::get_if<RecordedPush>(&item)) return repeat(*push, show);
+  return repeat(std::get<RecordedRoles>(item), show);
+}
+
+anim::Status Replay::repeat(const Tuning& tuning, Show& show) const {
+  const anim::Status applied = show.apply(with_own_scheduling(tuning));
+  if (applied) return applied;
+  return reader_->error_at(reader_->frames_read() + 1, "its values cannot be: " + applied.error().message);
+}
+
+anim::Status Replay::repeat(const RecordedSelection& selection, Show& show) const {
+  if (selection.agent.value_or(0) >= show.stage().crowd().size()) {
+    return reader_->error_at(reader_->frames_read() + 1, "selects an agent that is not there");
+  }
+  show.select(selection.agent);
+  return anim::Done{};
+}
+
+anim::Status Replay::repeat(const RecordedPush& push, Show& show) const {
+  const std::uint64_t frame = reader_->frames_read() + 1;
+  if (push.agent >= show.stage().crowd().size()) return reader_->error_at(frame, "pushes an agent that is not there");
+  const anim::Status pushed = show.push(push.agent, push.direction);
+  return pushed ? pushed : anim::Status(reader_->error_at(frame, pushed.error().message));
+}
+
+anim::Status Replay::repeat(const RecordedRoles& roles, Show& show) const {
+  const auto people = show.stage().people();
+  if (roles.character >= people.size() || !has_clips(people[roles.character], roles.clips)) {
+    return reader_->error_at(reader_->frames_read() + 1, "plays a clip that is not there");
+  }
+  show.set_roles(roles.character, roles.clips);
+  return anim::Done{};
+}
+
+anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) const {
+  const auto hashes = stage.system().agent_hashes();
+  const auto recorded_hashes = reader_->agent_hashes();
+  const std::uint64_t number = reader_->frames_read();
+  if (hashes.size() != recorded_hashes.size()) {
+    return reader_->error_at(number, "has " + std::to_string(hashes.size()) + " agents, recorded were " +
+                                         std::to_string(recorded_hashes.size()));
+  }
+  const Difference found = difference(hashes, recorded_hashes);
+  if (found.agents > 0) {
+    return reader_->error_at(number, "is the first that differs, in " + name_of(found.first, stage) + "; in all, " +
+                                         std::to_string(found.agents) + " of " + std::to_string(hashes.size()) +
+                                         " agents are posed otherwise than recorded");
+  }
+  if (stage.system().pose_hash() == frame.pose_hash) return anim::Done{};
+  return reader_->error_at(
+      number, "is the first that differs, with pose hash " + hex_string(stage.system().pose_hash()) + " instead of " +
+                  hex_string(frame.pose_hash) + ", and in no agent as far as 16 bits of each can tell");
+}
+
+std::string Replay::summary() const {
+  return file_.string() + ": all " + std::to_string(reader_->frames_read()) + " frames are equal, the last of " +
+         std::to_string(agents_) + " agents";
+}
+
+}  // namespace throng::app

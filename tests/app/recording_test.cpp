@@ -1,0 +1,189 @@
+#include "app/recording.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/recording_reader.h"
+#include "app/recording_writer.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr std::uint64_t high_bits(std::uint64_t hash) { return hash << 48U; }
+
+RecordingHeader header() {
+  RecordingHeader header{.characters = {{.file = "person.glb", .fingerprint = "0123456789abcdef"}},
+                         .tuning = {},
+                         .width = 640,
+                         .height = 360};
+  header.characters.front().roles[2] = 7;
+  header.tuning.agents = 3;
+  header.tuning.cost.tile = 99.5;
+  return header;
+}
+
+RecordedFrame frame(anim::Ticks delta) {
+  return {.delta = delta,
+          .view = {.camera = {.position = {1.5F, 2.0F, -3.0F}, .yaw = 0.1F}, .width = 640, .height = 360},
+          .pose_hash = 77};
+}
+
+class Recordings : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    file_ = folder_ / "run.rec";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Two frames of three agents, with one of everything between them.
+  void write_recording() const {
+    auto writer = RecordingWriter::create(file_, header());
+    ASSERT_TRUE(writer) << writer.error().message;
+    (*writer)->add(frame(10), std::vector{high_bits(1), high_bits(2), high_bits(3)});
+    Tuning tuning = header().tuning;
+    tuning.agents = 2;
+    tuning.time_scale = 0.3F;
+    (*writer)->add(tuning);
+    (*writer)->add(RecordedSelection{1});
+    (*writer)->add(RecordedSelection{});
+    (*writer)->add(RecordedPush{.agent = 1, .direction = {0.25F, 0.0F, -1.0F}});
+    (*writer)->add(RecordedRoles{.character = 0, .clips = header().characters.front().roles});
+    (*writer)->add(frame(0), std::vector{high_bits(1), high_bits(9)});
+    ASSERT_TRUE((*writer)->finish());
+  }
+
+  std::string bytes() const {
+    std::ifstream stream(file_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  void put(const std::string& contents) const { std::ofstream(file_, std::ios::binary) << contents; }
+
+  /// Reads to the end, or to what is wrong.
+  std::string complaint() const {
+    const auto reader = RecordingReader::open(file_);
+    if (!reader) return reader.error().message;
+    for (;;) {
+      const auto item = (*reader)->next();
+      if (!item) return item.error().message;
+      if (std::holds_alternative<RecordedEnd>(*item)) return "(all read)";
+    }
+  }
+
+  fs::path folder_, file_;
+};
+
+TEST_F(Recordings, ReadBackAsTheyWereWritten) {
+  write_recording();
+  const auto opened = RecordingReader::open(file_);
+  ASSERT_TRUE(opened) << opened.error().message;
+  RecordingReader& reader = **opened;
+  EXPECT_EQ(reader.header().tuning, header().tuning);
+  EXPECT_EQ(reader.header().characters.front().roles, header().characters.front().roles);
+  EXPECT_EQ(reader.header().characters.front().fingerprint, "0123456789abcdef");
+  EXPECT_EQ(reader.header().height, 360);
+
+  const auto first = std::get<RecordedFrame>(*reader.next());
+  EXPECT_EQ(first.delta, 10);
+  EXPECT_EQ(first.view.camera, frame(10).view.camera);
+  EXPECT_EQ(first.pose_hash, 77U);
+  EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 2, 3));
+
+  Tuning tuning = header().tuning;
+  tuning.agents = 2;
+  tuning.time_scale = 0.3F;
+  EXPECT_EQ(std::get<Tuning>(*reader.next()), tuning);
+  EXPECT_EQ(std::get<RecordedSelection>(*reader.next()).agent, 1U);
+  EXPECT_EQ(std::get<RecordedSelection>(*reader.next()).agent, std::nullopt);
+  EXPECT_EQ(std::get<RecordedPush>(*reader.next()).direction, glm::vec3(0.25F, 0.0F, -1.0F));
+  EXPECT_EQ(std::get<RecordedRoles>(*reader.next()).clips, header().characters.front().roles);
+  EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, 0);
+  EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 9));
+  EXPECT_EQ(std::get<RecordedEnd>(*reader.next()).frames, 2U);
+}
+
+TEST_F(Recordings, AreNotThereUntilTheyAreWhole) {
+  auto writer = RecordingWriter::create(file_, header());
+  ASSERT_TRUE(writer);
+  (*writer)->add(frame(10), std::vector{high_bits(1)});
+  EXPECT_FALSE(fs::exists(file_));
+  ASSERT_TRUE((*writer)->finish());
+  EXPECT_TRUE(fs::exists(file_));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Recordings, OfARunThatCrashedStayBesideAndSayHowFarTheyGo) {
+  {
+    auto writer = RecordingWriter::create(file_, header());
+    ASSERT_TRUE(writer);
+    (*writer)->add(frame(10), std::vector{high_bits(1)});
+  }
+  file_ = fs::directory_iterator(folder_)->path();
+  EXPECT_EQ(file_.extension(), ".part");
+  EXPECT_THAT(complaint(), HasSubstr("is cut short after frame 1"));
+}
+
+TEST_F(Recordings, AreRefusedWhereTheyCannotBeWritten) {
+  EXPECT_THAT(RecordingWriter::create(folder_ / "none" / "run.rec", header()).error().message,
+              HasSubstr("cannot be written"));
+  EXPECT_THAT(RecordingWriter::create("/dev/null", header()).error().message, HasSubstr("must be a file"));
+}
+
+TEST_F(Recordings, OfAnotherKindAreRefusedInWords) {
+  EXPECT_THAT(complaint(), HasSubstr("run.rec: cannot be read"));
+  put("");
+  EXPECT_THAT(complaint(), HasSubstr("is no recording of throng"));
+  put(std::string(1000, 'x'));
+  EXPECT_THAT(complaint(), HasSubstr("is no recording of throng"));
+  write_recording();
+  std::string other = bytes();
+  other[recording_magic.size()] = 9;
+  put(other);
+  EXPECT_THAT(complaint(), HasSubstr("is a recording of version 9; this throng reads version 1"));
+}
+
+TEST_F(Recordings, CutShortAnywhereSaySo) {
+  write_recording();
+  const std::string whole = bytes();
+  EXPECT_EQ(complaint(), "(all read)");
+  for (std::size_t length = recording_magic.size() + 4; length < whole.size(); ++length) {
+    put(whole.substr(0, length));
+    EXPECT_THAT(complaint(), testing::AnyOf(HasSubstr("is cut short"), HasSubstr("is no recording"))) << length;
+  }
+}
+
+TEST_F(Recordings, WithBytesBehindTheEndAreRefused) {
+  write_recording();
+  put(bytes() + "x");
+  EXPECT_THAT(complaint(), HasSubstr("frame 3: is damaged"));
+}
+
+// Whatever is read is in range or refused: a flipped bit ends in the whole file, or in one line that names the file.
+TEST_F(Recordings, WithABitFlippedAnywhereAreReadOrRefused) {
+  write_recording();
+  const std::string whole = bytes();
+  for (std::size_t bit = 0; bit < whole.size() * 8; bit += 11) {
+    std::string flipped = whole;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    put(flipped);
+    const std::string words = complaint();
+    EXPECT_TRUE(words == "(all read)" || words.starts_with(file_.string() + ": ")) << bit << ": " << words;
+    EXPECT_EQ(words.find('\n'), std::string::npos) << bit;
+  }
+}
+
+}  // namespace
+}  // namespace throng::app

@@ -58,10 +58,11 @@ class CaseBench {
   anim::SystemOptions options_;
   std::vector<BenchAgent> agents_;
   std::unique_ptr<BenchPalettes> palettes_;
+  std::unique_ptr<BenchPalettes> packed_palettes_;  // null: this skeleton's cannot be packed
   // Memory of its own: stores that pass by the caches would empty them of the palettes that the other subjects write.
   std::unique_ptr<BenchPalettes> floor_palettes_;
   std::unique_ptr<SystemSubject> update_, keyframe_;
-  std::unique_ptr<KernelSubject> kernels_, scalar_;
+  std::unique_ptr<KernelSubject> kernels_, packed_kernels_, scalar_;
   std::unique_ptr<OzzSubject> ozz_;
   BenchRounds rounds_;
 };
@@ -72,7 +73,8 @@ constexpr std::array<std::pair<const char*, anim::StorePolicy>, 3> store_policie
      {"write streaming", anim::StorePolicy::streaming}}};
 
 anim::Result<std::unique_ptr<SystemSubject>> CaseBench::subject(const anim::SystemOptions& options) const {
-  auto made = SystemSubject::create(character_, options, agents_, *palettes_);
+  const bool packed = options.palettes == anim::PaletteFormat::packed && packed_palettes_ != nullptr;
+  auto made = SystemSubject::create(character_, options, agents_, packed ? *packed_palettes_ : *palettes_);
   if (!made) return made.error();
   return std::make_unique<SystemSubject>(std::move(*made));
 }
@@ -89,6 +91,9 @@ void CaseBench::add_kernels() {
   scalar_ = std::make_unique<KernelSubject>(*character_, anim::scalar_kernels(), agents_, *palettes_);
   rounds_.add({"scalar", [this] { scalar_->run(); }});
   rounds_.add({"kernels", [this] { kernels_->run(); }});
+  if (packed_palettes_ == nullptr) return;
+  packed_kernels_ = std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *packed_palettes_);
+  rounds_.add({"packed kernels", [this] { packed_kernels_->run(); }});
 }
 
 // One system with one PU and with all: two systems differ by a tenth just by where their memory lies.
@@ -108,6 +113,9 @@ anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOp
   agents_ = bench_agents(*character_, agents);
   const int entries = character_->skeleton.palette_count();
   palettes_ = std::make_unique<BenchPalettes>(agents, entries);
+  if (character_->hierarchy.packs()) {
+    packed_palettes_ = std::make_unique<BenchPalettes>(agents, entries, anim::PaletteFormat::packed);
+  }
   floor_palettes_ = std::make_unique<BenchPalettes>(agents, entries);
 
   auto update = subject(options);
@@ -166,10 +174,12 @@ Json CaseBench::report() const {
   json["scalar_ns_per_bone_median"] = per_bone_or_null("scalar");
   json["keyframe_ns_per_bone_median"] = per_bone(rounds_.median("keyframe"));
   json["kernels_ns_per_bone_median"] = per_bone_or_null("kernels");
+  json["packed_kernels_ns_per_bone_median"] = per_bone_or_null("packed kernels");
   json["one_pu_ns_per_bone_median"] = per_bone(rounds_.median("one pu"));
   json["ozz_ns_per_bone_median"] = per_bone_or_null("ozz");
   json["speedup_over_one_pu"] = rounds_.median("one pu") / update;
   json["kernels_over_write_floor"] = rounds_.has("kernels") ? Json(rounds_.median("kernels") / floor) : Json(nullptr);
+  json["kernels_over_packed_kernels"] = ratio_or_null("kernels", "packed kernels");
   json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
   json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
   json["ozz_over_one_pu"] = ratio_or_null("ozz", "one pu");
@@ -204,6 +214,7 @@ anim::SystemOptions bench_system_options(const BenchOptions& options, const Benc
   tuning.schedule = bench.schedule;
   tuning.double_buffer = options.double_buffer;
   tuning.stream = bench.stream;
+  tuning.palette = options.palette;
   anim::SystemOptions result = system_options(tuning);
   result.hash = false;
   return result;
@@ -227,6 +238,8 @@ anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options,
   json["local_store_kib"] = schedule.local_store_bytes / 1024;
   json["tile"] = schedule.plan.width;
   json["stream"] = bench.stream == Stream::sampled ? "sampled" : "keyframe";
+  const bool packed = work.system().palette_format(0) == anim::PaletteFormat::packed;
+  json["palette_format"] = packed ? "packed" : "float";
   json["simd_target"] = work.system().kernels().target;
   json["pose_hash"] = hex_string(work.hash(options.frames));
   json["clips"] = character.character->clips.size();

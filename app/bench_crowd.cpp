@@ -45,14 +45,11 @@ std::vector<BenchAgent> bench_agents(const anim::Character& character, int agent
   return result;
 }
 
-BenchPalettes::BenchPalettes(int agents, int entries)
-    : slot_bytes_(static_cast<std::size_t>((entries + 3) / 4 * 4) * sizeof(anim::PaletteMatrix)),
+BenchPalettes::BenchPalettes(int agents, int entries, anim::PaletteFormat format)
+    : format_(format),
+      slot_bytes_(static_cast<std::size_t>((entries + 3) / 4 * 4) * anim::palette_entry_bytes(format)),
       size_(slot_bytes_ * static_cast<std::size_t>(agents)),
       memory_(anim::allocate_aligned(size_)) {}
-
-anim::PaletteMatrix* BenchPalettes::of(std::size_t agent) const {
-  return reinterpret_cast<anim::PaletteMatrix*>(memory_.get() + agent * slot_bytes_);
-}
 
 anim::Result<SystemSubject> SystemSubject::create(std::shared_ptr<const anim::Character> character,
                                                   const anim::SystemOptions& options,
@@ -128,7 +125,7 @@ anim::ClipTile KernelSubject::clips_of(std::span<const BenchAgent> agents) const
 
 void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t first) {
   const anim::ClipTile clips = clips_of(agents);
-  std::array<anim::PaletteMatrix*, anim::widest_tile> palettes{};
+  std::array<anim::PaletteDestination, anim::widest_tile> palettes{};
   for (std::size_t i = 0; i < agents.size(); ++i) palettes[i] = palettes_->of(first + i);
   const int bones = character_->skeleton.bone_count();
   const int components = character_->skeleton.components();
@@ -144,6 +141,7 @@ void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t fir
                              .displaced = displaced,
                              .carry = carry_,
                              .branch_slots = branches_,
+                             .format = palettes_->format(),
                              .palettes = palettes.data(),
                              .hashes = nullptr});
   }

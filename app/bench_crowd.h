@@ -26,11 +26,15 @@ std::vector<BenchAgent> bench_agents(const anim::Character& character, int agent
 /// One palette slot an agent, 64-byte aligned, as a renderer would hand them out.
 class BenchPalettes {
  public:
-  BenchPalettes(int agents, int entries);
-  anim::PaletteMatrix* of(std::size_t agent) const;
+  BenchPalettes(int agents, int entries, anim::PaletteFormat format = anim::PaletteFormat::matrices);
+  anim::PaletteFormat format() const { return format_; }
+  anim::PaletteDestination of(std::size_t agent) const {
+    return anim::PaletteDestination(memory_.get() + agent * slot_bytes_);
+  }
   std::span<std::byte> bytes() const { return {memory_.get(), size_}; }
 
  private:
+  anim::PaletteFormat format_;
   std::size_t slot_bytes_;
   std::size_t size_;
   anim::AlignedBytes memory_;
@@ -57,7 +61,7 @@ class SystemSubject {
   std::vector<anim::AgentUpdate> updates_;
 };
 
-/// The bare kernels over the same agents: clips to palette, one thread, no blocks and no copies.
+/// The bare kernels over the same agents: clips to palettes of their format, one thread, no blocks and no copies.
 class KernelSubject {
  public:
   KernelSubject(const anim::Character& character, const anim::Kernels& kernels, std::span<const BenchAgent> agents,

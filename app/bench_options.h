@@ -28,6 +28,7 @@ struct BenchOptions {
   int local_store_kib = 0;  ///< 0: auto
   int tile = 0;             ///< characters a tile, 0: what fits; 1, 2, 4, 8, 16
   DoubleBuffer double_buffer = DoubleBuffer::interleaved;
+  Palette palette = Palette::floats;
   int frames = 60;
   Sweep sweep = Sweep::none;
   std::string machine;  ///< a file, or the name of a preset; empty: none

@@ -171,7 +171,7 @@ class PlainOzzSubject final : public OzzSubject {
     to_model.input = ozz::make_span(blended_);
     to_model.output = ozz::make_span(models_);
     to_model.Run();
-    write_palette(palettes_->of(agent));
+    write_palette(reinterpret_cast<anim::PaletteMatrix*>(palettes_->of(agent).memory()));
   }
 
   void write_palette(anim::PaletteMatrix* palette) {

@@ -155,6 +155,9 @@ render::CrowdMeshData mesh_data(const anim::Model& model) {
   for (const int bones : model.skeleton.level_bone_counts) {
     data.entry_at_level.push_back(entries_at_level(model.skeleton, bones));
   }
+  for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
+    data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
+  }
   data.bone_ends = bone_ends(model.skeleton);
   return data;
 }

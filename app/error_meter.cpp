@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/anim/kernel/hierarchy.h"
+
 namespace throng::app {
 namespace {
 
@@ -34,6 +36,7 @@ void ErrorMeter::set_character(std::size_t character, const CharacterSource& sou
   MeasuredCharacter& measured = characters_[character];
   measured.points = anim::choose_surface_points(source.model);
   measured.kept_entries = mesh_data(source.model).entry_at_level;
+  measured.packing = anim::packing_frames(source.model.skeleton);
   measured.entries = static_cast<std::size_t>(source.model.skeleton.palette_count());
   measured.cost = cost_of_exact_bone * source.model.skeleton.bone_count() +
                   cost_of_point * static_cast<double>(measured.points.count());
@@ -111,8 +114,10 @@ void ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact
   const MeasuredCharacter& character = characters_[frame.crowd.characters()[watched.agent]];
   const ShownPose& pose = frame.shown.pose(watched.agent);
   const std::span blended = std::span(blended_).first(character.entries);
-  anim::blend_shown_palette({.from = watched.blends ? watched.from : watched.to,
-                             .to = watched.to,
+  const bool packed = watched.format == anim::PaletteFormat::packed;
+  anim::blend_shown_palette({.from = anim::PaletteDestination(watched.blends ? watched.from : watched.to),
+                             .to = anim::PaletteDestination(watched.to),
+                             .packing = packed ? character.packing : std::span<const anim::PackingFrame>(),
                              .blend = anim::blend_of(pose.from_time, pose.to_time - pose.from_time, frame.now),
                              .kept_entries = character.kept_entries[pose.level()],
                              .shown = blended});

@@ -43,8 +43,8 @@ class ErrorMeter {
   /// Before an update, whenever the crowd has decided who is visible.
   void begin_frame(ErrorSampling sampling, std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);
   /// Where the PU writes a pose that ShownPoses::show gave `slot_memory`.
-  anim::PaletteMatrix* destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
-                                   anim::PaletteMatrix* slot_memory) {
+  anim::PaletteDestination destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
+                                       anim::PaletteDestination slot_memory) {
     return watched_.destination(agent, pose, entries, slot_memory);
   }
   /// After the update.
@@ -61,6 +61,7 @@ class ErrorMeter {
   struct MeasuredCharacter {
     anim::SurfacePoints points;
     std::vector<std::vector<std::uint16_t>> kept_entries;  // [bone level][entry]
+    std::vector<anim::PackingFrame> packing;               // [entry]; empty: never packed
     std::size_t entries = 0;
     double cost = 0;  // of measuring one agent, in bones evaluated
   };

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exit_status.h"
+#include "engine/anim/asset/character.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::app {
@@ -31,7 +32,20 @@ std::size_t count_triangles(const std::vector<anim::SkinnedMesh>& meshes) {
 
 const char* path_name(const anim::Skeleton& skeleton) { return skeleton.rigid ? "rigid" : "general"; }
 
+/// The streams that a clip is baked into, as the crowd would play them.
+void write_streams(std::ostream& out, const anim::BakedClip& clip) {
+  const anim::SampledStream* const sampled = clip.sampled();
+  if (sampled == nullptr) {
+    out << "    plays from its keys, " << clip.keyframe().total_size << " bytes: " << clip.note << '\n';
+    return;
+  }
+  out << "    sampled at " << clip.sampled_rate << " Hz: " << sampled->total_size << " bytes, at most "
+      << clip.sampled_error * 1000.0 << " mm off on the surface; its keys: " << clip.keyframe().total_size
+      << " bytes\n";
+}
+
 void write_model(std::ostream& out, const anim::Model& model) {
+  const anim::Character baked = anim::bake_character(model);
   const anim::Skeleton& skeleton = model.skeleton;
   out << "skeleton \"" << skeleton.name << "\": " << skeleton.bone_count() << " bones, " << path_name(skeleton)
       << " path, " << skeleton.palette_count() << " palette entries, levels";
@@ -40,9 +54,11 @@ void write_model(std::ostream& out, const anim::Model& model) {
   for (const anim::Skin& skin : model.skins) {
     out << "  skin " << skin.skin << " \"" << skin.name << "\": " << skin.bones.size() << " joints\n";
   }
-  for (const anim::Clip& clip : model.clips) {
+  for (std::size_t i = 0; i < model.clips.size(); ++i) {
+    const anim::Clip& clip = model.clips[i];
     out << "  clip " << clip.animation << " \"" << clip.name << "\": " << clip.duration << " s, " << clip.tracks.size()
         << " bones animated\n";
+    write_streams(out, baked.clips[i]);
   }
   out << "  " << model.meshes.size() << " meshes: " << count_vertices(model) << " vertices, "
       << count_triangles(model.meshes) << " triangles, " << model.materials.size() << " materials, "
@@ -69,14 +85,28 @@ json skins_json(const anim::Model& model) {
   return skins;
 }
 
+json sampled_json(const anim::BakedClip& clip) {
+  if (clip.sampled() == nullptr) return nullptr;
+  return {{"rate_hz", clip.sampled_rate},
+          {"bytes", clip.sampled()->total_size},
+          {"rows", clip.sampled()->row_count},
+          {"surface_error_mm", clip.sampled_error * 1000.0},
+          {"surface_error_limit_mm", clip.error_bound * 1000.0}};
+}
+
 json clips_json(const anim::Model& model) {
+  const anim::Character baked = anim::bake_character(model);
   json clips = json::array();
-  for (const anim::Clip& clip : model.clips) {
+  for (std::size_t i = 0; i < model.clips.size(); ++i) {
+    const anim::Clip& clip = model.clips[i];
     clips.push_back({{"animation", clip.animation},
                      {"name", clip.name},
                      {"start_s", clip.start},
                      {"duration_s", clip.duration},
-                     {"bones_animated", clip.tracks.size()}});
+                     {"bones_animated", clip.tracks.size()},
+                     {"sampled_stream", sampled_json(baked.clips[i])},
+                     {"keyframe_bytes", baked.clips[i].keyframe().total_size},
+                     {"note", baked.clips[i].note}});
   }
   return clips;
 }

@@ -28,6 +28,17 @@ std::string palette_notice(const ShownPoses& shown) {
   return "Palette memory ran out: not every agent in view was drawn; fewer --agents would be.";
 }
 
+std::string palette_format_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters) {
+  if (system.options().palettes != anim::PaletteFormat::packed) return {};
+  std::string names;
+  for (std::uint32_t character = 0; character < characters.size(); ++character) {
+    if (system.palette_format(character) == anim::PaletteFormat::packed) continue;
+    names += (names.empty() ? "" : ", ") + characters[character].name;
+  }
+  if (names.empty()) return {};
+  return "Palettes stay float of " + names + ": packed ones hold rigid skeletons only.";
+}
+
 void add_line(std::string& lines, const std::string& sentence) {
   if (sentence.empty()) return;
   if (!lines.empty()) lines += '\n';

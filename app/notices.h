@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <string>
 
+#include "app/character_source.h"
 #include "app/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
 
@@ -20,6 +22,9 @@ std::string local_store_notice(const anim::AnimationSystem& system);
 
 /// Agents in view that found no room for their palettes.
 std::string palette_notice(const ShownPoses& shown);
+
+/// Characters whose palettes stay float although packed ones were asked for; the first ones of the system.
+std::string palette_format_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters);
 
 /// `sentence` on a line of its own; an empty one adds none.
 void add_line(std::string& lines, const std::string& sentence);

@@ -64,6 +64,7 @@ void declare_scheduling(OptionReader& reader, Tuning& tuning) {
   declare_local_store(reader, tuning);
   reader.value("--schedule", "NAME", "fused or levels (fused)", choice<Schedule>(tuning.schedule, schedule_names()));
   reader.value("--stream", "NAME", "sampled or keyframe (sampled)", choice<Stream>(tuning.stream, stream_names()));
+  declare_palette(reader, tuning);
 }
 
 void declare_picture(OptionReader& reader, DemoOptions& options) {

@@ -18,6 +18,12 @@ void declare_local_store(OptionReader& reader, Options& options) {
                                                             {"interleaved", DoubleBuffer::interleaved}}));
 }
 
+template <typename Options>
+void declare_palette(OptionReader& reader, Options& options) {
+  reader.value("--palette", "FORMAT", "float, 48 bytes a bone, or packed, 16, where a skeleton is rigid (float)",
+               choice<Palette>(options.palette, {{"float", Palette::floats}, {"packed", Palette::packed}}));
+}
+
 inline std::vector<std::pair<std::string, Schedule>> schedule_names() {
   return {{"fused", Schedule::fused}, {"levels", Schedule::levels}};
 }

@@ -79,6 +79,7 @@ void declare_scheduling(OptionReader& reader, BenchOptions& options) {
   reader.value("--stream", "NAME[,NAME]", "sampled or keyframe (sampled)",
                choice_list(options.streams, stream_names()));
   declare_local_store(reader, options);
+  declare_palette(reader, options);
 }
 
 void declare_files(OptionReader& reader, BenchOptions& options) {

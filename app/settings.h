@@ -15,6 +15,7 @@ enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film };
 enum class Schedule : std::uint8_t { fused, levels };
 enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
 enum class Stream : std::uint8_t { sampled, keyframe };
+enum class Palette : std::uint8_t { floats, packed };
 enum class LodRule : std::uint8_t { off, distance, budget };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
@@ -83,6 +84,7 @@ struct Tuning {
   Schedule schedule = Schedule::fused;
   DoubleBuffer double_buffer = DoubleBuffer::interleaved;
   Stream stream = Stream::sampled;
+  Palette palette = Palette::floats;  ///< packed where a character's can be
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;

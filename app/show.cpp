@@ -253,6 +253,7 @@ void Show::update_notice() {
   if (context_ != nullptr) add_line(notice, software_notice(context_->renderer(), spared_));
   add_line(notice, local_store_notice(stage_->system()));
   add_line(notice, palette_notice(stage_->shown()));
+  add_line(notice, palette_format_notice(stage_->system(), stage_->people()));
 }
 
 std::uint64_t Show::completed_frame() {

@@ -30,11 +30,12 @@ void ShownPoses::hide_unseen(std::span<const anim::VisibleAgent> visible, std::u
   for (const anim::VisibleAgent& agent : visible) shown_.push_back(agent.agent);
 }
 
-anim::PaletteMatrix* ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {
+anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {
   ShownPose& pose = poses_[next.agent];
-  render::PaletteSlot slot = slots_->acquire(next.entries, pose.to.page);
+  const std::uint32_t entries = slot_entries(next.entries, next.format);
+  render::PaletteSlot slot = slots_->acquire(entries, pose.to.page);
   // Its page is full: the agent moves to another.
-  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(next.entries);
+  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(entries);
   if (!slot.valid()) {
     out_of_memory_ = true;
     hide(pose, last_frame);
@@ -47,9 +48,11 @@ anim::PaletteMatrix* ShownPoses::show(const NewPose& next, std::uint32_t now, st
           .to = slot,
           .from_level = blends ? pose.to_level : next.level,
           .to_level = next.level,
+          .from_format = blends ? pose.to_format : next.format,
+          .to_format = next.format,
           .from_time = blends ? pose.to_time : next.time,
           .to_time = next.time};
-  return reinterpret_cast<anim::PaletteMatrix*>(slots_->memory(slot));
+  return anim::PaletteDestination(slots_->memory(slot));
 }
 
 }  // namespace throng::app

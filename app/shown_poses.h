@@ -15,12 +15,21 @@ namespace throng::app {
 struct ShownPose {
   render::PaletteSlot from, to;
   std::uint8_t from_level = 0, to_level = 0;
+  anim::PaletteFormat from_format{}, to_format{};
   std::uint32_t from_time = 0;  ///< that `from` is the pose of; microseconds modulo 2^32
   std::uint32_t to_time = 0;    ///< that `to` is the pose of; equal to from_time: nothing blends
 
   bool shown() const { return to.valid(); }
+  /// As the instance record names the slots.
+  std::uint32_t from_word() const { return slot_word(from, from_format); }
+  std::uint32_t to_word() const { return slot_word(to, to_format); }
   /// Both slots hold at least this level's entries.
   std::uint8_t level() const { return from_level > to_level ? from_level : to_level; }
+
+ private:
+  static std::uint32_t slot_word(const render::PaletteSlot& slot, anim::PaletteFormat format) {
+    return slot.first_entry | (format == anim::PaletteFormat::packed ? render::packed_slot : 0U);
+  }
 };
 
 /// A pose that is about to be written.
@@ -29,7 +38,14 @@ struct NewPose {
   std::uint8_t level;     ///< bone level
   std::uint32_t entries;  ///< of the palette at that level
   std::uint32_t time;     ///< the moment that it is the pose of; microseconds modulo 2^32
+  anim::PaletteFormat format = anim::PaletteFormat::matrices;
 };
+
+/// How much a slot must hold for as many entries of a format, in those of 48 bytes.
+constexpr std::uint32_t slot_entries(std::uint32_t entries, anim::PaletteFormat format) {
+  constexpr auto matrix_bytes = static_cast<std::uint32_t>(render::palette_entry_bytes);
+  return (entries * static_cast<std::uint32_t>(anim::palette_entry_bytes(format)) + matrix_bytes - 1) / matrix_bytes;
+}
 
 /// Which palette slots each agent shows: the contract of engine/render/README.md, kept on the animation's side.
 class ShownPoses {
@@ -44,7 +60,7 @@ class ShownPoses {
 
   /// A slot for a new pose of a visible agent, reached by blending from the pose shown so far; one of `now` is shown at
   /// once. Null where no memory is left: the agent is posed but not drawn.
-  anim::PaletteMatrix* show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
+  anim::PaletteDestination show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
   /// Whether any agent since the last reset found no slot.

@@ -33,7 +33,12 @@ EntriesByLevel entries_by_level(std::span<const CharacterSource> characters) {
 
 std::vector<std::uint32_t> all_sizes(const EntriesByLevel& entries) {
   std::vector<std::uint32_t> sizes;
-  for (const auto& of_character : entries) sizes.insert(sizes.end(), of_character.begin(), of_character.end());
+  for (const auto& of_character : entries) {
+    for (const std::uint32_t count : of_character) {
+      sizes.push_back(count);
+      sizes.push_back(slot_entries(count, anim::PaletteFormat::packed));
+    }
+  }
   return sizes;
 }
 
@@ -72,7 +77,8 @@ anim::SystemOptions system_options(const Tuning& tuning) {
           .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
           .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
           .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe,
-          .cost = tuning.cost};
+          .cost = tuning.cost,
+          .palettes = tuning.palette == Palette::packed ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices};
 }
 
 anim::LodRules lod_rules(const Tuning& tuning) {

@@ -132,7 +132,8 @@ class Stage {
   anim::LodForce lod_force(const LodInspection& inspection) const;
   void measure(const render::Camera& camera, int width, int height);
   anim::LodFrame lod_frame(const render::Camera& camera, int width, int height);
-  anim::PaletteMatrix* show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time, std::uint64_t last_frame);
+  anim::PaletteDestination show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                std::uint64_t last_frame);
 
   std::vector<CharacterSource> characters_;
   std::vector<std::vector<std::uint32_t>> palette_entries_;  // [character][bone level]

@@ -128,12 +128,16 @@ BoneStep Stage::step_bones(const anim::DueAgent& due) {
   return step;
 }
 
-anim::PaletteMatrix* Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
-                                 std::uint64_t last_frame) {
-  const std::uint32_t entries = palette_entries_[crowd_->characters()[agent]][level];
-  anim::PaletteMatrix* const memory =
-      shown_.show({.agent = agent, .level = level, .entries = entries, .time = pose_time}, now(), last_frame);
-  return meter_.destination(agent, shown_.pose(agent), entries, memory);
+anim::PaletteDestination Stage::show(std::uint32_t agent, std::uint8_t level, std::uint32_t pose_time,
+                                     std::uint64_t last_frame) {
+  const std::uint8_t character = crowd_->characters()[agent];
+  const NewPose pose{.agent = agent,
+                     .level = level,
+                     .entries = palette_entries_[character][level],
+                     .time = pose_time,
+                     .format = system_->palette_format(character)};
+  const anim::PaletteDestination memory = shown_.show(pose, now(), last_frame);
+  return meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
 }
 
 // Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
@@ -172,8 +176,8 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
             .scale = crowd_->scales()[agent.agent],
             .heading_cosine = heading.cosine,
             .heading_sine = heading.sine,
-            .palette_from = pose.from.first_entry,
-            .palette_to = pose.to.first_entry,
+            .palette_from = pose.from_word(),
+            .palette_to = pose.to_word(),
             .blend_start = pose.from_time,
             .blend_duration = pose.to_time - pose.from_time,
             .agent = agent.agent,

@@ -36,6 +36,16 @@ Json bones_per_agent(const Stage& stage) {
   return mean(bones, agents);
 }
 
+const char* palette_format(const Stage& stage) {
+  std::size_t packed = 0;
+  const std::size_t characters = stage.people().size();
+  for (std::uint32_t character = 0; character < characters; ++character) {
+    if (stage.system().palette_format(character) == anim::PaletteFormat::packed) ++packed;
+  }
+  if (packed == 0) return "float";
+  return packed == characters ? "packed" : "mixed";
+}
+
 void add_scheduling(Json& json, const Stage& stage) {
   const anim::ScheduleOptions& schedule = stage.system().schedule();
   std::size_t laid_out = 0;
@@ -119,6 +129,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["overlay_ms_median"] = overlay_ms_.empty() ? Json(nullptr) : Json(median(overlay_ms_));
   json["draw_calls"] = draw_calls_;
   json["triangles"] = triangles_;
+  json["palette_format"] = palette_format(stage);
   json["palette_bytes_per_frame"] = mean(palette_bytes_, frames_);
   json["dma_in_bytes_per_frame"] = mean(dma_in_, frames_);
   json["dma_out_bytes_per_frame"] = mean(dma_out_, frames_);

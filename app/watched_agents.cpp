@@ -18,10 +18,10 @@ void WatchedAgents::reset(std::size_t agents, std::size_t watched, std::size_t e
   lots_.clear();
   lots_.reserve(watched);
   place_of_.assign(agents, WatchedAgent::nobody);
-  auto* next = reinterpret_cast<anim::PaletteMatrix*>(palettes_.get());
+  std::byte* next = palettes_.get();
   for (WatchedAgent& each : watched_) {
-    for (anim::PaletteMatrix** const palette : {&each.from, &each.to}) {
-      *palette = std::exchange(next, next + stride);
+    for (std::byte** const palette : {&each.from, &each.to}) {
+      *palette = std::exchange(next, next + stride * sizeof(anim::PaletteMatrix));
     }
     free_.push_back(static_cast<std::uint32_t>(watched - 1 - free_.size()));
   }
@@ -75,26 +75,27 @@ void WatchedAgents::fill_by_height(std::span<const anim::VisibleAgent> visible) 
   }
 }
 
-anim::PaletteMatrix* WatchedAgents::destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
-                                                anim::PaletteMatrix* slot_memory) {
+anim::PaletteDestination WatchedAgents::destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
+                                                    anim::PaletteDestination slot_memory) {
   const std::uint32_t place = place_of_[agent];
   if (place == WatchedAgent::nobody || slot_memory == nullptr) return slot_memory;
   WatchedAgent& watched = watched_[place];
   watched.blends = pose.from.first_entry != pose.to.first_entry;
-  watched.from_known = watched.to_known && watched.to_slot.page == pose.from.page &&
-                       watched.to_slot.first_entry == pose.from.first_entry;
+  watched.from_known = watched.to_known && pose.from_format == pose.to_format &&
+                       watched.to_slot.page == pose.from.page && watched.to_slot.first_entry == pose.from.first_entry;
   std::swap(watched.from, watched.to);
   watched.to_known = true;
   watched.to_slot = pose.to;
-  watched.slot_memory = slot_memory;
+  watched.format = pose.to_format;
+  watched.slot_memory = slot_memory.memory();
   watched.entries = entries;
-  return watched.to;
+  return anim::PaletteDestination(watched.to);
 }
 
 void WatchedAgents::hand_over() {
   for (WatchedAgent& watched : watched_) {
-    anim::PaletteMatrix* const slot = std::exchange(watched.slot_memory, nullptr);
-    if (slot != nullptr) std::memcpy(slot, watched.to, watched.entries * sizeof(anim::PaletteMatrix));
+    std::byte* const slot = std::exchange(watched.slot_memory, nullptr);
+    if (slot != nullptr) std::memcpy(slot, watched.to, watched.entries * anim::palette_entry_bytes(watched.format));
   }
 }
 

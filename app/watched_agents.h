@@ -20,15 +20,16 @@ struct WatchedAgent {
 
   std::uint32_t agent = nobody;
   std::uint32_t frames_left = 0;
-  anim::PaletteMatrix* from = nullptr;  ///< of the slots that the agent shows
-  anim::PaletteMatrix* to = nullptr;
-  bool blends = false;  ///< false: shows `to` alone
+  std::byte* from = nullptr;  ///< of the slots that the agent shows, in their format; room for matrices
+  std::byte* to = nullptr;
+  anim::PaletteFormat format{};  ///< of both
+  bool blends = false;           ///< false: shows `to` alone
   bool from_known = false;
   bool to_known = false;
   render::PaletteSlot to_slot;
-  anim::PaletteMatrix* slot_memory = nullptr;  ///< where `to` goes after the update; null: it is there
-  std::uint32_t entries = 0;                   ///< written to `to`
-  anim::SurfaceErrors errors;                  ///< of the frame `measured_in`
+  std::byte* slot_memory = nullptr;  ///< where `to` goes after the update; null: it is there
+  std::uint32_t entries = 0;         ///< written to `to`
+  anim::SurfaceErrors errors;        ///< of the frame `measured_in`
   std::uint64_t measured_in = never;
   std::uint64_t measured_again_in = never;  ///< the second of a pair of frames
 
@@ -50,8 +51,8 @@ class WatchedAgents {
   void choose(std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);
 
   /// Where the PU is to write a new pose: `slot_memory`, or where it is kept until hand_over() for a watched agent.
-  anim::PaletteMatrix* destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
-                                   anim::PaletteMatrix* slot_memory);
+  anim::PaletteDestination destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
+                                       anim::PaletteDestination slot_memory);
   /// After an update: slots get what was written for them.
   void hand_over();
 

@@ -10,6 +10,7 @@ inline constexpr std::array<const char*, 5> scene_words = {"plaza", "parade", "s
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
 inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe"};
+inline constexpr std::array<const char*, 2> palette_words = {"float", "packed"};
 inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};
 inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands about", "marches", "watches",
                                                            "has a seat", "trains",       "acts"};

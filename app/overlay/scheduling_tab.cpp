@@ -49,6 +49,10 @@ void show_machine(const TabContext& context) {
                  {.what = "sampled: even rows of quantised rotations, made for crowds. keyframe: the clip's own keys, "
                           "exact, with the paper's interpolation structures.",
                   .cost = "keyframe moves about 7 KB a player and needs a larger local store."});
+  widgets.choice("Palette", tuning.palette, standard.palette, palette_words,
+                 {.what = "What is written for a bone: float, a 3x4 matrix of 48 bytes, or packed, a rotation and a "
+                          "place of 16, unpacked in the vertex shader. Skeletons that are not rigid stay float.",
+                  .cost = "packed: arithmetic for every vertex that is drawn."});
 }
 
 using Cells = std::array<std::string, 8>;

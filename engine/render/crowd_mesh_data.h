@@ -41,6 +41,13 @@ struct BoneEndData {
   std::uint16_t palette_entry = 0;
 };
 
+/// What it takes to unpack a palette entry (shaders/skinning.glsl): where its joint rests, in the space of the palette,
+/// and the length of a unit of its position, in metres.
+struct PackingFrameData {
+  float pivot[3] = {0, 0, 0};
+  float step = 0;
+};
+
 /// A coarser surface that came with the character.
 struct BakedLodData {
   std::vector<MeshPartData> parts;
@@ -55,6 +62,7 @@ struct CrowdMeshData {
   /// For each bone level, entry -> entry that a vertex reads at that level (itself where kept, else the one of the
   /// nearest kept ancestor); [0] is the identity. 1 to 4 levels.
   std::vector<std::vector<std::uint16_t>> entry_at_level;
+  std::vector<PackingFrameData> packing_frames;  ///< one a palette entry; or empty: no slot of it is ever packed
   std::vector<BoneEndData> bone_ends;  ///< two a bone, joint and parent, for CrowdFrame::bones_as_lines; or empty
 };
 

@@ -33,6 +33,11 @@ FrameUniforms frame_uniforms(const CameraView& camera, std::uint32_t now);
 
 /// Where blocks are bound, the same in every program.
 enum UniformBinding : unsigned { frame_uniforms_binding = 0 };
-enum StorageBinding : unsigned { instances_binding = 0, palette_binding = 1, palette_entries_binding = 2 };
+enum StorageBinding : unsigned {
+  instances_binding = 0,
+  palette_binding = 1,
+  palette_entries_binding = 2,
+  packing_frames_binding = 3
+};
 
 }  // namespace throng::render

@@ -77,6 +77,12 @@ gl::Buffer create_entries(std::span<const std::vector<PaletteEntries>> by_level)
   return gl::create_buffer(all.data(), all.size() * sizeof(PaletteEntries));
 }
 
+/// Never empty, which a storage block may not be.
+gl::Buffer create_packing_frames(std::vector<PackingFrameData> frames) {
+  if (frames.empty()) frames.emplace_back();
+  return gl::create_buffer(frames.data(), frames.size() * sizeof(PackingFrameData));
+}
+
 }  // namespace
 
 Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
@@ -97,6 +103,7 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   mesh.vertices_ = gl::create_buffer(surface.vertices.data(), surface.vertices.size() * sizeof(SurfaceVertex));
   mesh.indices_ = gl::create_buffer(surface.indices.data(), surface.indices.size() * sizeof(std::uint32_t));
   mesh.palette_entries_ = create_entries(surface.entries_by_level);
+  mesh.packing_frames_ = create_packing_frames(data.packing_frames);
   mesh.array_ = gl::create_vertex_array();
   const GLuint array = mesh.array_.id();
   describe_vertex(array);
@@ -114,6 +121,7 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
 void CrowdMesh::bind() const {
   glBindVertexArray(array_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_entries_binding, palette_entries_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, packing_frames_binding, packing_frames_.id());
   glUniform1ui(vertex_count_location, first_bone_end_ + bone_end_count_);
 }
 

@@ -38,7 +38,8 @@ class CrowdMesh {
   std::span<const MaterialRun> runs(std::size_t lod) const { return runs_by_lod_[lod]; }
   const CrowdMaterial& material(int index) const { return materials_[static_cast<std::size_t>(index)]; }
 
-  /// Binds vertices, 32-bit indices and, for the program in use, the palette entries of all bone levels.
+  /// Binds vertices, 32-bit indices and, for the program in use, the palette entries of all bone levels and what
+  /// unpacks them.
   void bind() const;
 
   /// Vertices of the full surface, the first ones in the vertex array; those of baked mesh LODs are behind them.
@@ -54,6 +55,7 @@ class CrowdMesh {
   gl::Buffer vertices_;
   gl::Buffer indices_;
   gl::Buffer palette_entries_;  // [bone level][vertex]
+  gl::Buffer packing_frames_;   // [palette entry]
   gl::VertexArray array_;
   std::vector<std::vector<MaterialRun>> runs_by_lod_;
   std::vector<std::uint32_t> triangles_by_lod_;

@@ -58,6 +58,7 @@ struct PaletteSlot {
 /// pages are there and the free lists have grown.
 class PaletteSlots {
  public:
+  /// All in entries of 48 bytes; three packed ones take the room of one.
   /// `sizes`: how many entries slots will be asked for, those of each character's bone levels, in any order.
   PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> sizes);
 

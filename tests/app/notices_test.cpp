@@ -1,6 +1,9 @@
 #include "app/notices.h"
 
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,6 +37,30 @@ TEST(LocalStoreNotice, SaysThatAnAutomaticStoreIsLargerThanUsual) {
 TEST(LocalStoreNotice, SaysNothingOfAStoreThatWasAskedFor) {
   const anim::SystemOptions large{.local_store_bytes = std::size_t{256} * 1024, .stream = anim::StreamKind::keyframe};
   EXPECT_EQ(local_store_notice(*system_of(200, large)), "");
+}
+
+class PaletteFormatNotice : public testing::Test {
+ protected:
+  PaletteFormatNotice() {
+    const std::string folder = THRONG_SOURCE_DIR "/tests/data/features/";
+    for (const std::string name : {"plain", "linear-trs"})
+      people_.push_back(*load_character(folder + name + ".glb", name));
+  }
+  std::string notice(anim::PaletteFormat palettes) {
+    const auto system = std::move(*anim::AnimationSystem::create(people_[0].character, {.palettes = palettes}));
+    EXPECT_TRUE(system->add_character(people_[1].character));
+    return palette_format_notice(*system, people_);
+  }
+  std::vector<CharacterSource> people_;
+};
+
+TEST_F(PaletteFormatNotice, NamesWhoStaysFloat) {
+  EXPECT_EQ(notice(anim::PaletteFormat::packed),
+            "Palettes stay float of linear-trs: packed ones hold rigid skeletons only.");
+}
+
+TEST_F(PaletteFormatNotice, SaysNothingUnlessPackedWasAskedFor) {
+  EXPECT_EQ(notice(anim::PaletteFormat::matrices), "");
 }
 
 TEST(Lines, AreOneASentence) {

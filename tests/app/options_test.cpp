@@ -86,7 +86,7 @@ TEST(DemoOptions, TuneTheCrowd) {
   const Tuning tuning =
       demo(
           "--agents 7 --scene grid --seed 4294967295 --pus 3 --local-store 128 --schedule levels --tile 8 "
-          "--double-buffer inline --stream keyframe --bone-lod off --smooth off --mesh-lod 2")
+          "--double-buffer inline --stream keyframe --palette packed --bone-lod off --smooth off --mesh-lod 2")
           .tuning;
   EXPECT_EQ(tuning.agents, 7);
   EXPECT_EQ(tuning.scene, Scene::grid);
@@ -97,6 +97,7 @@ TEST(DemoOptions, TuneTheCrowd) {
   EXPECT_EQ(tuning.tile, 8);
   EXPECT_EQ(tuning.double_buffer, DoubleBuffer::inline_copy);
   EXPECT_EQ(tuning.stream, Stream::keyframe);
+  EXPECT_EQ(tuning.palette, Palette::packed);
   EXPECT_FALSE(tuning.bone_lod);
   EXPECT_FALSE(tuning.smooth);
   EXPECT_EQ(tuning.mesh_lod, 2);
@@ -228,7 +229,7 @@ TEST(Bench, TakesTheSchedulingOptionsOfTheDemo) {
   const auto options = accepted<BenchOptions>(
       "bench --agents 10000 --bones 30 --clips 5 --pus 2 --schedule levels --stream keyframe --local-store auto --tile "
       "16 "
-      "--double-buffer off --frames 9 --json -");
+      "--double-buffer off --palette packed --frames 9 --json -");
   EXPECT_THAT(options.agents, ElementsAre(10000));
   EXPECT_THAT(options.bones, ElementsAre(30));
   EXPECT_THAT(options.clips, ElementsAre(5));
@@ -237,6 +238,7 @@ TEST(Bench, TakesTheSchedulingOptionsOfTheDemo) {
   EXPECT_THAT(options.streams, ElementsAre(Stream::keyframe));
   EXPECT_EQ(options.tile, 16);
   EXPECT_EQ(options.double_buffer, DoubleBuffer::off);
+  EXPECT_EQ(options.palette, Palette::packed);
   EXPECT_EQ(options.frames, 9);
   EXPECT_EQ(options.json, "-");
 }

@@ -28,7 +28,7 @@ struct ShownPosesTest : testing::Test {
   ShownPoses shown{slots};
 
   ShownPosesTest() { shown.reset(8, 0); }
-  anim::PaletteMatrix* show(std::uint32_t agent, std::uint32_t now, std::uint32_t pose_time) {
+  anim::PaletteDestination show(std::uint32_t agent, std::uint32_t now, std::uint32_t pose_time) {
     return shown.show({.agent = agent, .level = 0, .entries = entries, .time = pose_time}, now, 0);
   }
 };
@@ -59,6 +59,24 @@ TEST_F(ShownPosesTest, SayWhenNoMemoryIsLeft) {
   EXPECT_FALSE(shown.pose(6).shown());
   EXPECT_TRUE(shown.out_of_memory());
   EXPECT_THAT(palette_notice(shown), testing::HasSubstr("Palette memory ran out"));
+}
+
+TEST_F(ShownPosesTest, SayWhichOfTheirSlotsIsPacked) {
+  render::PaletteSlots both(pages, {entries, slot_entries(entries, anim::PaletteFormat::packed)});
+  ShownPoses poses(both);
+  poses.reset(1, 0);
+  poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0}, 0, 0);
+  poses.show({.agent = 0, .level = 0, .entries = entries, .time = frame_time, .format = anim::PaletteFormat::packed}, 0,
+             0);
+  const ShownPose& pose = poses.pose(0);
+  EXPECT_EQ(pose.from_word(), pose.from.first_entry);
+  EXPECT_EQ(pose.to_word(), pose.to.first_entry | render::packed_slot);
+}
+
+TEST_F(ShownPosesTest, TakeAThirdOfTheRoomWherePacked) {
+  EXPECT_EQ(slot_entries(62, anim::PaletteFormat::matrices), 62U);
+  EXPECT_EQ(slot_entries(62, anim::PaletteFormat::packed), 21U);
+  EXPECT_EQ(slot_entries(63, anim::PaletteFormat::packed), 21U);
 }
 
 TEST_F(ShownPosesTest, StartAnewWithANewCrowd) {

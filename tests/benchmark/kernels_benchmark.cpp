@@ -14,6 +14,10 @@
 #include "engine/anim/kernel/hierarchy.h"
 #include "engine/anim/kernel/kernels.h"
 
+namespace throng::anim {
+void register_dense_rows();  // dense_rows_benchmark.cpp
+}  // namespace throng::anim
+
 /// The fused pipeline of one PU without anything around it: two samples, one blend, model space and palette, 62 bones,
 /// tiles of 16 characters, every character at times and a weight of its own. Read ns_per_bone; compare only within one
 /// run.
@@ -28,6 +32,7 @@ struct alignas(64) Line {
   float floats[16];
 };
 constexpr int palette_lines = static_cast<int>(bones * sizeof(PaletteMatrix) / sizeof(Line)) + 1;
+constexpr int packed_lines = (bones + 3) / 4;
 using Lines = std::vector<Line>;
 
 Lines floats(int count) { return Lines(static_cast<std::size_t>((count + 15) / 16)); }
@@ -107,8 +112,9 @@ struct Character {
 /// Everything that the loop reads and writes, made before it.
 class Crowd {
  public:
-  explicit Crowd(int characters)
-      : program_(compile_hierarchy(branching_skeleton())),
+  Crowd(int characters, PaletteFormat format)
+      : format_(format),
+        program_(compile_hierarchy(branching_skeleton())),
         first_(stream_of(turning_rows(1.0))),
         second_(stream_of(turning_rows(1.7))),
         palettes_(static_cast<std::size_t>(characters * palette_lines)) {
@@ -126,12 +132,13 @@ class Crowd {
 
  private:
   void animate_tile(const Kernels& kernels, std::size_t first) {
-    PaletteMatrix* palettes[widest_tile];
+    PaletteDestination palettes[widest_tile];
     SamplePoint points[2][widest_tile];
     const int count = static_cast<int>(std::min(characters_.size() - first, std::size_t{widest_tile}));
     for (int lane = 0; lane < count; ++lane) {
       const std::size_t character = first + static_cast<std::size_t>(lane);
-      palettes[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + character * std::size_t{palette_lines});
+      const std::size_t lines = format_ == PaletteFormat::packed ? packed_lines : palette_lines;
+      palettes[lane] = PaletteDestination(reinterpret_cast<std::byte*>(palettes_.data() + character * lines));
       points[0][lane] = locate(as_stream(first_), characters_[character].first_time);
       points[1][lane] = locate(as_stream(second_), characters_[character].second_time);
     }
@@ -142,6 +149,7 @@ class Crowd {
     job.local = local_.front().floats;
     job.carry = carry_.front().floats;
     job.branch_slots = slots_.front().floats;
+    job.format = format_;
     job.palettes = palettes;
     for (job.packet = 0; job.packet < packets; ++job.packet) {
       for (int lane = 0; lane < count; ++lane) {
@@ -155,6 +163,7 @@ class Crowd {
     }
   }
 
+  PaletteFormat format_;
   HierarchyProgram program_;
   Lines first_, second_;
   std::vector<Character> characters_;
@@ -171,8 +180,8 @@ void report(benchmark::State& state, std::size_t bones_an_iteration) {
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-void pipeline(benchmark::State& state, const Kernels& kernels) {
-  Crowd crowd(static_cast<int>(state.range(0)));
+void pipeline(benchmark::State& state, const Kernels& kernels, PaletteFormat format) {
+  Crowd crowd(static_cast<int>(state.range(0)), format);
   for ([[maybe_unused]] const auto& round : state) crowd.animate(kernels);
   report(state, crowd.size() * bones);
 }
@@ -209,7 +218,7 @@ class Workbench {
   }
   ModelPaletteJob model_palette() {
     for (int lane = 0; lane < widest_tile; ++lane) {
-      destinations_[lane] = reinterpret_cast<PaletteMatrix*>(palettes_.data() + lane * palette_lines);
+      destinations_[lane] = PaletteDestination(reinterpret_cast<std::byte*>(palettes_.data() + lane * palette_lines));
     }
     ModelPaletteJob job;
     job.hierarchy = &program_;
@@ -234,7 +243,7 @@ class Workbench {
   Lines carry_ = floats(branch_slot_floats * widest_tile);
   Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
   Lines palettes_ = floats(widest_tile * palette_lines * 16);
-  PaletteMatrix* destinations_[widest_tile];
+  PaletteDestination destinations_[widest_tile];
 };
 
 /// One kernel over one packet of one character.
@@ -249,9 +258,10 @@ void register_alone(const std::string& name, const Kernels& kernels, void (*Kern
   });
 }
 
-void model_palette_alone(benchmark::State& state, const Kernels& kernels) {
+void model_palette_alone(benchmark::State& state, const Kernels& kernels, PaletteFormat format) {
   Workbench bench;
   ModelPaletteJob job = bench.model_palette();
+  job.format = format;
   for ([[maybe_unused]] const auto& round : state) {
     for (job.packet = 0; job.packet < packets; ++job.packet) kernels.model_palette(job);
   }
@@ -283,8 +293,13 @@ void register_all() {
     register_alone("capture_offset", kernels, &Kernels::capture_offset, &Workbench::capture_offset);
     register_alone("apply_offset", kernels, &Kernels::apply_offset, &Workbench::apply_offset);
     register_alone("noise", kernels, &Kernels::noise, &Workbench::noise);
-    benchmark::RegisterBenchmark(("model_palette/" + target).c_str(), model_palette_alone, kernels);
-    sizes(benchmark::RegisterBenchmark(("pipeline/" + target).c_str(), pipeline, kernels));
+    benchmark::RegisterBenchmark(("model_palette/" + target).c_str(), model_palette_alone, kernels,
+                                 PaletteFormat::matrices);
+    benchmark::RegisterBenchmark(("packed_model_palette/" + target).c_str(), model_palette_alone, kernels,
+                                 PaletteFormat::packed);
+    sizes(benchmark::RegisterBenchmark(("pipeline/" + target).c_str(), pipeline, kernels, PaletteFormat::matrices));
+    sizes(
+        benchmark::RegisterBenchmark(("packed_pipeline/" + target).c_str(), pipeline, kernels, PaletteFormat::packed));
   }
   sizes(benchmark::RegisterBenchmark("write_floor", write_floor));
 }
@@ -296,6 +311,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   throng::anim::register_all();
+  throng::anim::register_dense_rows();
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

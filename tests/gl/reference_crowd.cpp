@@ -105,8 +105,11 @@ std::vector<glm::dmat4> ReferenceCrowd::palette(std::uint32_t agent, const PoseM
 
 std::vector<glm::dvec3> ReferenceCrowd::surface(std::uint32_t agent, const PoseMoment& moment,
                                                 std::size_t level) const {
+  return surface_of(palette(agent, moment), level);
+}
+
+std::vector<glm::dvec3> ReferenceCrowd::surface_of(const std::vector<glm::dmat4>& palette, std::size_t level) const {
   const anim::Skeleton& skeleton = character_.model.skeleton;
-  const std::vector<glm::dmat4> matrices = palette(agent, moment);
   std::vector<glm::dvec3> positions;
   for (const anim::SkinnedMesh& mesh : character_.model.meshes) {
     for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
@@ -116,7 +119,7 @@ std::vector<glm::dvec3> ReferenceCrowd::surface(std::uint32_t agent, const PoseM
         const int bone = anim::nearest_kept_bone(skeleton, mesh.palette_entries[vertex][influence],
                                                  skeleton.level_bone_counts[level]);
         sum += static_cast<double>(mesh.weights[vertex][influence]) *
-               (matrices[static_cast<std::size_t>(bone)] * glm::dvec4(mesh.positions[vertex], 1.0));
+               (palette[static_cast<std::size_t>(bone)] * glm::dvec4(mesh.positions[vertex], 1.0));
       }
       positions.emplace_back(sum);
     }

@@ -35,6 +35,8 @@ class ReferenceCrowd {
   /// Every vertex of the surface at a bone level, model space, in the order of Model::meshes.
   std::vector<glm::dvec3> surface(std::uint32_t agent, const PoseMoment& moment, std::size_t level) const;
   std::vector<glm::dmat4> palette(std::uint32_t agent, const PoseMoment& moment) const;
+  /// The same vertices under any palette.
+  std::vector<glm::dvec3> surface_of(const std::vector<glm::dmat4>& palette, std::size_t level) const;
   glm::dvec3 to_world(std::uint32_t agent, const glm::dvec3& position) const;
   double scale(std::uint32_t agent) const { return static_cast<double>(crowd_.scales()[agent]); }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "app/fly_camera.h"
 #include "app/scenes.h"
@@ -34,6 +35,22 @@ std::unique_ptr<render::Renderer> create_renderer(render::gl::Context& context, 
   return std::move(*renderer);
 }
 
+/// Each bone's rotation the shortest way at an even share, its joint straight.
+std::vector<glm::dmat4> between(const anim::Skeleton& skeleton, const std::vector<glm::dmat4>& from,
+                                const std::vector<glm::dmat4>& to, double blend) {
+  std::vector<glm::dmat4> palette;
+  for (std::size_t bone = 0; bone < from.size(); ++bone) {
+    const glm::dquat a = glm::quat_cast(glm::dmat3(from[bone])), b = glm::quat_cast(glm::dmat3(to[bone]));
+    const double side = glm::dot(a, b) < 0.0 ? -1.0 : 1.0;
+    const glm::dmat3 turn = glm::mat3_cast(glm::normalize(a * (1.0 - blend) + b * (side * blend)));
+    const glm::dvec4 pivot(skeleton.references[bone].origin, 1.0);
+    const glm::dvec3 joint = glm::mix(glm::dvec3(from[bone] * pivot), glm::dvec3(to[bone] * pivot), blend);
+    glm::dmat4& matrix = palette.emplace_back(turn);
+    matrix[3] = glm::dvec4(joint - turn * glm::dvec3(pivot), 1.0);
+  }
+  return palette;
+}
+
 }  // namespace
 
 anim::PaletteMatrix rows_of(const glm::dmat4& matrix) {
@@ -54,6 +71,11 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   moments_.resize(stage_->crowd().size());
   const auto cameras = scene_cameras(tuning.scene, stage_->crowd().size(), stage_->common_roles());
   camera_ = camera_at(find_camera(cameras, "above")->place);
+}
+
+void StagedCrowd::retune(const Tuning& tuning) {
+  const anim::Status applied = stage_->apply(tuning);
+  if (!applied) throw std::runtime_error(applied.error().message);
 }
 
 void StagedCrowd::pass_frame() {
@@ -103,24 +125,53 @@ double StagedCrowd::blend_of(std::uint32_t agent) const {
 
 bool StagedCrowd::blends(std::uint32_t agent) const { return blend_of(agent) > 0.0 && blend_of(agent) < 1.0; }
 
+/// What the shader makes of two poses: it mixes float palettes as matrices, which moves vertices straight, and packed
+/// ones bone by bone.
+std::vector<glm::dvec3> StagedCrowd::reference_surface(std::uint32_t agent) const {
+  const ShownPose& pose = stage_->shown().pose(agent);
+  const auto& [from, to] = moments_[agent];
+  const double blend = blend_of(agent);
+  if (pose.from_format == anim::PaletteFormat::packed && pose.to_format == anim::PaletteFormat::packed) {
+    const auto palette = between(stage_->characters().front().model.skeleton, reference_->palette(agent, from),
+                                 reference_->palette(agent, to), blend);
+    return reference_->surface_of(palette, pose.level());
+  }
+  std::vector<glm::dvec3> surface = reference_->surface(agent, from, pose.level());
+  const std::vector<glm::dvec3> later = reference_->surface(agent, to, pose.level());
+  for (std::size_t vertex = 0; vertex < surface.size(); ++vertex) {
+    surface[vertex] = glm::mix(surface[vertex], later[vertex], blend);
+  }
+  return surface;
+}
+
 double StagedCrowd::largest_error(std::uint32_t agent) {
   const std::uint32_t instance = instance_of(agent);
   const auto batch = std::ranges::find_if(picture_.batches(), [instance](const render::CrowdBatch& candidate) {
     return instance - candidate.first_instance < candidate.instance_count;
   });
   const std::vector<render::ReadBackVertex> drawn = renderer_->read_back(frame(), {instance, batch->page});
-  const std::size_t bone_level = stage_->shown().pose(agent).level();
-  const std::vector<glm::dvec3> from = reference_->surface(agent, moments_[agent].from, bone_level);
-  const std::vector<glm::dvec3> to = reference_->surface(agent, moments_[agent].to, bone_level);
-  if (drawn.size() != to.size()) throw std::runtime_error("the device has another number of vertices");
+  const std::vector<glm::dvec3> meant = reference_surface(agent);
+  if (drawn.size() != meant.size()) throw std::runtime_error("the device has another number of vertices");
   double largest = 0.0;
   for (std::size_t vertex = 0; vertex < drawn.size(); ++vertex) {
-    const glm::dvec3 place = reference_->to_world(agent, glm::mix(from[vertex], to[vertex], blend_of(agent)));
+    const glm::dvec3 place = reference_->to_world(agent, meant[vertex]);
     const double distance = glm::distance(place, glm::dvec3(drawn[vertex].position));
     if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
     largest = std::max(largest, distance);
   }
   return largest;
+}
+
+void StagedCrowd::negate_rotations(std::uint32_t agent) {
+  const render::PaletteSlot& slot = stage_->shown().pose(agent).to;
+  std::byte* memory = pages_->page(slot.page).memory + slot.first_entry * render::palette_entry_bytes;
+  for (std::size_t bone = 0; bone < stage_->characters().front().model.skeleton.bones.size(); ++bone) {
+    std::int16_t rotation[4];
+    std::byte* const entry = memory + bone * sizeof(anim::PackedPaletteEntry);
+    std::memcpy(rotation, entry, sizeof(rotation));
+    for (std::int16_t& component : rotation) component = static_cast<std::int16_t>(-component);
+    std::memcpy(entry, rotation, sizeof(rotation));
+  }
 }
 
 void StagedCrowd::write(const render::PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette) {

@@ -35,6 +35,7 @@ class StagedCrowd {
 
   /// Fences what was read of the last frame; then the crowd walks on, is posed and composed.
   void pass_frame();
+  void retune(const Tuning& tuning);
   void draw_camera_back(float metres) { camera_.position -= metres * render::forward(camera_); }
 
   /// Whether the device shows `agent` strictly between two poses.
@@ -50,6 +51,8 @@ class StagedCrowd {
     write(pose.from, change(reference_->palette(agent, moments.from)));
     write(pose.to, change(reference_->palette(agent, moments.to)));
   }
+  /// No fault: the pose that `agent` comes to, packed, by the same rotations' other quaternions.
+  void negate_rotations(std::uint32_t agent);
   render::InstanceRecord& record(std::uint32_t agent) { return instances_[instance_of(agent)]; }
 
   const Stage& stage() const { return *stage_; }
@@ -63,6 +66,7 @@ class StagedCrowd {
   void note_moments();
   std::uint32_t instance_of(std::uint32_t agent) const;
   double blend_of(std::uint32_t agent) const;
+  std::vector<glm::dvec3> reference_surface(std::uint32_t agent) const;
   render::CrowdFrame frame() const;
   void write(const render::PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette);
 

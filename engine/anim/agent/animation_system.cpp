@@ -64,6 +64,7 @@ void AnimationSystem::refresh_contexts() {
   for (const std::unique_ptr<Cast>& cast : casts_) {
     contexts_.push_back(cast->context(kernels));
     contexts_.back().assets.prefetch = options_.prefetch;
+    if (cast->character->hierarchy.packs()) contexts_.back().palette_format = options_.palettes;
   }
 }
 

@@ -32,7 +32,9 @@ struct SystemOptions {
   bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
   CostModel cost{};             ///< what orders tasks and cuts tiles
   StorePolicy stores = StorePolicy::prefetched;  ///< how palettes are written
-  const Kernels* kernels = nullptr;              ///< null: the best that this machine runs
+  /// What is written: `packed` of the characters that can be packed (see palette_format), matrices of all others.
+  PaletteFormat palettes = PaletteFormat::matrices;
+  const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
 
   friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
 };
@@ -41,9 +43,9 @@ inline constexpr int max_pus = 256;
 /// One agent to be posed in this frame.
 struct AgentUpdate {
   std::uint32_t agent = 0;
-  std::uint8_t level = 0;            ///< bone level
-  Ticks look_ahead = 0;              ///< the pose is that of now + look_ahead (smooth skipping)
-  PaletteMatrix* palette = nullptr;  ///< where the PU writes it, room for the level's entries; null: nobody draws it
+  std::uint8_t level = 0;           ///< bone level
+  Ticks look_ahead = 0;             ///< the pose is that of now + look_ahead (smooth skipping)
+  PaletteDestination palette = {};  ///< where the PU writes it, room for the level's entries; null: nobody draws it
   /// On the way to or from a coarser level: the bones that it lacks are so many halves of the way to where they stand
   /// still. At 2 the palette shows what that level shows, so that meshes can change without a pop.
   std::uint8_t fade_level = 0;
@@ -79,7 +81,8 @@ class AnimationSystem {
                                                          const SystemOptions& options);
   ~AnimationSystem();
 
-  /// At a frame boundary. Poses do not depend on any of the options but the stream. On error nothing has changed.
+  /// At a frame boundary. Poses do not depend on any of the options but the stream; the hash of what is written also
+  /// depends on the format of palettes. On error nothing has changed.
   Status configure(const SystemOptions& options);
 
   /// Another character (a camera and a prop are characters too), at load time: its number for add_agents and for what
@@ -101,6 +104,8 @@ class AnimationSystem {
   std::uint32_t add_agents(std::uint32_t count, std::uint32_t character);
   /// One more agent of each of these characters, in this order: the first one's number.
   std::uint32_t add_agents(std::span<const std::uint8_t> characters);
+  /// Of the palettes of a character's agents.
+  PaletteFormat palette_format(std::uint32_t character) const { return contexts_[character].palette_format; }
   /// Which character the agent is, as add_agents was told.
   std::uint32_t character_number(std::uint32_t agent) const { return members_[agent].cast; }
   std::uint32_t agent_count() const { return static_cast<std::uint32_t>(members_.size()); }
@@ -292,6 +297,7 @@ class AnimationSystem {
   std::vector<AgentWork> work_;
   std::vector<AgentWork> shared_work_;
   std::vector<AgentWork> exact_work_;
+  std::vector<UpdateContext> exact_contexts_;  // as contexts_, palettes as matrices
   UpdateReport report_;
 };
 

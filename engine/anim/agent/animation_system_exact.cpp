@@ -21,14 +21,16 @@ void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
                            .skeleton = static_cast<std::uint8_t>(member.cast),
                            .held = program.needs.held});
   }
+  exact_contexts_ = contexts_;
+  for (UpdateContext& context : exact_contexts_) context.palette_format = PaletteFormat::matrices;
   if (exact_scheduler_ == nullptr || !exact_stores_hold()) make_exact_scheduler();
-  exact_scheduler_->update(contexts_, {}, exact_work_, executor());
+  exact_scheduler_->update(exact_contexts_, {}, exact_work_, executor());
 }
 
 bool AnimationSystem::exact_stores_hold() const {
   const LocalStorePlan& plan = exact_scheduler_->options().plan;
   return std::ranges::all_of(exact_work_, [&](const AgentWork& work) {
-    return plan_holds(plan, contexts_[work.skeleton], Schedule::fused, work.program->needs);
+    return plan_holds(plan, exact_contexts_[work.skeleton], Schedule::fused, work.program->needs);
   });
 }
 
@@ -37,8 +39,8 @@ void AnimationSystem::make_exact_scheduler() {
   LocalStoreDemand needs = local_store_demand(casts_, options_.stream);
   needs.schedule = Schedule::fused;
   needs.double_buffering = DoubleBuffering::off;
-  const std::size_t bytes = automatic_local_store(contexts_, needs);
-  const Result<LocalStorePlan> plan = plan_local_store(contexts_, needs, bytes, 0);
+  const std::size_t bytes = automatic_local_store(exact_contexts_, needs);
+  const Result<LocalStorePlan> plan = plan_local_store(exact_contexts_, needs, bytes, 0);
   assert(plan && "an automatic local store holds what it was made for");
   constexpr std::size_t no_unseen_palettes = 0;
   exact_scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = Schedule::fused,

@@ -60,7 +60,8 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   constexpr std::size_t soon = 8;
   work_.clear();
   for (std::size_t i = 0; i < agents.size(); ++i) {
-    if (i + soon < agents.size()) __builtin_prefetch(&cast(agents[i + soon].agent).agents.program(local(agents[i + soon].agent)));
+    if (i + soon < agents.size())
+      __builtin_prefetch(&cast(agents[i + soon].agent).agents.program(local(agents[i + soon].agent)));
     const AgentUpdate& update = agents[i];
     const Member member = members_[update.agent];
     const Agents& cast = casts_[member.cast]->agents;
@@ -69,18 +70,17 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
     const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
     const Ticks time = std::max(clock_ + look_ahead, posed_at_[update.agent]);
     assert(!program.steps.empty() && "an agent must play something before it is updated");
-    work_.push_back(
-        {.program = &program,
-         .delta = time - posed_at_[update.agent],
-         .palette = update.palette,
-         .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
-         .agent = update.agent,
-         .cost = predicted_cost(program, member.cast, update.level),
-         .skeleton = static_cast<std::uint8_t>(member.cast),
-         .level = static_cast<std::uint8_t>(update.level & 3U),
-         .fade_level = static_cast<std::uint8_t>(update.fade_level & 3U),
-         .fade_halves = static_cast<std::uint8_t>(update.fade_halves & 3U),
-         .held = program.needs.held});
+    work_.push_back({.program = &program,
+                     .delta = time - posed_at_[update.agent],
+                     .palette = update.palette,
+                     .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
+                     .agent = update.agent,
+                     .cost = predicted_cost(program, member.cast, update.level),
+                     .skeleton = static_cast<std::uint8_t>(member.cast),
+                     .level = static_cast<std::uint8_t>(update.level & 3U),
+                     .fade_level = static_cast<std::uint8_t>(update.fade_level & 3U),
+                     .fade_halves = static_cast<std::uint8_t>(update.fade_halves & 3U),
+                     .held = program.needs.held});
     posed_at_[update.agent] = time;
   }
 }
@@ -98,11 +98,12 @@ void AnimationSystem::report_work() {
   report_.agents_updated = static_cast<std::uint32_t>(work_.size());
   for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
     const Skeleton& skeleton = casts_[cast]->skeleton();
+    const std::size_t entry_bytes = palette_entry_bytes(contexts_[cast].palette_format);
     for (std::size_t level = 0; level < skeleton.level_bone_counts.size(); ++level) {
       const int bones = skeleton.level_bone_counts[level];
       const auto entries = static_cast<std::uint64_t>(palette_count_for_bones(skeleton, bones));
       report_.bones_evaluated += agents_by_level[cast][level] * static_cast<std::uint64_t>(bones);
-      report_.palette_bytes += agents_by_level[cast][level] * entries * sizeof(PaletteMatrix);
+      report_.palette_bytes += agents_by_level[cast][level] * entries * entry_bytes;
       const auto width = static_cast<std::uint64_t>(schedule().plan.width);
       const auto tiles = static_cast<double>((agents_by_level[cast][level] + width - 1) / width);
       report_.predicted_nanoseconds += tiles * options_.cost.of_tile(packets_for(bones));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 
 #include "engine/anim/kernel/pose.h"
@@ -75,14 +76,36 @@ void append_rows(const glm::dmat4& matrix, std::vector<float>& rows) {
   }
 }
 
+glm::dvec3 origin_of(const Skeleton& skeleton, int bone) {
+  return bone < 0 ? glm::dvec3(0.0) : skeleton.references[static_cast<std::size_t>(bone)].origin;
+}
+
+/// The box of packed positions, over the power of two above what joints at rest take.
+constexpr int packed_box_octaves = 4;
+
+float joint_step(const Skeleton& skeleton) {
+  double extent = 0.0;
+  for (const ReferenceFrame& frame : skeleton.references) {
+    for (int axis = 0; axis < 3; ++axis) extent = std::max(extent, std::abs(frame.origin[axis]));
+  }
+  if (extent <= 0.0) return 0.0F;
+  int octave = 0;
+  std::frexp(extent, &octave);  // extent is below 2^octave
+  return std::ldexp(1.0F, octave + packed_box_octaves - (packed_joint_bits - 1));
+}
+
 void copy_pivots(const Skeleton& skeleton, HierarchyProgram& program) {
   program.pivots.assign(program.steps.size() * 3, 0.0F);
+  program.offsets.assign(program.steps.size() * 3, 0.0F);
   for (std::size_t bone = 0; bone < skeleton.references.size(); ++bone) {
+    const glm::dvec3 origin = origin_of(skeleton, static_cast<int>(bone));
+    const glm::dvec3 offset = origin - origin_of(skeleton, skeleton.bones[bone].parent);
     for (int axis = 0; axis < 3; ++axis) {
-      program.pivots[bone * 3 + static_cast<std::size_t>(axis)] =
-          static_cast<float>(skeleton.references[bone].origin[axis]);
+      program.pivots[bone * 3 + static_cast<std::size_t>(axis)] = static_cast<float>(origin[axis]);
+      program.offsets[bone * 3 + static_cast<std::size_t>(axis)] = static_cast<float>(offset[axis]);
     }
   }
+  program.joint_step = joint_step(skeleton);
 }
 
 void copy_matrices(const Skeleton& skeleton, HierarchyProgram& program) {
@@ -109,6 +132,17 @@ std::vector<std::int16_t> ranks_by_node(const Skeleton& skeleton) {
 }
 
 }  // namespace
+
+std::vector<PackingFrame> packing_frames(const Skeleton& skeleton) {
+  std::vector<PackingFrame> frames;
+  const float step = skeleton.rigid ? joint_step(skeleton) : 0.0F;
+  if (step <= 0.0F) return frames;
+  for (const PaletteEntry& entry : skeleton.palette) {
+    const glm::vec3 pivot(origin_of(skeleton, entry.bone));
+    frames.push_back({{pivot.x, pivot.y, pivot.z}, step});
+  }
+  return frames;
+}
 
 HierarchyProgram compile_hierarchy(const Skeleton& skeleton) {
   HierarchyProgram program;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/anim/asset/skeleton.h"
+#include "engine/anim/kernel/packed_palette.h"
 
 namespace throng::anim {
 
@@ -26,12 +27,22 @@ struct HierarchyProgram {
   int slot_count = 0;                    ///< branch slots live at once over the whole skeleton
   std::vector<HierarchyStep> steps;      ///< one a bone
   std::vector<float> pivots;             ///< rigid: origin x, y, z a bone
+  std::vector<float> offsets;            ///< rigid: the same from the parent's origin, a bone
+  float joint_step = 0;                  ///< of packed palettes, see PackingFrame; 0 where they cannot be packed
   std::vector<float> prefixes;           ///< general: 3x4 row-major a bone, only where has_prefix
   std::vector<std::uint8_t> has_prefix;  ///< general: one a bone
   std::vector<float> posts;              ///< general: 3x4 row-major a palette entry
   std::vector<std::int16_t> skin_joint;  ///< palette entry -> index under which it is hashed: its joint in the first
                                          ///< skin that reads it, so that the hash does not depend on the bone order
+
+  bool packs() const { return joint_step > 0.0F; }
 };
+
+/// What unpacks the palette's entries, one each, if palettes of this skeleton can be packed, else none. They can where
+/// it is rigid and its joints have some extent at rest, which gives the box that positions are packed in: 16 to 32
+/// times as far as the farthest coordinate, 32 m to each side for a person. What moves farther is packed at the box's
+/// side.
+std::vector<PackingFrame> packing_frames(const Skeleton& skeleton);
 
 /// Branch slots are given back after their last reader, so that a slot is live only where the depth-first walk needs
 /// it.

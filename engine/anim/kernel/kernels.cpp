@@ -22,6 +22,7 @@
 #include "engine/anim/kernel/mix-inl.h"
 #include "engine/anim/kernel/noise-inl.h"
 #include "engine/anim/kernel/offset-inl.h"
+#include "engine/anim/kernel/packed_palette-inl.h"
 #include "engine/anim/kernel/pose_clips-inl.h"
 #include "engine/anim/kernel/rigid_palette-inl.h"
 #include "engine/anim/kernel/sample-inl.h"
@@ -35,10 +36,13 @@ void model_palette_tile(const ModelPaletteJob& job) {
   using D = LanesUpTo<width>;
   const int begin = job.packet * packet_bones;
   const int end = HWY_MIN(begin + packet_bones, job.bone_count);
+  assert((job.format == PaletteFormat::matrices || job.hierarchy->packs()) && "palettes that cannot be packed");
   if (begin >= end) return;
   for (int lane = 0; lane < job.characters; lane += lane_count<D>) {
-    if (job.hierarchy->rigid) {
-      rigid_palette_lanes<width>(D(), job, lane, begin, end);
+    if (job.format == PaletteFormat::packed) {
+      rigid_palette_lanes<JointMotion, width>(D(), job, lane, begin, end);
+    } else if (job.hierarchy->rigid) {
+      rigid_palette_lanes<RigidMotion, width>(D(), job, lane, begin, end);
     } else {
       general_palette_lanes<width>(D(), job, lane, begin, end);
     }

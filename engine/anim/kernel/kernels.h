@@ -9,6 +9,7 @@
 #include "engine/anim/kernel/hierarchy.h"
 #include "engine/anim/kernel/noise.h"
 #include "engine/anim/kernel/offset.h"
+#include "engine/anim/kernel/packed_palette.h"
 #include "engine/anim/kernel/pose.h"
 
 namespace throng::anim {
@@ -111,16 +112,19 @@ struct ModelPaletteJob {
   const float* local = nullptr;  ///< [width][components][16]
   bool displaced = true;         ///< false on rigid skeletons: positions are 0, and are not read
   StorePolicy stores = StorePolicy::prefetched;
-  float* carry = nullptr;                    ///< in and out, [branch_slot_floats][width]
-  float* branch_slots = nullptr;             ///< in and out, [slot_count][branch_slot_floats][width]
-  PaletteMatrix* const* palettes = nullptr;  ///< [characters], 16-byte aligned; the kernel writes entries in ascending
-                                             ///< order, whole cache lines where it can, and never reads them
+  float* carry = nullptr;                          ///< in and out, [branch_slot_floats][width]
+  float* branch_slots = nullptr;                   ///< in and out, [slot_count][branch_slot_floats][width]
+  PaletteFormat format = PaletteFormat::matrices;  ///< packed: where the hierarchy `packs`
+  const PaletteDestination* palettes =
+      nullptr;                      ///< [characters], 16-byte aligned; the kernel writes entries in ascending
+                                    ///< order, whole cache lines where it can, and never reads them
   std::uint64_t* hashes = nullptr;  ///< [characters] or null: adds each written entry's hash, see palette_entry_hash
 };
 
-/// The hash of one palette entry: of its 12 float bit patterns under its joint index. A pose's hash is the sum over its
-/// entries, so it does not depend on the order in which they are written.
+/// The hash of one palette entry: of its bits, those of 12 floats or of 4 words, under its joint index. A pose's hash
+/// is the sum over its entries, so it does not depend on the order in which they are written.
 std::uint64_t palette_entry_hash(std::uint32_t joint, const PaletteMatrix& matrix);
+std::uint64_t palette_entry_hash(std::uint32_t joint, const PackedPaletteEntry& entry);
 
 /// One SIMD target's set.
 struct Kernels {

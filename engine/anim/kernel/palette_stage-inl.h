@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/transpose-inl.h"
@@ -14,20 +15,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-inline constexpr int matrix_floats = 12;
-
 /// Where the entries of some characters go.
 struct PaletteLines {
-  PaletteMatrix* const* palettes;  ///< [characters]
+  const PaletteDestination* palettes;  ///< [characters]
   int characters;
   StorePolicy stores;
 
-  float* at(int character, int entry) const { return reinterpret_cast<float*>(palettes[character] + entry); }
+  /// `entry_floats`: of one entry.
+  float* at(int character, int entry, int entry_floats) const {
+    return reinterpret_cast<float*>(palettes[character].memory()) + entry * entry_floats;
+  }
 };
 
-inline bool on_whole_lines(PaletteMatrix* const* palettes, int characters) {
+inline bool on_whole_lines(const PaletteDestination* palettes, int characters) {
   std::uintptr_t addresses = 0;
-  for (int i = 0; i < characters; ++i) addresses |= reinterpret_cast<std::uintptr_t>(palettes[i]);
+  for (int i = 0; i < characters; ++i) addresses |= reinterpret_cast<std::uintptr_t>(palettes[i].memory());
   return addresses % 64 == 0;
 }
 
@@ -39,14 +41,20 @@ inline PaletteLines palette_lines(const ModelPaletteJob& job, int lane, int lane
   return lines;
 }
 
-/// Palette entries of lane_count<D> characters on their way out, by groups of four: three whole cache lines a
-/// character, which leave in ascending order, so that the destination may be write-combined memory. While one group is
-/// put, a part of the group before it is written after each of its entries: memory takes lines all along, and not by
-/// bursts.
+inline constexpr int matrix_floats = sizeof(PaletteMatrix) / sizeof(float);
+inline constexpr int matrix_rows = sizeof(PaletteMatrix) / 16;
+inline constexpr int packed_rows = sizeof(PackedPaletteEntry) / 16;
+template <int rows>
+using PaletteEntryOf = std::conditional_t<rows == matrix_rows, PaletteMatrix, PackedPaletteEntry>;
+
+/// Palette entries of lane_count<D> characters on their way out, each `rows` of 16 bytes, by groups of four: as many
+/// whole cache lines a character, which leave in ascending order, so that the destination may be write-combined memory.
+/// While one group is put, a part of the group before it is written after each of its entries: memory takes lines all
+/// along, and not by bursts.
 ///
 ///     group = [character % 4][entry][row] of (character / 4 blocks of 4 floats)      vectors of 4 lanes and more
 ///           = [character][entry][row] of 4 floats                                    narrower ones
-template <class D>
+template <class D, int rows = matrix_rows>
 class PaletteStage {
  public:
   static constexpr int lanes = lane_count<D>;
@@ -59,6 +67,23 @@ class PaletteStage {
     put_row(d, entry, 2, m.z, translation.z);
   }
 
+  template <class V>
+  HWY_INLINE void put_row(D d, int entry, int row, const Vectors<V>& xyz, V w) {
+    if constexpr (lanes >= block_floats) {
+      const auto characters = transpose_blocks(d, xyz.x, xyz.y, xyz.z, w);
+      for (int k = 0; k < 4; ++k) hn::Store(characters.v[k], d, put_ + ((k * entries + entry) * rows + row) * lanes);
+    } else {
+      alignas(16) FloatArray<lanes> components[4];
+      hn::Store(xyz.x, d, components[0]);
+      hn::Store(xyz.y, d, components[1]);
+      hn::Store(xyz.z, d, components[2]);
+      hn::Store(w, d, components[3]);
+      for (int lane = 0; lane < lanes; ++lane) {
+        for (int k = 0; k < 4; ++k) put_[((lane * entries + entry) * rows + row) * 4 + k] = components[k][lane];
+      }
+    }
+  }
+
   /// The group that was put is complete: from now on it is written, and another one put.
   HWY_INLINE void turn() {
     float* const written = written_;
@@ -69,8 +94,8 @@ class PaletteStage {
   /// Fetches for writing what a part of the characters will write.
   HWY_INLINE void prefetch(const PaletteLines& out, int first, int part) const {
     for (int character = part; character < out.characters; character += entries) {
-      const float* line = out.at(character, first);
-      for (int at = 0; at < entries * matrix_floats; at += line_floats) __builtin_prefetch(line + at, 0, 3);
+      const float* line = out.at(character, first, entry_floats);
+      for (int at = 0; at < entries * entry_floats; at += line_floats) __builtin_prefetch(line + at, 0, 3);
     }
   }
 
@@ -80,30 +105,32 @@ class PaletteStage {
       return write_lines_of_four(out, first, part, lines);
     }
     for (int character = part; character < out.characters; character += entries) {
-      write_lines(character, out.stores, out.at(character, first), lines);
+      write_lines(character, out.stores, out.at(character, first, entry_floats), lines);
     }
   }
 
   /// Writes `count` entries of the group, which begins with `first`, of all characters.
   HWY_INLINE void write(const PaletteLines& out, int first, int count) const {
-    const int whole_lines = count * matrix_floats / line_floats;
+    const int whole_lines = count * entry_floats / line_floats;
     if (all_together(out)) {
       for (int k = 0; k < 4; ++k) write_lines_of_four(out, first, k, whole_lines);
     } else {
-      for (int i = 0; i < out.characters; ++i) write_lines(i, out.stores, out.at(i, first), whole_lines);
+      for (int i = 0; i < out.characters; ++i) write_lines(i, out.stores, out.at(i, first, entry_floats), whole_lines);
     }
-    for (int i = 0; i < out.characters; ++i) write_rows(i, 4 * whole_lines, 3 * count, out.at(i, first));
+    for (int i = 0; i < out.characters; ++i)
+      write_rows(i, 4 * whole_lines, rows * count, out.at(i, first, entry_floats));
   }
 
   /// Of the group that is written.
   void add_hashes(const std::int16_t* joints, int characters, int count, std::uint64_t* hashes) const {
     for (int character = 0; character < characters; ++character) {
       for (int entry = 0; entry < count; ++entry) {
-        PaletteMatrix matrix;
-        for (int row = 0; row < 3; ++row) {
-          std::memcpy(matrix.rows[row], row_of(character, entry * 3 + row), sizeof(matrix.rows[row]));
+        FloatArray<entry_floats> written;
+        for (int row = 0; row < rows; ++row) {
+          std::memcpy(written + row * block_floats, row_of(character, entry * rows + row),
+                      block_floats * sizeof(float));
         }
-        hashes[character] += palette_entry_hash(static_cast<std::uint32_t>(joints[entry]), matrix);
+        hashes[character] += palette_entry_hash(static_cast<std::uint32_t>(joints[entry]), entry_of(written));
       }
     }
   }
@@ -112,33 +139,23 @@ class PaletteStage {
   /// Sixteen characters, whose lines come out of one transposition.
   static bool all_together(const PaletteLines& out) { return lanes == 16 && out.characters == lanes; }
 
+  static constexpr int entry_floats = rows * block_floats;
   static constexpr int line_floats = 16;
-  static constexpr int lines = entries * matrix_floats / line_floats;
-  static constexpr int group_floats = entries * matrix_floats * lanes;
+  static constexpr int lines = entries * entry_floats / line_floats;
+  static constexpr int group_floats = entries * entry_floats * lanes;
 
-  template <class V>
-  HWY_INLINE void put_row(D d, int entry, int row, const Vectors<V>& xyz, V w) {
-    if constexpr (lanes >= block_floats) {
-      const auto characters = transpose_blocks(d, xyz.x, xyz.y, xyz.z, w);
-      for (int k = 0; k < 4; ++k) hn::Store(characters.v[k], d, put_ + ((k * entries + entry) * 3 + row) * lanes);
-    } else {
-      alignas(16) FloatArray<lanes> components[4];
-      hn::Store(xyz.x, d, components[0]);
-      hn::Store(xyz.y, d, components[1]);
-      hn::Store(xyz.z, d, components[2]);
-      hn::Store(w, d, components[3]);
-      for (int lane = 0; lane < lanes; ++lane) {
-        for (int k = 0; k < 4; ++k) put_[((lane * entries + entry) * 3 + row) * 4 + k] = components[k][lane];
-      }
-    }
+  static PaletteEntryOf<rows> entry_of(const float* floats) {
+    PaletteEntryOf<rows> entry;
+    std::memcpy(&entry, floats, sizeof(entry));
+    return entry;
   }
 
-  /// Row `index` (entry * 3 + row) of one character.
+  /// Row `index` (entry * rows + row) of one character.
   const float* row_of(int character, int index) const {
     if constexpr (lanes >= block_floats) {
-      return written_ + (character % 4 * entries * 3 + index) * lanes + character / 4 * block_floats;
+      return written_ + (character % 4 * entries * rows + index) * lanes + character / 4 * block_floats;
     } else {
-      return written_ + (character * entries * 3 + index) * block_floats;
+      return written_ + (character * entries * rows + index) * block_floats;
     }
   }
 
@@ -156,10 +173,11 @@ class PaletteStage {
     if constexpr (lanes == 16) {
       const D d;
       for (int line = 0; line < count; ++line) {
-        const float* in = written_ + (k * entries * 3 + line * 4) * lanes;
+        const float* in = written_ + (k * entries * rows + line * 4) * lanes;
         const auto four = transpose_whole_blocks(hn::Load(d, in), hn::Load(d, in + lanes), hn::Load(d, in + 2 * lanes),
                                                  hn::Load(d, in + 3 * lanes));
-        for (int b = 0; b < 4; ++b) write_vector(four.v[b], out.stores, out.at(4 * b + k, first) + line * line_floats);
+        for (int b = 0; b < 4; ++b)
+          write_vector(four.v[b], out.stores, out.at(4 * b + k, first, entry_floats) + line * line_floats);
       }
     }
   }

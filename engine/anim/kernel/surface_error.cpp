@@ -33,17 +33,32 @@ glm::vec2 pixels_of(const glm::vec4& clip, const glm::vec2& half_size) {
   return glm::vec2(clip) / std::max(clip.w, nearest_to_divide) * half_size;
 }
 
+void blend_packed(const ShownPaletteJob& job) {
+  const auto* const from = reinterpret_cast<const PackedPaletteEntry*>(job.from.memory());
+  const auto* const to = reinterpret_cast<const PackedPaletteEntry*>(job.to.memory());
+  for (std::size_t entry = 0; entry < job.shown.size(); ++entry) {
+    const std::size_t kept = job.kept_entries[entry];
+    job.shown[entry] = unpack_between(from[kept], to[kept], job.packing[kept], job.blend);
+  }
+}
+
+void blend_matrices(const ShownPaletteJob& job) {
+  const auto* const from_matrices = reinterpret_cast<const PaletteMatrix*>(job.from.memory());
+  const auto* const to_matrices = reinterpret_cast<const PaletteMatrix*>(job.to.memory());
+  for (std::size_t entry = 0; entry < job.shown.size(); ++entry) {
+    const std::size_t kept = job.kept_entries[entry];
+    const float* const from = from_matrices[kept].rows[0];
+    const float* const to = to_matrices[kept].rows[0];
+    float* const out = job.shown[entry].rows[0];
+    for (int i = 0; i < 12; ++i) out[i] = from[i] * (1.0F - job.blend) + to[i] * job.blend;
+  }
+}
+
 }  // namespace
 
 void blend_shown_palette(const ShownPaletteJob& job) {
   assert(job.shown.size() == job.kept_entries.size());
-  for (std::size_t entry = 0; entry < job.shown.size(); ++entry) {
-    const std::size_t kept = job.kept_entries[entry];
-    const float* const from = job.from[kept].rows[0];
-    const float* const to = job.to[kept].rows[0];
-    float* const out = job.shown[entry].rows[0];
-    for (int i = 0; i < 12; ++i) out[i] = from[i] * (1.0F - job.blend) + to[i] * job.blend;
-  }
+  job.packing.empty() ? blend_matrices(job) : blend_packed(job);
 }
 
 float blend_of(std::uint32_t blend_start, std::uint32_t blend_duration, std::uint32_t now) {

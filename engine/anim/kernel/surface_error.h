@@ -10,6 +10,7 @@
 
 #include "engine/anim/asset/surface_points.h"
 #include "engine/anim/base/transform.h"
+#include "engine/anim/kernel/packed_palette.h"
 
 /// What an eye sees of the difference between two poses of one character. Pure functions; no allocation.
 namespace throng::anim {
@@ -17,8 +18,9 @@ namespace throng::anim {
 /// What the vertex shader shows (shaders/skinning.glsl): a blend of the palettes of two slots, of which a mesh that is
 /// skinned to the kept bones of a level reads some entries.
 struct ShownPaletteJob {
-  const PaletteMatrix* from = nullptr;          ///< room for the entries that `kept_entries` names
-  const PaletteMatrix* to = nullptr;            ///< likewise; may be `from`
+  PaletteDestination from;                      ///< at least the entries that `kept_entries` names
+  PaletteDestination to;                        ///< likewise; may be `from`
+  std::span<const PackingFrame> packing = {};   ///< [entries] what unpacks them; empty: they are matrices
   float blend = 1.0F;                           ///< 0 shows `from`, 1 shows `to`
   std::span<const std::uint16_t> kept_entries;  ///< [entries] which one stands for each at the level shown
   std::span<PaletteMatrix> shown;               ///< out, [entries]

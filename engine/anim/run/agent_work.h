@@ -19,7 +19,7 @@ inline constexpr std::size_t most_skeletons = 32;  ///< in one update
 struct AgentWork {
   const PoseProgram* program = nullptr;  ///< stays where it is until the update is over
   Ticks delta = 0;                       ///< since its last update
-  PaletteMatrix* palette = nullptr;      ///< written once; null: posed, but nobody draws it
+  PaletteDestination palette = {};       ///< written once; null: posed, but nobody draws it
   std::uint64_t* hash = nullptr;         ///< out: sum of the palette's entry hashes; or null
   std::uint32_t agent = 0;
   std::uint16_t cost = 1;            ///< predicted, in steps of cost_step
@@ -36,6 +36,7 @@ static_assert(max_bone_levels == 4, "levels are kept in two bits");
 /// copies reach.
 struct UpdateContext {
   const HierarchyProgram* hierarchy = nullptr;
+  PaletteFormat palette_format = PaletteFormat::matrices;  ///< of all palettes of this skeleton
   EntityAssets assets;
   std::span<const int> level_bone_counts;
   const EntityPools* pools = nullptr;

@@ -11,14 +11,14 @@ ModelScratch ModelScratch::carve(ScratchCarver& carver, int width, int component
   if (with_local) scratch.local = carver.carve<float>(lanes * packet_bytes(components) / sizeof(float));
   scratch.carry = carver.carve<float>(slot_floats);
   scratch.branches = carver.carve<float>(slot_floats * static_cast<std::size_t>(slots));
-  scratch.palettes = carver.carve<PaletteMatrix*>(lanes);
+  scratch.palettes = carver.carve<PaletteDestination>(lanes);
   scratch.hashes = carver.carve<std::uint64_t>(lanes);
   return scratch;
 }
 
 void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, PaletteMatrix* unseen) {
   for (std::size_t i = 0; i < tile.size(); ++i) {
-    scratch.palettes[i] = tile[i].palette == nullptr ? unseen : tile[i].palette;
+    scratch.palettes[i] = tile[i].palette == nullptr ? PaletteDestination(unseen) : tile[i].palette;
     scratch.hashes[i] = 0;
   }
 }
@@ -39,6 +39,7 @@ void model_palette_packet(const UpdateContext& context, const ModelScratch& scra
                                          .stores = about.stores,
                                          .carry = scratch.carry.data(),
                                          .branch_slots = scratch.branches.data(),
+                                         .format = context.palette_format,
                                          .palettes = scratch.palettes.data(),
                                          .hashes = tile.front().hash == nullptr ? nullptr : scratch.hashes.data()});
 }

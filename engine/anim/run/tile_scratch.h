@@ -45,7 +45,7 @@ struct ModelScratch {
   std::span<float> local;
   std::span<float> carry;
   std::span<float> branches;
-  std::span<PaletteMatrix*> palettes;
+  std::span<PaletteDestination> palettes;
   std::span<std::uint64_t> hashes;
 
   /// `with_local`: false where the local poses lie in a fetch buffer.

@@ -61,7 +61,7 @@ class PosedCharacter {
     constexpr auto line = static_cast<std::size_t>(branch_slot_floats) * sizeof(float);
     const AlignedBytes carry = allocate_aligned(line);
     const AlignedBytes slots = allocate_aligned(line * static_cast<std::size_t>(hierarchy.slot_count + 1));
-    PaletteMatrix* palette = palette_.data();
+    const PaletteDestination palette = palette_.data();
     for (int index = 0; index < packets(); ++index) {
       scalar_kernels().model_palette({.hierarchy = &hierarchy,
                                       .packet = index,

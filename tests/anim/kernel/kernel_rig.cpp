@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 #include <numeric>
+#include <type_traits>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -95,24 +96,25 @@ constexpr std::size_t guard_entries = 2;
 constexpr unsigned char guard_byte = 0xA5;
 
 /// One character's palette slot: 64-byte aligned, or only 16-byte aligned; guards before and after.
+template <typename Entry>
 class GuardedPalette {
  public:
-  GuardedPalette(std::size_t entries, bool whole_lines) : storage_(entries + 8) {
-    std::memset(storage_.data(), guard_byte, storage_.size() * sizeof(PaletteMatrix));
+  GuardedPalette(std::size_t entries, bool whole_lines) : storage_(entries + 3 * guard_entries + 8) {
+    std::memset(storage_.data(), guard_byte, storage_.size() * sizeof(Entry));
     const auto address = reinterpret_cast<std::uintptr_t>(storage_.data());
-    while ((address + offset_ * sizeof(PaletteMatrix)) % 64 != 0 || offset_ < guard_entries) ++offset_;
+    while ((address + offset_ * sizeof(Entry)) % 64 != 0 || offset_ < guard_entries) ++offset_;
     if (!whole_lines) ++offset_;
   }
-  PaletteMatrix* entries() { return storage_.data() + offset_; }
-  std::vector<PaletteMatrix> copy(std::size_t count) const {
+  Entry* entries() { return storage_.data() + offset_; }
+  std::vector<Entry> copy(std::size_t count) const {
     const auto first = storage_.begin() + static_cast<std::ptrdiff_t>(offset_);
     return {first, first + static_cast<std::ptrdiff_t>(count)};
   }
   bool intact_outside(std::size_t count) const {
     const auto* bytes = reinterpret_cast<const unsigned char*>(storage_.data());
-    const std::size_t begin = offset_ * sizeof(PaletteMatrix);
-    const std::size_t end = begin + count * sizeof(PaletteMatrix);
-    for (std::size_t i = 0; i < storage_.size() * sizeof(PaletteMatrix); ++i) {
+    const std::size_t begin = offset_ * sizeof(Entry);
+    const std::size_t end = begin + count * sizeof(Entry);
+    for (std::size_t i = 0; i < storage_.size() * sizeof(Entry); ++i) {
       if ((i < begin || i >= end) && bytes[i] != guard_byte) return false;
     }
     return true;
@@ -120,7 +122,7 @@ class GuardedPalette {
 
  private:
   std::size_t offset_ = 0;
-  std::vector<PaletteMatrix> storage_;
+  std::vector<Entry> storage_;
 };
 
 std::size_t entries_below(const HierarchyProgram& program, int bone_count) {
@@ -273,16 +275,18 @@ double largest_error(const Skeleton& skeleton, const std::vector<glm::dmat4>& re
   return largest;
 }
 
-CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& program,
-                             const std::vector<StatePose>& characters, int width, int bone_count, StorePolicy stores) {
+template <typename Entry>
+CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const HierarchyProgram& program,
+                                         const std::vector<StatePose>& characters, int width, int bone_count,
+                                         StorePolicy stores) {
   const std::size_t entries = entries_below(program, bone_count);
-  std::vector<GuardedPalette> palettes;
+  std::vector<GuardedPalette<Entry>> palettes;
   palettes.reserve(characters.size());
   for (std::size_t i = 0; i < characters.size(); ++i) {
     palettes.emplace_back(entries_below(program, program.bone_count), i % 2 == 0);
   }
 
-  CrowdResult result;
+  CrowdResultOf<Entry> result;
   result.hashes.assign(characters.size(), 0);
   const int components = characters.front().components();
   Tile tile(width, components, program.slot_count);
@@ -292,11 +296,12 @@ CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& pro
     job.bone_count = bone_count;
     job.width = width;
     job.stores = stores;
+    job.format = std::is_same_v<Entry, PackedPaletteEntry> ? PaletteFormat::packed : PaletteFormat::matrices;
     job.characters = static_cast<int>(std::min(characters.size() - first, static_cast<std::size_t>(width)));
     job.local = tile.local.front().floats;
     job.carry = tile.carry.front().floats;
     job.branch_slots = tile.slots_.front().floats;
-    std::array<PaletteMatrix*, widest_tile> destinations{};
+    std::array<PaletteDestination, widest_tile> destinations{};
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(job.characters); ++lane) {
       destinations[lane] = palettes[first + lane].entries();
     }
@@ -312,11 +317,27 @@ CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& pro
     }
   }
   kernels.fence_stores();
-  for (const GuardedPalette& palette : palettes) {
+  for (const GuardedPalette<Entry>& palette : palettes) {
     result.palettes.push_back(palette.copy(entries));
     result.guards_intact = result.guards_intact && palette.intact_outside(entries);
   }
   return result;
+}
+
+CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& program,
+                             const std::vector<StatePose>& characters, int width, int bone_count, StorePolicy stores) {
+  return compute_palettes_of<PaletteMatrix>(kernels, program, characters, width, bone_count, stores);
+}
+
+PackedCrowdResult compute_packed_palettes(const Kernels& kernels, const HierarchyProgram& program,
+                                          const std::vector<StatePose>& characters, int width, int bone_count,
+                                          StorePolicy stores) {
+  return compute_palettes_of<PackedPaletteEntry>(kernels, program, characters, width, bone_count, stores);
+}
+
+bool same_bits(const std::vector<PackedPaletteEntry>& a, const std::vector<PackedPaletteEntry>& b) {
+  return std::ranges::equal(
+      a, b, [](const auto& left, const auto& right) { return std::ranges::equal(left.words, right.words); });
 }
 
 bool same_bits(const std::vector<PaletteMatrix>& a, const std::vector<PaletteMatrix>& b) {

@@ -52,15 +52,23 @@ double largest_error(const Skeleton& skeleton, const std::vector<glm::dmat4>& re
 
 /// Palettes and hashes of characters, computed in tiles of `width`; a last tile may be partly filled. Every palette
 /// lies between guard bytes, and so do entries of bones above `bone_count`; every second one is only 16-byte aligned.
-struct CrowdResult {
-  std::vector<std::vector<PaletteMatrix>> palettes;  ///< [character][entry below the bone count]
+template <typename Entry>
+struct CrowdResultOf {
+  std::vector<std::vector<Entry>> palettes;  ///< [character][entry below the bone count]
   std::vector<std::uint64_t> hashes;
   bool guards_intact = true;
 };
+using CrowdResult = CrowdResultOf<PaletteMatrix>;
+using PackedCrowdResult = CrowdResultOf<PackedPaletteEntry>;
 CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& program,
                              const std::vector<StatePose>& characters, int width, int bone_count,
                              StorePolicy stores = StorePolicy::prefetched);
 
+PackedCrowdResult compute_packed_palettes(const Kernels& kernels, const HierarchyProgram& program,
+                                          const std::vector<StatePose>& characters, int width, int bone_count,
+                                          StorePolicy stores = StorePolicy::prefetched);
+
+bool same_bits(const std::vector<PackedPaletteEntry>& a, const std::vector<PackedPaletteEntry>& b);
 bool same_bits(const std::vector<PaletteMatrix>& a, const std::vector<PaletteMatrix>& b);
 
 }  // namespace throng::anim::kernel_rig

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/anim/base/transform.h"
+
+namespace throng::anim {
+
+/// How an entry of a palette is written.
+enum class PaletteFormat : std::uint8_t {
+  matrices,  ///< PaletteMatrix, 48 bytes
+  packed     ///< PackedPaletteEntry, 16 bytes; rigid skeletons alone
+};
+
+/// One entry of the palette of a rigid skeleton: how the bone is turned from its bind pose, and where its joint is.
+///
+///     word 0   rotation x, y            16 bits each, signed, in units of 1 / packed_rotation_one
+///     word 1   rotation z, w
+///     word 2   joint x, low 11 of y     21 bits each, signed, in units of PackingFrame::step
+///     word 3   high 10 of y, joint z    z takes the upper 22
+///
+/// A joint and not the origin of model space, so that an error of the rotation is seen at the length of a limb and not
+/// at the height of a person. Its twin on the device is shaders/skinning.glsl.
+struct PackedPaletteEntry {
+  std::uint32_t words[4];
+};
+static_assert(sizeof(PackedPaletteEntry) == 16);
+
+/// A little less than 2^15: a product along a chain of bones is not quite unit. Length does not matter in unpacking.
+inline constexpr float packed_rotation_one = 32700.0F;
+inline constexpr int packed_joint_bits = 21;
+inline constexpr float packed_joint_limit = static_cast<float>((1 << (packed_joint_bits - 1)) - 1);
+
+/// What it takes to unpack a bone's entries, the same for all characters of a skeleton.
+struct PackingFrame {
+  float pivot[3];  ///< where the joint is in the bind pose, metres, in the space of the palette
+  float step;      ///< metres a unit of the joint's position, a power of two
+};
+static_assert(sizeof(PackingFrame) == 16, "a vec4 of the device");
+
+/// How a bone that rests at these places moves points, as the vertex shader unpacks it.
+PaletteMatrix unpack(const PackedPaletteEntry& entry, const PackingFrame& frame);
+
+/// The same between two entries: rotations the shortest way and joints straight, by `blend` from 0 (`from`) to 1.
+PaletteMatrix unpack_between(const PackedPaletteEntry& from, const PackedPaletteEntry& to, const PackingFrame& frame,
+                             float blend);
+
+constexpr std::size_t palette_entry_bytes(PaletteFormat format) {
+  return format == PaletteFormat::packed ? sizeof(PackedPaletteEntry) : sizeof(PaletteMatrix);
+}
+
+/// Where a palette is to be written, in the format that its skeleton's palettes have; null: nowhere.
+class PaletteDestination {
+ public:
+  PaletteDestination() = default;
+  explicit PaletteDestination(std::byte* memory) : memory_(memory) {}
+  // Implicit, as pointers are to what they point to.
+  PaletteDestination(std::nullptr_t) {}
+  PaletteDestination(PaletteMatrix* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}
+  PaletteDestination(PackedPaletteEntry* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}
+
+  std::byte* memory() const { return memory_; }
+  friend bool operator==(const PaletteDestination&, const PaletteDestination&) = default;
+
+ private:
+  std::byte* memory_ = nullptr;
+};
+static_assert(sizeof(PaletteDestination) == sizeof(void*));
+
+}  // namespace throng::anim

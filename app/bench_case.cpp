@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench_crowd.h"
+#include "app/bench_held.h"
 #include "app/bench_ozz.h"
 #include "app/bench_rounds.h"
 #include "app/stage.h"
@@ -43,6 +44,7 @@ class CaseBench {
   void add_write_floors();
   void add_kernels();
   void add_updates();
+  void add_held(const anim::Model& model);
   double write_floor() const;
   double per_bone(double nanoseconds) const {
     return nanoseconds / static_cast<double>(agents_.size()) / character_->skeleton.bone_count();
@@ -63,6 +65,7 @@ class CaseBench {
   std::unique_ptr<BenchPalettes> floor_palettes_;
   std::unique_ptr<SystemSubject> update_, keyframe_;
   std::unique_ptr<KernelSubject> kernels_, packed_kernels_, scalar_;
+  std::unique_ptr<HeldSubject> held_;
   std::unique_ptr<OzzSubject> ozz_;
   BenchRounds rounds_;
 };
@@ -107,6 +110,13 @@ void CaseBench::add_updates() {
   rounds_.add({"traced", run, [this] { update_->record_trace(anim::Tracing::on); }});
 }
 
+void CaseBench::add_held(const anim::Model& model) {
+  anim::SystemOptions one_pu = options_;
+  one_pu.pus = 1;
+  held_ = HeldSubject::create(model, character_, one_pu, agents_, *palettes_);
+  if (held_ != nullptr) rounds_.add({"held", [this] { held_->run(); }});
+}
+
 anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents) {
   character_ = whom.character;
   options_ = options;
@@ -136,6 +146,7 @@ anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOp
   ozz_ = make_ozz_subject(whom.model, agents_, *palettes_);
   if (ozz_ != nullptr) rounds_.add({"ozz", [this] { ozz_->run(); }});
   add_kernels();
+  add_held(whom.model);
   add_updates();
   return anim::Done{};
 }
@@ -176,6 +187,7 @@ Json CaseBench::report() const {
   json["kernels_ns_per_bone_median"] = per_bone_or_null("kernels");
   json["packed_kernels_ns_per_bone_median"] = per_bone_or_null("packed kernels");
   json["one_pu_ns_per_bone_median"] = per_bone(rounds_.median("one pu"));
+  json["held_ns_per_bone_median"] = per_bone_or_null("held");
   json["ozz_ns_per_bone_median"] = per_bone_or_null("ozz");
   json["speedup_over_one_pu"] = rounds_.median("one pu") / update;
   json["kernels_over_write_floor"] = rounds_.has("kernels") ? Json(rounds_.median("kernels") / floor) : Json(nullptr);
@@ -183,6 +195,7 @@ Json CaseBench::report() const {
   json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
   json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
   json["ozz_over_one_pu"] = ratio_or_null("ozz", "one pu");
+  json["held_over_streaming"] = ratio_or_null("held", "one pu");
   json["trace_cost_percent"] = 100.0 * (rounds_.fastest("traced") / rounds_.fastest("untraced") - 1.0);
   json["agents_per_60hz_frame"] =
       static_cast<std::int64_t>(static_cast<double>(agents_.size()) * (1e9 / 60.0) / update);

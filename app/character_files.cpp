@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/bone_lod.h"
 #include "app/role_table.h"
 
 namespace throng::app {

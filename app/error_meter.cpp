@@ -46,6 +46,7 @@ void ErrorMeter::set_character(std::size_t character, const CharacterSource& sou
 void ErrorMeter::reset(std::size_t agents) {
   errors_.assign(agents, not_measured);
   sampling_ = ErrorSampling::off;
+  watched_.reset(agents, 0, most_entries_);
   credit_ = 0;
   window_ = {};
   figures_ = {};
@@ -82,16 +83,19 @@ void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, con
   const double affordable = share_of_pose_cost * static_cast<double>(system.report().bones_evaluated);
   credit_ = std::min(credit_ + affordable, frames_of_credit * affordable + 2 * characters_.front().cost);
   const std::span<WatchedAgent> watched = watched_.all();
+  const auto is_ready = [&](const WatchedAgent& each) {
+    return each.can_be_measured() && system.can_pose_exactly(each.agent);
+  };
   for (WatchedAgent& each : watched) {
     const bool again = each.measured_in + 1 == frame.number && each.measured_again_in != each.measured_in;
-    if (!each.can_be_measured() || !(all || again)) continue;
+    if (!(all || again) || !is_ready(each)) continue;
     if (again) each.measured_again_in = frame.number;
     take(each);
   }
   for (std::size_t i = 0; !all && i < watched.size() && chosen_.size() < most_measured_of_few; ++i) {
     next_place_ = (next_place_ + 1) % watched.size();
     WatchedAgent& each = watched[next_place_];
-    if (!each.can_be_measured() || each.measured_in + 1 == frame.number) continue;
+    if (each.measured_in + 1 == frame.number || !is_ready(each)) continue;
     const double cost = 2 * characters_[frame.crowd.characters()[each.agent]].cost;
     if (credit_ < cost) break;
     credit_ -= cost;
@@ -101,6 +105,7 @@ void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, con
 
 void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame) {
   watched_.hand_over();
+  if (sampling_ == ErrorSampling::off) return;
   window_.begin_frame();
   choose_whom_to_measure(system, frame);
   if (!exact_.empty()) system.pose_exactly(exact_);

@@ -98,7 +98,6 @@ struct FrameReport {
   int error_samples = 0;                                       ///< agents measured in these frames
   bool error_px_p99_is_known = false;                          ///< enough of them
   std::vector<BoneRow> bones;                                  ///< in level-of-detail order
-  std::vector<HeadFigures> heads;                              ///< of those near by, if asked for
   float lod_tolerance_px = 0;                                  ///< in force; 0 under rules that have none
   std::string binding_limit;                   ///< "none", "error", "budget" or "both miss"; empty under such rules
   float predicted_pose_ms = 0;                 ///< of all PUs, by the cost model, those who reappear included
@@ -108,6 +107,7 @@ struct FrameReport {
   float cost_bones_percent = 0;                ///< of the same: saved by dropping bones
   std::string limit_sentence;                  ///< who limits the frame rate, with figures
   std::vector<float> level_error_millimetres;  ///< [level]: of its surface, 99th percentile
+  std::vector<HeadFigures> heads;              ///< of those near by, if asked for
   // scheduling
   int pus = 0, hardware_threads = 0;
   int local_store_kib = 0;
@@ -135,10 +135,10 @@ struct OverlayCommands {
   std::optional<std::size_t> character;  ///< whose roles and bones are to be shown
   std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown
   bool save_roles = false;
-  std::vector<std::string> models;        ///< files dropped on the window: characters for everyone
   std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
   bool save_bone_lod = false;             ///< beside the model
   bool export_lod = false;                ///< for another engine
+  std::vector<std::string> models;        ///< files dropped on the window: characters for everyone
   bool step = false;                      ///< advance one frame while paused
   bool frame_crowd = false;               ///< as key F
   bool copy_camera = false;               ///< as key C

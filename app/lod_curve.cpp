@@ -1,8 +1,10 @@
 #include "app/lod_curve.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -19,7 +21,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int timed_agents = 1000;
 constexpr int timed_rounds = 40;
-constexpr double worth_a_switch = 0.9;  // of the time of the level before
+constexpr double worth_a_switch = 0.9;    // of the time of the level before
+constexpr double least_pixels_tall = 10;  // smaller ones are dots, whatever their bones
 constexpr int agents_of_milliseconds = 10'000;
 
 std::string key_of(std::size_t level) { return "level " + std::to_string(level); }
@@ -28,11 +31,14 @@ double pixels_of(const CharacterSource& source, const LodLevel& level, int pixel
   return source.bounds.height > 0.0 ? level.error_metres / source.bounds.height * pixels : 0.0;
 }
 
+/// JSON has no infinity.
+Json within(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 double milliseconds_of(const LodLevel& level) { return level.nanoseconds * agents_of_milliseconds / 1e6; }
 
 std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
   std::vector<Json> rows;
-  const std::vector<bool> pays = levels_that_pay(levels);
+  const std::vector<bool> pays = levels_that_pay(levels, source.bounds.height);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const LodLevel& level = levels[i];
     rows.push_back({{"level", i},
@@ -41,6 +47,7 @@ std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLeve
                     {"ms_10k_agents", milliseconds_of(level)},
                     {"error_mm", level.error_metres * 1000},
                     {"error_px", pixels_of(source, level, pixels)},
+                    {"px_tall_for_1_px", within(pixels_tall_for_one_pixel(level, source.bounds.height))},
                     {"triangles", level.triangles},
                     {"pays", pays[i] ? "yes" : "no"}});
   }
@@ -48,22 +55,24 @@ std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLeve
 }
 
 /// What is to be said of it that the table does not.
-std::vector<std::string> remarks_on(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
+std::vector<std::string> remarks_on(const CharacterSource& source, std::span<const LodLevel> levels) {
   std::vector<std::string> remarks;
   if (levels.size() == 1) {
     remarks.push_back("Per-bone level of detail does not pay: no order of these bones has a level worth a switch.");
   }
-  const std::vector<bool> pays = levels_that_pay(levels);
+  const std::vector<bool> pays = levels_that_pay(levels, source.bounds.height);
   std::size_t last = 0;
   for (std::size_t i = 1; i < levels.size(); ++i) {
     if (pays[i]) {
       last = i;
       continue;
     }
-    char text[160];
-    std::snprintf(text, sizeof(text), "Level %zu does not pay: %.0f%% of the time of level %zu, for %.2g px of error.",
+    char text[200];
+    std::snprintf(text, sizeof(text),
+                  "Level %zu does not pay: it takes %.0f%% of the time of level %zu, and is within a pixel only of "
+                  "characters below %.2g pixels.",
                   i, 100 * levels[i].nanoseconds / levels[last].nanoseconds, last,
-                  pixels_of(source, levels[i], pixels));
+                  pixels_tall_for_one_pixel(levels[i], source.bounds.height));
     remarks.emplace_back(text);
   }
   if (source.model.clips.empty()) remarks.push_back("The model has no clips, so nothing shows what its bones are for.");
@@ -99,24 +108,30 @@ anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& l
   return anim::Done{};
 }
 
-std::vector<bool> levels_that_pay(std::span<const LodLevel> levels) {
+double pixels_tall_for_one_pixel(const LodLevel& level, double height_metres) {
+  return level.error_metres > 0.0 ? height_metres / level.error_metres : std::numeric_limits<double>::infinity();
+}
+
+std::vector<bool> levels_that_pay(std::span<const LodLevel> levels, double height_metres) {
   std::vector<bool> pays;
   double last = 0;
   for (const LodLevel& level : levels) {
-    pays.push_back(pays.empty() || level.nanoseconds <= worth_a_switch * last);
+    const bool saves = level.nanoseconds <= worth_a_switch * last;
+    pays.push_back(pays.empty() || (saves && pixels_tall_for_one_pixel(level, height_metres) >= least_pixels_tall));
     if (pays.back()) last = level.nanoseconds;
   }
   return pays;
 }
 
 std::string curve_as_text(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
-  constexpr std::array columns = {"level",    "bones",    "ns_per_agent", "ms_10k_agents",
-                                  "error_mm", "error_px", "triangles",    "pays"};
+  constexpr std::array columns = {"level",    "bones",    "ns_per_agent",     "ms_10k_agents",
+                                  "error_mm", "error_px", "px_tall_for_1_px", "triangles",
+                                  "pays"};
   char title[80];
   std::snprintf(title, sizeof(title), ", %.2f m; errors at p99, in pixels of one %d pixels tall\n",
                 source.bounds.height, pixels);
   std::string text = source.name + title + figures_as_text(rows_of(source, levels, pixels), columns);
-  for (const std::string& remark : remarks_on(source, levels, pixels)) text += remark + "\n";
+  for (const std::string& remark : remarks_on(source, levels)) text += remark + "\n";
   return text;
 }
 
@@ -125,7 +140,7 @@ std::string curve_as_json(const CharacterSource& source, std::span<const LodLeve
                       {"height_metres", source.bounds.height},
                       {"pixels_tall", pixels},
                       {"levels", rows_of(source, levels, pixels)},
-                      {"remarks", remarks_on(source, levels, pixels)}};
+                      {"remarks", remarks_on(source, levels)}};
   return curve.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

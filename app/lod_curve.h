@@ -14,8 +14,12 @@ namespace throng::app {
 /// agents blend two clips each, the levels in turns. The error is that of the animation system.
 anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels);
 
-/// Whether a level is worth its switch: it takes clearly less time than the last one that pays. Level 0 does.
-std::vector<bool> levels_that_pay(std::span<const LodLevel> levels);
+/// The height on screen, in pixels, below which the error of a level is at most one pixel; infinite without error.
+double pixels_tall_for_one_pixel(const LodLevel& level, double height_metres);
+
+/// Whether each level is worth its switch: it takes at most 90% of the time of the last one that pays, and is within a
+/// pixel of the truth for characters that are still 10 pixels tall. Level 0 does.
+std::vector<bool> levels_that_pay(std::span<const LodLevel> levels, double height_metres);
 
 /// The curve of bones, time and error as a table for a person, errors in pixels of a character `pixels` tall; and a
 /// sentence for each level that does not pay.

@@ -31,6 +31,16 @@ struct CameraPlace {
   float field_of_view = 50;
 };
 
+/// Parts of a frame left out, to see what each of them costs.
+struct TakenAway {
+  bool animation = false;  ///< time stands still
+  bool upload = false;     ///< the records of the last frame are drawn again; characters may jump
+  bool drawing = false;    ///< no draw call: the picture stays
+  bool pixels = false;     ///< the crowd is drawn, but no pixel of it is filled
+
+  friend bool operator==(const TakenAway&, const TakenAway&) = default;
+};
+
 /// What lets people look at level of detail, and try what it would do. No part of a look that is worth keeping.
 struct LodInspection {
   bool freeze_camera = false;  ///< level of detail and culling go on from where the camera was; its frustum is drawn
@@ -41,16 +51,6 @@ struct LodInspection {
   bool force_selected_only = false;  ///< the forced values are for the selected agent, else for everyone
 
   friend bool operator==(const LodInspection&, const LodInspection&) = default;
-};
-
-/// Parts of a frame left out, to see what each of them costs.
-struct TakenAway {
-  bool animation = false;  ///< time stands still
-  bool upload = false;     ///< the records of the last frame are drawn again; characters may jump
-  bool drawing = false;    ///< no draw call: the picture stays
-  bool pixels = false;     ///< the crowd is drawn, but no pixel of it is filled
-
-  friend bool operator==(const TakenAway&, const TakenAway&) = default;
 };
 
 /// Every value that can be tuned while the crowd runs: the overlay edits a copy, the demo applies it at a frame
@@ -88,7 +88,7 @@ struct Tuning {
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
-  TakenAway taken_away;
+  TakenAway taken_away{};
   // What is predicted
   anim::CostModel cost{};  ///< nanoseconds of one PU
 

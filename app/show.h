@@ -124,11 +124,11 @@ class Show {
   anim::Status load_meshes(const Stage& stage);
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
-  void freeze_lod_camera();
-  void gather_lines();
   void film();
   render::CrowdFrame crowd_frame() const;
   void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
+  void freeze_lod_camera();
+  void gather_lines();
   std::uint64_t completed_frame();
   int pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const;
 

@@ -181,7 +181,7 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   lod_characters_[character].clips = skip_errors;
   meter_.set_character(character, source);
   meter_.reset(crowd_->size());
-  ++crowd_number_;  // what was remembered has blocks of another shape
+  ++crowd_number_;  // moments of it are of other blocks
   shown_.reset(crowd_->size(), frame_);
   lod_.make_all_due();
   return anim::Done{};

@@ -140,10 +140,11 @@ anim::PaletteDestination Stage::show(std::uint32_t agent, std::uint8_t level, st
   return meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
 }
 
-// Whoever is evaluated now and not ahead, so that it is known where the feet are; without level of detail, everyone.
+// Whoever is evaluated each frame and not ahead, so that it is known where the feet are; without level of detail,
+// everyone.
 void Stage::place_feet(const anim::DueAgent& due, bool near_by) {
   const bool everyone = tuning_.lod == LodRule::off;
-  if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && due.look_ahead <= 1))) {
+  if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && lod_.interval[due.agent] == 1))) {
     feet_->place(*crowd_, due.agent);
   } else {
     feet_->let_go(due.agent);

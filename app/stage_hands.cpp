@@ -69,6 +69,8 @@ anim::Status Stage::go_back_to(const StageMoment& moment) {
   held_clip_.reset();
   // What is shown are poses of the future.
   shown_.reset(crowd_->size(), frame_);
+  meter_.reset(crowd_->size());
+  bone_steps_.assign(crowd_->size(), {});
   lod_.make_all_due();
   crowd_lod_.reset(crowd_->size());
   bone_steps_.assign(crowd_->size(), {});

@@ -70,22 +70,24 @@ void add_error(Json& json, const anim::ErrorFigures& error) {
   json["error_px_max"] = measured ? Json(error.max) : Json(nullptr);
   json["pop_px_max"] = measured ? Json(error.pop_max) : Json(nullptr);
   json["error_samples"] = error.samples;
-  // Null where there is no such limit.
-  void add_level_of_detail(Json & json, const LodSums& sums, const Tuning& tuning) {
-    const bool by_error = tuning.lod == LodRule::budget;
-    const SavedCost saved = sums.saved(tuning.lod);
-    const auto held = [&](const LodSums::Held& limit, float asked) {
-      return by_error && asked > 0.0F && limit.frames > 0 ? Json(limit.percent()) : Json(nullptr);
-    };
-    json["lod_tolerance_px"] = by_error ? Json(sums.last.tolerance_px) : Json(nullptr);
-    json["binding_limit"] = by_error ? Json(name_of(sums.last.binding)) : Json(nullptr);
-    json["error_limit_held_percent"] = held(sums.error, tuning.error_px);
-    json["budget_held_percent"] = held(sums.budget, tuning.budget_ms);
-    json["predicted_pose_ms_per_frame"] = sums.predicted_ms_a_frame();
-    json["cost_culling_percent"] = saved.culling_percent;
-    json["cost_skipping_percent"] = saved.skipping_percent;
-    json["cost_bones_percent"] = saved.bones_percent;
-  }
+}
+
+// Null where there is no such limit.
+void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) {
+  const bool by_error = tuning.lod == LodRule::budget;
+  const SavedCost saved = sums.saved(tuning.lod);
+  const auto held = [&](const LodSums::Held& limit, float asked) {
+    return by_error && asked > 0.0F && limit.frames > 0 ? Json(limit.percent()) : Json(nullptr);
+  };
+  json["lod_tolerance_px"] = by_error ? Json(sums.last.tolerance_px) : Json(nullptr);
+  json["binding_limit"] = by_error ? Json(name_of(sums.last.binding)) : Json(nullptr);
+  json["error_limit_held_percent"] = held(sums.error, tuning.error_px);
+  json["budget_held_percent"] = held(sums.budget, tuning.budget_ms);
+  json["predicted_pose_ms_per_frame"] = sums.predicted_ms_a_frame();
+  json["cost_culling_percent"] = saved.culling_percent;
+  json["cost_skipping_percent"] = saved.skipping_percent;
+  json["cost_bones_percent"] = saved.bones_percent;
+}
 
 }  // namespace
 

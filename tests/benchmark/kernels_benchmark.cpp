@@ -4,6 +4,7 @@
 #include <memory>
 #include <numeric>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -213,8 +214,23 @@ class Workbench {
             offset_decay(0.05F, 0.1F), rigid_components,   out_.front().floats};
   }
   NoiseJob noise() {
-    return {from_.front().floats, mask_.front().floats, noise_at(12345678, 3.0F), 1, 1,
-            rigid_components,     out_.front().floats};
+    return {.from = from_.front().floats,
+            .amplitude = 0.02F,
+            .moment = noise_moment(1, noise_at(12345678, 3.0F)),
+            .packet = 1,
+            .bone_count = bones,
+            .out = from_.front().floats};
+  }
+  /// Two clips for each character of a tile, or as many that show one.
+  PoseClipsJob pose_clips(bool blended) {
+    for (int lane = 0; lane < widest_tile; ++lane) {
+      const Ticks time = ticks_per_second * lane / widest_tile;
+      clips_[lane] = {&as_stream(stream_), locate(as_stream(stream_), time), lane, 0.0F};
+      blended_[lane] = {&as_stream(stream_), locate(as_stream(stream_), ticks_per_second - 1 - time), lane, 0.3F};
+    }
+    return {.clips = clips_,
+            .blended = blended ? std::span<const ClipMoment>(blended_) : std::span<const ClipMoment>(),
+            .local = local_.front().floats};
   }
   ModelPaletteJob model_palette() {
     for (int lane = 0; lane < widest_tile; ++lane) {
@@ -239,6 +255,7 @@ class Workbench {
   const float* sources_[4] = {from_.front().floats, to_.front().floats, from_.front().floats, to_.front().floats};
   const float* masks_[4] = {mask_.front().floats, nullptr, mask_.front().floats, nullptr};
   float shares_[4] = {0.1F, 0.2F, 0.3F, 0.4F};
+  ClipMoment clips_[widest_tile], blended_[widest_tile];
   Lines local_ = floats(widest_tile * packet_floats);
   Lines carry_ = floats(branch_slot_floats * widest_tile);
   Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
@@ -256,6 +273,15 @@ void register_alone(const std::string& name, const Kernels& kernels, void (*Kern
     for ([[maybe_unused]] const auto& round : state) (kernels.*kernel)(work);
     report(state, packet_bones);
   });
+}
+
+void pose_clips_alone(benchmark::State& state, const Kernels& kernels, bool blended) {
+  Workbench bench;
+  PoseClipsJob job = bench.pose_clips(blended);
+  for ([[maybe_unused]] const auto& round : state) {
+    for (job.packet = 0; job.packet < packets; ++job.packet) kernels.pose_clips(job);
+  }
+  report(state, widest_tile * bones);
 }
 
 void model_palette_alone(benchmark::State& state, const Kernels& kernels, PaletteFormat format) {
@@ -293,6 +319,8 @@ void register_all() {
     register_alone("capture_offset", kernels, &Kernels::capture_offset, &Workbench::capture_offset);
     register_alone("apply_offset", kernels, &Kernels::apply_offset, &Workbench::apply_offset);
     register_alone("noise", kernels, &Kernels::noise, &Workbench::noise);
+    benchmark::RegisterBenchmark(("pose_clips/" + target).c_str(), pose_clips_alone, kernels, false);
+    benchmark::RegisterBenchmark(("pose_blended_clips/" + target).c_str(), pose_clips_alone, kernels, true);
     benchmark::RegisterBenchmark(("model_palette/" + target).c_str(), model_palette_alone, kernels,
                                  PaletteFormat::matrices);
     benchmark::RegisterBenchmark(("packed_model_palette/" + target).c_str(), model_palette_alone, kernels,

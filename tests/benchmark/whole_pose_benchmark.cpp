@@ -7,7 +7,9 @@
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/asset/character.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/keyframe_player.h"
+#include "engine/anim/kernel/look_at.h"
 
 /// What reads or changes the whole pose of one character, or of one limb, each alone: nanoseconds a character.
 namespace throng::anim {
@@ -83,6 +85,32 @@ void gaze(benchmark::State& state) {
   report(state);
 }
 BENCHMARK(gaze);
+
+/// Sixteen characters at once, on each target.
+void gazes_of_a_tile(benchmark::State& state, const Kernels& kernels) {
+  std::vector<Person> people(widest_tile);
+  const CharacterRigs& rigs = people.front().rigs;
+  if (!rigs.look_at()) return state.SkipWithError("no head was found");
+  std::vector<LookAtState> memories(widest_tile);
+  std::vector<LookAtJob> jobs;
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    jobs.push_back({.rig = &*rigs.look_at(),
+                    .state = &memories[i],
+                    .pose = people[i].bind_pose(),
+                    .target = {0.1F * static_cast<float>(i), 1.5F, 2.0F},
+                    .seconds = frame_seconds});
+  }
+  for ([[maybe_unused]] const auto& round : state) kernels.look_at(jobs);
+  state.counters["ns_per_character"] = benchmark::Counter(
+      widest_tile * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const Kernels& kernels : runnable_kernels()) {
+    benchmark::RegisterBenchmark((std::string("gazes_of_a_tile/") + kernels.target).c_str(), gazes_of_a_tile, kernels);
+  }
+  return true;
+}();
 
 void foot_placement(benchmark::State& state) {
   Person person;

@@ -189,6 +189,40 @@ TEST_F(PackedCrowd, TakesUpAnotherFormatWhileItRuns) {
   }
 }
 
+/// A crowd of which the stage measures everybody.
+class MeasuredCrowd : public StagedCrowdTest {
+ protected:
+  void SetUp() override {
+    StagedCrowdTest::SetUp();
+    Tuning tuning = tuning_of(LodRule::distance, Stream::keyframe);
+    tuning.error_sample = ErrorSampling::all;
+    stage(tuning);
+  }
+};
+
+TEST_F(MeasuredCrowd, IsOffByWhatTheWholeSurfaceReadBackFromTheDeviceIs) {
+  constexpr double seen = 0.85;    // of the worst vertex, by the points
+  constexpr double least = 0.005;  // pixels of a picture of 64 x 36
+  std::set<int> levels;
+  int compared = 0;
+  for (int frame = 0; frame < 48; ++frame) {
+    crowd().pass_frame();
+    crowd().draw_camera_back(0.15F);
+    if (frame < 16) continue;
+    for (const std::uint32_t agent : watched) {
+      const double measured = static_cast<double>(crowd().stage().error_meter().error_of(agent));
+      const double on_device = crowd().largest_error_on_screen(agent);
+      EXPECT_LT(measured, 1.02 * on_device + least) << "agent " << agent << " at frame " << crowd().stage().frame();
+      EXPECT_GT(measured, seen * on_device - least) << "agent " << agent << " at frame " << crowd().stage().frame();
+      if (on_device < 4 * least) continue;
+      levels.insert(crowd().stage().shown().pose(agent).level());
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 40);
+  EXPECT_GE(levels.size(), 2U);
+}
+
 /// A crowd at a moment when every watched agent is shown between two slots, of exact streams: little hides a fault.
 class BlendedCrowd : public StagedCrowdTest {
  protected:

@@ -144,12 +144,35 @@ std::vector<glm::dvec3> StagedCrowd::reference_surface(std::uint32_t agent) cons
   return surface;
 }
 
-double StagedCrowd::largest_error(std::uint32_t agent) {
+std::vector<render::ReadBackVertex> StagedCrowd::surface_on_device(std::uint32_t agent) {
   const std::uint32_t instance = instance_of(agent);
   const auto batch = std::ranges::find_if(picture_.batches(), [instance](const render::CrowdBatch& candidate) {
     return instance - candidate.first_instance < candidate.instance_count;
   });
-  const std::vector<render::ReadBackVertex> drawn = renderer_->read_back(frame(), {instance, batch->page});
+  return renderer_->read_back(frame(), {instance, batch->page});
+}
+
+double StagedCrowd::largest_error_on_screen(std::uint32_t agent) {
+  const render::CameraView view = frame().camera;
+  const glm::dmat4 to_clip = glm::dmat4(view.projection) * glm::dmat4(view.view);
+  const auto pixels = [&](const glm::dvec4& clip) {
+    return glm::dvec2(clip) / clip.w * glm::dvec2(width, height) * 0.5;
+  };
+  const std::vector<render::ReadBackVertex> drawn = surface_on_device(agent);
+  const anim::Ticks now = reference_->clock();
+  const std::vector<glm::dvec3> exact = reference_->surface(agent, {.evaluated = now, .time = now}, 0);
+  double largest = 0.0;
+  for (std::size_t vertex = 0; vertex < drawn.size(); ++vertex) {
+    const glm::dvec4 should_be = to_clip * glm::dvec4(reference_->to_world(agent, exact[vertex]), 1.0);
+    if (glm::max(std::abs(should_be.x), std::abs(should_be.y)) > should_be.w) continue;
+    const glm::dvec4 is = to_clip * glm::dvec4(glm::dvec3(drawn[vertex].position), 1.0);
+    largest = std::max(largest, glm::distance(pixels(is), pixels(should_be)));
+  }
+  return largest;
+}
+
+double StagedCrowd::largest_error(std::uint32_t agent) {
+  const std::vector<render::ReadBackVertex> drawn = surface_on_device(agent);
   const std::vector<glm::dvec3> meant = reference_surface(agent);
   if (drawn.size() != meant.size()) throw std::runtime_error("the device has another number of vertices");
   double largest = 0.0;

@@ -42,6 +42,9 @@ class StagedCrowd {
   bool blends(std::uint32_t agent) const;
   /// Metres by which the device's surface of `agent` is away from the reference's at its worst vertex.
   double largest_error(std::uint32_t agent);
+  /// Pixels by which the device's surface of `agent` is away from where the clips have it now, with all bones, at the
+  /// worst vertex in the picture: what the stage's error meter should say.
+  double largest_error_on_screen(std::uint32_t agent);
 
   /// Faults. Both slots of `agent` are written anew with what `change` makes of the palettes that belong there.
   template <typename Change>
@@ -64,6 +67,7 @@ class StagedCrowd {
   };
 
   void note_moments();
+  std::vector<render::ReadBackVertex> surface_on_device(std::uint32_t agent);
   std::uint32_t instance_of(std::uint32_t agent) const;
   double blend_of(std::uint32_t agent) const;
   std::vector<glm::dvec3> reference_surface(std::uint32_t agent) const;

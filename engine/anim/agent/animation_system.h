@@ -184,6 +184,9 @@ class AnimationSystem {
   /// against. However far ahead an agent stands, its players and blends are wound back; what remembers more than a time
   /// (rag-dolls, gazes, placed feet) is taken as it is. Changes nothing: copies of blocks are updated and dropped.
   void pose_exactly(std::span<const ExactPose> agents);
+  /// False while an agent stands ahead of the clock and its pose of now is not known: the offset of an interrupted fade
+  /// was captured in between, or placed feet are being let go.
+  bool can_pose_exactly(std::uint32_t agent) const;
 
   /// Root motion, data keys and absolute root of an agent, at a frame boundary: after advance(), ask for the interval
   /// from the clock before to the clock now, before any request.

@@ -4,8 +4,39 @@
 #include <cassert>
 
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/entity/foot_placement_entity.h"
+#include "engine/anim/entity/inertialiser.h"
 
 namespace throng::anim {
+namespace {
+
+// The offset was captured after that, or is about to be.
+bool has_no_offset_of(const Inertialiser& offset, Ticks ahead) {
+  return !has_left(offset) || offset.since_capture < ahead;
+}
+
+// Where feet were held and where they are let go to depends on frames in which nobody posed them.
+bool holds_feet_of(const FootPlacementEntity& feet, Ticks ahead) {
+  FadingWeight weight = feet.weight;
+  advance_weight(weight, -static_cast<float>(to_seconds(ahead)));
+  return value(weight) > 0.0F;
+}
+
+}  // namespace
+
+bool AnimationSystem::can_pose_exactly(std::uint32_t agent) const {
+  const Ticks ahead = posed_at_[agent] - clock_;
+  return ahead <= 0 || std::ranges::none_of(program(agent).steps, [&](const PoseStep& step) {
+           switch (pools(agent).state(step.entity).type) {
+             case EntityType::inertialiser:
+               return has_no_offset_of(pools(agent).as<Inertialiser>(step.entity), ahead);
+             case EntityType::foot_placement:
+               return holds_feet_of(pools(agent).as<FootPlacementEntity>(step.entity), ahead);
+             default:
+               return false;
+           }
+         });
+}
 
 void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
   exact_work_.clear();

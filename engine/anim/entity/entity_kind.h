@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "engine/anim/asset/bone_priorities.h"
@@ -77,6 +78,12 @@ struct PacketJob {
   float* out = nullptr;                   ///< may be one of the sources
 };
 
+/// An entity and the pose of its first source, which it changes.
+struct PosedEntity {
+  EntityInStore entity;
+  PoseView pose;
+};
+
 /// What an entity shows where that is a clip, or a blend of two: kernels make such poses for many characters at once.
 struct ShownClip {
   const SampledStream* stream = nullptr;
@@ -108,6 +115,12 @@ struct EntityKind {
   void (*advance)(const EntityInStore& entity, std::span<const AnimationStateHeader* const> sources) = nullptr;
   void (*pose_packet)(const EntityInStore& entity, const PacketJob& job) = nullptr;
   void (*pose_whole)(const EntityInStore& entity, const PoseView& pose) = nullptr;  ///< or this one
+  /// pose_whole reads and changes the bones below this one alone: the others need not be there yet.
+  int whole_bones = std::numeric_limits<int>::max();
+  bool displaces = true;  ///< false: positions are those of its only source
+  /// For up to widest_tile characters at once, each as pose_whole would, to the bit and whoever the others are; called
+  /// where these stand side by side. Null: pose_whole is called for each.
+  void (*pose_tile)(std::span<const PosedEntity> all) = nullptr;
   /// After `advance`: the clips that pose_packet would show, where all its sources show clips too; then neither its nor
   /// theirs is called. Null: never.
   ShownClips (*shown_clips)(const EntityInStore& entity, std::span<const ShownClips* const> sources) = nullptr;

@@ -11,7 +11,7 @@ namespace throng::anim {
 struct FadingWeight {
   float from;
   float to;
-  float elapsed;  ///< seconds; below 0: the fade has not begun where the entity stands
+  float elapsed;  ///< seconds, some way beyond `total`; below 0: the fade has not begun where the entity stands
   float total;    ///< seconds; 0: at `to`
 };
 static_assert(sizeof(FadingWeight) == 16);
@@ -21,8 +21,11 @@ inline float value(const FadingWeight& weight) {
   return std::lerp(weight.from, weight.to, ease(std::max(weight.elapsed, 0.0F) / weight.total));
 }
 
+inline constexpr float weight_memory = 2.0F;  ///< seconds after a fade in which it can still be wound back
+
+/// `seconds` below 0 wind it back.
 inline void advance_weight(FadingWeight& weight, float seconds) {
-  weight.elapsed = std::min(weight.elapsed + seconds, weight.total);
+  weight.elapsed = std::min(weight.elapsed + seconds, weight.total + weight_memory);
 }
 
 /// From where it is. `lead`: how far the entity stands ahead of the moment at which the fade begins.

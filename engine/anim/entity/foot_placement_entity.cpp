@@ -10,7 +10,7 @@ namespace {
 std::size_t private_bytes(int, int) { return sizeof(FootPlacementMemory); }
 
 void advance_feet(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
-  advance_weight(entity.as<FootPlacementEntity>().weight, begin_whole_pose(entity, states).seconds);
+  advance_weight(entity.as<FootPlacementEntity>().weight, begin_whole_pose(entity, states).elapsed);
 }
 
 GroundContact contact_under(const glm::vec3& ankle, const Footing& ground, const JointMotion& model_in_world) {

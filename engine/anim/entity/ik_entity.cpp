@@ -8,7 +8,7 @@ namespace {
 std::size_t private_bytes(int, int) { return sizeof(IkMemory); }
 
 void advance_ik(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
-  advance_weight(entity.as<IkEntity>().weight, begin_whole_pose(entity, states).seconds);
+  advance_weight(entity.as<IkEntity>().weight, begin_whole_pose(entity, states).elapsed);
 }
 
 void reach(const EntityInStore& entity, const PoseView& pose) {

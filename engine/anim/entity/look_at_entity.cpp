@@ -1,5 +1,8 @@
 #include "engine/anim/entity/look_at_entity.h"
 
+#include <algorithm>
+#include <array>
+
 #include "engine/anim/entity/whole_pose_step.h"
 
 namespace throng::anim {
@@ -8,19 +11,34 @@ namespace {
 std::size_t private_bytes(int, int) { return sizeof(LookAtMemory); }
 
 void advance_look(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
-  advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, states).seconds);
+  advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, states).elapsed);
+}
+
+LookAtJob job_of(const PosedEntity& posed) {
+  const EntityInStore& entity = posed.entity;
+  const auto& look = entity.as<LookAtEntity>();
+  auto& memory = entity.private_as<LookAtMemory>();
+  return {.rig = &entity.resource_as<LookAtRig>(),
+          .state = &memory.gaze,
+          .pose = posed.pose,
+          .target = {look.target[0], look.target[1], look.target[2]},
+          .seconds = entity.prepared_as<WholePoseStep>().seconds,
+          .weight = value(look.weight),
+          .limits = memory.limits};
+}
+
+void turn_all_to_targets(std::span<const PosedEntity> all) {
+  std::array<LookAtJob, widest_tile> jobs;
+  std::ranges::transform(all, jobs.begin(), job_of);
+  all.front().entity.assets->kernels->look_at(std::span(jobs).first(all.size()));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].entity.private_as<LookAtMemory>().remaining = jobs[i].remaining;
+  }
 }
 
 void turn_to_target(const EntityInStore& entity, const PoseView& pose) {
-  const auto& look = entity.as<LookAtEntity>();
-  auto& memory = entity.private_as<LookAtMemory>();
-  memory.remaining = look_at({.rig = &entity.resource_as<LookAtRig>(),
-                              .state = &memory.gaze,
-                              .pose = pose,
-                              .target = {look.target[0], look.target[1], look.target[2]},
-                              .seconds = entity.prepared_as<WholePoseStep>().seconds,
-                              .weight = value(look.weight),
-                              .limits = memory.limits});
+  const PosedEntity alone{entity, pose};
+  turn_all_to_targets({&alone, 1});
 }
 
 }  // namespace
@@ -33,6 +51,9 @@ EntityKind look_at_kind(const LookAtRig& rig) {
           .prepared_bytes = whole_pose_prepared_bytes,
           .advance = advance_look,
           .pose_whole = turn_to_target,
+          .whole_bones = rig.chain.bones[static_cast<std::size_t>(rig.chain.tip())] + 1,
+          .displaces = false,
+          .pose_tile = turn_all_to_targets,
           .resource = &rig};
 }
 

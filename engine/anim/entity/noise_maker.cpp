@@ -1,7 +1,5 @@
 #include "engine/anim/entity/noise_maker.h"
 
-#include <algorithm>
-
 namespace throng::anim {
 namespace {
 
@@ -9,26 +7,22 @@ void advance_noise(const EntityInStore& entity, std::span<const AnimationStateHe
   auto& noise = entity.as<NoiseMaker>();
   noise.time += noise.state.delta_time;
   noise.state.delta_time = 0;
-  entity.prepared_as<NoisePoint>() = noise_at(noise.time, noise.frequency);
+  entity.prepared_as<NoiseMoment>() = noise_moment(noise.seed, noise_at(noise.time, noise.frequency));
   take_velocity(noise.state, *states[0]);
 }
 
 void shake_packet(const EntityInStore& entity, const PacketJob& job) {
   const auto& noise = entity.as<NoiseMaker>();
-  const float* mask = entity.assets->mask(noise.mask);
-  alignas(64) float amplitudes[packet_bones];
-  for (int bone = 0; bone < packet_bones; ++bone) {
-    const int index = job.packet * packet_bones + bone;
-    const float share = mask == nullptr ? 1.0F : mask[index];
-    amplitudes[bone] = index < entity.assets->bone_count ? noise.amplitude * share : 0.0F;
-  }
-  entity.assets->kernels->noise({.from = job.sources[0],
-                                 .amplitudes = amplitudes,
-                                 .point = entity.prepared_as<NoisePoint>(),
-                                 .seed = noise.seed,
-                                 .packet = job.packet,
-                                 .components = entity.assets->components,
-                                 .out = job.out});
+  const EntityAssets& assets = *entity.assets;
+  const float* mask = assets.mask(noise.mask);
+  assets.kernels->noise({.from = job.sources[0],
+                         .amplitude = noise.amplitude,
+                         .bone_weights = mask == nullptr ? nullptr : mask + job.packet * packet_bones,
+                         .moment = entity.prepared_as<NoiseMoment>(),
+                         .packet = job.packet,
+                         .bone_count = assets.bone_count,
+                         .components = assets.components,
+                         .out = job.out});
 }
 
 }  // namespace
@@ -38,6 +32,7 @@ const EntityKind noise_maker_kind = {.name = "noise maker",
                                      .sources = only_source<NoiseMaker>,
                                      .prepared_bytes = 64,
                                      .advance = advance_noise,
-                                     .pose_packet = shake_packet};
+                                     .pose_packet = shake_packet,
+                                     .displaces = false};
 
 }  // namespace throng::anim

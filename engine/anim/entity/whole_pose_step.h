@@ -10,7 +10,8 @@ namespace throng::anim {
 
 /// What entities that tweak the whole pose of one source carry from `advance` to `pose_whole`.
 struct WholePoseStep {
-  float seconds;  ///< since the last update, 0 or more: what they remember is not wound back
+  float elapsed;  ///< seconds since the last update; below 0: wound back
+  float seconds;  ///< of them, for what remembers more than a time and is not wound back: 0 or more
 };
 inline constexpr std::size_t whole_pose_prepared_bytes = 64;
 
@@ -18,7 +19,8 @@ inline constexpr std::size_t whole_pose_prepared_bytes = 64;
 inline WholePoseStep begin_whole_pose(const EntityInStore& entity,
                                       std::span<const AnimationStateHeader* const> sources) {
   auto& state = entity.as<AnimationStateHeader>();
-  const WholePoseStep step{.seconds = static_cast<float>(to_seconds(std::max<Ticks>(state.delta_time, 0)))};
+  const auto elapsed = static_cast<float>(to_seconds(state.delta_time));
+  const WholePoseStep step{.elapsed = elapsed, .seconds = std::max(elapsed, 0.0F)};
   state.delta_time = 0;
   take_velocity(state, *sources[0]);
   entity.prepared_as<WholePoseStep>() = step;

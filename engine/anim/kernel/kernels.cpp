@@ -19,6 +19,7 @@
 #include "engine/anim/kernel/add-inl.h"
 #include "engine/anim/kernel/blend-inl.h"
 #include "engine/anim/kernel/general_palette-inl.h"
+#include "engine/anim/kernel/look_at-inl.h"
 #include "engine/anim/kernel/mix-inl.h"
 #include "engine/anim/kernel/noise-inl.h"
 #include "engine/anim/kernel/offset-inl.h"
@@ -78,6 +79,7 @@ Kernels kernel_set() {
           .capture_offset = &capture_offset,
           .apply_offset = &apply_offset,
           .noise = &noise,
+          .look_at = &look_at,
           .model_palette = &model_palette,
           .fence_stores = &fence_stores};
 }

@@ -14,6 +14,8 @@
 
 namespace throng::anim {
 
+struct LookAtJob;
+
 /// Pure functions over shaped spans: across bones up to the local pose, across characters from
 /// there. Inside: no allocation, no lock, no global. All pointers are 64-byte aligned unless said.
 
@@ -139,6 +141,7 @@ struct Kernels {
   void (*capture_offset)(const OffsetCaptureJob& job);
   void (*apply_offset)(const OffsetApplyJob& job);
   void (*noise)(const NoiseJob& job);
+  void (*look_at)(std::span<LookAtJob> jobs);  ///< at most widest_tile, all of one rig; see look_at.h
   void (*model_palette)(const ModelPaletteJob& job);
   void (*fence_stores)();  ///< what was streamed is visible to whoever learns of it from now on
 };

@@ -56,6 +56,9 @@ struct LookAtState {
 };
 static_assert(std::is_trivially_copyable_v<LookAtState>);
 
+/// Turns the joints so that the head faces the target, or as near to it as the limits allow. A target behind is looked
+/// at over the shoulder that is already turned: the head never swings through the front because of it. A level of
+/// detail without the head, and a target that is no place (see is_place), leave the pose alone.
 struct LookAtJob {
   const LookAtRig* rig = nullptr;
   LookAtState* state = nullptr;
@@ -64,12 +67,11 @@ struct LookAtJob {
   float seconds = 0.0F;    ///< since the last frame, not negative
   float weight = 1.0F;     ///< 0 leaves the pose to the bit and forgets the state; fade it to look away
   LookAtLimits limits{};
+  float remaining = 0.0F;  ///< out: from the gaze to the target, radians (0 to pi); 0 where nothing was turned
 };
 
-/// Turns the joints so that the head faces the target, or as near to it as the limits allow. A target behind is looked
-/// at over the shoulder that is already turned: the head never swings through the front because of it. Returns the
-/// angle from the gaze to the target that remains, radians (0 to pi). A level of detail without the head, and a target
-/// that is no place (see is_place), leave the pose alone and return 0.
+/// One alone, by the best kernels (Kernels::look_at solves up to a tile at once, to the same bits). Returns what
+/// remains.
 float look_at(const LookAtJob& job);
 
 }  // namespace throng::anim

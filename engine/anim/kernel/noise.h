@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "engine/anim/base/units.h"
@@ -17,16 +18,25 @@ struct NoisePoint {
 /// exact after years as it is at first. Negative times are as good as others.
 NoisePoint noise_at(Ticks time, float frequency);
 
+/// What all bones of a character have in common at one time: three lattice points, and the share of each in a uniform
+/// quadratic B-spline.
+struct NoiseMoment {
+  std::array<std::uint32_t, 3> keys{};
+  std::array<float, 3> shares{};  ///< their sum is 1
+};
+NoiseMoment noise_moment(std::uint64_t seed, const NoisePoint& point);
+
 /// Noise: turns bones a little, out = from * rotation, smoothly (its velocity has no jumps) and always the same at the
-/// same time. Each axis of each bone has a value from -1 to 1 at every lattice point, ten bits of an integer hash of
-/// seed, bone and point; between them runs a uniform quadratic B-spline. A bone of amplitude 0 keeps its bits. `out`
-/// may be `from`.
+/// same time. Each axis of each bone has a value from -1 to 1 at every lattice point, ten bits and more of an integer
+/// hash of seed, bone and point; between them runs the spline. With v the values times amplitude / sqrt(3), the bone
+/// turns about v by 2 atan(|v| / 2). A bone of amplitude 0 keeps its bits. `out` may be `from`.
 struct NoiseJob {
-  const float* from = nullptr;        ///< [components][16]
-  const float* amplitudes = nullptr;  ///< [16], rad, 0 to pi: no turn is ever larger; 0 at and above the bone count
-  NoisePoint point;
-  std::uint64_t seed = 0;
-  int packet = 0;  ///< which 16 bones these are
+  const float* from = nullptr;          ///< [components][16]
+  float amplitude = 0.0F;               ///< rad, 0 to pi: no turn is ever larger
+  const float* bone_weights = nullptr;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
+  NoiseMoment moment;
+  int packet = 0;      ///< which 16 bones these are
+  int bone_count = 0;  ///< of the whole pose: what lies at and above it keeps its bits
   int components = rigid_components;
   float* out = nullptr;  ///< [components][16]
 };

@@ -1,5 +1,7 @@
 #include "engine/anim/run/fused_scratch.h"
 
+#include <algorithm>
+
 #include "engine/anim/run/local_store_plan.h"
 
 namespace throng::anim {
@@ -8,14 +10,17 @@ FusedScratch FusedScratch::carve(ScratchCarver& carver, const UpdateContext& con
                                  int width) {
   const auto lanes = static_cast<std::size_t>(width);
   const std::size_t packet_floats = context.packet_floats();
-  const std::size_t pose_floats = packet_floats * static_cast<std::size_t>(context.packets(0));
+  const int held_packets = std::min<int>(needs.held_packets, context.packets(0));
+  const std::size_t held_floats = packet_floats * static_cast<std::size_t>(held_packets);
   FusedScratch scratch;
   scratch.model =
       ModelScratch::carve(carver, width, context.assets.components, context.hierarchy->slot_count, !needs.held);
-  scratch.register_floats = needs.held ? pose_floats : packet_floats;
+  scratch.register_floats = needs.held ? held_floats : packet_floats;
   scratch.registers = carver.carve<float>(scratch.register_floats * needs.registers);
   scratch.prepared = carver.carve<std::byte>(lanes * needs.prepared_bytes);
-  if (needs.held) scratch.held = carver.carve<float>(lanes * pose_floats);
+  if (!needs.held) return scratch;
+  scratch.held = carver.carve<float>(lanes * held_floats);
+  scratch.model.local = scratch.held.first(scratch.held.empty() ? 0 : lanes * packet_floats);
   return scratch;
 }
 

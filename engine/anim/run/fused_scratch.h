@@ -12,11 +12,11 @@ struct LocalStorePlan;
 
 /// The scratch of a tile of `width` characters in the `fused` schedule.
 ///
-///     model      see tile_scratch.h; a held tile's local poses are the held ones
-///     registers  float [registers][components][16]            streaming: one packet of one character
-///                float [registers][packets][components][16]   held: whole poses of one character
+///     model      see tile_scratch.h; local poses of a held tile are the first held ones, which are done by then
+///     registers  float [registers][components][16]                 streaming: one packet of one character
+///                float [registers][held packets][components][16]   held: poses of one character
 ///     prepared   std::byte [width][prepared bytes]
-///     held       float [packets][width][components][16]       held tiles only
+///     held       float [held packets][width][components][16]       held tiles only
 struct FusedScratch {
   ModelScratch model;
   std::span<float> registers;

@@ -5,63 +5,11 @@
 #include <cstring>
 #include <new>
 
-#include "engine/anim/run/pose_entity.h"
-#include "engine/anim/run/shared_sources.h"
+#include "engine/anim/run/fused_characters.h"
 
 namespace throng::anim {
 
-/// A tile in the local store.
-struct FusedTasks::Characters {
-  const UpdateContext* context;
-  std::span<const AgentWork> work;
-  std::byte* blocks;
-  SharedSources shared;
-  const std::byte* shared_blocks;
-  int width;
-  int packets;
-
-  const AnimationStateHeader& shared_state(Handle entity) const {
-    return *reinterpret_cast<const AnimationStateHeader*>(shared.block(*context->pools, entity, shared_blocks));
-  }
-};
-
 namespace {
-
-/// What the steps of a program left behind, for those that read them.
-template <typename Left>
-struct LeftBySteps {
-  std::array<Left, PoseProgram::max_steps> left;
-
-  std::span<const Left> sources(const PoseStep& step, std::array<Left, max_sources>& gathered) const {
-    for (std::size_t k = 0; k < step.source_count; ++k) gathered[k] = left[step.sources[k]];
-    return {gathered.data(), step.source_count};
-  }
-};
-
-template <typename Visit>
-void for_each_shared(const PoseProgram& program, Visit&& visit) {
-  if (program.needs.shared == 0) return;
-  for (std::size_t i = 0; i < program.steps.size(); ++i) {
-    if (program.steps[i].shared) visit(i, program.steps[i]);
-  }
-}
-
-/// Calls visit(step index, step, entity) for each entity that the character owns, sources first, and moves both
-/// pointers behind the character.
-template <typename Visit>
-void for_each_own(const UpdateContext& context, const PoseProgram& program, std::byte*& block, std::byte*& prepared,
-                  Visit&& visit) {
-  for (std::size_t i = 0; i < program.steps.size(); ++i) {
-    const PoseStep& step = program.steps[i];
-    if (step.shared) continue;
-    const EntityLayout& layout = context.pools->layout(step.entity);
-    visit(i, step, EntityInStore{.block = block, .prepared = prepared, .layout = &layout, .assets = &context.assets});
-    block += layout.total_size;
-    prepared += layout.kind->prepared_bytes;
-  }
-}
-
-bool is_resident(const EntityInStore& entity) { return entity.layout->transforms_offset != 0; }
 
 /// The steps that have to be posed where `base` already is.
 template <typename IsPosed>
@@ -142,8 +90,7 @@ int FusedTasks::copy_points(int task) const {
 }
 
 /// Moves a character's entities and notes which clips each of its steps shows. Returns the root's.
-const ShownClips& FusedTasks::advance_character(const Characters& characters, const AgentWork& work, std::byte*& block,
-                                                std::byte*& prepared) {
+const ShownClips& FusedTasks::advance_character(const Characters& characters, const AgentWork& work, StepPlace& place) {
   LeftBySteps<const AnimationStateHeader*> states;
   std::array<const AnimationStateHeader*, max_sources> source_states;
   std::array<const ShownClips*, max_sources> source_clips;
@@ -151,7 +98,7 @@ const ShownClips& FusedTasks::advance_character(const Characters& characters, co
     states.left[i] = &characters.shared_state(step.entity);
     shown_[i].count = 0;
   });
-  for_each_own(*characters.context, *work.program, block, prepared,
+  for_each_own(*characters.context, *work.program, place, work.program->steps.size(),
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
                  const EntityKind& kind = *entity.layout->kind;
                  auto& state = entity.as<AnimationStateHeader>();
@@ -159,7 +106,7 @@ const ShownClips& FusedTasks::advance_character(const Characters& characters, co
                  kind.advance(entity, states.sources(step, source_states));
                  states.left[i] = &state;
                  shown_[i].count = 0;
-                 if (kind.shown_clips == nullptr || is_resident(entity)) return;
+                 if (kind.shown_clips == nullptr || is_resident(*entity.layout)) return;
                  for (std::size_t k = 0; k < step.source_count; ++k) source_clips[k] = &shown_[step.sources[k]];
                  // Made in its place: a copy would wait for the parts that were just written.
                  ::new (&shown_[i]) ShownClips(kind.shown_clips(entity, {source_clips.data(), step.source_count}));
@@ -177,16 +124,31 @@ std::size_t FusedTasks::base_of(const PoseProgram& program) const {
   return Composed::no_base;
 }
 
+/// Some step may give bones other positions than the clips below it do.
+bool FusedTasks::displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed) {
+  if (composed.base == Composed::no_base) return true;
+  for (std::size_t i = 0; i < program.steps.size(); ++i) {
+    const PoseStep& step = program.steps[i];
+    if (composed.poses(i) && (step.shared || pools.kind(step.entity).displaces)) return true;
+  }
+  return false;
+}
+
+bool FusedTasks::is_displaced(const Characters& characters, int packet) const {
+  return composed_displaces_ || characters.context->assets.components == general_components || clips_.displaced(packet);
+}
+
 /// Moves all characters' entities and sorts out whose poses are clips, or begin with them.
 void FusedTasks::advance_entities(const Characters& characters) {
-  std::byte* block = characters.blocks;
-  std::byte* prepared = scratch_.prepared.data();
+  StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
   clips_.clear();
   composed_count_ = 0;
+  composed_displaces_ = false;
   for (std::size_t i = 0; i < characters.work.size(); ++i) {
-    Composed composed{.character = i, .block = block, .prepared = prepared};
+    place.step = 0;
+    Composed composed{.character = i, .first = place, .next = place};
     const AgentWork& work = characters.work[i];
-    const ShownClips& shown = advance_character(characters, work, block, prepared);
+    const ShownClips& shown = advance_character(characters, work, place);
     if (shown.count > 0) {
       clips_.add(static_cast<int>(i), shown);
       continue;
@@ -194,6 +156,7 @@ void FusedTasks::advance_entities(const Characters& characters) {
     composed.base = base_of(*work.program);
     if (composed.base != Composed::no_base) clips_.add(static_cast<int>(i), shown_[composed.base]);
     composed.wanted = steps_over(*work.program, composed.base, [](std::size_t) { return false; });
+    composed_displaces_ = composed_displaces_ || displaces(*characters.context->pools, *work.program, composed);
     composed_[composed_count_++] = composed;
   }
 }
@@ -204,8 +167,7 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
   const std::size_t floats = characters.context->packet_floats();
   const std::size_t offset = static_cast<std::size_t>(packet) * floats;
   float* const local = &scratch_.model.local[composed.character * floats];
-  std::byte* block = composed.block;
-  std::byte* prepared = composed.prepared;
+  StepPlace place = composed.first;
   LeftBySteps<const float*> poses;
   std::array<const float*, max_sources> sources;
   const std::size_t root = work.program->steps.size() - 1;
@@ -213,13 +175,18 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
     poses.left[i] = transforms_of(characters.shared_state(step.entity)) + offset;
   });
   if (composed.base != Composed::no_base) poses.left[composed.base] = local;
-  for_each_own(*characters.context, *work.program, block, prepared,
+  for_each_own(*characters.context, *work.program, place, root + 1,
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
                  if (!composed.poses(i)) return;
+                 const EntityKind& kind = *entity.layout->kind;
+                 if (kind.whole_pose()) {
+                   poses.left[i] = poses.left[step.sources[0]];  // whose bones all lie in held packets
+                   return;
+                 }
                  float* out = i == root ? local : &scratch_.registers[step.target * floats];
-                 if (is_resident(entity)) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
-                 entity.layout->kind->pose_packet(
-                     entity, {.packet = packet, .sources = poses.sources(step, sources).data(), .out = out});
+                 if (is_resident(*entity.layout)) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
+                 kind.pose_packet(entity,
+                                  {.packet = packet, .sources = poses.sources(step, sources).data(), .out = out});
                  poses.left[i] = out;
                });
   if (poses.left[root] != local) std::memcpy(local, poses.left[root], floats * sizeof(float));
@@ -228,7 +195,7 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
 /// The local poses of one packet. False: all positions are 0, and were not written.
 bool FusedTasks::stream_packet(const Characters& characters, int packet) const {
   const EntityAssets& assets = characters.context->assets;
-  const bool displaced = composed_count_ > 0 || assets.components == general_components || clips_.displaced(packet);
+  const bool displaced = is_displaced(characters, packet);
   if (!clips_.empty()) {
     assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, scratch_.model.local.data()));
   }
@@ -236,31 +203,6 @@ bool FusedTasks::stream_packet(const Characters& characters, int packet) const {
     compose_packet(characters, composed, packet);
   }
   return displaced;
-}
-
-/// The whole local pose of one character, entity after entity, over clips that are there already.
-void FusedTasks::compose_whole(const Characters& characters, const Composed& composed, const PoseView& held) const {
-  const AgentWork& work = characters.work[composed.character];
-  const std::size_t floats = characters.context->packet_floats();
-  const auto view = [&](float* first) { return PoseView{first, floats, held.components, held.bone_count}; };
-  std::byte* block = composed.block;
-  std::byte* prepared = composed.prepared;
-  LeftBySteps<PoseView> poses;
-  std::array<PoseView, max_sources> source_poses;
-  for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
-    poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.entity))));
-  });
-  if (composed.base != Composed::no_base) poses.left[composed.base] = held;
-  const std::size_t root = work.program->steps.size() - 1;
-  for_each_own(*characters.context, *work.program, block, prepared,
-               [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
-                 if (!composed.poses(i)) return;
-                 PoseView out = i == root ? held : view(&scratch_.registers[step.target * scratch_.register_floats]);
-                 if (is_resident(entity)) out = view(transforms_of(entity.as<AnimationStateHeader>()));
-                 pose_entity(entity, poses.sources(step, source_poses), out, characters.packets, nullptr);
-                 poses.left[i] = out;
-               });
-  copy_pose(poses.left[root], held, characters.packets);
 }
 
 void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
@@ -273,7 +215,8 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
                         .shared = needs.shared > 0 ? SharedSources(tile) : SharedSources(),
                         .shared_blocks = nullptr,
                         .width = static_cast<int>(std::bit_ceil(tile.size())),
-                        .packets = about.packets(tile.front().level)};
+                        .packets = about.packets(tile.front().level),
+                        .held_packets = std::min<int>(needs.held_packets, about.packets(tile.front().level))};
   ScratchCarver carver(store_->scratch());
   scratch_ = FusedScratch::carve(carver, about, needs, characters.width);
   // Lanes beyond the last character compute on numbers, not on noise.
@@ -283,44 +226,19 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   if (needs.shared > 0) characters.shared_blocks = characters.blocks + own_bytes(tile);
   advance_entities(characters);
   begin_palettes(scratch_.model, tile, palettes_.unseen);
-  if (needs.held) {
-    compute_held(characters, engine);
-  } else {
-    compute_streaming(characters, engine);
-  }
+  if (needs.held) compute_held(characters, engine);
+  compute_streaming(characters, engine);
   store_hashes(scratch_.model, tile);
   ++tiles_done_;
   agents_done_ += static_cast<std::uint32_t>(tile.size());
 }
 
 void FusedTasks::compute_streaming(const Characters& characters, CopyEngine& engine) const {
-  for (int packet = 0; packet < characters.packets; ++packet) {
+  for (int packet = characters.held_packets; packet < characters.packets; ++packet) {
     const bool displaced = stream_packet(characters, packet);
     model_palette_packet(
         *characters.context, scratch_.model, scratch_.model.local.data(), characters.work,
         {.width = characters.width, .packet = packet, .displaced = displaced, .stores = palettes_.policy});
-    engine.advance();
-  }
-}
-
-void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) const {
-  const EntityAssets& assets = characters.context->assets;
-  const std::size_t floats = characters.context->packet_floats();
-  const std::size_t stride = floats * static_cast<std::size_t>(characters.width);
-  const auto held_packet = [&](int packet) { return &scratch_.held[static_cast<std::size_t>(packet) * stride]; };
-  for (int packet = 0; packet < characters.packets && !clips_.empty(); ++packet) {
-    assets.kernels->pose_clips(clips_.job(packet, assets.components, true, held_packet(packet)));
-  }
-  const int bones = characters.context->bones(characters.work.front().level);
-  for (const Composed& composed : std::span(composed_).first(composed_count_)) {
-    compose_whole(characters, composed,
-                  {&scratch_.held[composed.character * floats], stride, assets.components, bones});
-    engine.advance();
-  }
-  for (std::size_t i = composed_count_; i < characters.work.size(); ++i) engine.advance();
-  for (int packet = 0; packet < characters.packets; ++packet) {
-    model_palette_packet(*characters.context, scratch_.model, held_packet(packet), characters.work,
-                         {.width = characters.width, .packet = packet, .stores = palettes_.policy});
     engine.advance();
   }
 }

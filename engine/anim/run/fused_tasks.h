@@ -7,6 +7,7 @@
 #include "engine/anim/run/clip_tile.h"
 #include "engine/anim/run/fused_scratch.h"
 #include "engine/anim/run/local_store.h"
+#include "engine/anim/run/step_walk.h"
 #include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_scratch.h"
 
@@ -25,7 +26,8 @@ enum class BlockChanges : std::uint8_t {
 ///     fetch buffer   [blocks of character 0 in the order of its steps | of character 1 | ... | shared sources]
 ///
 /// A *streaming* tile takes 16 bones at a time from rows to palette. A *held* one, where some entity needs bones of
-/// several packets, keeps each character's whole local pose first. Both give the same bits.
+/// several packets, keeps these of all characters first and streams the rest; entities of one kind that change poses
+/// where they lie do so side by side, for many characters at once. Both give the same bits.
 class FusedTasks {
  public:
   FusedTasks(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, std::span<const Tile> tiles,
@@ -55,10 +57,10 @@ class FusedTasks {
     static constexpr std::size_t no_base = PoseProgram::max_steps;
 
     std::size_t character = 0;
-    std::byte* block = nullptr;     ///< its first
-    std::byte* prepared = nullptr;  ///< of its first entity
-    std::size_t base = no_base;     ///< step that the kernel for clips poses
-    std::uint64_t wanted = 0;       ///< bit i: step i is posed, or is the base
+    StepPlace first;             ///< its first step
+    StepPlace next;              ///< of a held tile: the first that is not posed yet
+    std::size_t base = no_base;  ///< step that the kernel for clips poses
+    std::uint64_t wanted = 0;    ///< bit i: step i is posed, or is the base
 
     bool poses(std::size_t step) const { return step != base && (wanted >> step & 1U) != 0; }
   };
@@ -68,14 +70,19 @@ class FusedTasks {
   std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   void advance_entities(const Characters& characters);
-  const ShownClips& advance_character(const Characters& characters, const AgentWork& work, std::byte*& block,
-                                      std::byte*& prepared);
+  const ShownClips& advance_character(const Characters& characters, const AgentWork& work, StepPlace& place);
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;
-  void compute_held(const Characters& characters, CopyEngine& engine) const;
+  void compute_held(const Characters& characters, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
   bool stream_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program) const;
-  void compose_whole(const Characters& characters, const Composed& composed, const PoseView& held) const;
+  static bool displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed);
+  bool is_displaced(const Characters& characters, int packet) const;
+  std::size_t held_stride(const Characters& characters) const;
+  PoseView held_pose(const Characters& characters, std::size_t character) const;
+  void compose_head(const Characters& characters, Composed& composed) const;
+  void pose_tails(const Characters& characters);
+  void finish_packet(const Characters& characters, int packet) const;
 
   std::span<const UpdateContext> contexts_;
   std::span<const AgentWork> work_;
@@ -89,6 +96,7 @@ class FusedTasks {
   ClipTile clips_;                                        // the characters that show clips
   std::array<Composed, widest_tile> composed_{};          // and the others
   std::size_t composed_count_ = 0;
+  bool composed_displaces_ = false;  // positions of some of them come from more than clips
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;
 };

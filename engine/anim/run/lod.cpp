@@ -97,8 +97,7 @@ LodChoice choose_within_tolerance(const LodRules& rules, const Seen& seen, LodCh
   return seen.motion->choose(allowed, shown);
 }
 
-void obey(const LodFrame& frame, std::size_t agent, int level_count, LodChoice& choice) {
-  const LodForce& force = frame.force;
+void apply_force(const LodForce& force, std::size_t agent, int level_count, LodChoice& choice) {
   if (!force.concerns(agent)) return;
   if (force.interval > 0) choice.interval = static_cast<std::uint8_t>(force.interval);
   if (force.bone_level >= 0) choice.bone_level = static_cast<std::uint8_t>(std::min(force.bone_level, level_count - 1));
@@ -109,7 +108,7 @@ Decision decide(const LodFrame& frame, const Thresholds& squares, const LodState
   LodChoice choice = frame.rules.rule == LodRule::budget
                          ? choose_within_tolerance(frame.rules, seen, {state.interval[agent], state.bone_level[agent]})
                          : choose_by_distance(frame, squares, state.bone_level[agent], level_count, seen);
-  obey(frame, agent, level_count, choice);
+  apply_force(frame.force, agent, level_count, choice);
   if (frame.rules.rule == LodRule::off) return {1, 1, choice.bone_level};
   const int own_turn = frames_to_own_turn(agent, frame.number, choice.interval);
   return {choice.interval, seen.fresh ? 1 : own_turn, choice.bone_level};
@@ -129,8 +128,8 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.clips.empty() || frame.clips.size() == frame.positions.size());
   assert(frame.importance.empty() || frame.importance.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
-  assert(frame.force.interval >= 0 && frame.force.interval <= longest_interval);
   assert(frame.rules.rule != LodRule::budget || (frame.choices != nullptr && frame.rules.tolerance_pixels > 0.0F));
+  assert(frame.force.interval >= 0 && frame.force.interval <= longest_interval);
   static_cast<void>(frame);
   static_cast<void>(state);
 }

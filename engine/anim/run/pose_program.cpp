@@ -7,6 +7,7 @@ namespace throng::anim {
 namespace {
 
 constexpr std::uint8_t no_step = UINT8_MAX;
+constexpr int most_held_packets = UINT8_MAX;
 
 std::string named(const EntityPools& pools, Handle entity) {
   return std::string(pools.kind(entity).name) + " " + std::to_string(entity.index());
@@ -119,6 +120,24 @@ std::uint8_t assign_registers(std::span<PoseStep> steps, const EntityPools& pool
   return static_cast<std::uint8_t>(count);
 }
 
+void find_tails(std::span<const PoseStep> steps, const EntityPools& pools, PoseProgram& program) {
+  const auto changes_in_place = [&](std::size_t i) {
+    const PoseStep& step = steps[i];
+    return !step.shared && step.source_count == 1 && step.sources[0] == i - 1 &&
+           pools.layout(step.entity).transforms_offset == 0;
+  };
+  std::size_t tail = steps.size();
+  while (tail > 1 && changes_in_place(tail - 1)) --tail;
+  std::size_t packet_tail = steps.size();
+  while (packet_tail > tail && !pools.kind(steps[packet_tail - 1].entity).whole_pose()) --packet_tail;
+  program.tail = static_cast<std::uint8_t>(tail);
+  program.packet_tail = static_cast<std::uint8_t>(packet_tail);
+}
+
+std::uint8_t packets_for_bones(int bones) {
+  return static_cast<std::uint8_t>(packets_for(std::min(bones, most_held_packets * packet_bones)));
+}
+
 void count_part(const EntityKind& kind, ProgramParts& parts) {
   if (kind.sources == nullptr) {
     ++parts.players;
@@ -131,6 +150,11 @@ void count_part(const EntityKind& kind, ProgramParts& parts) {
 
 }  // namespace
 
+void StoreNeeds::hold(std::uint8_t packets) {
+  held = true;
+  held_packets = std::max(held_packets, packets);
+}
+
 void StoreNeeds::widen(const StoreNeeds& other) {
   fetch_bytes = std::max(fetch_bytes, other.fetch_bytes);
   shared_bytes = std::max(shared_bytes, other.shared_bytes);
@@ -139,6 +163,7 @@ void StoreNeeds::widen(const StoreNeeds& other) {
   registers = std::max(registers, other.registers);
   shared = std::max(shared, other.shared);
   held = held || other.held;
+  held_packets = std::max(held_packets, other.held_packets);
 }
 
 Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, PoseProgram& program) {
@@ -147,6 +172,7 @@ Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, Pos
   if (Status visited = flattening.visit(root, root_step); !visited) return visited;
   const std::span<PoseStep> steps = flattening.steps();
   program.needs = {.registers = assign_registers(steps, pools)};
+  find_tails(steps, pools, program);
   program.parts = {};
   for (const PoseStep& step : steps) {
     const EntityLayout& layout = pools.layout(step.entity);
@@ -162,7 +188,7 @@ Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, Pos
     }
     program.needs.entity_bytes = std::max(program.needs.entity_bytes, entity_bytes);
     program.needs.prepared_bytes += static_cast<std::uint32_t>(layout.kind->prepared_bytes);
-    program.needs.held = program.needs.held || layout.kind->whole_pose();
+    if (layout.kind->whole_pose()) program.needs.hold(packets_for_bones(layout.kind->whole_bones));
     count_part(*layout.kind, program.parts);
     pools.state(step.entity).priority = static_cast<std::int16_t>(highest_priority - step.below_highest);
   }

@@ -33,8 +33,10 @@ struct StoreNeeds {
   std::uint32_t prepared_bytes = 0;  ///< of all kinds
   std::uint8_t registers = 1;        ///< poses that live at once
   std::uint8_t shared = 0;           ///< blocks of others that it reads
-  bool held = false;                 ///< some entity needs whole poses, so all are
+  bool held = false;                 ///< some entity needs bones of several packets, so these are kept
+  std::uint8_t held_packets = 0;     ///< that are kept, from the first on; may be more than there are
 
+  void hold(std::uint8_t packets);
   void widen(const StoreNeeds& other);
   friend bool operator==(const StoreNeeds&, const StoreNeeds&) = default;
 };
@@ -47,6 +49,10 @@ struct PoseProgram {
   static constexpr std::size_t max_depth = 128;
 
   std::vector<PoseStep> steps;
+  /// From here on each step reads the one before it and nothing else, and nobody else reads that one: a pose is changed
+  /// where it lies. Never the first step.
+  std::uint8_t tail = 1;
+  std::uint8_t packet_tail = 1;  ///< from here on, none below `tail`, they do so packet by packet
   StoreNeeds needs;
   ProgramParts parts;  ///< of its own; shared ones are paid for once a frame
 

@@ -71,6 +71,23 @@ TEST_P(Skipped, IsExactlyWhereItWouldBeWhileItFades) {
   pass(40);
 }
 
+TEST_P(Skipped, SaysWhenAFadeThatWasInterruptedCannotBeWoundBack) {
+  ask_both({.clip = 0});
+  pass(interval);
+  ask_both({.clip = 1, .fade = fade});
+  pass(interval + 1);
+  ask_both({.clip = 2, .fade = fade});
+  int unknown = 0;
+  for (int i = 0; i < 3 * interval; ++i) {
+    skipped_->advance(frame_ticks);
+    const AgentUpdate update{.agent = 0, .look_ahead = interval * frame_ticks};
+    if (i % interval == 0) skipped_->update({&update, 1});
+    unknown += skipped_->can_pose_exactly(0) ? 0 : 1;
+  }
+  EXPECT_EQ(unknown, 2 * interval) << "until the clock is where the offset was captured, at the second update";
+  EXPECT_TRUE(skipped_->can_pose_exactly(0));
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Skipped,
                          testing::Values(SystemOptions{}, SystemOptions{.pus = 2, .schedule = Schedule::levels},
                                          SystemOptions{.stream = StreamKind::keyframe}));

@@ -23,7 +23,14 @@ TEST(FadingWeight, EasesOverItsFadeAndStaysThere) {
   EXPECT_FLOAT_EQ(value(weight), 0.5F);
   advance_weight(weight, 5.0F);
   EXPECT_EQ(value(weight), 1.0F);
-  EXPECT_EQ(weight.elapsed, 2.0F);
+}
+
+TEST(FadingWeight, CanBeWoundBackIntoAFadeThatIsOver) {
+  FadingWeight weight{};
+  fade_to(weight, 1.0F, 2.0F, 0.0F);
+  advance_weight(weight, 2.5F);
+  advance_weight(weight, -1.5F);
+  EXPECT_FLOAT_EQ(value(weight), 0.5F);
 }
 
 TEST(FadingWeight, TurnsRoundWithoutAJump) {

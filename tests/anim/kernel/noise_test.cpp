@@ -29,15 +29,20 @@ struct Noise {
   NoisePoint point;
   std::uint64_t seed = 17;
   int packet = 2;
+  float largest_amplitude = std::numbers::pi_v<float>;
+  int bone_count = 5 * packet_bones;
 };
 
 void add_noise(const Kernels& kernels, const Packet& from, const Noise& noise, Packet& out,
                int components = general_components) {
+  Amplitudes shares{};
+  for (int bone = 0; bone < packet_bones; ++bone) shares.of[bone] = noise.amplitudes.of[bone] / noise.largest_amplitude;
   kernels.noise({.from = from.data(),
-                 .amplitudes = noise.amplitudes.of,
-                 .point = noise.point,
-                 .seed = noise.seed,
+                 .amplitude = noise.largest_amplitude,
+                 .bone_weights = shares.of,
+                 .moment = noise_moment(noise.seed, noise.point),
                  .packet = noise.packet,
+                 .bone_count = noise.bone_count,
                  .components = components,
                  .out = out.data()});
 }
@@ -62,11 +67,11 @@ std::uint32_t mixed(std::uint32_t bits) {
 double lattice_value(const Noise& noise, int axis, std::int64_t point, int bone) {
   const std::uint64_t key = chain_hash(noise.seed, static_cast<std::uint64_t>(point));
   const auto number = static_cast<std::uint32_t>(noise.packet * packet_bones + bone);
-  const std::uint32_t ten_bits =
-      (mixed((number * 0x9E3779B9U) ^ static_cast<std::uint32_t>(key)) >> (10 * axis)) & 1023U;
-  return (ten_bits < 512U ? static_cast<double>(ten_bits) : static_cast<double>(ten_bits) - 1024.0) / 512.0;
+  const std::uint32_t bits = mixed((number * 0x9E3779B9U) ^ static_cast<std::uint32_t>(key)) << (10 * axis);
+  return static_cast<double>(static_cast<std::int32_t>(bits)) * 0x1p-31;
 }
 
+/// The rotation vector: twice the arc tangent of half of what the spline makes of the axes' values.
 glm::dvec3 reference_turn(const Noise& noise, int bone) {
   const auto t = static_cast<double>(noise.point.fraction);
   glm::dvec3 turn(0.0);
@@ -74,7 +79,9 @@ glm::dvec3 reference_turn(const Noise& noise, int bone) {
     const auto value = [&](int step) { return lattice_value(noise, axis, noise.point.lattice + step, bone); };
     turn[axis] = value(0) * 0.5 * (1 - t) * (1 - t) + value(1) * (0.5 + t - t * t) + value(2) * 0.5 * t * t;
   }
-  return turn * static_cast<double>(noise.amplitudes.of[bone]) / std::sqrt(3.0);
+  const glm::dvec3 half = turn * static_cast<double>(noise.amplitudes.of[bone]) / std::sqrt(12.0);
+  const double tangent = glm::length(half);
+  return tangent > 0.0 ? half * (2.0 * std::atan(tangent) / tangent) : glm::dvec3(0.0);
 }
 
 TEST(Noise, AgreesWithDoublePrecisionOnEveryTarget) {
@@ -84,6 +91,7 @@ TEST(Noise, AgreesWithDoublePrecisionOnEveryTarget) {
                   .point = {static_cast<std::int64_t>(seed) * 977 - 9000, static_cast<float>(seed) / 59.0F},
                   .seed = seed};
       noise.packet = static_cast<int>(seed % 5);
+      if (seed <= 6) noise.largest_amplitude = 0.3F;
       const Packet from = random_packet(seed);
       const Packet out = with_noise(kernels, from, noise);
       for (int bone = 0; bone < packet_bones; ++bone) {
@@ -178,6 +186,30 @@ TEST(Noise, KeepsTheBitsOfABoneWithoutAmplitude) {
       for (int bone = 0; bone < packet_bones; ++bone) {
         EXPECT_EQ(bone_bits(out, bone) == bone_bits(from, bone), bone % 2 == 0) << kernels.target << " " << bone;
       }
+    }
+  }
+}
+
+TEST(Noise, TurnsEveryBoneByTheSameAmplitudeWithoutWeightsAndNoneAboveTheBoneCount) {
+  const Amplitudes whole = even_amplitudes(1.0F);
+  for (const Kernels& kernels : runnable_kernels()) {
+    const Packet from = random_packet(3);
+    NoiseJob job{.from = from.data(),
+                 .amplitude = 0.2F,
+                 .moment = noise_moment(17, {5, 0.3F}),
+                 .packet = 2,
+                 .bone_count = 2 * packet_bones + 5,
+                 .components = general_components};
+    Packet even{};
+    job.out = even.data();
+    kernels.noise(job);
+    Packet weighted{};
+    job.bone_weights = whole.of;
+    job.out = weighted.data();
+    kernels.noise(job);
+    EXPECT_EQ(bits(even), bits(weighted)) << kernels.target;
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      EXPECT_EQ(bone_bits(even, bone) == bone_bits(from, bone), bone >= 5) << kernels.target << " " << bone;
     }
   }
 }

@@ -1,0 +1,117 @@
+// What gazes read and write of their characters, a character a lane.
+#if defined(THRONG_KERNEL_LOOK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef THRONG_KERNEL_LOOK_LANES_INL_H
+#undef THRONG_KERNEL_LOOK_LANES_INL_H
+#else
+#define THRONG_KERNEL_LOOK_LANES_INL_H
+#endif
+
+#include <span>
+
+#include "engine/anim/kernel/angles-inl.h"
+#include "engine/anim/kernel/look_at.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::anim::HWY_NAMESPACE {
+
+/// One number of each character.
+template <class D>
+struct Lane {
+  alignas(64) FloatArray<lane_count<D>> of;
+
+  hn::Vec<D> load(D d) const { return hn::Load(d, of); }
+  void store(D d, hn::Vec<D> value) { hn::Store(value, d, of); }
+};
+
+template <class V>
+struct Gazes {
+  V yaw, pitch;
+};
+
+/// DampedValue, smooth_damp.h.
+template <class V>
+struct DampedValues {
+  V value, velocity;
+};
+
+/// Every lane holds a character: those beyond the last one repeat it.
+template <class D>
+struct LookLanes {
+  using V = hn::Vec<D>;
+
+  Lane<D> joints[JointChain::max_joints][rigid_components];
+  Lane<D> target[3], weight, seconds, most_yaw, most_up, most_down, smooth_seconds, started;
+  Lane<D> yaw, yaw_velocity, pitch, pitch_velocity, remaining;
+
+  void load(const JointChain& chain, std::span<LookAtJob* const> jobs) {
+    for (int lane = 0; lane < lane_count<D>; ++lane) {
+      const auto filled = HWY_MIN(static_cast<std::size_t>(lane), jobs.size() - 1);
+      load_pose(chain, jobs[filled]->pose, lane);
+      load_gaze(*jobs[filled], lane);
+    }
+  }
+
+  Quaternions<V> rotation(D d, int joint) const {
+    const Lane<D>* parts = joints[joint];
+    return {parts[0].load(d), parts[1].load(d), parts[2].load(d), parts[3].load(d)};
+  }
+  void set_rotation(D d, int joint, const Quaternions<V>& rotation) {
+    Lane<D>* parts = joints[joint];
+    parts[0].store(d, rotation.x);
+    parts[1].store(d, rotation.y);
+    parts[2].store(d, rotation.z);
+    parts[3].store(d, rotation.w);
+  }
+  /// From the joint before, in its frame.
+  Vectors<V> offset(D d, const JointChain& chain, int joint) const {
+    const Lane<D>* parts = joints[joint] + 4;
+    const glm::vec3& bound = chain.offsets.data()[joint];
+    return {hn::Add(parts[0].load(d), hn::Set(d, bound.x)), hn::Add(parts[1].load(d), hn::Set(d, bound.y)),
+            hn::Add(parts[2].load(d), hn::Set(d, bound.z))};
+  }
+
+  void store(const LookAtRig& rig, std::span<LookAtJob* const> jobs) const {
+    for (std::size_t lane = 0; lane < jobs.size(); ++lane) {
+      LookAtJob& job = *jobs[lane];
+      *job.state = {.yaw = {yaw.of[lane], yaw_velocity.of[lane]},
+                    .pitch = {pitch.of[lane], pitch_velocity.of[lane]},
+                    .started = true};
+      job.remaining = remaining.of[lane];
+      for (int i = 0; i < rig.joint_count; ++i) {
+        const int joint = rig.joints.data()[i];
+        float* to = lane_of(job.pose, rig.chain.bones.data()[joint]);
+        for (int part = 0; part < 4; ++part) to[part * packet_bones] = joints[joint][part].of[lane];
+      }
+    }
+  }
+
+ private:
+  static float* lane_of(const PoseView& pose, int bone) {
+    return pose.packet(bone / packet_bones) + bone % packet_bones;
+  }
+  void load_pose(const JointChain& chain, const PoseView& pose, int lane) {
+    for (int joint = 0; joint < chain.count; ++joint) {
+      const float* from = lane_of(pose, chain.bones.data()[joint]);
+      for (int part = 0; part < rigid_components; ++part) joints[joint][part].of[lane] = from[part * packet_bones];
+    }
+  }
+  void load_gaze(const LookAtJob& job, int lane) {
+    for (int axis = 0; axis < 3; ++axis) target[axis].of[lane] = job.target[axis];
+    weight.of[lane] = job.weight;
+    seconds.of[lane] = job.seconds;
+    most_yaw.of[lane] = job.limits.yaw;
+    most_up.of[lane] = job.limits.pitch_up;
+    most_down.of[lane] = job.limits.pitch_down;
+    smooth_seconds.of[lane] = job.limits.smooth_seconds;
+    started.of[lane] = job.state->started ? 1.0F : 0.0F;
+    yaw.of[lane] = job.state->yaw.value;
+    yaw_velocity.of[lane] = job.state->yaw.velocity;
+    pitch.of[lane] = job.state->pitch.value;
+    pitch_velocity.of[lane] = job.state->pitch.velocity;
+  }
+};
+
+}  // namespace throng::anim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled guard

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "engine/anim/entity/entity_kind.h"
+#include "engine/anim/run/agent_work.h"
+#include "engine/anim/run/pose_program.h"
+
+namespace throng::anim {
+
+/// What the steps of a program left behind, for those that read them.
+template <typename Left>
+struct LeftBySteps {
+  std::array<Left, PoseProgram::max_steps> left;
+
+  std::span<const Left> sources(const PoseStep& step, std::array<Left, max_sources>& gathered) const {
+    for (std::size_t k = 0; k < step.source_count; ++k) gathered[k] = left[step.sources[k]];
+    return {gathered.data(), step.source_count};
+  }
+};
+
+template <typename Visit>
+void for_each_shared(const PoseProgram& program, Visit&& visit) {
+  if (program.needs.shared == 0) return;
+  for (std::size_t i = 0; i < program.steps.size(); ++i) {
+    if (program.steps[i].shared) visit(i, program.steps[i]);
+  }
+}
+
+/// Where a step of a character lies in the local store: its block, if it owns it, and what is prepared for it.
+struct StepPlace {
+  std::size_t step = 0;
+  std::byte* block = nullptr;
+  std::byte* prepared = nullptr;
+
+  EntityInStore entity(const UpdateContext& context, const EntityLayout& layout) const {
+    return {.block = block, .prepared = prepared, .layout = &layout, .assets = &context.assets};
+  }
+  void pass(const EntityLayout& layout) {
+    ++step;
+    block += layout.total_size;
+    prepared += layout.kind->prepared_bytes;
+  }
+};
+
+/// Calls visit(step index, step, entity) for each entity before the step `end` that the character owns, sources first,
+/// and leaves `place` at `end`.
+template <typename Visit>
+void for_each_own(const UpdateContext& context, const PoseProgram& program, StepPlace& place, std::size_t end,
+                  Visit&& visit) {
+  while (place.step < end) {
+    const PoseStep& step = program.steps[place.step];
+    if (step.shared) {
+      ++place.step;
+      continue;
+    }
+    const EntityLayout& layout = context.pools->layout(step.entity);
+    visit(place.step, step, place.entity(context, layout));
+    place.pass(layout);
+  }
+}
+
+inline bool is_resident(const EntityLayout& layout) { return layout.transforms_offset != 0; }
+
+}  // namespace throng::anim

@@ -1,0 +1,102 @@
+// One pose hash for crowds of which some look at things, some tremble, some do both, in either order, and some neither:
+// whatever the schedule, the PUs, the tile and the store.
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/character_rigs.h"
+#include "engine/anim/agent/look_at_process.h"
+#include "engine/anim/agent/noise_process.h"
+#include "engine/anim/asset/synthetic_model.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr std::uint32_t agents = 45;
+constexpr int frames = 20;
+
+const Model& model() {
+  static const Model made = synthetic_model(62, 2);
+  return made;
+}
+const CharacterRigs& rigs() {
+  static const CharacterRigs made(model());
+  return made;
+}
+std::shared_ptr<const Character> character() {
+  static const auto made = std::make_shared<const Character>(bake_character(model()));
+  return made;
+}
+
+void add_gaze(AnimationSystem& system, const RigKinds& kinds, std::uint32_t agent) {
+  auto gaze = std::make_unique<LookAtProcess>(*kinds.look_at);
+  gaze->look_at({std::sin(static_cast<float>(agent)), 1.4F, 1.5F}, agent * ticks_per_second / 100);
+  EXPECT_TRUE(system.add_post_process(agent, std::move(gaze)));
+}
+
+void add_noise(AnimationSystem& system, std::uint32_t agent) {
+  const NoiseProcess::Settings settings{.frequency = 2.0F, .amplitude = 0.05F, .seed = agent};
+  EXPECT_TRUE(system.add_post_process(agent, std::make_unique<NoiseProcess>(settings)));
+}
+
+/// Half of the agents play one clip, half two; the last bone level lacks the head.
+std::uint64_t hash_of(const SystemOptions& options) {
+  auto created = AnimationSystem::create(character(), options);
+  if (!created) {
+    ADD_FAILURE() << created.error().message;
+    return 0;
+  }
+  AnimationSystem& system = **created;
+  const RigKinds kinds = rigs().add_to(system);
+  system.set_agent_count(agents);
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    system.play(agent, {.clip = 0, .start = agent * ticks_per_second / 60});
+    if (agent % 2 == 0) system.play(agent, {.clip = 1, .held_fraction = 0.3F});
+    if (agent % 5 == 1) add_noise(system, agent);
+    if (agent % 5 > 1) add_gaze(system, kinds, agent);
+    if (agent % 5 == 3) add_noise(system, agent);
+    if (agent % 5 == 1 && agent % 3 == 1) add_gaze(system, kinds, agent);
+  }
+  std::vector<AgentUpdate> updates;
+  for (int frame = 0; frame < frames; ++frame) {
+    updates.clear();
+    for (std::uint32_t agent = 0; agent < agents; ++agent) {
+      updates.push_back({.agent = agent, .level = static_cast<std::uint8_t>(agent % 7 == 0 ? 2 : agent % 11 == 0)});
+    }
+    system.advance(ticks_per_second / 60);
+    system.update(updates);
+  }
+  return system.pose_hash();
+}
+
+std::uint64_t reference() {
+  static const std::uint64_t hash = hash_of({.pus = 1, .schedule = Schedule::levels});
+  return hash;
+}
+
+TEST(HeldHash, IsTheSameUnderBothSchedulesOnAnyPus) {
+  for (const int pus : {1, 3}) {
+    EXPECT_EQ(hash_of({.pus = pus}), reference()) << pus;
+    EXPECT_EQ(hash_of({.pus = pus, .schedule = Schedule::levels}), reference()) << pus;
+  }
+}
+
+TEST(HeldHash, IsTheSameForAnyTile) {
+  for (const int tile : {1, 2, 4, 8, 16}) {
+    EXPECT_EQ(hash_of({.pus = 2, .local_store_bytes = 512 * 1024, .tile = tile}), reference()) << tile;
+  }
+}
+
+TEST(HeldHash, IsTheSameForAnyStoreAndStream) {
+  EXPECT_EQ(hash_of({.local_store_bytes = 40 * 1024}), reference());
+  const std::uint64_t exact = hash_of({.schedule = Schedule::levels, .stream = StreamKind::keyframe});
+  EXPECT_EQ(hash_of({.stream = StreamKind::keyframe}), exact);
+  EXPECT_NE(exact, reference());
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -85,8 +85,6 @@ struct FrameReport {
   std::uint64_t pose_hash = 0;
   std::uint32_t draw_calls = 0;
   std::uint64_t triangles = 0;
-  // budget
-  std::optional<float> limit_ms;  ///< of animation, if one was asked for
   // roles
   std::vector<std::string> clip_names;          ///< of the character
   RoleClips role_clips = no_clips();            ///< in use

@@ -2,6 +2,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/frame_report.h"
 #include "app/limiter.h"
@@ -23,6 +26,7 @@ class FrameReporter {
   /// After a frame was animated and drawn; `frame_ms` from its start to its end.
   void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
 
+  void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
   /// The camera of the frame that begins.
   void see_from(const CameraPlace& camera) { report_.camera = camera; }
 

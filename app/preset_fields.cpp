@@ -147,6 +147,12 @@ void add_level_of_detail(std::vector<PresetField>& fields) {
       "interval_growth", [](auto& t) -> auto& { return t.interval_growth; }, 0.01F, farthest));
   fields.push_back(whole(
       "largest_interval", "", [](auto& t) -> auto& { return t.largest_interval; }, 1, 16));
+  fields.push_back(whole(
+      "forced_interval", "", [](auto& t) -> auto& { return t.inspection.forced_interval; }, 0, 16));
+  fields.push_back(whole(
+      "forced_bone_level", "", [](auto& t) -> auto& { return t.inspection.forced_bone_level; }, -1, 3));
+  fields.push_back(on_off(
+      "force_selected_only", "", [](auto& t) -> auto& { return t.inspection.force_selected_only; }));
   fields.push_back(on_off(
       "smooth", "--smooth", [](auto& t) -> auto& { return t.smooth; }));
   fields.push_back(on_off(

@@ -28,7 +28,7 @@ class SelectionLog {
   std::uint64_t crowd_ = 0;
   anim::Ticks seen_until_ = 0;
   int clip_ = no_clip;
-  std::deque<LodMoment> history_;
+  std::deque<LodOfFrame> history_;
   std::deque<std::string> events_;  // the newest first
 };
 

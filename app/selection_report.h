@@ -17,7 +17,7 @@ struct BlockField {
 };
 
 /// What level of detail gave an agent in a frame.
-struct LodMoment {
+struct LodOfFrame {
   bool visible = false;
   std::uint8_t interval = 1;
   std::uint8_t bone_level = 0;
@@ -58,7 +58,7 @@ struct SelectionReport {
   int channels = 0;
   std::vector<EntityRow> entities;       ///< each once, sources before what reads them, the pose last
   std::uint32_t bytes = 0;               ///< of all blocks
-  std::vector<LodMoment> history = {};   ///< of the last frames, oldest first
+  std::vector<LodOfFrame> history = {};  ///< of the last frames, oldest first
   std::vector<std::string> events = {};  ///< data keys met and clips begun, the newest first
   std::optional<float> held_at = {};     ///< seconds: its clip is held there by hand
   float clip_seconds = 0;                ///< of the clip that it plays; 0: none

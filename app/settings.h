@@ -72,7 +72,7 @@ struct Tuning {
   ErrorSampling error_sample = ErrorSampling::some;  ///< whose error on screen is measured, of those in view
   float error_px = 1.0F;                             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
-  LodInspection inspection;
+  LodInspection inspection = {};
   // Per-bone LOD
   bool bone_lod = true;
   float bone_level_distance[3] = {15.0F, 30.0F, 60.0F};  ///< metres from which level 1, 2, 3 is shown

@@ -85,7 +85,7 @@ class Stage {
   /// the moment is of another crowd or schedule; then nothing has changed.
   void remember(StageMoment& into) const;
   anim::Status go_back_to(const StageMoment& moment);
-  /// Another one for each crowd that started anew.
+  /// Another one for each crowd that started anew, or whose bones changed their order.
   std::uint64_t crowd_number() const { return crowd_number_; }
 
   /// What can be clicked at: those in view, in ascending order of agent; allocates.

@@ -10,6 +10,7 @@
 #include "app/fly_camera.h"
 #include "app/frame_reporter.h"
 #include "app/overlay/overlay.h"
+#include "app/preset.h"
 #include "app/window_input.h"
 
 namespace throng::app {
@@ -31,6 +32,7 @@ class WindowLoop {
         fly_camera_(place_of(show.camera)),
         reporter_(show) {
     overlay_.set_hidden(options.hide_ui);
+    reporter_.set_preset_names(preset_names());
     overlay_.show_tab(options.ui_tab);
   }
 
@@ -66,7 +68,7 @@ class WindowLoop {
     const InputFrame& input = input_.next_frame();
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(show_.width, show_.height, seconds, input);
-    fly(input, static_cast<float>(seconds));
+    if (replay_ == nullptr) fly(input, static_cast<float>(seconds));
     reporter_.see_from(fly_camera_.place());
     const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
     show_.add_overlay_time(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
@@ -167,24 +169,71 @@ class WindowLoop {
     if (commands.push_over) {
       if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
     }
-    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
-    if (commands.let_go) show_.let_go_of_clip();
-    if (commands.rewind) {
-      if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
-    }
+    obey_hands(commands);
+    obey_presets(commands);
     const std::size_t character = reporter_.report().character;
     if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) say_where(show_.save_roles(character));
     obey_bone_lod(commands, character);
     if (commands.record) toggle_recording();
-    if (!commands.models.empty()) replace_models(commands.models);
     if (commands.character) reporter_.describe_character(show_, *commands.character);
-    if (!commands.copy_camera) return;
-    const std::string option = camera_option(fly_camera_.place());
-    input_.clipboard().set(option);
-    std::puts(option.c_str());
+    if (commands.copy_camera) copy(camera_option(fly_camera_.place()));
+  }
+
+  // What no recording can repeat.
+  void obey_hands(const OverlayCommands& commands) {
+    const bool asked = commands.hold_at || commands.rewind || !commands.models.empty();
+    if (asked && show_.is_recording()) {
+      notice_ = "A recording cannot repeat that: end it first, with R";
+      return;
+    }
+    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
+    if (commands.let_go) show_.let_go_of_clip();
+    if (commands.rewind) {
+      if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
+    }
+    if (!commands.models.empty()) replace_models(commands.models);
+  }
+
+  void obey_presets(const OverlayCommands& commands) {
+    if (commands.save_preset) {
+      const std::filesystem::path file = preset_file(*commands.save_preset);
+      const anim::Status written = write_preset(file, {tuning_, fly_camera_.place()});
+      notice_ = written ? "Wrote " + file.string() : written.error().message;
+    }
+    if (commands.load_preset) load_preset(preset_file(*commands.load_preset));
+    if (commands.delete_preset) {
+      std::error_code failed;
+      std::filesystem::remove(preset_file(*commands.delete_preset), failed);
+      notice_ = failed ? preset_file(*commands.delete_preset).string() + ": " + failed.message() : "";
+    }
+    if (commands.save_preset || commands.delete_preset) reporter_.set_preset_names(preset_names());
+    if (commands.copy_command_line) copy(command_line(tuning_, Tuning(), fly_camera_.place()));
+  }
+
+  void load_preset(const std::filesystem::path& file) {
+    const anim::Result<Preset> preset = read_preset(file);
+    notice_ = preset ? "" : preset.error().message;
+    if (!preset) return;
+    const LodInspection look = tuning_.inspection;
+    tuning_ = preset->tuning;
+    tuning_.inspection = look;
+    if (!preset->camera) return;
+    show_.films = false;
+    fly_camera_.set_camera(camera_at(*preset->camera));
+  }
+
+  void copy(const std::string& options) {
+    input_.clipboard().set(options);
+    std::puts(options.c_str());
     std::fflush(stdout);
-    notice_ = "Copied: " + option;
+    notice_ = "Copied: " + options;
+  }
+
+  void replace_models(const std::vector<std::string>& files) {
+    const anim::Status replaced = show_.replace_models(files);
+    if (replaced) reporter_.describe_characters(show_);
+    notice_ = replaced ? "" : replaced.error().message;
   }
 
   void obey_bone_lod(const OverlayCommands& commands, std::size_t character) {
@@ -199,12 +248,6 @@ class WindowLoop {
 
   void say_where(const anim::Result<std::filesystem::path>& written) {
     notice_ = written ? "Wrote " + written->string() : written.error().message;
-  }
-
-  void replace_models(const std::vector<std::string>& files) {
-    const anim::Status replaced = show_.replace_models(files);
-    if (replaced) reporter_.describe_characters(show_);
-    notice_ = replaced ? "" : replaced.error().message;
   }
 
   void take_screenshot() {

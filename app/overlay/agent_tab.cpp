@@ -62,7 +62,7 @@ void show_history(const TabContext& context, const SelectionReport& selected) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float step = plot.width() / static_cast<float>(history_shown), levels = theme.px(6);
   float x = plot.to.x - step * static_cast<float>(selected.history.size());
-  for (const LodMoment& moment : selected.history) {
+  for (const LodOfFrame& moment : selected.history) {
     const float tall = (plot.height() - levels - theme.px(2)) * static_cast<float>(moment.interval) / longest_interval;
     if (moment.visible) {
       draw.AddRectFilled({x, plot.to.y - levels - tall}, {x + step, plot.to.y - levels},

@@ -1,10 +1,12 @@
+#include "app/overlay/bone_lod_tab.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
-#include "app/overlay/tabs.h"
 
 namespace throng::app {
 namespace {
@@ -115,55 +117,18 @@ void show_agents_by_level(const TabContext& context) {
              .name_of = [&report](int i) { return "level " + std::to_string(i) + ": " + bones_of(report, i); }});
 }
 
-void draw_bone(const Theme& theme, const BoneRow& bone, std::size_t place, int levels) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float right = at.x + ImGui::GetContentRegionAvail().x, middle = at.y + theme.px(9);
-  const int level = std::clamp(bone.level, 0, 3);
-  draw_text(theme.small, {at.x + theme.px(22), at.y + theme.px(1)}, colour::faint, std::to_string(place + 1), 1);
-  const float indent = theme.px(30) + std::min(static_cast<float>(bone.depth) * theme.px(7), theme.px(110));
-  draw_text(theme.small, {at.x + indent, at.y + theme.px(1)}, colour::text, bone.name);
-  for (int kept = 0; kept < levels; ++kept) {
-    const ImU32 ink = kept <= level ? level_colour(kept) : colour::well_hovered;
-    ImGui::GetWindowDrawList()->AddCircleFilled(
-        {right - theme.px(12) - theme.px(11) * static_cast<float>(levels - 1 - kept), middle}, theme.px(3),
-        ImGui::GetColorU32(ink));
-  }
-  ImGui::Dummy({0, theme.px(18)});
-}
+constexpr std::array<const char*, 5> preview_words = {"rule", "0", "1", "2", "3"};
 
-void draw_divider(const Theme& theme, int level, std::size_t bones) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float right = at.x + ImGui::GetContentRegionAvail().x, middle = at.y + theme.px(8);
-  const ImU32 ink = level_colour(level);
-  const std::string words = "level " + std::to_string(level) + " keeps the " + std::to_string(bones) + " above";
-  const float width = theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, 0, words.c_str()).x;
-  draw_text(theme.small, {at.x + theme.px(30), at.y}, ink, words);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddLine({at.x, middle}, {at.x + theme.px(24), middle}, ImGui::GetColorU32(ink));
-  draw.AddLine({at.x + width + theme.px(38), middle}, {right, middle}, ImGui::GetColorU32(ink));
-  ImGui::Dummy({0, theme.px(17)});
-}
-
-void show_bones(const TabContext& context) {
-  const Theme& theme = context.widgets.theme();
-  const std::vector<BoneRow>& bones = context.report.bones;
-  context.widgets.section("Bones, the most visible first");
-  const float height = std::max(theme.px(150), ImGui::GetContentRegionAvail().y);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, colour::well);
-  ImGui::BeginChild("Bone list", {0, height});
-  context.widgets.record("Bone list", {.from = ImGui::GetWindowPos(),
-                                       .to = {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
-                                              ImGui::GetWindowPos().y + ImGui::GetWindowHeight()}});
-  ImGui::Dummy({0, theme.px(4)});
-  for (std::size_t i = 0; i < bones.size(); ++i) {
-    draw_bone(theme, bones[i], i, level_count(context.report));
-    const int below = i + 1 < bones.size() ? bones[i + 1].level : 0;
-    for (int level = std::min(bones[i].level, 3); level > below; --level) draw_divider(theme, level, i + 1);
+// The same value as *Force level* of the other tab, where one looks at what it does.
+void show_preview(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands] = context;
+  const int levels = level_count(report);
+  int word = std::min(tuning.inspection.forced_bone_level, levels - 1) + 1;
+  if (widgets.choose("Preview level", word, standard.inspection.forced_bone_level + 1,
+                     std::span(preview_words).first(static_cast<std::size_t>(levels) + 1),
+                     {.what = "Shows everyone in view with the bones of this level, to look at what it loses."})) {
+    tuning.inspection.forced_bone_level = word - 1;
   }
-  ImGui::EndChild();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -172,10 +137,11 @@ int level_count(const FrameReport& report) {
   return report.level_bone_counts.empty() ? 4 : std::min(4, static_cast<int>(report.level_bone_counts.size()));
 }
 
-void show_bone_lod_tab(const TabContext& context) {
+void BoneLodTab::show(const TabContext& context) {
   show_levels(context);
+  show_preview(context);
   show_agents_by_level(context);
-  show_bones(context);
+  list_.show(context);
 }
 
 }  // namespace throng::app

@@ -11,7 +11,7 @@ inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"}
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
 inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe"};
 inline constexpr std::array<const char*, 2> palette_words = {"float", "packed"};
-inline constexpr std::array<const char*, 2> lod_rule_words = {"off", "distance"};
+inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};
 inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands about", "marches", "watches",
                                                            "has a seat", "trains",       "acts"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};

@@ -14,13 +14,8 @@ namespace {
 /// As the debug view over the crowd has them.
 constexpr int colour_steps = 8;
 
-void show_rule(const TabContext& context) {
+void show_distances(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
-  widgets.section("Rule");
-  widgets.choice("Rule", tuning.lod, standard.lod, lod_rule_words,
-                 {.what = "off: every agent is updated in every frame, seen or not. distance: the farther, the rarer.",
-                  .cost = "off is the full price of the crowd."});
-  ImGui::BeginDisabled(tuning.lod == LodRule::off);
   widgets.number("Full rate until", tuning.full_rate_distance, standard.full_rate_distance,
                  {.lowest = 0, .highest = 100, .decimals = 1, .suffix = " m"},
                  {.what = "Nearer agents are updated in every frame.",
@@ -29,6 +24,43 @@ void show_rule(const TabContext& context) {
   widgets.number("One more each", tuning.interval_growth, standard.interval_growth,
                  {.lowest = 1, .highest = 60, .decimals = 1, .suffix = " m"},
                  {.what = "Beyond that, the interval grows by one frame with each such distance.", .unit = "metres"});
+}
+
+void show_limits(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands] = context;
+  widgets.number("Error limit", tuning.error_px, standard.error_px,
+                 {.lowest = 0, .highest = 8, .decimals = 2, .zero_word = "none", .suffix = " px"},
+                 {.what = "99% of the agents drawn are no farther than this from their exact pose, on the screen.",
+                  .unit = "pixels; none: as far as the time limit asks",
+                  .cost = "The fewer, the more updates and bones."});
+  widgets.number(
+      "Time limit", tuning.budget_ms, standard.budget_ms,
+      {.lowest = 0, .highest = 20, .decimals = 2, .zero_word = "none", .suffix = " ms"},
+      {.what = "All poses of a frame take no longer, over all PUs, by prediction. Those are degraded first on "
+               "whom it is seen least.",
+       .unit = "milliseconds; none: as long as it takes"});
+  if (report.binding_limit.empty()) return;
+  widgets.fact("Limited by", report.binding_limit,
+               {.what = "error: the error limit decides. budget: the time limit does. both miss: neither can hold."});
+  widgets.fact("Tolerance", fixed(static_cast<double>(report.lod_tolerance_px), 2) + " px",
+               {.what = "In force now: each agent has the longest interval and the fewest bones that are predicted to "
+                        "stay within it.",
+                .unit = "pixels"});
+}
+
+void show_rule(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands] = context;
+  widgets.section("Rule");
+  widgets.choice("Rule", tuning.lod, standard.lod, lod_rule_words,
+                 {.what = "off: every agent is updated in every frame, seen or not. distance: the farther, the rarer. "
+                          "budget: as rarely as pixels and milliseconds allow.",
+                  .cost = "off is the full price of the crowd."});
+  ImGui::BeginDisabled(tuning.lod == LodRule::off);
+  if (tuning.lod == LodRule::budget) {
+    show_limits(context);
+  } else {
+    show_distances(context);
+  }
   widgets.number("Largest interval", tuning.largest_interval, standard.largest_interval, {.lowest = 1, .highest = 16},
                  {.what = "No agent waits longer for its next pose.",
                   .unit = "frames, 1 to 16",
@@ -78,9 +110,10 @@ void show_lod_skipping_tab(const TabContext& context) {
   show_rule(context);
   show_lod_inspection(context);
   show_agents_by_interval(context);
-  show_intervals_over_distance(context);
+  if (context.tuning.lod == LodRule::distance) show_intervals_over_distance(context);
   show_budget(context);
   show_error_on_screen(context);
+  show_who_limits(context);
 }
 
 }  // namespace throng::app

@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include "app/overlay/agent_tab.h"
+#include "app/overlay/bone_lod_tab.h"
 #include "app/overlay/cards.h"
 #include "app/overlay/crowd_click.h"
 #include "app/overlay/head_labels.h"
@@ -124,6 +125,7 @@ struct Overlay::State {
   OverlaySwitches switches;
   CrowdClick click;
   std::size_t tab = 0;
+  BoneLodTab bones;
   SchedulingTab scheduling;
   AgentTab agent;
   PresetsTab presets;
@@ -243,7 +245,7 @@ void Overlay::State::show_tab(const TabContext& context_of_tab) {
     case 1:
       return show_lod_skipping_tab(context_of_tab);
     case 2:
-      return show_bone_lod_tab(context_of_tab);
+      return bones.show(context_of_tab);
     case 3:
       return scheduling.show(context_of_tab);
     case 4:

@@ -24,7 +24,6 @@ void show_lod_skipping_tab(const TabContext& context);
 void show_lod_inspection(const TabContext& context);
 void show_budget(const TabContext& context);
 void show_error_on_screen(const TabContext& context);
-
-void show_bone_lod_tab(const TabContext& context);
+void show_who_limits(const TabContext& context);
 
 }  // namespace throng::app

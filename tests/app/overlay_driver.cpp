@@ -28,6 +28,9 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.rewind |= commands.rewind;
     all.let_go |= commands.let_go;
     all.copy_command_line |= commands.copy_command_line;
+    all.save_bone_lod |= commands.save_bone_lod;
+    all.export_lod |= commands.export_lod;
+    if (commands.bone_lod) all.bone_lod = commands.bone_lod;
     if (commands.hold_at) all.hold_at = commands.hold_at;
     if (commands.save_preset) all.save_preset = commands.save_preset;
     if (commands.load_preset) all.load_preset = commands.load_preset;
@@ -60,6 +63,16 @@ void OverlayDriver::drag(const std::string& widget, float share) {
   frames();
   button(false);
   frames(20);  // long enough that the next drag is no double click
+}
+
+OverlayCommands OverlayDriver::drag_to(const std::string& widget, const std::string& other) {
+  point_at(widget, 0.5F);
+  button(true);
+  frames();
+  point_at(other, 0.5F);
+  frames();
+  button(false);
+  return frames(20);
 }
 
 OverlayCommands OverlayDriver::press(Key key) {
@@ -96,7 +109,10 @@ FrameReport full_report() {
   report.agents_by_interval = {300, 200, 100};
   report.agents_by_bone_level = {200, 200, 100, 100};
   report.level_bone_counts = {4, 3, 2, 1};
-  report.bones = {{"hips", 0, 3}, {"spine", 1, 2}, {"hand", 2, 1}, {"finger", 3, 0}};
+  report.bones = {{.name = "hips", .depth = 0, .level = 3, .parent = -1, .error_millimetres = 90},
+                  {.name = "spine", .depth = 1, .level = 2, .parent = 0, .error_millimetres = 40},
+                  {.name = "hand", .depth = 2, .level = 1, .parent = 1, .error_millimetres = 12},
+                  {.name = "finger", .depth = 3, .level = 0, .parent = 2, .error_millimetres = 2}};
   report.clip_names = {"Idle", "Walking_A", "Running_A"};
   report.role_clips[index_of(Role::stand)] = 0;
   report.role_clips[index_of(Role::walk)] = 1;

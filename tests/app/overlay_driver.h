@@ -18,6 +18,8 @@ class OverlayDriver {
   void double_click(const std::string& widget);
   /// Presses in the middle and lets go at a share of the width, 0 to 1.
   void drag(const std::string& widget, float share);
+  /// Presses in the middle of one and lets go in the middle of another.
+  OverlayCommands drag_to(const std::string& widget, const std::string& other);
   OverlayCommands press(Key key);
   void type(const std::string& text);
   void point_at(float x, float y);

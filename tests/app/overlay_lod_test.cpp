@@ -12,6 +12,13 @@ namespace {
 struct LodSkippingTab : testing::Test {
   LodSkippingTab() { driver.click("tab:LOD skipping"); }
 
+  void scroll_down() {
+    driver.point_at(1100, 600);
+    driver.frames();
+    driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -100});
+    driver.frames();
+  }
+
   OverlayDriver driver;
   const LodInspection& look = driver.tuning.inspection;
 };
@@ -72,22 +79,34 @@ TEST_F(LodSkippingTab, WritesFiguresAboveHeadsThatAreInFrontOfTheCamera) {
   EXPECT_EQ(driver.overlay.vertex_count(), without) << "behind it";
 }
 
-TEST_F(LodSkippingTab, DrawsALimitOnlyIfThereIsOne) {
-  driver.report.limit_ms.reset();
+TEST_F(LodSkippingTab, UnderABudgetShowsItsLimitsInsteadOfDistances) {
+  EXPECT_FALSE(driver.sees("Error limit"));
+  driver.click("Rule:budget");
+  EXPECT_EQ(driver.tuning.lod, LodRule::budget);
+  EXPECT_FALSE(driver.sees("Full rate until"));
+  driver.click("Error limit.field");
+  driver.type("0.5 px");
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.tuning.error_px, 0.5F);
+  driver.click("Time limit.field");
+  driver.type("none");
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.tuning.budget_ms, 0);
+  EXPECT_FALSE(driver.sees("Limited by"));
+  driver.report.binding_limit = "error";
   driver.frames();
-  const int without = driver.overlay.vertex_count();
-  driver.report.limit_ms = 3.5F;
-  driver.frames();
-  EXPECT_GT(driver.overlay.vertex_count(), without);
+  EXPECT_TRUE(driver.sees("Limited by"));
+}
+
+TEST_F(LodSkippingTab, TakesPartsOfTheFrameAwayToSeeWhatTheyCost) {
+  scroll_down();
+  driver.click("No drawing");
+  EXPECT_TRUE(driver.tuning.taken_away.drawing);
+  driver.click("No drawing.reset");
+  EXPECT_FALSE(driver.tuning.taken_away.drawing);
 }
 
 TEST_F(LodSkippingTab, TellsTheErrorOnTheScreenOnceItIsMeasured) {
-  const auto scroll_down = [&] {
-    driver.point_at(1100, 400);
-    driver.frames();
-    driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -100});
-    driver.frames();
-  };
   scroll_down();
   EXPECT_FALSE(driver.sees("Largest pop"));
   driver.report.error_samples = 20;

@@ -17,7 +17,7 @@ SelectionReport somebody() {
                         .bytes = 128,
                         .fields = {{"Priority", "highest"}, {"Bones", "62"}},
                         .block = std::vector<std::uint8_t>(128, 0xAB)},
-                       {.kind = "ease blender", .bytes = 128, .fields = {{"Sources", "2"}}}};
+                       {.kind = "ease blender", .clip = {}, .bytes = 128, .fields = {{"Sources", "2"}}}};
   selected.history.assign(200, {.visible = true, .interval = 3, .bone_level = 1});
   selected.events = {"12.00 s  begins Idle"};
   return selected;

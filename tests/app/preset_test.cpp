@@ -80,7 +80,8 @@ std::string refused(const std::string& line) {
 }
 
 TEST_F(Presets, HaveAKeyForEveryValueOfTheTuning) {
-  const std::size_t nested = sizeof(anim::CostModel) / sizeof(double) - 1;
+  constexpr std::size_t forced = 3;  // of LodInspection; how one looks is not kept
+  const std::size_t nested = sizeof(anim::CostModel) / sizeof(double) - 1 + forced - 1;
   EXPECT_EQ(preset_fields().size(), scalars_of_tuning() + nested)
       << "a new member of Tuning needs a row in app/preset_fields.cpp, or presets and recordings forget it";
 }

@@ -17,7 +17,6 @@ namespace throng::app {
 namespace {
 
 constexpr int software_window_agents = 300;
-constexpr float frustum_reach = 120.0F;  // metres
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 
 double milliseconds_of(const auto& work) {
@@ -218,10 +217,6 @@ void Show::select(std::optional<std::uint32_t> agent) {
   if (recorder_) recorder_->add(RecordedSelection{agent});
 }
 
-void Show::hold_selected_clip(float seconds) {
-  if (const auto selected = stage_->selected()) stage_->hold_clip(*selected, seconds);
-}
-
 anim::Status Show::push_selected() {
   const auto selected = stage_->selected();
   return selected ? push(*selected, render::forward(camera)) : anim::Done{};
@@ -298,22 +293,6 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
   statistics_.add_report(*stage_);
-}
-
-void Show::freeze_lod_camera() {
-  if (!stage_->tuning().inspection.freeze_camera)
-    frozen_camera_.reset();
-  else if (!frozen_camera_)
-    frozen_camera_ = camera;
-}
-
-void Show::gather_lines() {
-  const Tuning& tuning = stage_->tuning();
-  const auto aspect = static_cast<float>(width) / static_cast<float>(height);
-  const auto middle = static_cast<float>(stage_->characters().front().bounds.height / 2);
-  lines_.clear();
-  if (frozen_camera_) add_frustum(lines_, *frozen_camera_, aspect, frustum_reach);
-  if (tuning.inspection.thresholds) add_threshold_rings(lines_, tuning, lod_camera(), middle);
 }
 
 int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const {

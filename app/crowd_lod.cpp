@@ -58,14 +58,14 @@ void CrowdLod::measure_clips(std::span<const CharacterSource> sources) {
   for (std::size_t i = 0; i < characters_.size(); ++i) characters_[i].clips = skip_errors_[i];
 }
 
-bool CrowdLod::must_build(const LodMoment& moment) const {
+bool CrowdLod::must_build(const LodPreparation& moment) const {
   if (choices_.empty() || !same_but_tolerance(moment.rules, built_for_)) return true;
   if (moment.frame_step == 0) return false;
   const double ratio = anim::to_seconds(moment.frame_step) / built_seconds_;
   return ratio > longer_frame || ratio < 1.0 / longer_frame;
 }
 
-void CrowdLod::prepare(const LodMoment& moment, std::span<const CharacterSource> sources,
+void CrowdLod::prepare(const LodPreparation& moment, std::span<const CharacterSource> sources,
                        std::optional<std::uint32_t> selected) {
   const bool by_error = moment.rules.rule == anim::LodRule::budget;
   if (by_error) measure_clips(sources);

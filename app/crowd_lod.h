@@ -17,7 +17,7 @@
 namespace throng::app {
 
 /// What the rule is made ready from in a frame.
-struct LodMoment {
+struct LodPreparation {
   anim::LodRules rules;  ///< the tolerance is put in
   anim::Ticks now = 0;
   anim::Ticks frame_step = 0;  ///< 0: time stands still
@@ -46,7 +46,7 @@ class CrowdLod {
   void fade(std::uint32_t agent, anim::Ticks until);
 
   /// Before a frame's selection.
-  void prepare(const LodMoment& moment, std::span<const CharacterSource> sources,
+  void prepare(const LodPreparation& moment, std::span<const CharacterSource> sources,
                std::optional<std::uint32_t> selected);
   const anim::LodRules& rules() const { return rules_; }
   const anim::LodChoices& choices() const { return choices_; }
@@ -62,7 +62,7 @@ class CrowdLod {
  private:
   void measure_clips(std::span<const CharacterSource> sources);
   void weigh(anim::Ticks now, std::optional<std::uint32_t> selected);
-  bool must_build(const LodMoment& moment) const;
+  bool must_build(const LodPreparation& moment) const;
 
   std::span<anim::LodCharacter> characters_;
   std::vector<std::vector<anim::SkipError>> skip_errors_;  // [character][clip]; empty: not measured yet

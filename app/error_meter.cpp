@@ -10,7 +10,7 @@ namespace {
 constexpr float not_measured = -1.0F;
 // Of measuring one agent, in bones of a crowd that is posed: the exact pose comes from blocks and rows that nobody has
 // just read, then every point is skinned twice and projected.
-constexpr double cost_of_exact_bone = 2.0, cost_of_point = 1.0;
+constexpr double cost_of_exact_bone = 2.0, cost_of_point = 1.5;
 constexpr double frames_of_credit = 4.0;
 constexpr std::size_t most_measured_of_few = 24;
 

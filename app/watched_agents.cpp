@@ -58,7 +58,8 @@ void WatchedAgents::choose(std::span<const anim::VisibleAgent> visible, const Sh
 
 // A lot for each free place, all drawn before the crowd is gone through once.
 void WatchedAgents::fill_by_height(std::span<const anim::VisibleAgent> visible) {
-  if (free_.empty()) return;
+  constexpr std::size_t worth_a_pass = 8;
+  if (free_.size() < worth_a_pass) return;
   float total = 0.0F;
   for (const anim::VisibleAgent& agent : visible) total += agent.pixels_tall;
   lots_.clear();

@@ -37,7 +37,11 @@ class MeasuredStage : public testing::Test {
     }
   }
   static Tuning measured() {
-    return {.scene = Scene::plaza, .agents = 120, .error_sample = ErrorSampling::all, .pus = 2};
+    Tuning tuning;
+    tuning.agents = 120;
+    tuning.error_sample = ErrorSampling::all;
+    tuning.pus = 2;
+    return tuning;
   }
 
   render::HeapPageSource pages_{std::size_t{4} << 20U};
@@ -144,10 +148,11 @@ class DisplacedBone : public testing::Test {
     const anim::VisibleAgent visible{.agent = 0, .pixels_tall = 100.0F, .interval = 1, .bone_level = 0};
     meter_.begin_frame(ErrorSampling::all, {&visible, 1}, shown_);
     system_->advance(frame);
-    anim::PaletteMatrix* const slot = shown_.show({.agent = 0, .level = 0, .entries = entries(), .time = 0}, 0, 0);
+    const anim::PaletteDestination slot = shown_.show({.agent = 0, .level = 0, .entries = entries(), .time = 0}, 0, 0);
     const anim::AgentUpdate update{.agent = 0, .palette = meter_.destination(0, shown_.pose(0), entries(), slot)};
     system_->update({&update, 1});
-    for (int axis = 0; axis < 3; ++axis) update.palette[shin()].rows[axis][3] += off_by[axis];
+    auto& entry = reinterpret_cast<anim::PaletteMatrix*>(update.palette.memory())[shin()];
+    for (int axis = 0; axis < 3; ++axis) entry.rows[axis][3] += off_by[axis];
     meter_.end_frame(*system_, {.crowd = crowd_,
                                 .shown = shown_,
                                 .view = render::view_of(camera_, static_cast<float>(width) / height),

@@ -156,7 +156,7 @@ TEST(SetOption, IsRefusedByKey) {
   EXPECT_THAT(refused("--set time_scale=fast"), HasSubstr("time_scale must be a number, 0 to 4"));
 }
 
-TEST(CommandLine, SaysOnlyWhatDiffers) {
+TEST(TuningAsOptions, SaysOnlyWhatDiffers) {
   EXPECT_EQ(command_line({}, {}, {}), "");
   Tuning tuning;
   tuning.agents = 5000;
@@ -165,7 +165,7 @@ TEST(CommandLine, SaysOnlyWhatDiffers) {
             "--agents 5000 --set bone_level_distance_2=31.5 --camera 0,2,9,0,-5,50");
 }
 
-TEST(CommandLine, MakesTheSameTuningAgain) {
+TEST(TuningAsOptions, MakesTheSameTuningAgain) {
   EXPECT_EQ(demo(command_line(all_changed(), {}, {})).tuning, all_changed());
   for (const char* const line : {"--lod off", "--lod off --bone-lod on --mesh-lod 2", "--pus 3 --local-store 64"}) {
     const Tuning tuning = demo(line).tuning;
@@ -174,7 +174,7 @@ TEST(CommandLine, MakesTheSameTuningAgain) {
   EXPECT_EQ(command_line(demo("--lod off").tuning, {}, {}), "--lod off");
 }
 
-TEST(CommandLine, SaysByKeyWhatNoOptionTakes) {
+TEST(TuningAsOptions, SaysByKeyWhatNoOptionTakes) {
   Tuning eight;
   eight.tile = 8;
   EXPECT_EQ(command_line({}, eight, {}), "--set tile=0");

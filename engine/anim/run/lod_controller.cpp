@@ -7,9 +7,10 @@ namespace throng::anim {
 namespace {
 
 constexpr float frames_to_learn = 60.0F;
-constexpr float frames_to_learn_too_much = 15.0F;  // of an error above its limit
-constexpr float aimed_error = 0.9F;                // of the limit
-constexpr float error_band = 0.05F;                // about it: left alone
+constexpr float frames_to_learn_too_much = 10.0F;  // of an error near its limit
+constexpr float aimed_error = 0.7F;                // of the limit: a p99 of a thousand samples scatters
+constexpr float error_band = 0.1F;                 // about it: left alone
+constexpr float near_limit = 0.85F;                // from here on haste is needed
 constexpr float most_error_factor = 8.0F;
 
 constexpr double frames_of_change = 8.0;  // until most agents have met their turn
@@ -45,7 +46,7 @@ float towards(float from, float to, float part) { return from * std::pow(to / fr
 void LodController::learn_error_factor(float wanted, float measured) {
   const float ratio = std::max(measured, wanted / most_error_factor) / (aimed_error * wanted);
   if (std::abs(ratio - 1.0F) <= error_band) return;
-  const float frames = measured > wanted ? frames_to_learn_too_much : frames_to_learn;
+  const float frames = measured > near_limit * wanted ? frames_to_learn_too_much : frames_to_learn;
   error_factor_ =
       std::clamp(error_factor_ * std::pow(ratio, -1.0F / frames), 1.0F / most_error_factor, most_error_factor);
 }

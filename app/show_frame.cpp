@@ -8,8 +8,6 @@
 namespace throng::app {
 namespace {
 
-constexpr float frustum_reach = 120.0F;  // metres
-
 double milliseconds_of(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
@@ -60,22 +58,6 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   if (timeline_) timeline_->add_update(stage_->system(), start);
   statistics_.add_update(update_ms_);
   statistics_.add_report(*stage_);
-}
-
-void Show::freeze_lod_camera() {
-  if (!stage_->tuning().inspection.freeze_camera)
-    frozen_camera_.reset();
-  else if (!frozen_camera_)
-    frozen_camera_ = camera;
-}
-
-void Show::gather_lines() {
-  const Tuning& tuning = stage_->tuning();
-  const auto aspect = static_cast<float>(width) / static_cast<float>(height);
-  const auto middle = static_cast<float>(stage_->characters().front().bounds.height / 2);
-  lines_.clear();
-  if (frozen_camera_) add_frustum(lines_, *frozen_camera_, aspect, frustum_reach);
-  if (tuning.inspection.thresholds) add_threshold_rings(lines_, tuning, lod_camera(), middle);
 }
 
 int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const {

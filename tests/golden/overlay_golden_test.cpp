@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(
     Egl, OverlayPicture,
     testing::Values(TabPicture{"LOD skipping", "overlay-skipping", 1}, TabPicture{"Per-bone LOD", "overlay-bones", 1},
                     TabPicture{"Scheduling", "overlay-scheduling", 1}, TabPicture{"Agent", "overlay-agent", 1},
-                    TabPicture{"Presets", "overlay-presets", 1}, TabPicture{"LOD skipping", "overlay-scale-2", 2}),
+                    TabPicture{"Presets", "overlay-presets", 1}, TabPicture{"Presets", "overlay-scale-2", 2}),
     [](const auto& run) {
       std::string name = run.param.picture;
       std::erase(name, '-');

@@ -147,6 +147,12 @@ void add_level_of_detail(std::vector<PresetField>& fields) {
       "interval_growth", [](auto& t) -> auto& { return t.interval_growth; }, 0.01F, farthest));
   fields.push_back(whole(
       "largest_interval", "", [](auto& t) -> auto& { return t.largest_interval; }, 1, 16));
+  fields.push_back(word<ErrorSampling>(
+      "error_sample", "--error-sample", [](auto& t) -> auto& { return t.error_sample; }, error_sampling_words));
+  fields.push_back(decimal<float>(
+      "error_px", [](auto& t) -> auto& { return t.error_px; }, 0.0F, most_error_px));
+  fields.push_back(decimal<float>(
+      "budget_ms", [](auto& t) -> auto& { return t.budget_ms; }, 0.0F, most_budget_ms));
   fields.push_back(whole(
       "forced_interval", "", [](auto& t) -> auto& { return t.inspection.forced_interval; }, 0, 16));
   fields.push_back(whole(
@@ -175,6 +181,8 @@ void add_scheduling(std::vector<PresetField>& fields) {
       "double_buffer", "--double-buffer", [](auto& t) -> auto& { return t.double_buffer; }, double_buffer_words));
   fields.push_back(word<Stream>(
       "stream", "--stream", [](auto& t) -> auto& { return t.stream; }, stream_words));
+  fields.push_back(word<Palette>(
+      "palette", "--palette", [](auto& t) -> auto& { return t.palette; }, palette_words));
 }
 
 void add_view(std::vector<PresetField>& fields) {

@@ -68,12 +68,12 @@ class Show {
   const render::Camera& lod_camera() const { return frozen_camera_ ? *frozen_camera_ : camera; }
 
   /// Holds the selected agent's clip at `seconds`; nothing if nobody is selected.
-  void hold_selected_clip(float seconds);
+  anim::Status hold_selected_clip(float seconds);
   void let_go_of_clip() { stage_->let_go_of_clip(); }
 
   /// After each frame of a crowd that may be taken back to it; and takes it back, each time further.
   void watch_for_rewind() { rewind_.watch(*stage_); }
-  anim::Status rewind() { return rewind_.go_back(*stage_); }
+  anim::Status rewind();
   const Rewind& moments() const { return rewind_; }
 
   /// Moves and poses one frame of `delta`; 0 while paused.
@@ -86,6 +86,7 @@ class Show {
   anim::Status start_recording(const std::filesystem::path& file);
   /// Errors: the file could not be written; nothing if none is.
   anim::Status stop_recording();
+  /// While one is written, what it has no words for is refused: rewind, held clips, other models and bone orders.
   bool is_recording() const { return recorder_ != nullptr; }
   /// Draws the frame as animated last, into the renderer's picture, and waits for it, so that the time is the whole
   /// frame's.

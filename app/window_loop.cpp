@@ -187,7 +187,9 @@ class WindowLoop {
       notice_ = "A recording cannot repeat that: end it first, with R";
       return;
     }
-    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
+    if (commands.hold_at) {
+      if (const anim::Status held = show_.hold_selected_clip(*commands.hold_at); !held) notice_ = held.error().message;
+    }
     if (commands.let_go) show_.let_go_of_clip();
     if (commands.rewind) {
       if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;

@@ -138,7 +138,8 @@ void add_crowd(std::vector<PresetField>& fields) {
 }
 
 void add_level_of_detail(std::vector<PresetField>& fields) {
-  constexpr float farthest = 10000.0F;  // metres
+  constexpr float farthest = 10000.0F;                          // metres
+  constexpr float most_error_px = 1e6F, most_budget_ms = 1e6F;  // as the command line takes them
   fields.push_back(word<LodRule>(
       "lod", "--lod", [](auto& t) -> auto& { return t.lod; }, lod_rule_words));
   fields.push_back(decimal<float>(

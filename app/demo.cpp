@@ -99,6 +99,7 @@ anim::Status run_recorded(Show& show, const DemoOptions& options, Replay* replay
   if (replay != nullptr) {
     if (anim::Status begun = replay->begin(show); !begun) return begun;
   }
+  if (options.selected) show.select(static_cast<std::uint32_t>(*options.selected));
   const bool window = options.context == ContextKind::window;
   const anim::Status run = window ? run_window(show, options, replay) : run_headless(show, options, replay);
   const anim::Status recorded = show.stop_recording();

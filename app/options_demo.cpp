@@ -93,6 +93,9 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
                                                     {"agent", "Agent"},
                                                     {"presets", "Presets"}}));
   reader.value("--ui-scale", "X", "Size of the overlay, 0.5 to 4 (1)", number_between(options.ui_scale, 0.5, 4));
+  reader.value(
+      "--select", "AGENT", "The agent that is selected at first, counted from 0",
+      [&options](const std::string& text) { return whole_number(options.selected.emplace(), 0, 99'999)(text); });
   reader.flag("--hide-ui", options.hide_ui, "No overlay in the window");
 }
 

@@ -11,14 +11,14 @@ constexpr std::uint32_t lods = 4;
 
 }  // namespace
 
-void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod) {
+void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod, Poses poses) {
   entries_.clear();
   const auto characters = static_cast<std::uint32_t>(stage.characters().size());
   const bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     Entry entry;
-    if (!stage.record(agent, entry.record)) continue;
-    const ShownPose& pose = stage.shown().pose(agent.agent);
+    if (!stage.record(agent, entry.record, poses)) continue;
+    const ShownPose& pose = stage.pose_of(agent.agent, poses);
     const std::uint8_t character = stage.crowd().characters()[agent.agent];
     const int lod = mesh_lod(character, agent.pixels_tall, pose.level());
     entry.run = (pose.to.page * characters + character) * lods + static_cast<std::uint32_t>(lod);

@@ -17,7 +17,7 @@ class Picture {
   /// `mesh_lod(character, pixels_tall, at_least)` says which mesh LOD an agent of that size gets.
   using PickMeshLod = std::function<int(std::uint8_t character, float pixels_tall, int at_least)>;
 
-  void compose(const Stage& stage, const PickMeshLod& mesh_lod);
+  void compose(const Stage& stage, const PickMeshLod& mesh_lod, Poses poses = Poses::shown);
 
   std::span<const render::InstanceRecord> instances() const { return instances_; }
   std::span<const render::CrowdBatch> batches() const { return batches_; }

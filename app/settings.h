@@ -21,6 +21,9 @@ enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, n
 enum class DrawWhich : std::uint8_t { last, all, none };
 enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
 enum class ErrorSampling : std::uint8_t { off, some, all };
+/// Whether the picture is the crowd as it is shown, or left of a line the exact one; right of it the one shown, or how
+/// far the two are apart.
+enum class Split : std::uint8_t { off, shown, difference };
 /// How the camera moves by itself, from where it stands at first.
 enum class CameraPath : std::uint8_t { none, orbit, pan };
 
@@ -46,6 +49,8 @@ struct LodInspection {
   bool freeze_camera = false;  ///< level of detail and culling go on from where the camera was; its frustum is drawn
   bool thresholds = false;     ///< a ring on the ground wherever the interval grows
   bool figures_above_heads = false;  ///< interval and bone level of those near by
+  Split split = Split::off;
+  float split_at = 0.35F;            ///< of the picture's width, 0 to 1: left of it the crowd is exact
   int forced_interval = 0;           ///< frames, 1 to 16; 0: as the rule has it
   int forced_bone_level = -1;        ///< 0 to 3, or the character's last; -1: as the rule has it
   bool force_selected_only = false;  ///< the forced values are for the selected agent, else for everyone
@@ -122,6 +127,7 @@ struct DemoOptions {
   bool ui = false;               ///< overlay in a headless run
   bool ui_fixed = false;         ///< with measured times from a committed report
   std::string ui_tab = "Crowd";  ///< that the overlay starts with
+  std::optional<int> selected;   ///< an agent, from the start
   bool hide_ui = false;
   float ui_scale = 1;  ///< of every measure of the overlay
   int msaa = -1;       ///< -1: what the device affords; 0 or 4

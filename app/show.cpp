@@ -120,7 +120,11 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
   if (!stage) return fail(failure, exit_usage, stage.error().message);
   stage_ = std::move(*stage);
-  return true;
+  const int agents = tuning.agents;
+  if (!options.selected || *options.selected < agents) return true;
+  return fail(
+      failure, exit_usage,
+      "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
 }
 
 bool Show::place_camera(const DemoOptions& options, Failure& failure) {

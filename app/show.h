@@ -126,7 +126,10 @@ class Show {
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
   void film();
-  render::CrowdFrame crowd_frame() const;
+  render::CrowdFrame crowd_frame(const Picture& picture) const;
+  bool splits() const;
+  void compose_exact();
+  render::DrawCounts draw_pictures();
   void update(anim::Ticks delta, const LodView* as_recorded);  // null: as the show is seen now
   void freeze_lod_camera();
   void gather_lines();
@@ -139,6 +142,7 @@ class Show {
   std::unique_ptr<Stage> stage_;
   std::unique_ptr<RecordingWriter> recorder_;  // null while nothing is recorded
   Picture picture_;
+  Picture exact_picture_;  // of a split view
   SceneLines lines_;
   Rewind rewind_;
   std::optional<render::Camera> frozen_camera_;

@@ -67,10 +67,10 @@ int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least)
   return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
 }
 
-render::CrowdFrame Show::crowd_frame() const {
+render::CrowdFrame Show::crowd_frame(const Picture& picture) const {
   return {.camera = render::view_of(camera, static_cast<float>(width) / static_cast<float>(height)),
-          .instances = picture_.instances(),
-          .batches = picture_.batches(),
+          .instances = picture.instances(),
+          .batches = picture.batches(),
           .now = stage_->now(),
           .bones_as_lines = stage_->tuning().bones_as_lines,
           .fill_pixels = !stage_->tuning().taken_away.pixels,
@@ -85,10 +85,14 @@ void Show::draw() {
       return pick_mesh_lod(character, pixels, at_least);
     });
     gather_lines();
-    renderer_->upload(crowd_frame());
+    if (splits()) {
+      compose_exact();
+    } else {
+      renderer_->upload(crowd_frame(picture_));
+    }
   });
   times_.submission_ms = taken_away.drawing ? 0.0 : milliseconds_of([&] {
-    draw_counts_ = renderer_->draw_uploaded(crowd_frame());
+    draw_counts_ = draw_pictures();
     renderer_->fences().insert(stage_->frame());
   });
   times_.wait_ms = milliseconds_of([&] { renderer_->finish(); });

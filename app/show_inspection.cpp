@@ -1,4 +1,4 @@
-// How a person looks at level of detail: a frozen camera, lines over the crowd.
+// How a person looks at level of detail: a frozen camera, lines over the crowd, the exact crowd beside it.
 #include "app/show.h"
 
 namespace throng::app {
@@ -23,6 +23,26 @@ void Show::gather_lines() {
   lines_.clear();
   if (frozen_camera_) add_frustum(lines_, *frozen_camera_, aspect, frustum_reach);
   if (tuning.inspection.thresholds) add_threshold_rings(lines_, tuning, lod_camera(), middle);
+}
+
+// What is taken away to see what it costs is taken away of the usual picture.
+bool Show::splits() const {
+  const Tuning& tuning = stage_->tuning();
+  return tuning.inspection.split != Split::off && tuning.taken_away == TakenAway{};
+}
+
+void Show::compose_exact() {
+  constexpr int full_mesh = 0;
+  stage_->pose_exactly();
+  exact_picture_.compose(
+      *stage_, [](std::uint8_t, float, int) { return full_mesh; }, Poses::exact);
+}
+
+render::DrawCounts Show::draw_pictures() {
+  if (!splits()) return renderer_->draw_uploaded(crowd_frame(picture_));
+  const LodInspection& look = stage_->tuning().inspection;
+  return renderer_->draw_split(crowd_frame(exact_picture_), crowd_frame(picture_),
+                               {.divider = look.split_at, .difference = look.split == Split::difference});
 }
 
 }  // namespace throng::app

@@ -32,6 +32,9 @@ struct ShownPose {
   }
 };
 
+/// Which poses of a stage a picture is made of.
+enum class Poses : std::uint8_t { shown, exact };
+
 /// A pose that is about to be written.
 struct NewPose {
   std::uint32_t agent;

@@ -98,6 +98,7 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
       palette_entries_(entries_by_level(characters_)),
       slots_(pages, all_sizes(palette_entries_)),
       shown_(slots_),
+      exact_(slots_),
       meter_(characters_) {
   std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
   crowd_lod_.set_characters(lod_characters_);
@@ -218,6 +219,7 @@ void Stage::populate(Clocks clocks) {
   crowd_lod_.reset(agents);
   bone_steps_.assign(agents, {});
   shown_.reset(agents, frame_);
+  exact_.reset(agents, frame_);
   meter_.reset(agents);
   updates_.reserve(agents);
 }

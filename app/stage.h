@@ -12,6 +12,7 @@
 #include "app/crowd_lod.h"
 #include "app/cut_scene.h"
 #include "app/error_meter.h"
+#include "app/exact_poses.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
 #include "app/placed_feet.h"
@@ -58,6 +59,10 @@ class Stage {
   /// looking ahead.
   void pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step, std::uint64_t completed_frame);
 
+  /// Poses everybody in view once more, exactly and with all bones, into slots of their own until the next pose(): what
+  /// Poses::exact are. Changes nothing that is shown; costs as much as everybody in view at full rate.
+  void pose_exactly();
+
   /// The agent that is looked at, marked in the picture; it is forgotten when the crowd starts anew.
   void select(std::optional<std::uint32_t> agent);
   std::optional<std::uint32_t> selected() const { return selected_; }
@@ -92,7 +97,11 @@ class Stage {
   std::vector<UprightBody> bodies_in_view() const;
 
   /// Instance record of a visible agent; false: it has no slot and is not drawn.
-  bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const;
+  bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses = Poses::shown) const;
+  /// Exact ones only after pose_exactly(), of those in view.
+  const ShownPose& pose_of(std::uint32_t agent, Poses poses) const {
+    return poses == Poses::exact ? exact_.pose(agent) : shown_.pose(agent);
+  }
 
   /// What level of detail costs the eye, over the last 60 frames; all 0 while nobody is measured.
   const anim::ErrorFigures& error() const { return meter_.figures(); }
@@ -143,6 +152,7 @@ class Stage {
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;
+  ExactPoses exact_;
   ErrorMeter meter_;
   std::vector<std::unique_ptr<anim::CharacterRigs>> rigs_;  // [character]
   std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera

@@ -74,6 +74,7 @@ anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int hei
 void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
                  std::uint64_t completed_frame) {
   const std::uint64_t last_frame = frame_++;
+  exact_.give_back(last_frame);
   slots_.reclaim(completed_frame);
   crowd_lod_.prepare({.rules = lod_rules(tuning_), .now = system_->clock(), .frame_step = frame_step}, characters_,
                      selected_);
@@ -106,6 +107,16 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   measure(camera, width, height);
   crowd_lod_.settle(tuning_, selection_.cost, system_->report().predicted_nanoseconds, moving_);
   get_up();
+}
+
+void Stage::pose_exactly() {
+  exact_.give_back(frame_);
+  for (const anim::VisibleAgent& each : selection_.visible) {
+    const ShownPose& shown = shown_.pose(each.agent);
+    const bool known = shown.shown() && system_->can_pose_exactly(each.agent);
+    exact_.add(each.agent, shown, known ? palette_entries_[crowd_->characters()[each.agent]].front() : 0);
+  }
+  exact_.pose(*system_);
 }
 
 void Stage::measure(const render::Camera& camera, int width, int height) {
@@ -168,8 +179,8 @@ void Stage::get_up() {
   for (const std::uint32_t agent : fallen_->advance()) request_clip(crowd_->release(agent));
 }
 
-bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& record) const {
-  const ShownPose& pose = shown_.pose(agent.agent);
+bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses) const {
+  const ShownPose& pose = pose_of(agent.agent, poses);
   if (!pose.shown()) return false;
   const glm::vec3 position = crowd_->positions()[agent.agent];
   const Heading heading = crowd_->headings()[agent.agent];

@@ -13,6 +13,7 @@ inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe
 inline constexpr std::array<const char*, 2> palette_words = {"float", "packed"};
 inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};
 inline constexpr std::array<const char*, 3> error_sampling_words = {"off", "some", "all"};
+inline constexpr std::array<const char*, 3> split_words = {"off", "exact | LOD", "difference"};
 inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands about", "marches", "watches",
                                                            "has a seat", "trains",       "acts"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "app/overlay/choices.h"
 #include "app/overlay/tabs.h"
 
 namespace throng::app {
@@ -25,6 +26,20 @@ void show_looking(const TabContext& context) {
                  {.what = "Writes each agent's interval above its head, and after an L its bone level where bones are "
                           "dropped. The 300 tallest on the screen.",
                   .cost = "Drawing words; the animation is the same."});
+}
+
+void show_split(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands] = context;
+  LodInspection& look = tuning.inspection;
+  const LodInspection& plain = standard.inspection;
+  widgets.choice(
+      "Split", look.split, plain.split, split_words,
+      {.what = "Left of a line the exact crowd: everyone posed now, with all bones and triangles. Right of it "
+               "the crowd as it is shown, or how far its picture is from the exact one, eight times as bright.",
+       .cost = "Everyone in view is posed once more in full, and drawn twice."});
+  if (look.split == Split::off) return;
+  widgets.number("Split at", look.split_at, plain.split_at, {.lowest = 0, .highest = 1, .decimals = 2},
+                 {.what = "Where the line is.", .unit = "of the picture's width"});
 }
 
 void show_forcing(const TabContext& context) {
@@ -54,6 +69,7 @@ void show_forcing(const TabContext& context) {
 
 void show_lod_inspection(const TabContext& context) {
   show_looking(context);
+  show_split(context);
   show_forcing(context);
 }
 

@@ -105,6 +105,12 @@ std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, 
   if (tuning.inspection.freeze_camera) {
     notices.push_back({colour::accent, "Level of detail goes on from where the camera was frozen."});
   }
+  if (tuning.inspection.split == Split::shown) {
+    notices.push_back({colour::accent, "Left of the line the exact crowd, right of it as it is shown."});
+  }
+  if (tuning.inspection.split == Split::difference) {
+    notices.push_back({colour::accent, "Left of the line the exact crowd, right of it the difference, times 8."});
+  }
   if (tuning.paused) notices.push_back({colour::frame, "Paused. Space goes on."});
   if (exact) notices.push_back({colour::accent, "The exact crowd, while X is held."});
   return notices;

@@ -21,6 +21,8 @@ Json inspection_json(const LodInspection& look) {
   return {{"freeze_camera", look.freeze_camera},
           {"thresholds", look.thresholds},
           {"figures_above_heads", look.figures_above_heads},
+          {"split", word(split_words, look.split)},
+          {"split_at", look.split_at},
           {"forced_interval", look.forced_interval},
           {"forced_bone_level", look.forced_bone_level},
           {"force_selected_only", look.force_selected_only}};
@@ -72,6 +74,12 @@ Json selected_json(const std::optional<SelectionReport>& selected) {
           {"events", selected->events}};
 }
 
+Json bone_names(const FrameReport& report) {
+  Json names = Json::array();
+  for (const BoneRow& bone : report.bones) names.push_back(bone.name);
+  return names;
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"characters", report.characters},
@@ -80,6 +88,8 @@ Json report_json(const FrameReport& report) {
           {"agents_updated", report.agents_updated},
           {"agents_by_interval", report.agents_by_interval},
           {"agents_by_bone_level", report.agents_by_bone_level},
+          {"level_bone_counts", report.level_bone_counts},
+          {"bones", bone_names(report)},
           {"heads", report.heads.size()},
           {"pus", report.pus},
           {"local_store_kib", report.local_store_kib},

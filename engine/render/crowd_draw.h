@@ -43,6 +43,12 @@ struct CrowdFrame {
   std::span<const SceneLine> lines = {};  ///< drawn over the crowd
 };
 
+/// Two pictures in one.
+struct SplitView {
+  float divider = 0.5F;     ///< share of the width, from the left, that shows the left picture
+  bool difference = false;  ///< beyond it, how far the two are apart, eight times as bright; else the right picture
+};
+
 struct DrawCounts {
   std::uint32_t draw_calls = 0;  ///< calls of the device; a multi-draw is one
   std::uint64_t triangles = 0;

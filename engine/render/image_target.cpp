@@ -88,6 +88,11 @@ void ImageTarget::copy_to_window(glm::ivec2 window_size) const {
                          GL_COLOR_BUFFER_BIT, filter);
 }
 
+void ImageTarget::copy_pixels(const gl::Texture& texture) const {
+  glCopyImageSubData(plain_view_.id(), GL_TEXTURE_2D, 0, 0, 0, 0, texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, size_.x,
+                     size_.y, 1);
+}
+
 Image ImageTarget::read() const {
   Image image = Image::blank(size_.x, size_.y);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, plain_.id());

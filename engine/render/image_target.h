@@ -32,6 +32,9 @@ class ImageTarget {
   /// Copies the finished pixels into the window's framebuffer, stretched to `window_size`.
   void copy_to_window(glm::ivec2 window_size) const;
 
+  /// Copies the finished pixels into an RGBA8 texture of the same size, as they are.
+  void copy_pixels(const gl::Texture& texture) const;
+
   Image read() const;
 
  private:

@@ -31,20 +31,25 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gl::Context& context, const R
   if (!crowd) return crowd.error();
   Result<LinePass> lines = LinePass::create(*shaders);
   if (!lines) return lines.error();
+  Result<SplitPass> split = SplitPass::create(*shaders);
+  if (!split) return split.error();
   Result<SkinningReadBack> reader = SkinningReadBack::create(*shaders);
   if (!reader) return reader.error();
   return std::unique_ptr<Renderer>(new Renderer(context, options, std::move(shaders), std::move(*ground),
-                                                std::move(*contact), std::move(*crowd), std::move(*lines), *reader));
+                                                std::move(*contact), std::move(*crowd), std::move(*lines),
+                                                std::move(*split), *reader));
 }
 
 Renderer::Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
-                   GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SkinningReadBack reader)
+                   GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SplitPass split,
+                   SkinningReadBack reader)
     : context_(&context),
       shaders_(std::move(shaders)),
       ground_(std::move(ground)),
       contact_(std::move(contact)),
       crowd_(std::move(crowd)),
       lines_(std::move(lines)),
+      split_(std::move(split)),
       read_back_(reader),
       target_(options.size, options.samples),
       frame_uniforms_(create_frame_uniforms()),
@@ -87,6 +92,15 @@ std::vector<ReadBackVertex> Renderer::read_back(const CrowdFrame& frame, const R
 DrawCounts Renderer::draw(const CrowdFrame& frame) {
   upload(frame);
   return draw_uploaded(frame);
+}
+
+DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split) {
+  DrawCounts counts = draw(right);
+  split_.keep_right(target_);
+  add(counts, draw(left));
+  split_.keep_left(target_);
+  add(counts, split_.draw(target_, split));
+  return counts;
 }
 
 DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {

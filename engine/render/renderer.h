@@ -26,6 +26,7 @@
 #include "engine/render/result.h"
 #include "engine/render/shader_library.h"
 #include "engine/render/skinning_read_back.h"
+#include "engine/render/split_pass.h"
 
 namespace throng::render {
 
@@ -76,6 +77,9 @@ class Renderer {
   void upload(const CrowdFrame& frame);
   DrawCounts draw_uploaded(const CrowdFrame& frame);
 
+  /// Draws two frames into one picture. `left` is uploaded last.
+  DrawCounts draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split);
+
   /// Where the vertex shader puts each vertex of one agent of `frame`, for tests; draws nothing and waits.
   std::vector<ReadBackVertex> read_back(const CrowdFrame& frame, const ReadBackAgent& agent);
 
@@ -106,7 +110,8 @@ class Renderer {
 
  private:
   Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
-           GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SkinningReadBack reader);
+           GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SplitPass split,
+           SkinningReadBack reader);
 
   gl::Context* context_;
   std::unique_ptr<ShaderLibrary> shaders_;
@@ -114,6 +119,7 @@ class Renderer {
   ContactPass contact_;
   CrowdPass crowd_;
   LinePass lines_;
+  SplitPass split_;
   SkinningReadBack read_back_;
   std::optional<OverlayRenderer> overlay_;
   ImageTarget target_;

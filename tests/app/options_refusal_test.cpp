@@ -35,6 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"FractionOfAgents", "--agents 1.5", "--agents 1.5: must be a whole number, 1 to 100000"},
         Refused{"OverflowingAgents", "--agents 99999999999",
                 "--agents 99999999999: must be a whole number, 1 to 100000"},
+        Refused{"NobodySelected", "--select -1", "--select -1: must be a whole number, 0 to 99999"},
         Refused{"NoPus", "--pus 0", "--pus 0: must be a whole number, 1 to 256"},
         Refused{"TooManyPus", "--pus 257", "--pus 257: must be a whole number, 1 to 256"},
         Refused{"NegativeSeed", "--seed -1", "--seed -1: must be a whole number, 0 to 4294967295"},

@@ -39,6 +39,16 @@ TEST_F(LodSkippingTab, ShowsThresholdsAndFigures) {
   EXPECT_TRUE(look.figures_above_heads);
 }
 
+TEST_F(LodSkippingTab, SplitsThePictureAtALineThatCanBeDragged) {
+  EXPECT_FALSE(driver.sees("Split at"));
+  driver.click("Split:difference");
+  EXPECT_EQ(look.split, Split::difference);
+  driver.drag("Split at", 1);
+  EXPECT_EQ(look.split_at, 1.0F);
+  driver.click("Split.reset");
+  EXPECT_EQ(look.split, Split::off);
+}
+
 TEST_F(LodSkippingTab, ForcesAnIntervalAndALevel) {
   driver.drag("Force interval", 1);
   EXPECT_EQ(look.forced_interval, 16);
@@ -148,6 +158,7 @@ TEST(OverlayMap, HasWhatIsLookedAtAndForced) {
   const auto map = nlohmann::json::parse(to_json({}, tuning, {}));
   EXPECT_EQ(map["tuning"]["inspection"]["forced_interval"], 5);
   EXPECT_EQ(map["tuning"]["inspection"]["freeze_camera"], false);
+  EXPECT_EQ(map["tuning"]["inspection"]["split"], "off");
 }
 
 }  // namespace

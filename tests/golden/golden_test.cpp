@@ -47,6 +47,23 @@ TEST_P(GoldenPicture, FewestBonesAndTriangles) {
   expect_golden_picture("fewest-bones", options);
 }
 
+DemoOptions split_options(ContextKind context, Split split) {
+  DemoOptions options = golden_options(context);
+  options.tuning.placed_feet = false;
+  options.tuning.inspection = {.split = split, .split_at = 0.5F, .forced_interval = 16, .forced_bone_level = 3};
+  options.tuning.smooth = false;
+  options.frames = 30;
+  return options;
+}
+
+TEST_P(GoldenPicture, ExactCrowdBesideTheOneShown) {
+  expect_golden_picture("split", split_options(GetParam(), Split::shown));
+}
+
+TEST_P(GoldenPicture, DifferenceToTheExactCrowd) {
+  expect_golden_picture("split-difference", split_options(GetParam(), Split::difference));
+}
+
 // The camera's own picture, a second after the balloon was let go: three characters in one system.
 TEST_P(GoldenPicture, FilmOfTheCutScene) {
   DemoOptions options = golden_options(GetParam());

@@ -1,5 +1,6 @@
 // Every tab of the overlay, with figures from a committed report and nothing but sky behind it; and the whole of it on
 // a screen with four times the pixels.
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@ struct TabPicture {
   const char* tab;
   const char* picture;
   int scale;
+  std::optional<int> selected = std::nullopt;
 };
 
 class OverlayPicture : public testing::TestWithParam<TabPicture> {};
@@ -26,6 +28,7 @@ TEST_P(OverlayPicture, LooksAsItDid) {
   options.ui = true;
   options.ui_fixed = true;
   options.ui_tab = picture.tab;
+  options.selected = picture.selected;
   options.ui_scale = static_cast<float>(picture.scale);
   expect_golden_picture(picture.picture, options);
 }
@@ -34,7 +37,8 @@ INSTANTIATE_TEST_SUITE_P(
     Egl, OverlayPicture,
     testing::Values(TabPicture{"LOD skipping", "overlay-skipping", 1}, TabPicture{"Per-bone LOD", "overlay-bones", 1},
                     TabPicture{"Scheduling", "overlay-scheduling", 1}, TabPicture{"Agent", "overlay-agent", 1},
-                    TabPicture{"Presets", "overlay-presets", 1}, TabPicture{"Presets", "overlay-scale-2", 2}),
+                    TabPicture{"Agent", "overlay-agent-selected", 1, 0}, TabPicture{"Presets", "overlay-presets", 1},
+                    TabPicture{"Presets", "overlay-scale-2", 2}),
     [](const auto& run) {
       std::string name = run.param.picture;
       std::erase(name, '-');

@@ -17,8 +17,10 @@ inline Deadline soon() { return std::chrono::steady_clock::now() + std::chrono::
 /// A program that runs beside the test and is ended with it. Its standard output is read line by line.
 class ChildProcess {
  public:
-  /// `environment`: "NAME=value", added to the test's own or in place of what has the same name.
-  ChildProcess(const std::vector<std::string>& command, const std::vector<std::string>& environment);
+  /// `environment`: "NAME=value", added to the test's own or in place of what has the same name. `folder`: what it
+  /// works in; empty: the test's own.
+  ChildProcess(const std::vector<std::string>& command, const std::vector<std::string>& environment,
+               const std::string& folder = {});
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

@@ -1,10 +1,5 @@
-#include <cmath>
 #include <string>
 
-#include <glm/mat4x4.hpp>
-#include <glm/vec4.hpp>
-
-#include "app/fly_camera.h"
 #include "tests/window/window_driver.h"
 
 namespace throng::app {
@@ -24,22 +19,6 @@ class LoneAgent : public WindowDriver {
     });
   }
 
-  /// Presses and lets go where the picture shows a point of the world.
-  void click_at(const glm::vec3& point) {
-    const Json camera = next_map()["camera"];
-    const CameraPlace place{.x = camera["x"],
-                            .y = camera["y"],
-                            .z = camera["z"],
-                            .yaw = camera["yaw"],
-                            .pitch = camera["pitch"],
-                            .field_of_view = camera["field_of_view"]};
-    const render::CameraView view = render::view_of(camera_at(place), 1280.0F / 720.0F);
-    const glm::vec4 clip = view.projection * view.view * glm::vec4(point, 1.0F);
-    point_at((static_cast<double>(clip.x / clip.w) * 0.5 + 0.5) * 1280,
-             (0.5 - static_cast<double>(clip.y / clip.w) * 0.5) * 720);
-    button(1, true);
-    button(1, false);
-  }
   void wait_until_selected(bool selected) {
     wait_for(selected ? "a selection" : "no selection",
              [&](const Json& map) { return map["report"]["selected"].is_null() != selected; });

@@ -5,8 +5,11 @@
 #include <sstream>
 #include <thread>
 
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 #include <unistd.h>
 
+#include "app/fly_camera.h"
 #include "tests/window/file_drop.h"
 
 namespace throng::app {
@@ -61,7 +64,7 @@ void WindowDriver::start_program() {
   program_ =
       std::make_unique<ChildProcess>(std::vector<std::string>{THRONG_PROGRAM, "--agents", "50", "--size", "1280x720",
                                                               "--ui-map", (folder_ / "ui.json").string()},
-                                     environment());
+                                     environment(), folder_.string());
   ASSERT_TRUE(program_->started());
   while (const auto line = program_->read_line(soon())) {
     if (*line == "READY") return;
@@ -112,6 +115,44 @@ void WindowDriver::drag(const std::string& widget, double share) {
     point_at(x + width * share, y + height / 2);
     next_map();
   }
+  button(1, false);
+}
+
+void WindowDriver::drag_to(const std::string& widget, const std::string& other) {
+  const Json widgets = wait_for("both widgets", [&](const Json& now) {
+    return now["widgets"].contains(widget) && now["widgets"].contains(other);
+  })["widgets"];
+  const auto point_at_middle = [&](const Json& place) {
+    point_at(place["x"].get<double>() + place["w"].get<double>() / 2,
+             place["y"].get<double>() + place["h"].get<double>() / 2);
+    next_map();
+  };
+  point_at_middle(widgets[widget]);
+  button(1, true);
+  point_at_middle(widgets[other]);
+  button(1, false);
+}
+
+void WindowDriver::scroll_down() {
+  constexpr double in_the_tab_x = 1100, in_the_tab_y = 400;
+  point_at(in_the_tab_x, in_the_tab_y);
+  xdotool({"click", "--repeat", "40", "--delay", "1", "5"});
+  next_map();
+}
+
+void WindowDriver::click_at(const glm::vec3& point) {
+  const Json camera = next_map()["camera"];
+  const CameraPlace place{.x = camera["x"],
+                          .y = camera["y"],
+                          .z = camera["z"],
+                          .yaw = camera["yaw"],
+                          .pitch = camera["pitch"],
+                          .field_of_view = camera["field_of_view"]};
+  const render::CameraView view = render::view_of(camera_at(place), 1280.0F / 720.0F);
+  const glm::vec4 clip = view.projection * view.view * glm::vec4(point, 1.0F);
+  point_at((static_cast<double>(clip.x / clip.w) * 0.5 + 0.5) * 1280,
+           (0.5 - static_cast<double>(clip.y / clip.w) * 0.5) * 720);
+  button(1, true);
   button(1, false);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -30,6 +31,12 @@ class WindowDriver : public testing::Test {
   void click(const std::string& widget);
   /// Presses in the middle of a widget and lets go at a share of its width.
   void drag(const std::string& widget, double share);
+  /// Presses in the middle of one widget and lets go in the middle of another.
+  void drag_to(const std::string& widget, const std::string& other);
+  /// Turns the wheel over the tab, all the way down.
+  void scroll_down();
+  /// Presses and lets go where the picture shows a point of the world, in metres.
+  void click_at(const glm::vec3& point);
   /// `name` as X11 calls the key: space, Escape, w, F1.
   void press(const std::string& name);
   void hold(const std::string& name);
@@ -43,6 +50,8 @@ class WindowDriver : public testing::Test {
   void xdotool(const std::vector<std::string>& words);
 
   ChildProcess& program() { return *program_; }
+  /// Where the program works; its own, empty at first but for what the driver keeps there.
+  const std::filesystem::path& folder() const { return folder_; }
 
  private:
   void start_display();

@@ -1,0 +1,102 @@
+// A split view against the pictures it is made of, each drawn alone.
+#include <algorithm>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "app/show.h"
+#include "engine/render/image.h"
+#include "tests/gl/picture_tolerance.h"
+
+namespace throng::app {
+namespace {
+
+using render::Image;
+using render::test::looks_the_same;
+
+constexpr int width = 320, height = 180, line = 128;
+constexpr int beside_the_line = 2;  // pixels
+
+DemoOptions skipping_crowd() {
+  DemoOptions options;
+  options.context = ContextKind::egl;
+  options.force_software = true;
+  options.width = width;
+  options.height = height;
+  options.data = THRONG_SOURCE_DIR;
+  options.tuning.agents = 40;
+  options.tuning.placed_feet = false;  // without level of detail they would be everyone's
+  options.tuning.inspection = {.split_at = static_cast<float>(line) / width, .forced_interval = 16};
+  options.tuning.bone_level_distance[0] = options.tuning.bone_level_distance[1] = 1.0F;
+  options.tuning.bone_level_distance[2] = 2.0F;
+  return options;
+}
+
+Image part(const Image& image, int from, int to) {
+  Image columns = Image::blank(to - from, image.height);
+  for (int y = 0; y < image.height; ++y)
+    std::copy(image.pixel(from, y), image.pixel(to - 1, y) + 4, columns.pixel(0, y));
+  return columns;
+}
+Image left(const Image& image) { return part(image, 0, line - beside_the_line); }
+Image right(const Image& image) { return part(image, line + beside_the_line, width); }
+
+/// A crowd in the middle of its intervals.
+class SplitView : public testing::Test {
+ protected:
+  void SetUp() override { begin(skipping_crowd()); }
+
+  void begin(const DemoOptions& options) {
+    show_.reset();
+    Failure failure;
+    show_ = Show::create(options, failure);
+    ASSERT_NE(show_, nullptr) << failure.message;
+    for (int frame = 0; frame < 27; ++frame) show_->animate(anim::to_ticks(1.0 / 60.0));
+  }
+  Image picture(Split split) {
+    Tuning tuning = show_->stage().tuning();
+    tuning.inspection.split = split;
+    EXPECT_TRUE(show_->apply(tuning));
+    show_->draw();
+    return show_->renderer().read_image();
+  }
+  /// The same moment as `--lod off` shows it.
+  Image exact_picture() {
+    DemoOptions options = skipping_crowd();
+    options.tuning = without_level_of_detail(options.tuning);
+    begin(options);
+    return picture(Split::off);
+  }
+
+  Show& show() { return *show_; }
+
+ private:
+  std::unique_ptr<Show> show_;
+};
+
+TEST_F(SplitView, ShowsTheExactCrowdOnTheLeftAndTheUsualOneOnTheRight) {
+  const Image usual = picture(Split::off), split = picture(Split::shown), exact = exact_picture();
+  EXPECT_FALSE(looks_the_same(*compare(left(exact), left(usual)))) << "nothing would be shown";
+  EXPECT_TRUE(looks_the_same(*compare(left(exact), left(split))));
+  EXPECT_EQ(compare(right(usual), right(split))->mean, 0.0);
+}
+
+TEST_F(SplitView, ShowsTheDifferenceEightTimesAsBright) {
+  const Image usual = picture(Split::off), split = picture(Split::difference), exact = exact_picture();
+  EXPECT_TRUE(looks_the_same(*compare(left(exact), left(split))));
+  const Image expected = compare(exact, usual)->picture;
+  EXPECT_FALSE(looks_the_same(*compare(Image::blank(right(usual).width, height), right(expected))));
+  EXPECT_TRUE(looks_the_same(*compare(right(expected), right(split))));
+}
+
+TEST_F(SplitView, LeavesTheUsualPictureAsItWas) {
+  const Image before = picture(Split::off);
+  picture(Split::shown);
+  EXPECT_EQ(compare(before, picture(Split::off))->mean, 0.0);
+  const auto slots = show().stage().shown().pose(0).to.first_entry;
+  picture(Split::difference);
+  EXPECT_EQ(show().stage().shown().pose(0).to.first_entry, slots);
+}
+
+}  // namespace
+}  // namespace throng::app

@@ -1,0 +1,116 @@
+// A person's afternoon with the overlay, in one run of the real window: what one step leaves behind, the next one
+// finds.
+#include <filesystem>
+#include <string>
+
+#include "tests/window/window_driver.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string notice_of(const Json& map) { return map["report"]["notice"]; }
+
+class WholeOverlay : public WindowDriver {
+ protected:
+  Json wait_for_notice(const std::string& words) {
+    return wait_for(words, [&](const Json& map) { return notice_of(map).find(words) != std::string::npos; });
+  }
+  void wait_for_bones(const Json& names) {
+    wait_for("bones in that order", [&](const Json& map) { return map["report"]["bones"] == names; });
+  }
+
+  void order_bones() {
+    click("tab:Per-bone LOD");
+    scroll_down();
+    const Json before = next_map()["report"]["bones"];
+    drag_to("Bone 2", "Bone 1");
+    Json swapped = before;
+    std::swap(swapped[1], swapped[2]);
+    wait_for_bones(swapped);
+    click("Undo");
+    wait_for_bones(before);
+  }
+  void move_the_end_of_a_level() {
+    const Json before = next_map()["report"]["level_bone_counts"];
+    drag_to("Border 3", "Bone 4");
+    wait_for("a level of five bones", [](const Json& map) { return map["report"]["level_bone_counts"][3] == 5; });
+    click("Undo");
+    wait_for("the levels of before", [&](const Json& map) { return map["report"]["level_bone_counts"] == before; });
+  }
+  void change_units_and_their_stores() {
+    click("tab:Scheduling");
+    type_into("PUs.field", "3");
+    type_into("Local store.field", "200");
+    wait_for("three PUs of 200 KiB",
+             [](const Json& map) { return map["report"]["pus"] == 3 && map["report"]["local_store_kib"] == 200; });
+  }
+  void look_at_both_crowds() {
+    click("tab:LOD skipping");
+    for (const std::string split : {"exact | LOD", "difference", "off"}) {
+      click("Split:" + split);
+      wait_for("the split " + split, [&](const Json& map) { return map["tuning"]["inspection"]["split"] == split; });
+      next_map(3);
+    }
+  }
+  void freeze_and_fly_on() {
+    click("Freeze LOD camera");
+    const Json before = next_map()["camera"];
+    point_at(450, 300);
+    hold("s");
+    wait_for("another place", [&](const Json& map) { return map["camera"] != before; });
+    let_go("s");
+    EXPECT_TRUE(next_map()["tuning"]["inspection"]["freeze_camera"].get<bool>());
+    click("Freeze LOD camera");
+  }
+  void select_somebody_and_scrub() {
+    click("tab:Crowd");
+    click("Scene:grid");
+    type_into("Agents.field", "1");
+    wait_for("one agent", [](const Json& map) { return map["report"]["agents"] == 1 && map["report"]["drawn"] == 1; });
+    click_at({0.0F, 1.2F, 0.0F});
+    click("tab:Agent");
+    wait_for("a selection", [](const Json& map) { return !map["report"]["selected"].is_null(); });
+    drag("Hold clip at", 0.7);
+    wait_for("a held clip", [](const Json& map) { return !map["report"]["selected"]["held_at"].is_null(); });
+    click("Let go");
+    wait_for("a clip that plays", [](const Json& map) { return map["report"]["selected"]["held_at"].is_null(); });
+  }
+  void record() {
+    press("r");
+    wait_for_notice("is recorded");
+    next_map(5);
+    press("r");
+    wait_for_notice("Wrote throng-1.rec");
+  }
+  void drop_files() {
+    const std::string bad = std::string(THRONG_SOURCE_DIR) + "/README.md";
+    const std::string good = std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb";
+    const Json before = next_map()["report"]["characters"];
+    drop(bad);
+    EXPECT_EQ(wait_for_notice(bad)["report"]["characters"], before);
+    drop(good);
+    wait_for("the new character", [&](const Json& map) {
+      return map["report"]["characters"] == Json::array({good}) && map["report"]["drawn"] > 0;
+    });
+  }
+};
+
+TEST_F(WholeOverlay, IsDrivenThroughByAScript) {
+  ASSERT_NO_FATAL_FAILURE(order_bones());
+  ASSERT_NO_FATAL_FAILURE(move_the_end_of_a_level());
+  ASSERT_NO_FATAL_FAILURE(change_units_and_their_stores());
+  ASSERT_NO_FATAL_FAILURE(look_at_both_crowds());
+  ASSERT_NO_FATAL_FAILURE(freeze_and_fly_on());
+  ASSERT_NO_FATAL_FAILURE(select_somebody_and_scrub());
+  ASSERT_NO_FATAL_FAILURE(record());
+  ASSERT_NO_FATAL_FAILURE(drop_files());
+  press("Escape");
+  EXPECT_EQ(program().exit_status(soon()), 0);
+  ChildProcess replay({THRONG_PROGRAM, "--headless=none", "--replay", (folder() / "throng-1.rec").string()}, {});
+  EXPECT_EQ(replay.exit_status(soon()), 0) << "what was recorded is repeated to the bit";
+}
+
+}  // namespace
+}  // namespace throng::app

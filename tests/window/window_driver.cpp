@@ -133,10 +133,10 @@ void WindowDriver::drag_to(const std::string& widget, const std::string& other) 
   button(1, false);
 }
 
-void WindowDriver::scroll_down() {
-  constexpr double in_the_tab_x = 1100, in_the_tab_y = 400;
-  point_at(in_the_tab_x, in_the_tab_y);
-  xdotool({"click", "--repeat", "40", "--delay", "1", "5"});
+void WindowDriver::scroll_down_at(double x, double y, int steps) {
+  point_at(x, y);
+  next_map();
+  xdotool({"click", "--repeat", std::to_string(steps), "5"});
   next_map();
 }
 

@@ -33,8 +33,8 @@ class WindowDriver : public testing::Test {
   void drag(const std::string& widget, double share);
   /// Presses in the middle of one widget and lets go in the middle of another.
   void drag_to(const std::string& widget, const std::string& other);
-  /// Turns the wheel over the tab, all the way down.
-  void scroll_down();
+  /// Turns the wheel down, as many steps.
+  void scroll_down_at(double x, double y, int steps);
   /// Presses and lets go where the picture shows a point of the world, in metres.
   void click_at(const glm::vec3& point);
   /// `name` as X11 calls the key: space, Escape, w, F1.

@@ -75,7 +75,11 @@ bool PaletteSlots::add_page() {
   if (memory.memory == nullptr) return false;
   Page page;
   page.memory = memory;
+  const std::size_t entries = memory.size / palette_entry_bytes;
   page.free_by_size.resize(sizes_.size());
+  // As many as a page has room for, so that no frame allocates; what is never used is never touched.
+  for (std::size_t i = 0; i < sizes_.size(); ++i) page.free_by_size[i].reserve(entries / sizes_[i]);
+  retired_.reserve(retired_.capacity() + entries / sizes_.back());
   page.acquired.resize(memory.size / (palette_entry_bytes * palette_entries_per_line_group));
   pages_.push_back(std::move(page));
   return true;

@@ -157,6 +157,7 @@ TEST_F(StageInHands, AMomentOfAnotherCrowdIsRefused) {
 
 TEST_F(StageInHands, WhatIsForcedIsSeenInTheSelection) {
   Tuning tuning = stage_->tuning();
+  tuning.lod = LodRule::distance;
   tuning.inspection = {.forced_interval = 6, .forced_bone_level = 1, .force_selected_only = true};
   ASSERT_TRUE(stage_->apply(tuning));
   pass(20);

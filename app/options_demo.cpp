@@ -38,10 +38,10 @@ std::vector<std::pair<std::string, LodRule>> lod_rule_names() {
 
 void declare_level_of_detail(OptionReader& reader, Tuning& tuning) {
   reader.heading("Level of detail");
-  reader.value("--lod", "RULE",
-               "off, distance or budget (distance, or budget with one of the next two); off also turns off bone LOD, "
-               "smoothing and mesh LOD, unless they are given",
-               choice<LodRule>(tuning.lod, lod_rule_names()));
+  reader.value(
+      "--lod", "RULE",
+      "off, distance or budget (budget); off also turns off bone LOD, smoothing and mesh LOD, unless they are given",
+      choice<LodRule>(tuning.lod, lod_rule_names()));
   reader.value("--error-px", "X", "Pixels that 99% of what is shown are off at most (1 without --budget-ms)",
                number_above_zero(tuning.error_px, "pixels"));
   reader.value("--budget-ms", "X", "Predicted milliseconds of all PUs that posing may cost a frame (no limit)",

@@ -69,11 +69,11 @@ struct Tuning {
   float time_scale = 1.0F;  ///< 0 to 4
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
   // LOD skipping
-  LodRule lod = LodRule::distance;
-  float full_rate_distance = 12.0F;                  ///< metres: nearer agents are updated each frame
-  float interval_growth = 12.0F;                     ///< metres a further step of the interval
-  int largest_interval = 8;                          ///< frames, 1 to 16
-  bool smooth = true;                                ///< smooth skipping in the vertex shader
+  LodRule lod = LodRule::budget;     ///< with error_px: distances cannot hold a pixel for every character
+  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
+  float interval_growth = 12.0F;     ///< metres a further step of the interval
+  int largest_interval = 8;          ///< frames, 1 to 16
+  bool smooth = true;                ///< smooth skipping in the vertex shader
   ErrorSampling error_sample = ErrorSampling::some;  ///< whose error on screen is measured, of those in view
   float error_px = 1.0F;                             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit

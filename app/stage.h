@@ -107,6 +107,8 @@ class Stage {
   const anim::ErrorFigures& error() const { return meter_.figures(); }
   const ErrorMeter& error_meter() const { return meter_; }
 
+  /// How the agent's bones stood between two levels in its last update.
+  const BoneStep& bone_step(std::uint32_t agent) const { return bone_steps_[agent]; }
   const anim::LodSelection& selection() const { return selection_; }
   /// What level of detail decided, and what it saves.
   const CrowdLod& level_of_detail() const { return crowd_lod_; }

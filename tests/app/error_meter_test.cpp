@@ -39,6 +39,7 @@ class MeasuredStage : public testing::Test {
   static Tuning measured() {
     Tuning tuning;
     tuning.agents = 120;
+    tuning.lod = LodRule::distance;
     tuning.error_sample = ErrorSampling::all;
     tuning.pus = 2;
     return tuning;

@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 TEST(IntervalThresholds, LieWhereTheRuleLengthensTheInterval) {
-  Tuning tuning;
+  Tuning tuning{.lod = LodRule::distance};
   tuning.largest_interval = 4;
   const auto thresholds = interval_thresholds(tuning);
   ASSERT_EQ(thresholds.size(), 3U);
@@ -25,7 +25,7 @@ TEST(IntervalThresholds, LieWhereTheRuleLengthensTheInterval) {
 }
 
 TEST(ThresholdRings, AreAsFarFromTheCameraAsTheRuleSays) {
-  Tuning tuning;
+  Tuning tuning{.lod = LodRule::distance};
   tuning.full_rate_distance = 10;
   tuning.largest_interval = 2;
   const render::Camera camera{.position = {3, 7, -2}};
@@ -39,7 +39,7 @@ TEST(ThresholdRings, AreAsFarFromTheCameraAsTheRuleSays) {
 }
 
 TEST(ThresholdRings, DoNotReachTheGroundFromTooHighAbove) {
-  Tuning tuning;
+  Tuning tuning{.lod = LodRule::distance};
   tuning.full_rate_distance = 10;
   tuning.largest_interval = 2;
   SceneLines lines;

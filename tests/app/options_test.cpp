@@ -58,7 +58,7 @@ TEST(DemoDefaults, TuneTheCrowd) {
   EXPECT_EQ(tuning.scene, Scene::plaza);
   EXPECT_EQ(tuning.agents, 1000);
   EXPECT_EQ(tuning.seed, 1U);
-  EXPECT_EQ(tuning.lod, LodRule::distance);
+  EXPECT_EQ(tuning.lod, LodRule::budget);
   EXPECT_TRUE(tuning.bone_lod);
   EXPECT_TRUE(tuning.smooth);
   EXPECT_EQ(tuning.mesh_lod, -1);
@@ -147,11 +147,12 @@ TEST(RequiredValue, IsTakenAfterASpaceOrAnEqualsSign) {
 TEST(LodBudget, IsTheRuleOfWhoeverGivesALimit) {
   EXPECT_EQ(demo("--error-px 0.5").tuning.lod, LodRule::budget);
   EXPECT_EQ(demo("--budget-ms 4").tuning.lod, LodRule::budget);
-  EXPECT_EQ(demo("").tuning.lod, LodRule::distance);
+  EXPECT_EQ(demo("").tuning.lod, LodRule::budget);
 }
 
 TEST(LodBudget, HoldsAPixelUnlessOtherLimitsAreGiven) {
   const auto limits = [](const Tuning& tuning) { return std::pair(tuning.error_px, tuning.budget_ms); };
+  EXPECT_EQ(limits(demo("").tuning), std::pair(1.0F, 0.0F));
   EXPECT_EQ(limits(demo("--lod budget").tuning), std::pair(1.0F, 0.0F));
   EXPECT_EQ(limits(demo("--error-px 0.5").tuning), std::pair(0.5F, 0.0F));
   EXPECT_EQ(limits(demo("--budget-ms 4").tuning), std::pair(0.0F, 4.0F));

@@ -90,7 +90,9 @@ TEST_F(LodSkippingTab, WritesFiguresAboveHeadsThatAreInFrontOfTheCamera) {
 }
 
 TEST_F(LodSkippingTab, UnderABudgetShowsItsLimitsInsteadOfDistances) {
+  driver.click("Rule:distance");
   EXPECT_FALSE(driver.sees("Error limit"));
+  EXPECT_TRUE(driver.sees("Full rate until"));
   driver.click("Rule:budget");
   EXPECT_EQ(driver.tuning.lod, LodRule::budget);
   EXPECT_FALSE(driver.sees("Full rate until"));

@@ -53,6 +53,7 @@ void act(Show& show, int frame) {
   show.camera.position.x += 0.05F;
   show.camera.yaw += 0.002F;
   if (frame == 10) change(show, [](Tuning& tuning) { tuning.full_rate_distance = 3.0F; });
+  if (frame == 15) change(show, [](Tuning& tuning) { tuning.lod = LodRule::distance; });
   if (frame == 20) change(show, [](Tuning& tuning) { tuning.largest_interval = 3; });
   if (frame == 30) show.select(4);
   if (frame == 31) push_selected(show);

@@ -100,7 +100,13 @@ std::vector<glm::dmat4> ReferenceCrowd::palette(std::uint32_t agent, const PoseM
     }
     locals = std::move(next);
   }
-  return anim::pose_from_locals(character_.model.skeleton, std::move(locals)).palette;
+  const anim::Skeleton& skeleton = character_.model.skeleton;
+  const auto kept = static_cast<std::size_t>(skeleton.level_bone_counts[moment.fade_level]);
+  for (std::size_t bone = kept; moment.faded > 0.0 && bone < locals.size(); ++bone) {
+    const anim::StateTransform stands_still = anim::to_local(skeleton, static_cast<int>(bone), {});
+    locals[bone] = blended(locals[bone], stands_still, moment.faded);
+  }
+  return anim::pose_from_locals(skeleton, std::move(locals)).palette;
 }
 
 std::vector<glm::dvec3> ReferenceCrowd::surface(std::uint32_t agent, const PoseMoment& moment,

@@ -18,6 +18,9 @@ namespace throng::app::test {
 struct PoseMoment {
   anim::Ticks evaluated = 0;
   anim::Ticks time = 0;  ///< from `evaluated` on
+  /// On the way to a coarser level: the bones that it lacks are so far on their way to where they stand still, 0 to 1.
+  std::size_t fade_level = 0;
+  double faded = 0.0;
 };
 
 /// Where the surface of each agent belongs, in double, from the definitions alone: a crowd of its own says who is asked

@@ -98,7 +98,11 @@ void StagedCrowd::note_moments() {
     const ShownPose& pose = stage_->shown().pose(due.agent);
     const bool looks_ahead = pose.from_time != pose.to_time;
     Slots& slots = moments_[due.agent];
-    const PoseMoment to{now, looks_ahead ? now + due.look_ahead * frame_step : now};
+    const BoneStep& bones = stage_->bone_step(due.agent);
+    const PoseMoment to{.evaluated = now,
+                        .time = looks_ahead ? now + due.look_ahead * frame_step : now,
+                        .fade_level = bones.fade_level,
+                        .faded = bones.fade_halves / 2.0};
     slots = {looks_ahead ? slots.to : to, to};
   }
 }

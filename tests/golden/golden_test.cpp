@@ -21,6 +21,7 @@ TEST_P(GoldenPicture, GridCloseUp) {
 
 TEST_P(GoldenPicture, SmoothSkippingBetweenUpdates) {
   DemoOptions options = golden_options(GetParam());
+  options.tuning.lod = LodRule::distance;
   options.tuning.full_rate_distance = 1.0F;
   options.tuning.interval_growth = 1.0F;
   options.frames = 13;
@@ -30,6 +31,7 @@ TEST_P(GoldenPicture, SmoothSkippingBetweenUpdates) {
 TEST_P(GoldenPicture, IntervalsAsColors) {
   DemoOptions options = golden_options(GetParam());
   options.tuning.debug_view = DebugView::interval;
+  options.tuning.lod = LodRule::distance;
   options.tuning.full_rate_distance = 6.0F;
   options.tuning.interval_growth = 3.0F;
   expect_golden_picture("intervals", options);
@@ -37,6 +39,7 @@ TEST_P(GoldenPicture, IntervalsAsColors) {
 
 TEST_P(GoldenPicture, FewestBonesAndTriangles) {
   DemoOptions options = golden_options(GetParam());
+  options.tuning.lod = LodRule::distance;
   options.tuning.bone_level_distance[0] = 1.0F;
   options.tuning.bone_level_distance[1] = 2.0F;
   options.tuning.bone_level_distance[2] = 3.0F;

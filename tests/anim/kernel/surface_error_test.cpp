@@ -79,11 +79,26 @@ TEST(LargestChange, LeavesOutPointsThatWereNotInThePicture) {
 }
 
 TEST(BlendShownPalette, IsTheBlendOfBothSlotsThroughTheEntriesThatTheLevelKeeps) {
-  const std::array from{moved_by({1, 0, 0}), moved_by({9, 9, 9})};
-  const std::array to{moved_by({3, 0, 0}), moved_by({9, 9, 9})};
+  std::array from{moved_by({1, 0, 0}), moved_by({9, 9, 9})};
+  std::array to{moved_by({3, 0, 0}), moved_by({9, 9, 9})};
   const std::array<std::uint16_t, 2> kept{0, 0};
   std::array<PaletteMatrix, 2> shown;
   blend_shown_palette({.from = from.data(), .to = to.data(), .blend = 0.25F, .kept_entries = kept, .shown = shown});
+  for (const PaletteMatrix& entry : shown) EXPECT_FLOAT_EQ(entry.rows[0][3], 1.5F);
+}
+
+TEST(BlendShownPalette, UnpacksWhatIsPackedAsTheShaderDoes) {
+  constexpr std::uint32_t unit_w = 32700U << 16U;  // the rotation that turns nothing
+  std::array<PackedPaletteEntry, 1> from{{{{0, unit_w, 2, 0}}}}, to{{{{0, unit_w, 6, 0}}}};
+  const std::array packing{PackingFrame{.pivot = {0, 0, 0}, .step = 0.5F}};
+  const std::array<std::uint16_t, 2> kept{0, 0};
+  std::array<PaletteMatrix, 2> shown;
+  blend_shown_palette({.from = from.data(),
+                       .to = to.data(),
+                       .packing = packing,
+                       .blend = 0.25F,
+                       .kept_entries = kept,
+                       .shown = shown});
   for (const PaletteMatrix& entry : shown) EXPECT_FLOAT_EQ(entry.rows[0][3], 1.5F);
 }
 

@@ -46,7 +46,7 @@ TEST_F(ForcedLod, EveryoneIsUpdatedAsRarelyAsIsForced) {
 
 TEST_F(ForcedLod, EveryoneKeepsTheBonesOfTheForcedLevelOrOfTheLastThereIs) {
   frame.rules.bone_lod = false;
-  for (const auto [forced, shown] : {std::pair{1, 1}, {3, 2}, {0, 0}}) {
+  for (const auto& [forced, shown] : {std::pair{1, 1}, {3, 2}, {0, 0}}) {
     frame.force.bone_level = forced;
     updates_in(20);
     for (const VisibleAgent& agent : selection.visible) EXPECT_EQ(agent.bone_level, shown);

@@ -189,7 +189,7 @@ TEST_F(ReorderedStage, PosesTheSameCrowdAsIfTheBonesHadStayed) {
 }
 
 TEST_F(ReorderedStage, HasTheLevelsThatWereChosen) {
-  const auto stage = open({.scene = Scene::grid, .agents = 100, .pus = 2});
+  const auto stage = open({.scene = Scene::grid, .agents = 100, .lod = LodRule::distance, .pus = 2});
   ASSERT_TRUE(stage);
   pass(*stage, 10);
   ASSERT_TRUE(stage->set_bone_lod(0, arms_first(stage->characters().front().character->skeleton)));

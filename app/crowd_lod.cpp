@@ -19,16 +19,22 @@ bool same_but_tolerance(anim::LodRules a, const anim::LodRules& b) {
   return a == b;
 }
 
+anim::LodLimits limits_of(const Tuning& tuning) {
+  return {.error_pixels = tuning.error_px,
+          .budget_nanoseconds = static_cast<double>(tuning.budget_ms) * nanoseconds_a_millisecond};
+}
+
 }  // namespace
 
-void CrowdLod::reset(std::size_t agents) {
+void CrowdLod::reset(std::size_t agents, const Tuning& tuning) {
   importance_.assign(agents, 1.0F);
+  changing_.assign(agents, 0);
   fades_until_.assign(agents, 0);
   fading_.clear();
   fading_.reserve(agents);
   selected_.reset();
   measured_error_.reset();
-  controller_.reset();
+  controller_.reset(limits_of(tuning));
 }
 
 void CrowdLod::fade(std::uint32_t agent, anim::Ticks until) {
@@ -42,6 +48,7 @@ void CrowdLod::weigh(anim::Ticks now, std::optional<std::uint32_t> selected) {
   const auto is_over = [&](std::uint32_t agent) {
     const bool over = fades_until_[agent] <= now;
     importance_[agent] = over ? 1.0F : importance_of_fading;
+    changing_[agent] = over ? 0 : 1;
     if (over) fades_until_[agent] = 0;
     return over;
   };
@@ -83,8 +90,7 @@ void CrowdLod::settle(const Tuning& tuning, const anim::LodCost& cost, double pr
   if (!moving) return;
   const bool by_error = tuning.lod == LodRule::budget;
   const double counted = predicted_nanoseconds - static_cast<double>(cost.reappeared);
-  const anim::LodLimits limits{.error_pixels = tuning.error_px,
-                               .budget_nanoseconds = static_cast<double>(tuning.budget_ms) * nanoseconds_a_millisecond};
+  const anim::LodLimits limits = limits_of(tuning);
   figures_ = {.tolerance_px = by_error ? controller_.tolerance_pixels() : 0.0F,
               .binding = anim::BindingLimit::none,
               .predicted_ms = predicted_nanoseconds / nanoseconds_a_millisecond,

@@ -41,7 +41,7 @@ class CrowdLod {
   void set_characters(std::span<anim::LodCharacter> characters) { characters_ = characters; }
 
   /// The crowd starts anew.
-  void reset(std::size_t agents);
+  void reset(std::size_t agents, const Tuning& tuning);
   /// An agent changes clip until then: its pose moves more than either clip does.
   void fade(std::uint32_t agent, anim::Ticks until);
 
@@ -51,6 +51,7 @@ class CrowdLod {
   const anim::LodRules& rules() const { return rules_; }
   const anim::LodChoices& choices() const { return choices_; }
   std::span<const float> importance() const { return importance_; }
+  std::span<const std::uint8_t> changing() const { return changing_; }
 
   /// After a frame was posed: the tolerance of the next.
   void settle(const Tuning& tuning, const anim::LodCost& cost, double predicted_nanoseconds, bool moving);
@@ -71,6 +72,7 @@ class CrowdLod {
   anim::LodChoices choices_;
   anim::LodController controller_;
   std::vector<float> importance_;         // [agent]
+  std::vector<std::uint8_t> changing_;    // [agent] 1: fades
   std::vector<anim::Ticks> fades_until_;  // [agent]
   std::vector<std::uint32_t> fading_;     // agents
   std::optional<std::uint32_t> selected_;

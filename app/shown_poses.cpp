@@ -50,8 +50,8 @@ anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now
           .to_level = next.level,
           .from_format = blends ? pose.to_format : next.format,
           .to_format = next.format,
-          .from_time = blends ? pose.to_time : next.time,
-          .to_time = next.time};
+          .from_time = blends ? pose.to_time : now,
+          .to_time = blends ? next.time : now};
   return anim::PaletteDestination(slots_->memory(slot));
 }
 

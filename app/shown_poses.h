@@ -62,7 +62,8 @@ class ShownPoses {
   void hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame);
 
   /// A slot for a new pose of a visible agent, reached by blending from the pose shown so far; one of `now` is shown at
-  /// once. Null where no memory is left: the agent is posed but not drawn.
+  /// once. So is any of an agent that must move to another page: it is then to be the pose of now, as pose().to_time
+  /// says. Null where no memory is left: the agent is posed but not drawn.
   anim::PaletteDestination show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }

@@ -216,7 +216,7 @@ void Stage::populate(Clocks clocks) {
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
   }
   lod_.resize(agents, selection_);
-  crowd_lod_.reset(agents);
+  crowd_lod_.reset(agents, tuning_);
   bone_steps_.assign(agents, {});
   shown_.reset(agents, frame_);
   exact_.reset(agents, frame_);
@@ -229,6 +229,8 @@ void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double
   const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
   const bool plays = clip != no_clip;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
+  const bool is_made = agent < lod_.is_called.size();  // else the crowd is being made
+  if (is_made && system_->can_wind_back(agent)) lod_.make_due(agent);
   crowd_lod_.fade(agent, system_->clock() + fade);
   system_->play(agent, {.clip = index,
                         .fade = fade,

@@ -61,6 +61,7 @@ anim::LodFrame Stage::lod_frame(const render::Camera& camera, int width, int hei
           .character_of = crowd_->characters(),
           .clips = crowd_->clips(),
           .importance = crowd_lod_.importance(),
+          .changing = crowd_lod_.changing(),
           .choices = &crowd_lod_.choices(),
           .camera = {.position = camera.position,
                      .frustum = render::frustum_planes(view),
@@ -101,6 +102,9 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     place_feet(due, visible && !ahead);
     if (!visible) continue;
     updates_.back().palette = show(due.agent, bones.level, microseconds(system_->clock() + look_ahead), last_frame);
+    if (!ahead || shown_.pose(due.agent).to_time != now()) continue;
+    updates_.back().look_ahead = 0;  // nothing to blend from on its new page
+    lod_.make_due(due.agent);
   }
   pose_fallen(last_frame);
   system_->update(updates_);

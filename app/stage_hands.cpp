@@ -72,7 +72,7 @@ anim::Status Stage::go_back_to(const StageMoment& moment) {
   meter_.reset(crowd_->size());
   bone_steps_.assign(crowd_->size(), {});
   lod_.make_all_due();
-  crowd_lod_.reset(crowd_->size());
+  crowd_lod_.reset(crowd_->size(), tuning_);
   bone_steps_.assign(crowd_->size(), {});
   meter_.reset(crowd_->size());
   return anim::Done{};

@@ -23,7 +23,8 @@ constexpr int a_minute = 3600;
 /// A dozen mannequins, without a picture.
 class PushedOnStage : public testing::Test {
  protected:
-  explicit PushedOnStage(const Tuning& tuning = {.scene = Scene::plaza, .agents = 12, .pus = 2}) {
+  explicit PushedOnStage(const Tuning& tuning = {
+                             .scene = Scene::plaza, .agents = 12, .lod = LodRule::distance, .pus = 2}) {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
     auto made = Stage::create(std::move(characters), tuning, pages_);

@@ -49,7 +49,19 @@ TEST_F(ShownPosesTest, MoveToAnotherPageWhenTheirsIsFull) {
   }
   EXPECT_EQ(shown.pose(0).to.page, 1U);
   EXPECT_EQ(shown.pose(0).from.page, 1U) << "a draw reads both from one page";
+  EXPECT_EQ(shown.pose(0).to_time, 4 * frame_time);
   EXPECT_FALSE(shown.out_of_memory());
+}
+
+TEST_F(ShownPosesTest, AskForThePoseOfNowWhereThereIsNoneToBlendFromOnTheSamePage) {
+  std::uint32_t now = 0;
+  ASSERT_NE(show(0, now, now), nullptr);
+  while (shown.pose(0).to.page == 0) {
+    now += frame_time;
+    ASSERT_NE(show(0, now, now + 4 * frame_time), nullptr);
+  }
+  EXPECT_EQ(shown.pose(0).from_time, now);
+  EXPECT_EQ(shown.pose(0).to_time, now);
 }
 
 TEST_F(ShownPosesTest, SayWhenNoMemoryIsLeft) {

@@ -44,7 +44,7 @@ inline constexpr int max_pus = 256;
 struct AgentUpdate {
   std::uint32_t agent = 0;
   std::uint8_t level = 0;           ///< bone level
-  Ticks look_ahead = 0;             ///< the pose is that of now + look_ahead (smooth skipping)
+  Ticks look_ahead = 0;             ///< the pose is that of now + look_ahead (smooth skipping); see can_wind_back()
   PaletteDestination palette = {};  ///< where the PU writes it, room for the level's entries; null: nobody draws it
   /// On the way to or from a coarser level: the bones that it lacks are so many halves of the way to where they stand
   /// still. At 2 the palette shows what that level shows, so that meshes can change without a pop.
@@ -187,6 +187,9 @@ class AnimationSystem {
   /// False while an agent stands ahead of the clock and its pose of now is not known: the offset of an interrupted fade
   /// was captured in between, or placed feet are being let go.
   bool can_pose_exactly(std::uint32_t agent) const;
+  /// False while an agent stands ahead of the clock and some entity of it remembers more than a time (gazes, limbs that
+  /// reach, held feet, rag-dolls, kinds of a host's own): update() leaves it where it stands.
+  bool can_wind_back(std::uint32_t agent) const;
 
   /// Root motion, data keys and absolute root of an agent, at a frame boundary: after advance(), ask for the interval
   /// from the clock before to the clock now, before any request.

@@ -38,6 +38,23 @@ bool AnimationSystem::can_pose_exactly(std::uint32_t agent) const {
          });
 }
 
+bool AnimationSystem::can_wind_back(std::uint32_t agent) const {
+  const Ticks ahead = posed_at_[agent] - clock_;
+  return ahead <= 0 || std::ranges::none_of(program(agent).steps, [&](const PoseStep& step) {
+           switch (pools(agent).state(step.entity).type) {
+             case EntityType::foot_placement:
+               return holds_feet_of(pools(agent).as<FootPlacementEntity>(step.entity), ahead);
+             case EntityType::look_at:
+             case EntityType::two_bone_ik:
+             case EntityType::ragdoll:
+             case EntityType::user:
+               return true;
+             default:
+               return step.shared;
+           }
+         });
+}
+
 void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
   exact_work_.clear();
   for (const ExactPose& exact : agents) {

@@ -68,7 +68,8 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
     if (cast.next_update(member.local) <= clock_) update_channels(update.agent);
     const PoseProgram& program = cast.program(member.local);
     const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
-    const Ticks time = std::max(clock_ + look_ahead, posed_at_[update.agent]);
+    Ticks time = clock_ + look_ahead;
+    if (time < posed_at_[update.agent] && !can_wind_back(update.agent)) time = posed_at_[update.agent];
     assert(!program.steps.empty() && "an agent must play something before it is updated");
     work_.push_back({.program = &program,
                      .delta = time - posed_at_[update.agent],

@@ -72,7 +72,7 @@ float squared(const glm::vec3& from_camera) { return dot(from_camera, from_camer
 struct Seen {
   float squared_distance;   // metres
   float metres_a_pixel;     // of error, in the character's own space, over its importance
-  bool fresh;               // it was out of view
+  bool fresh;               // it was out of view, or its graph has changed
   const MotionLod* motion;  // null where no cost is counted
 };
 
@@ -126,6 +126,7 @@ void check(const LodFrame& frame, const LodState& state) {
   assert(frame.rules.largest_interval >= 1 && frame.rules.largest_interval <= longest_interval);
   assert(frame.character_of.empty() || frame.character_of.size() == frame.positions.size());
   assert(frame.clips.empty() || frame.clips.size() == frame.positions.size());
+  assert(frame.changing.empty() || frame.changing.size() == frame.positions.size());
   assert(frame.importance.empty() || frame.importance.size() == frame.positions.size());
   assert(frame.rules.interval_growth > 0.0F);
   assert(frame.rules.rule != LodRule::budget || (frame.choices != nullptr && frame.rules.tolerance_pixels > 0.0F));
@@ -143,6 +144,7 @@ void LodState::resize(std::size_t agents, LodSelection& selection) {
   interval.assign(agents, 1);
   bone_level.assign(agents, 0);
   was_visible.assign(agents, 0);
+  is_called.assign(agents, 0);
   selection.room_for_visible.resize(agents);
   selection.room_for_due.resize(agents);
   selection.visible = std::span(selection.room_for_visible).first(0);
@@ -160,6 +162,7 @@ const LodCharacter& character_of(const LodFrame& frame, std::size_t agent) {
 const MotionLod* motion_of(const LodFrame& frame, std::size_t agent) {
   if (frame.choices == nullptr) return nullptr;
   const std::size_t character = frame.character_of.empty() ? 0 : frame.character_of[agent];
+  if (!frame.changing.empty() && frame.changing[agent] != 0) return &frame.choices->changing(character);
   return &frame.choices->of(character, frame.clips.empty() ? 0 : frame.clips[agent]);
 }
 
@@ -201,9 +204,10 @@ struct LodTile {
     const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, character.centre_height * scale, 0.0F);
     const glm::vec3 from_camera = centre - frame.camera.position;
     const bool is_visible = in_view(centre, character.radius * scale, frame.camera);
+    const bool reappears = state.was_visible[agent] == 0;
     Seen seen{.squared_distance = squared(from_camera),
               .metres_a_pixel = 0.0F,
-              .fresh = state.was_visible[agent] == 0,
+              .fresh = reappears || state.is_called[agent] != 0,
               .motion = motion_of(frame, agent)};
     const float distance = std::max(std::sqrt(seen.squared_distance), near_enough_to_divide);
     if (is_visible && frame.rules.rule == LodRule::budget) {
@@ -224,8 +228,10 @@ struct LodTile {
     }
     if (seen.motion != nullptr) {
       count_cost(seen, is_visible, is_due, state.bone_level[agent], frame.rules.counts_cost);
+      if (is_due && reappears) cost.reappeared += seen.motion->update_cost(state.bone_level[agent]);
     }
     state.was_visible[agent] = is_visible ? 1 : 0;
+    state.is_called[agent] = 0;
   }
 
   void count_cost(const Seen& seen, bool is_visible, bool is_due, std::size_t level, bool by_tolerance) {
@@ -237,7 +243,6 @@ struct LodTile {
     if (!is_due) return;
     cost.due_all_bones += all_bones;
     cost.due += seen.motion->update_cost(level);
-    if (seen.fresh) cost.reappeared += seen.motion->update_cost(level);
   }
 
   std::array<std::uint32_t, tolerance_steps> by_tolerance_{};

@@ -111,12 +111,14 @@ struct LodState {
   std::vector<std::uint8_t> interval;      ///< frames
   std::vector<std::uint8_t> bone_level;
   std::vector<std::uint8_t> was_visible;
+  std::vector<std::uint8_t> is_called;  ///< due out of turn
 
   /// Sizes state and `selection` for `agents` and forgets everything: whoever is visible next is due at once.
   void resize(std::size_t agents, LodSelection& selection);
   /// Whoever is visible next is due at once.
   void make_all_due();
-  void make_due(std::size_t agent) { was_visible[agent] = 0; }
+  /// If it is visible next, it is due at once, for the pose of that very frame: its graph has changed.
+  void make_due(std::size_t agent) { is_called[agent] = 1; }
 };
 
 class LodChoices;
@@ -129,6 +131,7 @@ struct LodFrame {
   std::span<const std::uint8_t> character_of;  ///< index among them; empty: everybody is the first
   std::span<const int> clips;                  ///< index among the character's, below 0: stands still; empty: all 0
   std::span<const float> importance;           ///< above 0, 1: as the rules say, 2: half the error; empty: all 1
+  std::span<const std::uint8_t> changing;      ///< 1: from one clip to another, LodChoices::changing; empty: nobody
   const LodChoices* choices = nullptr;         ///< of `characters`; null: no cost is counted, and no LodRule::budget
   LodCamera camera;
   LodRules rules;
@@ -136,10 +139,10 @@ struct LodFrame {
   std::uint64_t number = 0;  ///< grows by one each frame in which time passes
 };
 
-/// Decides for every agent. An agent that comes into view is due at once, for the pose of this very frame, and again in
-/// the next, from where it looks ahead; interval and bone level change only at an
-/// update, and the first update after a change is moved forward to a frame where `number % interval` equals
-/// `agent % interval`, so that the work of each frame is even. Allocates nothing, and each agent is decided alone.
+/// Decides for every agent. An agent that comes into view, or was made due, is due at once, for the pose of this very
+/// frame, and again in the next, from where it looks ahead; interval and bone level change only at an update, and the
+/// first update after a change is moved forward to a frame where `number % interval` equals `agent % interval`, so that
+/// the work of each frame is even. Allocates nothing, and each agent is decided alone.
 void select_for_update(const LodFrame& frame, LodState& state, LodSelection& selection);
 
 /// The same, tiles of agents shared out over `jobs` jobs.

@@ -12,6 +12,19 @@ constexpr float sixtieths_a_second = 60.0F;
 
 float exact_step(float metres) { return steps_an_octave * std::log2(metres / least_allowance_metres); }
 
+// A fade that eases in and out over 0.3 s bends the way from one pose to the other, by this much of the character's
+// height apart, on top of a person's own walk.
+SkipError error_of_change(float height) {
+  constexpr float apart = 0.3F, fade_sixtieths = 18.0F;
+  SkipError error;
+  for (std::size_t i = 0; i < SkipError::spans.size(); ++i) {
+    const float part = std::min(static_cast<float>(SkipError::spans[i]) / fade_sixtieths, 1.0F);
+    error.blended[i] += 0.75F * part * part * apart * height;  // an eighth of the square of the span times ease's bend
+    error.held[i] += 1.5F * part * apart * height;             // ease at its steepest
+  }
+  return error;
+}
+
 float metres_at(int step) { return least_allowance_metres * std::exp2(static_cast<float>(step) / steps_an_octave); }
 
 }  // namespace
@@ -73,6 +86,7 @@ void LodChoices::build(std::span<const LodCharacter> characters, const LodRules&
   motions_.clear();
   first_.assign(1, 0);
   for (const LodCharacter& character : characters) {
+    motions_.emplace_back(character, error_of_change(character.height), rules, frame_seconds);
     motions_.emplace_back(character, no_skip_error, rules, frame_seconds);
     for (const SkipError& clip : character.clips) motions_.emplace_back(character, clip, rules, frame_seconds);
     first_.push_back(motions_.size());

@@ -70,16 +70,19 @@ class LodChoices {
 
   bool empty() const { return motions_.empty(); }
 
+  /// Of one who goes over from one clip to another, whichever they are.
+  const MotionLod& changing(std::size_t character) const { return motions_[first_[character]]; }
+
   /// `clip` below 0: standing still.
   const MotionLod& of(std::size_t character, int clip) const {
-    const std::size_t first = first_[character], motions = first_[character + 1] - first;
+    const std::size_t first = first_[character] + 1, motions = first_[character + 1] - first;
     const auto index = static_cast<std::size_t>(clip + 1);
     return motions_[first + (index < motions ? index : motions - 1)];
   }
 
  private:
   std::vector<MotionLod> motions_;
-  std::vector<std::size_t> first_;  // [character], and the end: standing still first, then its clips
+  std::vector<std::size_t> first_;  // [character], and the end: changing, standing still, then its clips
 };
 
 }  // namespace throng::anim

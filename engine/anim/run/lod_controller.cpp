@@ -70,6 +70,11 @@ float LodController::budget_tolerance(const CostByTolerance& cost, double nanose
   return towards(budget_tolerance_, fitting, sinking);
 }
 
+void LodController::reset(const LodLimits& limits) {
+  *this = LodController();
+  if (limits.error_pixels > 0.0F) tolerance_ = std::max(limits.error_pixels, least_tolerance_pixels);
+}
+
 void LodController::settle(const LodLimits& limits, const LodOutcome& outcome) {
   const bool error_limited = limits.error_pixels > 0.0F, budgeted = limits.budget_nanoseconds > 0.0;
   const bool error_decides = binding_ == BindingLimit::error;

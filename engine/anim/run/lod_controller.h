@@ -39,7 +39,7 @@ struct LodOutcome {
 class LodController {
  public:
   /// Before the first frame, and when the crowd starts anew.
-  void reset() { *this = LodController(); }
+  void reset(const LodLimits& limits);
 
   void settle(const LodLimits& limits, const LodOutcome& outcome);
 

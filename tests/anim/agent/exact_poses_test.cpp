@@ -71,6 +71,18 @@ TEST_P(Skipped, IsExactlyWhereItWouldBeWhileItFades) {
   pass(40);
 }
 
+TEST_P(Skipped, IsWoundBackByAnUpdateBeforeTheTimeWhereItStands) {
+  ask_both({.clip = 0});
+  pass(interval + 2);
+  ask_both({.clip = 1, .fade = fade});
+  ASSERT_TRUE(skipped_->can_wind_back(0));
+  each_frame_.step();
+  skipped_->advance(frame_ticks);
+  const AgentUpdate update{.agent = 0, .palette = exact_.get()};
+  skipped_->update({&update, 1});
+  EXPECT_TRUE(exact_.is(each_frame_.palette()));
+}
+
 TEST_P(Skipped, SaysWhenAFadeThatWasInterruptedCannotBeWoundBack) {
   ask_both({.clip = 0});
   pass(interval);

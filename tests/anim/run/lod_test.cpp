@@ -180,6 +180,23 @@ TEST_F(LodTest, WhileTimeStandsStillNobodyIsDueTwiceUnlessAllAreMadeDue) {
   EXPECT_EQ(selection.visible[0].interval, 2);
 }
 
+TEST_F(LodTest, WhoIsMadeDueIsPosedOutOfTurnAsOfNowAndAheadFromTheNextFrameOn) {
+  spawn(8, 100.0F);
+  select();
+  select_next();
+  select_next();
+  const std::uint32_t agent = (frame.number + 4) % 8;  // whose turn is far off
+  state.make_due(agent);
+  select_next();
+  ASSERT_TRUE(is_due(agent));
+  EXPECT_EQ(std::ranges::find(selection.due, agent, &DueAgent::agent)->look_ahead, 1);
+  select_next();
+  ASSERT_TRUE(is_due(agent));
+  EXPECT_GT(std::ranges::find(selection.due, agent, &DueAgent::agent)->look_ahead, 1);
+  select_next();
+  EXPECT_FALSE(is_due(agent));
+}
+
 TEST_F(LodTest, WithLodOffEveryoneIsPosedWithAllBonesAndOnlyTheVisibleAreReportedSo) {
   frame.rules.rule = LodRule::off;
   frame.rules.bone_lod = false;

@@ -93,12 +93,8 @@ TEST(BlendShownPalette, UnpacksWhatIsPackedAsTheShaderDoes) {
   const std::array packing{PackingFrame{.pivot = {0, 0, 0}, .step = 0.5F}};
   const std::array<std::uint16_t, 2> kept{0, 0};
   std::array<PaletteMatrix, 2> shown;
-  blend_shown_palette({.from = from.data(),
-                       .to = to.data(),
-                       .packing = packing,
-                       .blend = 0.25F,
-                       .kept_entries = kept,
-                       .shown = shown});
+  blend_shown_palette(
+      {.from = from.data(), .to = to.data(), .packing = packing, .blend = 0.25F, .kept_entries = kept, .shown = shown});
   for (const PaletteMatrix& entry : shown) EXPECT_FLOAT_EQ(entry.rows[0][3], 1.5F);
 }
 

@@ -140,6 +140,12 @@ void assign_roles(CharacterSource& source, const RoleClips& clips) {
   roles.walk_seconds = anim::to_seconds(source.character->clips[walk].duration);
 }
 
+std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton) {
+  std::vector<std::vector<std::uint16_t>> levels;
+  for (const int bones : skeleton.level_bone_counts) levels.push_back(entries_at_level(skeleton, bones));
+  return levels;
+}
+
 render::CrowdMeshData mesh_data(const anim::Model& model) {
   render::CrowdMeshData data;
   for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_data(mesh));
@@ -152,9 +158,7 @@ render::CrowdMeshData mesh_data(const anim::Model& model) {
   for (const anim::Image& image : model.images) {
     data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});
   }
-  for (const int bones : model.skeleton.level_bone_counts) {
-    data.entry_at_level.push_back(entries_at_level(model.skeleton, bones));
-  }
+  data.entry_at_level = entries_at_levels(model.skeleton);
   for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
     data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
   }

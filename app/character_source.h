@@ -46,6 +46,9 @@ ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& 
 /// Plays `clips` for the roles, and measures how far the gaits among them get.
 void assign_roles(CharacterSource& source, const RoleClips& clips);
 
+/// For each bone level and palette entry, the entry that a mesh reads at that level.
+std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton);
+
 /// The surface as drawing takes it; spans point into `source.model`, which must outlive the call that uses them.
 render::CrowdMeshData mesh_data(const anim::Model& model);
 

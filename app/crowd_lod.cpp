@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/anim/kernel/kernels.h"
+
 namespace throng::app {
 namespace {
 
@@ -11,7 +13,6 @@ constexpr float importance_of_fading = 2.0F;
 constexpr double usual_frame_seconds = 1.0 / 60.0;
 constexpr double longer_frame = 1.25;  // than that which choices were built for, or shorter: they are built anew
 constexpr double nanoseconds_a_millisecond = 1e6;
-constexpr int widest_tile = 16;
 
 // Rules but for the tolerance, which no choice depends on.
 bool same_but_tolerance(anim::LodRules a, const anim::LodRules& b) {
@@ -110,7 +111,7 @@ std::array<std::uint32_t, anim::most_bone_levels> update_costs(const anim::Skele
   std::array<std::uint32_t, anim::most_bone_levels> costs{};
   for (std::size_t level = 0; level < skeleton.level_bone_counts.size(); ++level) {
     const int packets = anim::packets_for(skeleton.level_bone_counts[level]);
-    const double tile = cost.of_tile(packets) / widest_tile;
+    const double tile = cost.of_tile(packets) / anim::widest_tile;
     costs[level] = static_cast<std::uint32_t>(cost.of_agent({.players = 1}, packets) + tile);
   }
   return costs;

@@ -14,8 +14,6 @@ constexpr double cost_of_exact_bone = 2.0, cost_of_point = 1.5;
 constexpr double frames_of_credit = 4.0;
 constexpr std::size_t most_measured_of_few = 24;
 
-std::size_t padded(std::size_t entries) { return (entries + 3) / 4 * 4; }
-
 glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
   const glm::vec3 position = crowd.positions()[agent];
   const Heading heading = crowd.headings()[agent];
@@ -29,18 +27,18 @@ glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
 ErrorMeter::ErrorMeter(std::span<const CharacterSource> characters) {
   characters_.resize(characters.size());
   for (std::size_t i = 0; i < characters.size(); ++i) set_character(i, characters[i]);
-  blended_.resize(most_entries_);
 }
 
 void ErrorMeter::set_character(std::size_t character, const CharacterSource& source) {
   MeasuredCharacter& measured = characters_[character];
   measured.points = anim::choose_surface_points(source.model);
-  measured.kept_entries = mesh_data(source.model).entry_at_level;
+  measured.kept_entries = entries_at_levels(source.model.skeleton);
   measured.packing = anim::packing_frames(source.model.skeleton);
   measured.entries = static_cast<std::size_t>(source.model.skeleton.palette_count());
   measured.cost = cost_of_exact_bone * source.model.skeleton.bone_count() +
                   cost_of_point * static_cast<double>(measured.points.count());
   most_entries_ = std::max(most_entries_, measured.entries);
+  blended_.resize(most_entries_);
 }
 
 void ErrorMeter::reset(std::size_t agents) {
@@ -59,7 +57,7 @@ void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::Visib
     const std::size_t most = sampling == ErrorSampling::all ? errors_.size() : WatchedAgents::few;
     const std::size_t watched = sampling == ErrorSampling::off ? 0 : std::min(most, errors_.size());
     watched_.reset(errors_.size(), watched, most_entries_);
-    exact_palettes_ = anim::allocate_aligned(watched * padded(most_entries_) * sizeof(anim::PaletteMatrix));
+    exact_palettes_ = anim::allocate_aligned(watched * in_whole_lines(most_entries_) * sizeof(anim::PaletteMatrix));
     chosen_.reserve(watched);
     exact_.reserve(watched);
     if (sampling == ErrorSampling::some) window_.reserve(most_measured_of_few);
@@ -68,7 +66,7 @@ void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::Visib
 }
 
 void ErrorMeter::take(WatchedAgent& watched) {
-  const std::size_t stride = padded(most_entries_);
+  const std::size_t stride = in_whole_lines(most_entries_);
   chosen_.push_back(static_cast<std::uint32_t>(&watched - watched_.all().data()));
   exact_.push_back({.agent = watched.agent,
                     .palette = reinterpret_cast<anim::PaletteMatrix*>(exact_palettes_.get()) + exact_.size() * stride});

@@ -123,6 +123,7 @@ class Show {
   bool open_renderer(const DemoOptions& options, Failure& failure);
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure);
   anim::Status load_meshes(const Stage& stage);
+  static anim::Error not_recorded(const std::string& what);
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
   void film();

@@ -7,13 +7,10 @@
 #include "app/show.h"
 
 namespace throng::app {
-namespace {
 
-anim::Status not_recorded(const std::string& what) {
-  return anim::Error{"A recording does not keep " + what + ": end it first (key R)"};
+anim::Error Show::not_recorded(const std::string& what) {
+  return {"A recording does not keep " + what + ": end it first (key R)"};
 }
-
-}  // namespace
 
 void Show::set_roles(std::size_t character, const RoleClips& clips) {
   stage_->set_roles(character, clips);

@@ -8,7 +8,7 @@
 namespace throng::app {
 
 anim::Status Show::replace_models(std::span<const std::string> files) {
-  if (recorder_) return anim::Error{"A recording does not keep other models: end it first (key R)"};
+  if (recorder_) return not_recorded("other models");
   if (files.size() > most_models) {
     return anim::Error{std::to_string(files.size()) + " models at once: at most " + std::to_string(most_models) +
                        " share a crowd"};

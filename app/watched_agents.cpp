@@ -8,7 +8,7 @@ namespace throng::app {
 
 void WatchedAgents::reset(std::size_t agents, std::size_t watched, std::size_t entries) {
   constexpr std::size_t poses = 2;  // from and to
-  const std::size_t stride = (entries + 3) / 4 * 4;
+  const std::size_t stride = in_whole_lines(entries);
   if (watched != watched_.size() || palettes_ == nullptr) {
     palettes_ = anim::allocate_aligned(watched * poses * stride * sizeof(anim::PaletteMatrix));
   }

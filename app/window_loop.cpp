@@ -180,13 +180,8 @@ class WindowLoop {
     if (commands.copy_camera) copy(camera_option(fly_camera_.place()));
   }
 
-  // What no recording can repeat.
+  // What no recording can repeat: the show refuses it while one is written.
   void obey_hands(const OverlayCommands& commands) {
-    const bool asked = commands.hold_at || commands.rewind || !commands.models.empty();
-    if (asked && show_.is_recording()) {
-      notice_ = "A recording cannot repeat that: end it first, with R";
-      return;
-    }
     if (commands.hold_at) {
       if (const anim::Status held = show_.hold_selected_clip(*commands.hold_at); !held) notice_ = held.error().message;
     }

@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include "app/preset_fields.h"
 #include "tests/app/command_words.h"
+#include "tests/app/temporary_folder.h"
 
 namespace throng::app {
 namespace {
@@ -43,15 +44,9 @@ Tuning all_changed() {
   return tuning;
 }
 
-class Presets : public testing::Test {
+class Presets : public test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { setenv("XDG_CONFIG_HOME", folder_.c_str(), 1); }
 
   fs::path file_with(const std::string& text) const {
     const fs::path file = folder_ / "given.json";
@@ -62,8 +57,6 @@ class Presets : public testing::Test {
     const auto preset = read_preset(file_with(text));
     return preset ? "(taken)" : preset.error().message;
   }
-
-  fs::path folder_;
 };
 
 DemoOptions demo(const std::string& line) {

@@ -12,6 +12,7 @@
 
 #include "app/recording_reader.h"
 #include "app/recording_writer.h"
+#include "tests/app/temporary_folder.h"
 
 namespace throng::app {
 namespace {
@@ -39,16 +40,8 @@ RecordedFrame frame(anim::Ticks delta) {
           .pose_hash = 77};
 }
 
-class Recordings : public testing::Test {
+class Recordings : public test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    file_ = folder_ / "run.rec";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// Two frames of three agents, with one of everything between them.
   void write_recording() const {
     auto writer = RecordingWriter::create(file_, header());
@@ -83,7 +76,7 @@ class Recordings : public testing::Test {
     }
   }
 
-  fs::path folder_, file_;
+  fs::path file_ = folder_ / "run.rec";
 };
 
 TEST_F(Recordings, ReadBackAsTheyWereWritten) {

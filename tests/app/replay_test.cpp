@@ -13,6 +13,7 @@
 #include "app/options.h"
 #include "tests/app/command_words.h"
 #include "tests/app/program_run.h"
+#include "tests/app/temporary_folder.h"
 
 namespace throng::app {
 namespace {
@@ -72,16 +73,8 @@ void act(Show& show, int frame) {
   if (frame == 110) show.width = 800;
 }
 
-class Replays : public testing::Test {
+class Replays : public test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    file_ = folder_ / "run.rec";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void record(Show& show, int frames) const {
     const anim::Status started = show.start_recording(file_);
     ASSERT_TRUE(started) << started.error().message;
@@ -107,7 +100,7 @@ class Replays : public testing::Test {
     }
   }
 
-  fs::path folder_, file_;
+  const fs::path file_ = folder_ / "run.rec";
 };
 
 TEST_F(Replays, OfARunWithChangesAreEqual) {

@@ -106,6 +106,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     updates_.back().look_ahead = 0;  // nothing to blend from on its new page
     lod_.make_due(due.agent);
   }
+  if (tuning_.lod != LodRule::off) feet_->take_back(selection_.visible);
   pose_fallen(last_frame);
   system_->update(updates_);
   measure(camera, width, height);

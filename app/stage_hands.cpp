@@ -54,7 +54,7 @@ void Stage::remember(StageMoment& into) const {
   crowd_->remember(into.crowd);
   into.cut_scene = cut_scene_ ? std::optional(cut_scene_->moment()) : std::nullopt;
   into.fallen = *fallen_;
-  into.feet = *feet_;
+  into.feet = feet_->moment();
   into.played_speeds = played_speeds_;
 }
 
@@ -64,7 +64,7 @@ anim::Status Stage::go_back_to(const StageMoment& moment) {
   crowd_->go_back_to(moment.crowd);
   if (cut_scene_ && moment.cut_scene) cut_scene_->go_back_to(*moment.cut_scene);
   *fallen_ = *moment.fallen;
-  *feet_ = *moment.feet;
+  feet_->go_back_to(moment.feet);
   played_speeds_ = moment.played_speeds;
   held_clip_.reset();
   // What is shown are poses of the future.

@@ -20,7 +20,7 @@ struct StageMoment {
   CrowdMoment crowd;
   std::optional<CutScene::Moment> cut_scene;
   std::optional<FallenAgents> fallen;
-  std::optional<PlacedFeet> feet;
+  PlacedFeet::Moment feet;
   std::vector<float> played_speeds;
 };
 

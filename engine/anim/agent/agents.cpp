@@ -25,7 +25,8 @@ void reorder_lanes(std::span<const int> places, int components, float* pose) {
 }  // namespace
 namespace {
 
-constexpr std::size_t usual_steps = 6;  // a fade that was interrupted, and feet
+constexpr std::size_t usual_steps = 6;      // a fade that was interrupted, and feet
+constexpr std::size_t usual_processes = 2;  // feet and a rag-doll
 
 }  // namespace
 
@@ -33,7 +34,10 @@ void Agents::resize(std::uint32_t count) {
   for (std::size_t i = count; i < agents_.size(); ++i) destroy(agents_[i]);
   const std::size_t before = agents_.size();
   agents_.resize(count);
-  for (std::size_t i = before; i < agents_.size(); ++i) agents_[i].program.steps.reserve(usual_steps);
+  for (std::size_t i = before; i < agents_.size(); ++i) {
+    agents_[i].program.steps.reserve(usual_steps);
+    agents_[i].processes.reserve(usual_processes);
+  }
   next_updates_.resize(count, never);
 }
 
@@ -73,6 +77,15 @@ void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t age
   processes.resize(kept);
   [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
   assert(rebuilt && "fewer entities make no cycle");
+}
+
+std::unique_ptr<PostProcess> Agents::take_last_post_process(const EntityBuilder& build, std::uint32_t agent) {
+  std::unique_ptr<PostProcess> last = std::move(agents_[agent].processes.back());
+  agents_[agent].processes.pop_back();
+  last->destroy_entities(build);
+  [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
+  assert(rebuilt && "fewer entities make no cycle");
+  return last;
 }
 
 void Agents::set_weight(std::uint32_t agent, std::size_t channel, float weight) {

@@ -45,6 +45,8 @@ class Agents {
   Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
   /// All but the first `kept`.
   void remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept = 0);
+  /// The last one, without its entities, to be given to another agent.
+  std::unique_ptr<PostProcess> take_last_post_process(const EntityBuilder& build, std::uint32_t agent);
   std::size_t post_process_count(std::uint32_t agent) const { return agents_[agent].processes.size(); }
   PostProcess& post_process(std::uint32_t agent, std::size_t index) const { return *agents_[agent].processes[index]; }
   /// Updates one process alone.

@@ -263,6 +263,10 @@ void AnimationSystem::remove_post_processes(std::uint32_t agent) {
   agents(agent).remove_post_processes(builder(agent), local(agent));
 }
 
+std::unique_ptr<PostProcess> AnimationSystem::take_last_post_process(std::uint32_t agent) {
+  return agents(agent).take_last_post_process(builder(agent), local(agent));
+}
+
 void AnimationSystem::set_channel_weight(std::uint32_t agent, std::size_t channel, float weight) {
   agents(agent).set_weight(local(agent), channel, weight);
 }

@@ -123,6 +123,10 @@ class AnimationSystem {
   EntityPools::Kind add_entity_kind(const EntityKind& kind, std::uint32_t character = 0) {
     return casts_[character]->pools.add_kind(kind);
   }
+  /// Memory for `count` living entities of a kind: as long as there are no more, making one allocates nothing.
+  void reserve_entities(EntityPools::Kind kind, std::size_t count, std::uint32_t character = 0) {
+    casts_[character]->pools.pool(kind).reserve(count);
+  }
 
   /// Plays a clip on the agent's first channel, which is a CrossFadeChannel unless another was added first. False: all
   /// places of the channel's tree are taken by blends that stay (masked or held); or a local store of fixed size has no
@@ -141,6 +145,8 @@ class AnimationSystem {
   /// The agent's pose passes through it, after those that were added before. Errors as for add_channel.
   Status add_post_process(std::uint32_t agent, std::unique_ptr<PostProcess> process);
   void remove_post_processes(std::uint32_t agent);
+  /// The last of at least one, without its entities, to be given to another agent of the same character.
+  std::unique_ptr<PostProcess> take_last_post_process(std::uint32_t agent);
 
   /// A graph that is updated once a frame, to the clock and before all agents, for agents to read: the entity whose
   /// state it is, a source for what their channels make. Lives as long as the system. The channel may change its

@@ -41,7 +41,7 @@ bool CrossFadeChannel::play(const EntityBuilder& build, const PlayRequest& reque
   } else if (stays(request)) {
     if (full) return false;
     lay_over(build, request, never);
-  } else if (full || inertialiser_.valid() || is_fading(build.now())) {
+  } else if (full || settled_at_ > build.now() || is_fading(build.now())) {
     interrupt(build, request);
   } else {
     lay_over(build, request, build.now() + request.fade);
@@ -74,6 +74,7 @@ void CrossFadeChannel::interrupt(const EntityBuilder& build, const PlayRequest& 
   }
   tree_ = {};
   tree_.entities[tree_.count++] = build.player(start_of(request));
+  settled_at_ = build.now() + request.fade;
   const auto half_life = static_cast<float>(to_seconds(request.fade) / half_lives_in_a_fade);
   retarget(build.as<Inertialiser>(inertialiser_), tree_.root(), left_.root(), half_life);
 }
@@ -145,6 +146,7 @@ void CrossFadeChannel::destroy_entities(const EntityBuilder& build) {
   destroy(build, left_);
   if (inertialiser_.valid()) build.destroy(inertialiser_);
   inertialiser_ = {};
+  settled_at_ = 0;
 }
 
 }  // namespace throng::anim

@@ -74,6 +74,7 @@ class CrossFadeChannel final : public Channel {
   std::array<Ticks, BlendTree::max_players> fade_end_{};  // of the blender over player i; [0] unused
   BlendTree left_;                                        // what the inertialiser is leaving
   Handle inertialiser_;
+  Ticks settled_at_ = 0;  // of the newest interruption, by the clock: what comes next does not depend on who was posed
 };
 
 }  // namespace throng::anim

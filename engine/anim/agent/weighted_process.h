@@ -19,6 +19,9 @@ class WeightedProcess : public OneEntityProcess<Entity> {
     fades_ = true;
   }
 
+  /// Where the last update brought it on its way to what was set; once it was added.
+  float weight(const EntityPools& pools) const { return value(pools.as<Entity>(this->entity()).weight); }
+
   bool update(const EntityBuilder& build) final {
     if (this->entity().valid()) bring(build, this->entity());
     return false;

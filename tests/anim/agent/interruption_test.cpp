@@ -1,6 +1,8 @@
 // However often a fade is interrupted nothing snaps, measured where it would be seen: at joints in model space.
 
 #include <algorithm>
+#include <functional>
+#include <map>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -97,6 +99,43 @@ TEST(Interruption, EndsInTheClipThatWasAskedForLast) {
   plain.step(60);
   EXPECT_TRUE(interrupted.bones_unlike(plain).empty());
   EXPECT_EQ(interrupted.entities(), 1U);
+}
+
+/// How much of each clip is in the agent's pose, 0 to 1: what decides whose data keys are met.
+std::map<std::uint32_t, float> shares_of_clips(const AnimationSystem& system) {
+  std::map<std::uint32_t, float> shares;
+  const PoseWeights weights = system.motion(0).weights(system.clock());
+  for (std::size_t i = 0; i < system.program(0).steps.size(); ++i) {
+    const Handle entity = system.program(0).steps[i].entity;
+    if (entity.pool() != EntityPools::sampled_players || weights[i] == 0.0F) continue;
+    shares[system.pools().as<Player>(entity).clip] += weights[i];
+  }
+  return shares;
+}
+
+/// Asks for three clips, the second while the first fades in, the third `frames` after that.
+std::map<std::uint32_t, float> shares_after_three(int frames, const std::function<void(CrowdRig&, int)>& wait) {
+  constexpr Ticks fade = frames_of_a_fade * frame_ticks;
+  CrowdRig crowd;
+  crowd->play(0, {.clip = 0});
+  crowd.step(5);
+  crowd->play(0, {.clip = 1, .fade = fade});
+  wait(crowd, 3);
+  crowd->play(0, {.clip = 2, .fade = fade});
+  wait(crowd, frames);
+  crowd->play(0, {.clip = 3, .fade = fade});
+  wait(crowd, 4);
+  return shares_of_clips(*crowd);
+}
+
+TEST(Interruption, IsOverByTheClockWhetherTheAgentIsPosedMeanwhileOrNot) {
+  for (const int frames : {0, 1, 2, 17, 18, 19, 40, 100}) {
+    const auto posed = shares_after_three(frames, [](CrowdRig& crowd, int wait) { crowd.step(wait); });
+    const auto unseen =
+        shares_after_three(frames, [](CrowdRig& crowd, int wait) { crowd->advance(wait * frame_ticks); });
+    EXPECT_EQ(posed, unseen) << frames << " frames";
+    EXPECT_EQ(posed.size(), frames < frames_of_a_fade ? 1U : 2U) << "one that is left has no share";
+  }
 }
 
 }  // namespace

@@ -90,7 +90,8 @@ void CrowdLod::prepare(const LodPreparation& moment, std::span<const CharacterSo
 void CrowdLod::settle(const Tuning& tuning, const anim::LodCost& cost, double predicted_nanoseconds, bool moving) {
   if (!moving) return;
   const bool by_error = tuning.lod == LodRule::budget;
-  const double counted = predicted_nanoseconds - static_cast<double>(cost.reappeared);
+  const auto exempt = static_cast<double>(cost.reappeared);
+  const double counted = predicted_nanoseconds - exempt;
   const anim::LodLimits limits = limits_of(tuning);
   figures_ = {.tolerance_px = by_error ? controller_.tolerance_pixels() : 0.0F,
               .binding = anim::BindingLimit::none,
@@ -99,9 +100,10 @@ void CrowdLod::settle(const Tuning& tuning, const anim::LodCost& cost, double pr
               .error_held = {},
               .cost = cost};
   if (!by_error) return;
-  controller_.settle(
-      limits,
-      {.cost_by_tolerance = cost.by_tolerance, .nanoseconds = counted, .measured_error_pixels = measured_error_});
+  controller_.settle(limits, {.cost_by_tolerance = cost.by_tolerance,
+                              .nanoseconds = counted,
+                              .exempt_nanoseconds = exempt,
+                              .measured_error_pixels = measured_error_});
   figures_.binding = controller_.binding();
   if (measured_error_ && tuning.error_px > 0.0F) figures_.error_held = *measured_error_ <= tuning.error_px;
 }

@@ -48,13 +48,16 @@ std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters
   return roles;
 }
 
+constexpr auto cost_of_placed_feet = static_cast<std::uint32_t>(anim::CostModel{}.post_process);
+
 anim::LodCharacter lod_character(const CharacterSource& source) {
   return {.centre_height = static_cast<float>(source.bounds.height / 2.0),
           .radius = static_cast<float>(source.bounds.reach),
           .height = static_cast<float>(source.bounds.height),
           .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
           .level_error_metres = source.character->bone_lod.level_error_metres,
-          .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{})};
+          .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{}),
+          .full_rate_nanoseconds = source.roles.is_prop ? 0 : cost_of_placed_feet};
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {

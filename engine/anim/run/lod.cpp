@@ -137,13 +137,13 @@ void check(const LodFrame& frame, const LodState& state) {
 
 }  // namespace
 
-void LodState::make_all_due() { std::ranges::fill(was_visible, std::uint8_t{0}); }
+void LodState::make_all_due() { std::ranges::fill(frames_seen, std::uint8_t{0}); }
 
 void LodState::resize(std::size_t agents, LodSelection& selection) {
   next_update.assign(agents, 0);
   interval.assign(agents, 1);
   bone_level.assign(agents, 0);
-  was_visible.assign(agents, 0);
+  frames_seen.assign(agents, 0);
   is_called.assign(agents, 0);
   selection.room_for_visible.resize(agents);
   selection.room_for_due.resize(agents);
@@ -180,6 +180,8 @@ float metres_a_pixel(const LodFrame& frame, float cosine_of_centre, std::size_t 
   return 1.0F / (pixels * importance * (cosine >= cosine_of_centre ? frame.rules.centre_importance : 1.0F));
 }
 
+constexpr std::uint8_t frames_of_coming_into_view = 2;  // one for its pose, one to look ahead from there
+
 /// Agents that one job decides for, one after the other. Lists begin where they would if all were chosen.
 struct LodTile {
   std::size_t first = 0, end = 0;
@@ -204,10 +206,10 @@ struct LodTile {
     const glm::vec3 centre = frame.positions[agent] + glm::vec3(0.0F, character.centre_height * scale, 0.0F);
     const glm::vec3 from_camera = centre - frame.camera.position;
     const bool is_visible = in_view(centre, character.radius * scale, frame.camera);
-    const bool reappears = state.was_visible[agent] == 0;
+    std::uint8_t& frames_seen = state.frames_seen[agent];
     Seen seen{.squared_distance = squared(from_camera),
               .metres_a_pixel = 0.0F,
-              .fresh = reappears || state.is_called[agent] != 0,
+              .fresh = frames_seen == 0 || state.is_called[agent] != 0,
               .motion = motion_of(frame, agent)};
     const float distance = std::max(std::sqrt(seen.squared_distance), near_enough_to_divide);
     if (is_visible && frame.rules.rule == LodRule::budget) {
@@ -228,9 +230,10 @@ struct LodTile {
     }
     if (seen.motion != nullptr) {
       count_cost(seen, is_visible, is_due, state.bone_level[agent], frame.rules.counts_cost);
-      if (is_due && reappears) cost.reappeared += seen.motion->update_cost(state.bone_level[agent]);
+      if (is_due && frames_seen < frames_of_coming_into_view)
+        cost.reappeared += seen.motion->update_cost(state.bone_level[agent]);
     }
-    state.was_visible[agent] = is_visible ? 1 : 0;
+    frames_seen = is_visible ? std::min<std::uint8_t>(frames_seen + 1, frames_of_coming_into_view) : 0;
     state.is_called[agent] = 0;
   }
 

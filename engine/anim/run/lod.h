@@ -73,6 +73,7 @@ struct LodCharacter {
   int level_count = most_bone_levels;                                ///< 1 to most_bone_levels
   std::array<float, most_bone_levels> level_error_metres{};          ///< what a level is off on its surface, [0] is 0
   std::array<std::uint32_t, most_bone_levels> update_nanoseconds{};  ///< of one PU, an update at a level
+  std::uint32_t full_rate_nanoseconds = 0;                           ///< and more of who has all bones in each frame
   std::span<const SkipError> clips = {};                             ///< what skipping costs, by clip
 };
 
@@ -110,8 +111,8 @@ struct LodState {
   std::vector<std::uint64_t> next_update;  ///< frame number
   std::vector<std::uint8_t> interval;      ///< frames
   std::vector<std::uint8_t> bone_level;
-  std::vector<std::uint8_t> was_visible;
-  std::vector<std::uint8_t> is_called;  ///< due out of turn
+  std::vector<std::uint8_t> frames_seen;  ///< without a break: 0, 1, or 2 and more
+  std::vector<std::uint8_t> is_called;    ///< due out of turn
 
   /// Sizes state and `selection` for `agents` and forgets everything: whoever is visible next is due at once.
   void resize(std::size_t agents, LodSelection& selection);

@@ -37,6 +37,7 @@ int allowance_step(float metres) {
 MotionLod::MotionLod(const LodCharacter& character, const SkipError& motion, const LodRules& rules,
                      float frame_seconds) {
   update_cost_ = character.update_nanoseconds;
+  full_rate_cost_ = character.full_rate_nanoseconds;
   for (std::size_t level = 0; level < error_.size(); ++level) {
     for (std::size_t frames = 1; frames <= error_[level].size(); ++frames) {
       const float sixtieths = static_cast<float>(frames) * frame_seconds * sixtieths_a_second;

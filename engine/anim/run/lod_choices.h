@@ -40,7 +40,8 @@ class MotionLod {
   float error_metres(LodChoice choice) const { return error_[choice.bone_level][choice.interval - 1U]; }
   /// Nanoseconds a frame.
   float cost(LodChoice choice) const {
-    return static_cast<float>(update_cost_[choice.bone_level]) / static_cast<float>(choice.interval);
+    const std::uint32_t more = choice == LodChoice{} ? full_rate_cost_ : 0;
+    return static_cast<float>(update_cost_[choice.bone_level] + more) / static_cast<float>(choice.interval);
   }
   /// Nanoseconds when its turn comes.
   std::uint32_t update_cost(std::size_t bone_level) const { return update_cost_[bone_level]; }
@@ -60,6 +61,7 @@ class MotionLod {
   std::array<LodChoice, allowance_steps> choice_{};
   std::array<std::array<float, longest_interval>, most_bone_levels> error_{};  // metres
   std::array<std::uint32_t, most_bone_levels> update_cost_{};                  // nanoseconds
+  std::uint32_t full_rate_cost_ = 0;                                           // nanoseconds, on top
 };
 
 /// The motions of all characters.

@@ -53,6 +53,10 @@ void LodController::learn_error_factor(float wanted, float measured) {
 
 // Turns that fall together, richer graphs than were counted, levels that stay a little longer.
 void LodController::learn_headroom(const LodOutcome& outcome) {
+  if (outcome.exempt_nanoseconds > outcome.nanoseconds) {
+    expected_ = 0.0;  // most have just met their turn
+    return;
+  }
   const double in_the_long_run = cost_at(outcome.cost_by_tolerance, tolerance_);
   if (expected_ == 0.0) expected_ = in_the_long_run;
   expected_ += (in_the_long_run - expected_) / frames_of_change;

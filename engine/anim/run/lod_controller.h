@@ -26,6 +26,7 @@ enum class BindingLimit : std::uint8_t {
 struct LodOutcome {
   CostByTolerance cost_by_tolerance{};
   double nanoseconds = 0.0;                         ///< predicted, of all that was posed and is not exempt
+  double exempt_nanoseconds = 0.0;                  ///< the same of those who came into view
   std::optional<float> measured_error_pixels = {};  ///< p99 over the last frames; none: too little was measured
 };
 
@@ -54,7 +55,7 @@ class LodController {
   float tolerance_ = 1.0F;
   float budget_tolerance_ = least_tolerance_pixels;
   float error_factor_ = 1.0F;  // tolerance over the error that is wanted
-  double headroom_ = 1.0;      // what frames come to, over what they would in the long run
+  double headroom_ = 1.35;      // what frames come to, over what they would in the long run; at first a careful guess
   double expected_ = 0.0;      // nanoseconds, of the last frames
   BindingLimit binding_ = BindingLimit::error;
 };

@@ -25,7 +25,7 @@ struct LodCost {
   std::uint64_t visible = 0;        ///< those in view, each posed with all bones
   std::uint64_t due_all_bones = 0;  ///< those in view whose turn it is, with all bones
   std::uint64_t due = 0;            ///< those in view whose turn it is, as they are posed
-  std::uint64_t reappeared = 0;     ///< of `due`, those who were out of view: exempt from any budget
+  std::uint64_t reappeared = 0;     ///< of `due`, the first two updates of who comes into view: exempt from any budget
   CostByTolerance by_tolerance{};   ///< counted if LodRules::counts_cost; else 0
 
   LodCost& operator+=(const LodCost& other) {

@@ -151,6 +151,8 @@ TEST_F(LodBudgetTest, CostsAreOfEveryoneOfTheVisibleAndOfThoseWhoAreDue) {
   EXPECT_EQ(selection.cost.due_all_bones, 14'400U);
   EXPECT_EQ(selection.cost.due, selection.cost.reappeared) << "all came into view";
   select_next();
+  EXPECT_EQ(selection.cost.due, selection.cost.reappeared) << "and look ahead from there";
+  select_next();
   EXPECT_EQ(selection.cost.reappeared, 0U);
 }
 

@@ -98,6 +98,13 @@ TEST_F(LodChoicesTest, TheHistogramCostsWhatTheChoicesDo) {
   }
 }
 
+TEST_F(LodChoicesTest, WhoHasAllBonesInEachFrameCostsItsPlacedFeetToo) {
+  character.full_rate_nanoseconds = 800;
+  EXPECT_EQ(motion().cost({1, 0}), 2400.0F);
+  EXPECT_EQ(motion().cost({1, 1}), 1200.0F);
+  EXPECT_EQ(motion().cost({2, 0}), 800.0F);
+}
+
 TEST_F(LodChoicesTest, EachClipHasAMotionOfItsOwnAndNoClipStandsStill) {
   const std::array<SkipError, 2> clips{no_skip_error, SkipError{}};
   character.clips = clips;

@@ -53,9 +53,20 @@ TEST_F(LodControllerTest, TheBudgetIsHeldFromTheFrameAfterTheFirst) {
   EXPECT_EQ(controller.binding(), BindingLimit::budget);
 }
 
+TEST_F(LodControllerTest, LearnsNothingFromFramesInWhichMostCameIntoView) {
+  limits.budget_nanoseconds = 2 * millisecond;
+  const CostByTolerance cost = crowd_costing(3 * millisecond);
+  settle(cost);
+  const float before = controller.tolerance_pixels();
+  for (int frame = 0; frame < 10; ++frame) {
+    controller.settle(limits, {.cost_by_tolerance = cost, .nanoseconds = 4e6, .exempt_nanoseconds = 5e6});
+  }
+  EXPECT_EQ(controller.tolerance_pixels(), before);
+}
+
 TEST_F(LodControllerTest, OfAConstantCrowdTheToleranceComesToRestAndStays) {
   limits.budget_nanoseconds = 2 * millisecond;
-  for (int frame = 0; frame < 300; ++frame) settle(crowd_costing(3 * millisecond), frame % 2 == 0 ? 1.05 : 0.95);
+  for (int frame = 0; frame < 1200; ++frame) settle(crowd_costing(3 * millisecond), frame % 2 == 0 ? 1.05 : 0.95);
   const float settled = controller.tolerance_pixels();
   for (int frame = 0; frame < 600; ++frame) {
     settle(crowd_costing(3 * millisecond), frame % 2 == 0 ? 1.05 : 0.95);

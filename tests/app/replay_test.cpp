@@ -68,6 +68,17 @@ TEST_F(Replays, BeginWhereARecordingBeganInTheMiddleOfARun) {
   EXPECT_EQ(repeated(""), file_.string() + ": all 20 frames are equal, the last of 20 agents");
 }
 
+// Frames of another length, agents and orders of bones: nothing that level of detail has learnt of them stays.
+TEST_F(Replays, KnowNothingOfWhatWasBeforeTheRecordingBegan) {
+  const auto show = show_of(demo("--agents 150"));
+  for (int frame = 0; frame < 90; ++frame) {
+    if (frame == 30) change(*show, [](Tuning& tuning) { tuning.agents = 400; });
+    show->animate(sixtieth * 6 / 5);
+  }
+  record(*show, 90, [](Show&, int) {});
+  EXPECT_EQ(repeated(""), file_.string() + ": all 90 frames are equal, the last of 400 agents");
+}
+
 // Frame 3's hash of agent 2, which is posed in each frame, is the third of the values at that frame's end.
 TEST_F(Replays, NameTheFirstFrameAndAgentThatDiffer) {
   const auto show = show_of(demo("--agents 4 --lod off"));

@@ -113,6 +113,20 @@ TEST_F(ReplaysOfHands, LoadOtherCharacters) {
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }
 
+TEST_F(ReplaysOfHands, ChangeNothingWhenAnotherOrderOfBonesIsKeptLater) {
+  const std::string model = folder_ / "person.glb";
+  fs::copy_file(THRONG_SOURCE_DIR "/assets/mannequin.glb", model);
+  const auto show = show_of(demo("--agents 12 " + model));
+  record(*show, 30, [&](Show& recorded, int frame) {
+    if (frame == 15) expect_done(recorded.replace_models(std::vector{model}));
+  });
+  reorder_bones(*show);
+  const auto kept = show->save_bone_lod(0);
+  ASSERT_TRUE(kept);
+  ASSERT_EQ(kept->parent_path(), folder_) << "beside the model, where the replay finds it";
+  EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
+}
+
 class ReplaysOfADroppedModel : public ReplaysOfHands {
  protected:
   void SetUp() override {

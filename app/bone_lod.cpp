@@ -60,19 +60,10 @@ anim::Status check_levels(std::span<const int> counts, int bones) {
 
 anim::Result<std::vector<int>> bones_in(const Json& names, const anim::Skeleton& skeleton, const fs::path& file) {
   if (!names.is_array()) return wrong(file, "\"bones\" must be a list of bone names");
-  std::map<std::string, int> by_key;
-  const std::vector<std::string> keys = bone_keys(skeleton);
-  for (std::size_t bone = 0; bone < keys.size(); ++bone) by_key.emplace(keys[bone], static_cast<int>(bone));
-  std::vector<int> bones;
-  for (const Json& name : names) {
-    if (!name.is_string()) return wrong(file, "\"bones\" must hold names only");
-    const auto found = by_key.find(name.get<std::string>());
-    if (found == by_key.end()) {
-      return wrong(file, "\"bones\": the model has no bone \"" + name.get<std::string>() + "\"");
-    }
-    bones.push_back(found->second);
-  }
-  return bones;
+  const bool whole = std::ranges::all_of(names, [](const Json& name) { return name.is_string(); });
+  if (!whole) return wrong(file, "\"bones\" must hold names only");
+  auto bones = bones_named(names.get<std::vector<std::string>>(), skeleton);
+  return bones ? std::move(bones) : wrong(file, "\"bones\": " + bones.error().message);
 }
 
 anim::Result<std::vector<int>> counts_in(const Json& numbers, const fs::path& file) {
@@ -116,6 +107,19 @@ std::vector<std::string> bone_keys(const anim::Skeleton& skeleton) {
     keys.push_back(alone ? bone.name : bone.name + "#" + std::to_string(bone.node));
   }
   return keys;
+}
+
+anim::Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton) {
+  const std::vector<std::string> all = bone_keys(skeleton);
+  std::map<std::string_view, int> by_key;
+  for (std::size_t bone = 0; bone < all.size(); ++bone) by_key.emplace(all[bone], static_cast<int>(bone));
+  std::vector<int> bones;
+  for (const std::string& key : keys) {
+    const auto found = by_key.find(key);
+    if (found == by_key.end()) return anim::Error{"the model has no bone \"" + key + "\""};
+    bones.push_back(found->second);
+  }
+  return bones;
 }
 
 anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice) {

@@ -20,6 +20,9 @@ using BoneLodChoice = anim::BoneOrder;
 /// glTF node.
 std::vector<std::string> bone_keys(const anim::Skeleton& skeleton);
 
+/// The indices of bones by their keys. The error names the first that the skeleton does not have.
+anim::Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton);
+
 /// Errors name the first bone or level that cannot be: every bone once, each after its parent; 1 to
 /// anim::max_bone_levels levels, the first with all bones, each further one with fewer, none empty.
 anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice);

@@ -124,6 +124,11 @@ ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& 
   return reordered;
 }
 
+void take_order(CharacterSource& source, const BoneLodChoice& choice) {
+  anim::reorder_bones(source.model, choice);
+  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
+}
+
 void assign_roles(CharacterSource& source, const RoleClips& clips) {
   CharacterRoles& roles = source.roles;
   roles.clips = clips;

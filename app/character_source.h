@@ -43,6 +43,9 @@ struct ReorderedCharacter {
 /// Bakes `source` in an order that check_bone_lod() let pass; `source` itself is as it was.
 ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice);
 
+/// Brings a character that is on no stage into such an order.
+void take_order(CharacterSource& source, const BoneLodChoice& choice);
+
 /// Plays `clips` for the roles, and measures how far the gaits among them get.
 void assign_roles(CharacterSource& source, const RoleClips& clips);
 

@@ -27,6 +27,11 @@ anim::LodLimits limits_of(const Tuning& tuning) {
 
 }  // namespace
 
+void CrowdLod::set_characters(std::span<anim::LodCharacter> characters) {
+  characters_ = characters;
+  choices_ = {};
+}
+
 void CrowdLod::reset(std::size_t agents, const Tuning& tuning) {
   importance_.assign(agents, 1.0F);
   changing_.assign(agents, 0);

@@ -37,8 +37,9 @@ struct LodFigures {
 /// more than others, and the tolerance.
 class CrowdLod {
  public:
-  /// Once; `characters` outlive this. Their clips' errors are measured when the rule first asks for them.
-  void set_characters(std::span<anim::LodCharacter> characters) { characters_ = characters; }
+  /// At first, and whenever one of them has other levels; `characters` outlive this. Their clips' errors are measured
+  /// once, when the rule first asks for them.
+  void set_characters(std::span<anim::LodCharacter> characters);
 
   /// The crowd starts anew.
   void reset(std::size_t agents, const Tuning& tuning);

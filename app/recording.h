@@ -10,8 +10,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/character_source.h"
+#include "app/bone_lod.h"
 #include "app/crowd_roles.h"
+#include "app/recorded_character.h"
 #include "app/settings.h"
 #include "engine/anim/base/units.h"
 #include "engine/render/camera.h"
@@ -29,22 +30,30 @@ namespace throng::app {
 ///     selection   agent u32, 2^32 - 1 for nobody
 ///     push        agent u32, direction 3 x f32
 ///     roles       character u32, a clip i32 for each role
+///     hold        agent u32, 2^32 - 1 to let go; seconds of its clip f32
+///     rewind      nothing
+///     bone order  character u32, bones u32, levels u32, each bone's index in the order of before u16, the levels'
+///                 counts u16
+///     characters  JSON, as in the header
 ///     frame       delta i64 (ticks), camera 6 x f32, width u32, height u32, pose hash u64, agents u32,
 ///                 a bit for each agent whose hash changed, from the lowest; their hashes, u16
-///     end         frames u64
+///     end         frames u64, ByteHash u64 of all bytes of the file before it
 inline constexpr std::string_view recording_magic = "THRONGRC";
-inline constexpr std::uint32_t recording_version = 1;
+inline constexpr std::uint32_t recording_version = 2;
 inline constexpr std::uint32_t recorded_nobody = 0xFFFFFFFFU;
-enum class RecordKind : std::uint8_t { tuning = 1, selection, push, roles, frame, end };
-
-/// Who is animated: the file as it was named (empty: the built-in character), and what tells it from another.
-struct RecordedCharacter {
-  std::string file;
-  std::string fingerprint;  ///< of skeleton, bone levels and clips, 16 hexadecimal digits
-  RoleClips roles = no_clips();
+inline constexpr std::uint32_t end_payload_bytes = 16;
+enum class RecordKind : std::uint8_t {
+  tuning = 1,
+  selection,
+  push,
+  roles,
+  hold,
+  rewind,
+  bone_order,
+  characters,
+  frame,
+  end
 };
-
-RecordedCharacter recorded(const CharacterSource& character);
 
 struct RecordingHeader {
   std::vector<RecordedCharacter> characters;  ///< people, 1 to most_models
@@ -69,6 +78,23 @@ struct RecordedRoles {
   std::uint32_t character = 0;
   RoleClips clips = no_clips();
 };
+struct RecordedHold {
+  std::optional<std::uint32_t> agent;  ///< whose clip is held; nobody: it is let go
+  float seconds = 0;
+};
+struct RecordedRewind {};
+struct RecordedBoneOrder {
+  std::uint32_t character = 0;
+  BoneLodChoice choice;
+};
+/// Others for everyone.
+struct RecordedCharacters {
+  std::vector<RecordedCharacter> characters;  ///< 1 to most_models, each from a file
+};
+/// What somebody asked of the show between two frames.
+using RecordedRequest = std::variant<Tuning, RecordedSelection, RecordedPush, RecordedRoles, RecordedHold,
+                                     RecordedRewind, RecordedBoneOrder, RecordedCharacters>;
+
 struct RecordedFrame {
   anim::Ticks delta = 0;  ///< 0 while paused
   LodView view;
@@ -78,7 +104,7 @@ struct RecordedFrame {
 struct RecordedEnd {
   std::uint64_t frames = 0;
 };
-using RecordedItem = std::variant<Tuning, RecordedSelection, RecordedPush, RecordedRoles, RecordedFrame, RecordedEnd>;
+using RecordedItem = std::variant<RecordedRequest, RecordedFrame, RecordedEnd>;
 
 /// What a recording keeps of an agent's hash.
 constexpr std::uint16_t short_hash(std::uint64_t hash) { return static_cast<std::uint16_t>(hash >> 48U); }

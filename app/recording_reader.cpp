@@ -1,67 +1,33 @@
 #include "app/recording_reader.h"
 
-#include <cmath>
+#include <algorithm>
 #include <system_error>
 
+#include "app/byte_hash.h"
 #include "app/preset.h"
 #include "app/recording_bytes.h"
+#include "app/recording_items.h"
 
 namespace throng::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t most_header_bytes = 1U << 20U;
+constexpr std::uint32_t most_header_bytes = 1U << 24U;
 constexpr std::uint32_t most_hashes = 100'100;  // the agents, and what a scene adds to them
-constexpr std::uint32_t most_pixels = 16384;
-constexpr anim::Ticks longest_frame = 3600 * anim::ticks_per_second;
+constexpr std::uint64_t item_head_bytes = 5, checksum_bytes = 8;
 
-glm::vec3 next_vector(NumberReader& numbers) {
-  glm::vec3 vector{0.0F};
-  for (int axis = 0; axis < 3; ++axis) vector[axis] = numbers.next<float>();
-  return vector;
-}
-
-bool is_near(const glm::vec3& vector) {
-  constexpr float farthest = 1e6F;  // metres
-  return std::abs(vector.x) <= farthest && std::abs(vector.y) <= farthest && std::abs(vector.z) <= farthest;
-}
-
-bool is_view(const LodView& view) {
-  constexpr float pi = 3.14159265F;
-  const render::Camera& camera = view.camera;
-  const auto is_size = [](int pixels) { return pixels >= 1 && pixels <= static_cast<int>(most_pixels); };
-  return is_near(camera.position) && std::isfinite(camera.yaw) && std::abs(camera.pitch) <= pi / 2.0F &&
-         camera.vertical_view > 0.0F && camera.vertical_view < pi && is_size(view.width) && is_size(view.height);
-}
-
-RecordedSelection selection(NumberReader& numbers) {
-  const auto agent = numbers.next<std::uint32_t>();
-  return {agent == recorded_nobody ? std::nullopt : std::optional(agent)};
-}
-
-RecordedPush push(NumberReader& numbers) {
-  const auto agent = numbers.next<std::uint32_t>();
-  return {.agent = agent, .direction = next_vector(numbers)};
-}
-
-RecordedRoles roles(NumberReader& numbers) {
-  RecordedRoles roles{.character = numbers.next<std::uint32_t>()};
-  for (int& clip : roles.clips) clip = numbers.next<std::int32_t>();
-  return roles;
-}
-
-RecordedFrame frame_head(NumberReader& numbers) {
-  RecordedFrame frame;
-  frame.delta = numbers.next<std::int64_t>();
-  frame.view.camera.position = next_vector(numbers);
-  frame.view.camera.yaw = numbers.next<float>();
-  frame.view.camera.pitch = numbers.next<float>();
-  frame.view.camera.vertical_view = numbers.next<float>();
-  frame.view.width = static_cast<int>(numbers.next<std::uint32_t>());
-  frame.view.height = static_cast<int>(numbers.next<std::uint32_t>());
-  frame.pose_hash = numbers.next<std::uint64_t>();
-  return frame;
+// Of as many bytes of the file, from its first.
+std::optional<std::uint64_t> hash_of(std::istream& stream, std::uint64_t count) {
+  constexpr std::uint64_t most_at_once = 1U << 16U;
+  ByteHash hash;
+  std::string bytes;
+  for (stream.seekg(0); count > 0; count -= bytes.size()) {
+    bytes.resize(std::min(count, most_at_once));
+    if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return {};
+    hash.add(bytes);
+  }
+  return hash.value();
 }
 
 }  // namespace
@@ -87,11 +53,29 @@ std::optional<std::string> RecordingReader::read_begin() {
     return "is a recording of version " + std::to_string(version) + "; this throng reads version " +
            std::to_string(recording_version);
   }
+  if (is_damaged()) return "is damaged: its bytes do not add up to its checksum; record it again";
   const auto header_bytes = head.next<std::uint32_t>();
   if (header_bytes > most_header_bytes || !read_bytes(header_bytes, bytes)) return "is cut short in its header";
   if (auto complaint = read_header(bytes, header_)) return complaint;
   tuning_ = header_.tuning;
   return {};
+}
+
+// Only what was ended has a checksum; what was cut short is read as far as it goes.
+bool RecordingReader::is_damaged() {
+  constexpr std::uint64_t end_bytes = item_head_bytes + end_payload_bytes;
+  const std::uint64_t next_item = static_cast<std::uint64_t>(stream_.tellg()), all = next_item + bytes_left_;
+  if (bytes_left_ < end_bytes) return false;
+  std::string bytes(end_bytes, '\0');
+  stream_.seekg(static_cast<std::streamoff>(all - end_bytes));
+  stream_.read(bytes.data(), static_cast<std::streamsize>(end_bytes));
+  NumberReader end(bytes);
+  const bool is_ended = end.next<std::uint8_t>() == static_cast<std::uint8_t>(RecordKind::end) &&
+                        end.next<std::uint32_t>() == end_payload_bytes;
+  end.next<std::uint64_t>();
+  const bool damaged = is_ended && hash_of(stream_, all - checksum_bytes) != end.next<std::uint64_t>();
+  stream_.seekg(static_cast<std::streamoff>(next_item));
+  return damaged;
 }
 
 bool RecordingReader::read_bytes(std::uint64_t count, std::string& bytes) {
@@ -109,8 +93,7 @@ anim::Error RecordingReader::error_at(std::uint64_t frame, const std::string& wh
 anim::Result<RecordedItem> RecordingReader::next() {
   const anim::Error cut_short{file_.string() + ": is cut short after frame " + std::to_string(frames_) +
                               "; record it again, and let that run end by itself"};
-  constexpr std::uint64_t head_bytes = 5;
-  if (!read_bytes(head_bytes, payload_)) return cut_short;
+  if (!read_bytes(item_head_bytes, payload_)) return cut_short;
   NumberReader head(payload_);
   const auto kind = static_cast<RecordKind>(head.next<std::uint8_t>());
   if (!read_bytes(head.next<std::uint32_t>(), payload_)) return cut_short;
@@ -123,41 +106,28 @@ anim::Result<RecordedItem> RecordingReader::next() {
 std::optional<RecordedItem> RecordingReader::item(RecordKind kind) {
   if (kind == RecordKind::tuning) return changed_tuning();
   if (kind == RecordKind::frame) return frame();
-  NumberReader numbers(payload_);
-  const auto whole = [&](const auto& item) {
-    return numbers.at_end() ? std::optional<RecordedItem>(item) : std::nullopt;
-  };
-  switch (kind) {
-    case RecordKind::selection:
-      return whole(selection(numbers));
-    case RecordKind::push: {
-      const RecordedPush pushed = push(numbers);
-      return is_near(pushed.direction) ? whole(pushed) : std::nullopt;
-    }
-    case RecordKind::roles:
-      return whole(roles(numbers));
-    case RecordKind::end: {
-      const RecordedEnd end{numbers.next<std::uint64_t>()};
-      return end.frames == frames_ && bytes_left_ == 0 ? whole(end) : std::nullopt;
-    }
-    default:
-      return std::nullopt;
-  }
+  if (kind == RecordKind::end) return end();
+  return read_request(kind, payload_);
 }
 
 std::optional<RecordedItem> RecordingReader::changed_tuning() {
   Preset preset{.tuning = tuning_, .camera = {}};
   if (from_json(payload_, preset)) return std::nullopt;
   tuning_ = preset.tuning;
-  return tuning_;
+  return RecordedRequest(tuning_);
+}
+
+std::optional<RecordedItem> RecordingReader::end() const {
+  const RecordedEnd end{NumberReader(payload_).next<std::uint64_t>()};
+  const bool can_be = end.frames == frames_ && payload_.size() == end_payload_bytes && bytes_left_ == 0;
+  return can_be ? std::optional<RecordedItem>(end) : std::nullopt;
 }
 
 std::optional<RecordedItem> RecordingReader::frame() {
   NumberReader numbers(payload_);
-  const RecordedFrame frame = frame_head(numbers);
+  const std::optional<RecordedFrame> frame = read_frame(numbers);
   const auto agents = numbers.next<std::uint32_t>();
-  const bool can_be = frame.delta >= 0 && frame.delta <= longest_frame && is_view(frame.view) && agents <= most_hashes;
-  if (!numbers.good() || !can_be) return std::nullopt;
+  if (!frame || !numbers.good() || agents > most_hashes) return std::nullopt;
   const std::string_view changed = numbers.take((agents + 7) / 8);
   if (!numbers.good()) return std::nullopt;
   hashes_.resize(agents, 0);
@@ -168,7 +138,7 @@ std::optional<RecordedItem> RecordingReader::frame() {
   }
   if (!numbers.at_end()) return std::nullopt;
   ++frames_;
-  return frame;
+  return *frame;
 }
 
 }  // namespace throng::app

@@ -17,7 +17,8 @@ namespace throng::app {
 /// Reads a recording item by item, and believes nothing in it: whatever it returns is within the ranges of its type.
 class RecordingReader {
  public:
-  /// Errors: the file cannot be read, is no recording, is of another version, or has a header that is none.
+  /// Reads it once through for its checksum. Errors: the file cannot be read, is no recording, is of another version,
+  /// is damaged, or has a header that is none.
   static anim::Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
 
   const RecordingHeader& header() const { return header_; }
@@ -33,9 +34,11 @@ class RecordingReader {
  private:
   explicit RecordingReader(std::filesystem::path file) : file_(std::move(file)) {}
   std::optional<std::string> read_begin();
+  bool is_damaged();
   bool read_bytes(std::uint64_t count, std::string& bytes);
   std::optional<RecordedItem> item(RecordKind kind);
   std::optional<RecordedItem> frame();
+  std::optional<RecordedItem> end() const;
   std::optional<RecordedItem> changed_tuning();
 
   std::filesystem::path file_;

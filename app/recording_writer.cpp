@@ -3,6 +3,16 @@
 #include "app/recording_bytes.h"
 
 namespace throng::app {
+namespace {
+
+std::string item_head(RecordKind kind, std::size_t payload_bytes) {
+  std::string head;
+  append_number(head, static_cast<std::uint8_t>(kind));
+  append_number(head, static_cast<std::uint32_t>(payload_bytes));
+  return head;
+}
+
+}  // namespace
 
 anim::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& file,
                                                                        const RecordingHeader& header) {
@@ -13,16 +23,18 @@ anim::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
   std::string begin(recording_magic);
   append_number(begin, recording_version);
   append_number(begin, static_cast<std::uint32_t>(text.size()));
-  writer->file_.write(begin + text);
+  writer->write(begin + text);
   return writer;
 }
 
+void RecordingWriter::write(std::string_view bytes) {
+  written_.add(bytes);
+  file_.write(bytes);
+}
+
 void RecordingWriter::write_item(RecordKind kind) {
-  std::string head;
-  append_number(head, static_cast<std::uint8_t>(kind));
-  append_number(head, static_cast<std::uint32_t>(payload_.size()));
-  file_.write(head);
-  file_.write(payload_);
+  write(item_head(kind, payload_.size()));
+  write(payload_);
   payload_.clear();
 }
 
@@ -47,6 +59,29 @@ void RecordingWriter::add(const RecordedRoles& roles) {
   append_number(payload_, roles.character);
   for (const int clip : roles.clips) append_number(payload_, static_cast<std::int32_t>(clip));
   write_item(RecordKind::roles);
+}
+
+void RecordingWriter::add(const RecordedHold& hold) {
+  append_number(payload_, hold.agent.value_or(recorded_nobody));
+  append_number(payload_, hold.seconds);
+  write_item(RecordKind::hold);
+}
+
+void RecordingWriter::add(const RecordedRewind& /*rewind*/) { write_item(RecordKind::rewind); }
+
+void RecordingWriter::add(const RecordedBoneOrder& order) {
+  const BoneLodChoice& choice = order.choice;
+  append_number(payload_, order.character);
+  append_number(payload_, static_cast<std::uint32_t>(choice.bones.size()));
+  append_number(payload_, static_cast<std::uint32_t>(choice.level_counts.size()));
+  for (const int bone : choice.bones) append_number(payload_, static_cast<std::uint16_t>(bone));
+  for (const int count : choice.level_counts) append_number(payload_, static_cast<std::uint16_t>(count));
+  write_item(RecordKind::bone_order);
+}
+
+void RecordingWriter::add(const RecordedCharacters& characters) {
+  payload_ = to_json(characters.characters);
+  write_item(RecordKind::characters);
 }
 
 void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes) {
@@ -80,7 +115,11 @@ void RecordingWriter::add_changed_hashes(std::span<const std::uint64_t> agent_ha
 
 anim::Status RecordingWriter::finish() {
   append_number(payload_, frames_);
-  write_item(RecordKind::end);
+  write(item_head(RecordKind::end, end_payload_bytes));
+  write(payload_);
+  std::string checksum;
+  append_number(checksum, written_.value());
+  file_.write(checksum);
   return file_.commit();
 }
 

@@ -5,9 +5,11 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/atomic_file.h"
+#include "app/byte_hash.h"
 #include "app/recording.h"
 #include "engine/anim/base/result.h"
 
@@ -25,6 +27,10 @@ class RecordingWriter {
   void add(const RecordedSelection& selection);
   void add(const RecordedPush& push);
   void add(const RecordedRoles& roles);
+  void add(const RecordedHold& hold);
+  void add(const RecordedRewind& rewind);
+  void add(const RecordedBoneOrder& order);
+  void add(const RecordedCharacters& characters);
   /// After the frame's update; `agent_hashes` as AnimationSystem has them. Allocates only as the crowd grows.
   void add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes);
 
@@ -34,10 +40,12 @@ class RecordingWriter {
 
  private:
   explicit RecordingWriter(FileBeside file, const Tuning& tuning) : file_(std::move(file)), tuning_(tuning) {}
+  void write(std::string_view bytes);
   void write_item(RecordKind kind);
   void add_changed_hashes(std::span<const std::uint64_t> agent_hashes);
 
   FileBeside file_;
+  ByteHash written_;
   Tuning tuning_;  // as it was written last
   std::uint64_t frames_ = 0;
   std::vector<std::uint16_t> hashes_;  // [agent] as they were written last

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "app/preset_fields.h"
+#include "app/replayed_requests.h"
 #include "app/statistics.h"
 
 namespace throng::app {
 namespace {
-
-bool has_clips(const CharacterSource& character, const RoleClips& roles) {
-  const auto clips = static_cast<int>(character.clip_names.size());
-  return std::ranges::all_of(roles, [&](int clip) { return clip >= no_clip && clip < clips; });
-}
 
 // The agents whose hashes are not as recorded: the first of them, and how many.
 struct Difference {
@@ -28,6 +26,15 @@ Difference difference(std::span<const std::uint64_t> hashes, std::span<const std
     if (found.agents++ == 0) found.first = agent;
   }
   return found;
+}
+
+// But for the files, which may have moved.
+bool are_equal(std::span<const CharacterSource> people, std::span<const RecordedCharacter> recorded_people) {
+  const auto is_equal = [](const CharacterSource& person, RecordedCharacter as_recorded) {
+    as_recorded.file = person.file;
+    return recorded(person) == as_recorded;
+  };
+  return std::ranges::equal(people, recorded_people, is_equal);
 }
 
 std::string name_of(std::uint32_t agent, const Stage& stage) {
@@ -71,23 +78,20 @@ Tuning Replay::with_own_scheduling(Tuning tuning) const {
 }
 
 anim::Status Replay::begin(Show& show) const {
+  show.keep_moments();
   const std::vector<RecordedCharacter>& recorded_people = reader_->header().characters;
   const auto people = show.stage().people();
   if (people.size() != recorded_people.size()) {
     return anim::Error{file_.string() + ": is of " + std::to_string(recorded_people.size()) +
                        " characters, and there are " + std::to_string(people.size())};
   }
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    if (recorded(people[i]).fingerprint != recorded_people[i].fingerprint) {
-      return anim::Error{file_.string() + ": " + people[i].name +
-                         " is not the character that was recorded: its bones, levels or clips differ"};
-    }
-    const RoleClips& roles = recorded_people[i].roles;
-    if (roles == people[i].roles.clips) continue;
-    if (!has_clips(people[i], roles)) return reader_->error_at(1, "plays a clip that " + people[i].name + " has not");
-    show.set_roles(i, roles);
+  if (are_equal(people, recorded_people)) return anim::Done{};
+  std::vector<CharacterSource> characters(people.begin(), people.end());
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    const anim::Status became = become_recorded(recorded_people[i], characters[i]);
+    if (!became) return anim::Error{file_.string() + ": " + became.error().message};
   }
-  return anim::Done{};
+  return show.replace_characters(std::move(characters));
 }
 
 anim::Result<bool> Replay::step(Show& show) {
@@ -101,45 +105,14 @@ anim::Result<bool> Replay::step(Show& show) {
       if (const anim::Status equal = compare(*frame, show.stage()); !equal) return equal.error();
       return true;
     }
-    if (const anim::Status repeated = repeat(*item, show); !repeated) return repeated.error();
+    const anim::Status repeated = repeat(with_own_scheduling(std::get<RecordedRequest>(*item)), show);
+    if (!repeated) return reader_->error_at(reader_->frames_read() + 1, repeated.error().message);
   }
 }
 
-anim::Status Replay::repeat(const RecordedItem& item, Show& show) const {
-  if (const auto* const tuning = std::get_if<Tuning>(&item)) return repeat(*tuning, show);
-  if (const auto* const selection = std::get_if<RecordedSelection>(&item)) return repeat(*selection, show);
-  if (const auto* const push = std::get_if<RecordedPush>(&item)) return repeat(*push, show);
-  return repeat(std::get<RecordedRoles>(item), show);
-}
-
-anim::Status Replay::repeat(const Tuning& tuning, Show& show) const {
-  const anim::Status applied = show.apply(with_own_scheduling(tuning));
-  if (applied) return applied;
-  return reader_->error_at(reader_->frames_read() + 1, "its values cannot be: " + applied.error().message);
-}
-
-anim::Status Replay::repeat(const RecordedSelection& selection, Show& show) const {
-  if (selection.agent.value_or(0) >= show.stage().crowd().size()) {
-    return reader_->error_at(reader_->frames_read() + 1, "selects an agent that is not there");
-  }
-  show.select(selection.agent);
-  return anim::Done{};
-}
-
-anim::Status Replay::repeat(const RecordedPush& push, Show& show) const {
-  const std::uint64_t frame = reader_->frames_read() + 1;
-  if (push.agent >= show.stage().crowd().size()) return reader_->error_at(frame, "pushes an agent that is not there");
-  const anim::Status pushed = show.push(push.agent, push.direction);
-  return pushed ? pushed : anim::Status(reader_->error_at(frame, pushed.error().message));
-}
-
-anim::Status Replay::repeat(const RecordedRoles& roles, Show& show) const {
-  const auto people = show.stage().people();
-  if (roles.character >= people.size() || !has_clips(people[roles.character], roles.clips)) {
-    return reader_->error_at(reader_->frames_read() + 1, "plays a clip that is not there");
-  }
-  show.set_roles(roles.character, roles.clips);
-  return anim::Done{};
+RecordedRequest Replay::with_own_scheduling(RecordedRequest request) const {
+  if (auto* const tuning = std::get_if<Tuning>(&request)) *tuning = with_own_scheduling(*tuning);
+  return request;
 }
 
 anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) const {

@@ -22,7 +22,8 @@ class Replay {
   /// that were given are kept throughout; poses do not depend on them.
   DemoOptions options(const DemoOptions& given);
 
-  /// Before the first frame. Errors: the characters are not those that were recorded.
+  /// Before the first frame; where roles or orders of bones are not as recorded, the show gets characters with those.
+  /// Errors: the characters are not those that were recorded.
   anim::Status begin(Show& show) const;
 
   /// What was asked for, then a frame; false when there is none left. Errors: the first frame and agent that differ;
@@ -37,11 +38,7 @@ class Replay {
       : file_(std::move(file)), reader_(std::move(reader)) {}
 
   Tuning with_own_scheduling(Tuning tuning) const;
-  anim::Status repeat(const RecordedItem& item, Show& show) const;
-  anim::Status repeat(const Tuning& tuning, Show& show) const;
-  anim::Status repeat(const RecordedSelection& selection, Show& show) const;
-  anim::Status repeat(const RecordedPush& push, Show& show) const;
-  anim::Status repeat(const RecordedRoles& roles, Show& show) const;
+  RecordedRequest with_own_scheduling(RecordedRequest request) const;
   anim::Status compare(const RecordedFrame& frame, const Stage& stage) const;
 
   std::filesystem::path file_;

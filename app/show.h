@@ -42,6 +42,9 @@ class Show {
   /// file, nothing has changed.
   anim::Status replace_models(std::span<const std::string> files);
 
+  /// The same with characters that are loaded already, 1 to most_models.
+  anim::Status replace_characters(std::vector<CharacterSource> characters);
+
   /// Other clips for the roles of a character, at a frame boundary.
   void set_roles(std::size_t character, const RoleClips& clips);
   /// Keeps a character's roles for the next time; where, to tell people.
@@ -67,12 +70,15 @@ class Show {
   /// From where level of detail and culling look: `camera`, or where that was when it was frozen.
   const render::Camera& lod_camera() const { return frozen_camera_ ? *frozen_camera_ : camera; }
 
-  /// Holds the selected agent's clip at `seconds`; nothing if nobody is selected.
-  anim::Status hold_selected_clip(float seconds);
-  void let_go_of_clip() { stage_->let_go_of_clip(); }
+  /// As Stage::hold_clip.
+  void hold_clip(std::uint32_t agent, float seconds);
+  void hold_selected_clip(float seconds);  ///< nothing if nobody is selected
+  void let_go_of_clip();
 
-  /// After each frame of a crowd that may be taken back to it; and takes it back, each time further.
-  void watch_for_rewind() { rewind_.watch(*stage_); }
+  /// From now on moments of the crowd are kept, but for frames in which it pauses; that takes memory. A recording and
+  /// its replay keep the same ones.
+  void keep_moments() { keeps_moments_ = true; }
+  /// Takes the crowd back to the newest moment, each time further. Errors as Rewind::go_back.
   anim::Status rewind();
   const Rewind& moments() const { return rewind_; }
 
@@ -82,11 +88,10 @@ class Show {
   void animate_as(const RecordedFrame& frame);
 
   /// Writes whatever is asked of the show from now on, and the poses that come of it, to `file`. A crowd that has moved
-  /// begins anew, so that a replay can begin where this does. Errors: the file cannot be written.
+  /// begins anew, so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.
   anim::Status start_recording(const std::filesystem::path& file);
   /// Errors: the file could not be written; nothing if none is.
   anim::Status stop_recording();
-  /// While one is written, what it has no words for is refused: rewind, held clips, other models and bone orders.
   bool is_recording() const { return recorder_ != nullptr; }
   /// Draws the frame as animated last, into the renderer's picture, and waits for it, so that the time is the whole
   /// frame's.
@@ -123,7 +128,6 @@ class Show {
   bool open_renderer(const DemoOptions& options, Failure& failure);
   bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure);
   anim::Status load_meshes(const Stage& stage);
-  static anim::Error not_recorded(const std::string& what);
   bool place_camera(const DemoOptions& options, Failure& failure);
   void update_notice();
   void film();
@@ -146,6 +150,7 @@ class Show {
   Picture exact_picture_;  // of a split view
   SceneLines lines_;
   Rewind rewind_;
+  bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;
   Statistics statistics_;
   std::optional<TimelineLog> timeline_;

@@ -8,10 +8,6 @@
 
 namespace throng::app {
 
-anim::Error Show::not_recorded(const std::string& what) {
-  return {"A recording does not keep " + what + ": end it first (key R)"};
-}
-
 void Show::set_roles(std::size_t character, const RoleClips& clips) {
   stage_->set_roles(character, clips);
   if (recorder_) recorder_->add(RecordedRoles{static_cast<std::uint32_t>(character), clips});
@@ -23,9 +19,9 @@ anim::Result<std::filesystem::path> Show::save_roles(std::size_t index) const {
 }
 
 anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
-  if (recorder_) return not_recorded("another order of bones");
-  const anim::Status set = stage_->set_bone_lod(character, choice);
-  return set ? load_meshes(*stage_) : set;
+  if (anim::Status set = stage_->set_bone_lod(character, choice); !set) return set;
+  if (recorder_) recorder_->add(RecordedBoneOrder{static_cast<std::uint32_t>(character), choice});
+  return load_meshes(*stage_);
 }
 
 anim::Result<std::filesystem::path> Show::save_bone_lod(std::size_t index) const {
@@ -53,15 +49,24 @@ void Show::select(std::optional<std::uint32_t> agent) {
   if (recorder_) recorder_->add(RecordedSelection{agent});
 }
 
-anim::Status Show::hold_selected_clip(float seconds) {
-  if (recorder_) return not_recorded("a clip held by hand");
-  if (const auto selected = stage_->selected()) stage_->hold_clip(*selected, seconds);
-  return anim::Done{};
+void Show::hold_clip(std::uint32_t agent, float seconds) {
+  stage_->hold_clip(agent, seconds);
+  if (recorder_) recorder_->add(RecordedHold{agent, seconds});
+}
+
+void Show::hold_selected_clip(float seconds) {
+  if (const auto selected = stage_->selected()) hold_clip(*selected, seconds);
+}
+
+void Show::let_go_of_clip() {
+  stage_->let_go_of_clip();
+  if (recorder_) recorder_->add(RecordedHold{});
 }
 
 anim::Status Show::rewind() {
-  if (recorder_) return not_recorded("going back in time");
-  return rewind_.go_back(*stage_);
+  anim::Status gone = rewind_.go_back(*stage_);
+  if (gone && recorder_) recorder_->add(RecordedRewind{});
+  return gone;
 }
 
 anim::Status Show::push_selected() {
@@ -76,11 +81,12 @@ anim::Status Show::push(std::uint32_t agent, const glm::vec3& direction) {
 }
 
 anim::Status Show::start_recording(const std::filesystem::path& file) {
-  RecordingHeader header{.characters = {}, .tuning = stage_->tuning(), .width = width, .height = height};
-  for (const CharacterSource& character : stage_->people()) header.characters.push_back(recorded(character));
-  auto recorder = RecordingWriter::create(file, header);
+  auto recorder = RecordingWriter::create(
+      file, {.characters = recorded(stage_->people()), .tuning = stage_->tuning(), .width = width, .height = height});
   if (!recorder) return recorder.error();
   if (stage_->frame() > 0) stage_->restart();
+  rewind_.forget();
+  keep_moments();
   recorder_ = std::move(*recorder);
   return anim::Done{};
 }

@@ -103,7 +103,13 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
       shown_(slots_),
       exact_(slots_),
       meter_(characters_) {
+  learn_level_of_detail();
+}
+
+void Stage::learn_level_of_detail() {
+  lod_characters_.clear();
   std::ranges::transform(characters_, std::back_inserter(lod_characters_), lod_character);
+  crowd_lod_ = CrowdLod();
   crowd_lod_.set_characters(lod_characters_);
 }
 
@@ -183,6 +189,7 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   const std::span<const anim::SkipError> skip_errors = lod_characters_[character].clips;  // as they were in any order
   lod_characters_[character] = lod_character(source);
   lod_characters_[character].clips = skip_errors;
+  crowd_lod_.set_characters(lod_characters_);
   meter_.set_character(character, source);
   meter_.reset(crowd_->size());
   ++crowd_number_;  // moments of it are of other blocks
@@ -193,6 +200,8 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
 
 void Stage::restart() {
   moving_ = true;
+  meter_ = ErrorMeter(characters_);
+  learn_level_of_detail();
   populate(Clocks::begin_anew);
 }
 

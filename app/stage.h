@@ -131,6 +131,7 @@ class Stage {
   anim::Status open_system();
   enum class Clocks : std::uint8_t { go_on, begin_anew };
   void populate(Clocks clocks = Clocks::go_on);
+  void learn_level_of_detail();
   void match_playback();
   void place_feet(const anim::DueAgent& due, bool near_by);
   BoneStep step_bones(const anim::DueAgent& due);

@@ -33,6 +33,7 @@ class WindowLoop {
         reporter_(show) {
     overlay_.set_hidden(options.hide_ui);
     reporter_.set_preset_names(preset_names());
+    show_.keep_moments();
     overlay_.show_tab(options.ui_tab);
   }
 
@@ -79,7 +80,6 @@ class WindowLoop {
       apply(commands.exact_crowd ? without_level_of_detail(tuning_) : tuning_);
       show_.camera = fly_camera_.camera();
       show_.animate(step(seconds, commands.step));
-      if (!tuning_.paused) show_.watch_for_rewind();
     }
     if (show_.films || replay_ != nullptr) fly_camera_.set_camera(show_.camera);
     present();
@@ -180,11 +180,8 @@ class WindowLoop {
     if (commands.copy_camera) copy(camera_option(fly_camera_.place()));
   }
 
-  // What no recording can repeat: the show refuses it while one is written.
   void obey_hands(const OverlayCommands& commands) {
-    if (commands.hold_at) {
-      if (const anim::Status held = show_.hold_selected_clip(*commands.hold_at); !held) notice_ = held.error().message;
-    }
+    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
     if (commands.let_go) show_.let_go_of_clip();
     if (commands.rewind) {
       if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;

@@ -12,7 +12,7 @@
 
 #include "app/recording_reader.h"
 #include "app/recording_writer.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/app/recorded_run.h"
 
 namespace throng::app {
 namespace {
@@ -23,11 +23,16 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t high_bits(std::uint64_t hash) { return hash << 48U; }
 
+RecordedCharacter person() {
+  return {.file = "person.glb",
+          .fingerprint = "0123456789abcdef",
+          .roles = no_clips(),
+          .bones = {"hips", "head"},
+          .level_counts = {2, 1}};
+}
+
 RecordingHeader header() {
-  RecordingHeader header{.characters = {{.file = "person.glb", .fingerprint = "0123456789abcdef"}},
-                         .tuning = {},
-                         .width = 640,
-                         .height = 360};
+  RecordingHeader header{.characters = {person()}, .tuning = {}, .width = 640, .height = 360};
   header.characters.front().roles[2] = 7;
   header.tuning.agents = 3;
   header.tuning.cost.tile = 99.5;
@@ -38,6 +43,11 @@ RecordedFrame frame(anim::Ticks delta) {
   return {.delta = delta,
           .view = {.camera = {.position = {1.5F, 2.0F, -3.0F}, .yaw = 0.1F}, .width = 640, .height = 360},
           .pose_hash = 77};
+}
+
+template <typename Asked>
+Asked asked(RecordingReader& reader) {
+  return std::get<Asked>(std::get<RecordedRequest>(*reader.next()));
 }
 
 class Recordings : public test::TemporaryFolder {
@@ -55,6 +65,11 @@ class Recordings : public test::TemporaryFolder {
     (*writer)->add(RecordedSelection{});
     (*writer)->add(RecordedPush{.agent = 1, .direction = {0.25F, 0.0F, -1.0F}});
     (*writer)->add(RecordedRoles{.character = 0, .clips = header().characters.front().roles});
+    (*writer)->add(RecordedHold{.agent = 2, .seconds = 0.75F});
+    (*writer)->add(RecordedHold{});
+    (*writer)->add(RecordedRewind{});
+    (*writer)->add(RecordedBoneOrder{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}});
+    (*writer)->add(RecordedCharacters{{person(), person()}});
     (*writer)->add(frame(0), std::vector{high_bits(1), high_bits(9)});
     ASSERT_TRUE((*writer)->finish());
   }
@@ -85,8 +100,7 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   ASSERT_TRUE(opened) << opened.error().message;
   RecordingReader& reader = **opened;
   EXPECT_EQ(reader.header().tuning, header().tuning);
-  EXPECT_EQ(reader.header().characters.front().roles, header().characters.front().roles);
-  EXPECT_EQ(reader.header().characters.front().fingerprint, "0123456789abcdef");
+  EXPECT_EQ(reader.header().characters, header().characters);
   EXPECT_EQ(reader.header().height, 360);
 
   const auto first = std::get<RecordedFrame>(*reader.next());
@@ -98,11 +112,20 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   Tuning tuning = header().tuning;
   tuning.agents = 2;
   tuning.time_scale = 0.3F;
-  EXPECT_EQ(std::get<Tuning>(*reader.next()), tuning);
-  EXPECT_EQ(std::get<RecordedSelection>(*reader.next()).agent, 1U);
-  EXPECT_EQ(std::get<RecordedSelection>(*reader.next()).agent, std::nullopt);
-  EXPECT_EQ(std::get<RecordedPush>(*reader.next()).direction, glm::vec3(0.25F, 0.0F, -1.0F));
-  EXPECT_EQ(std::get<RecordedRoles>(*reader.next()).clips, header().characters.front().roles);
+  EXPECT_EQ(asked<Tuning>(reader), tuning);
+  EXPECT_EQ(asked<RecordedSelection>(reader).agent, 1U);
+  EXPECT_EQ(asked<RecordedSelection>(reader).agent, std::nullopt);
+  EXPECT_EQ(asked<RecordedPush>(reader).direction, glm::vec3(0.25F, 0.0F, -1.0F));
+  EXPECT_EQ(asked<RecordedRoles>(reader).clips, header().characters.front().roles);
+  const auto held = asked<RecordedHold>(reader);
+  EXPECT_EQ(held.agent, 2U);
+  EXPECT_EQ(held.seconds, 0.75F);
+  EXPECT_EQ(asked<RecordedHold>(reader).agent, std::nullopt);
+  asked<RecordedRewind>(reader);
+  const auto order = asked<RecordedBoneOrder>(reader);
+  EXPECT_THAT(order.choice.bones, ElementsAre(1, 0));
+  EXPECT_THAT(order.choice.level_counts, ElementsAre(2, 1));
+  EXPECT_THAT(asked<RecordedCharacters>(reader).characters, ElementsAre(person(), person()));
   EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, 0);
   EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 9));
   EXPECT_EQ(std::get<RecordedEnd>(*reader.next()).frames, 2U);
@@ -145,7 +168,7 @@ TEST_F(Recordings, OfAnotherKindAreRefusedInWords) {
   std::string other = bytes();
   other[recording_magic.size()] = 9;
   put(other);
-  EXPECT_THAT(complaint(), HasSubstr("is a recording of version 9; this throng reads version 1"));
+  EXPECT_THAT(complaint(), HasSubstr("is a recording of version 9; this throng reads version 2"));
 }
 
 TEST_F(Recordings, CutShortAnywhereSaySo) {
@@ -164,14 +187,31 @@ TEST_F(Recordings, WithBytesBehindTheEndAreRefused) {
   EXPECT_THAT(complaint(), HasSubstr("frame 3: is damaged"));
 }
 
-// Whatever is read is in range or refused: a flipped bit ends in the whole file, or in one line that names the file.
-TEST_F(Recordings, WithABitFlippedAnywhereAreReadOrRefused) {
+TEST_F(Recordings, WithAnyByteDamagedAreRefusedBeforeTheirFirstFrame) {
+  write_recording();
+  const std::string whole = bytes();
+  constexpr std::size_t end_head = 5 + 8 + 8;  // a damaged head of the end looks like a recording that was cut short
+  for (std::size_t byte = 0; byte < whole.size(); byte += 3) {
+    std::string damaged = whole;
+    damaged[byte] = static_cast<char>(damaged[byte] ^ 0x20);
+    put(damaged);
+    const std::string words = complaint();
+    EXPECT_TRUE(words.starts_with(file_.string() + ": ")) << byte << ": " << words;
+    EXPECT_EQ(words.find('\n'), std::string::npos) << byte;
+    const bool in_head_of_end = byte >= whole.size() - end_head && byte < whole.size() - end_head + 5;
+    EXPECT_TRUE(in_head_of_end || !RecordingReader::open(file_)) << byte;
+  }
+}
+
+// Whatever is read is in range or refused, also where the checksum is right: a flipped bit ends in the whole file, or
+// in one line that names the file.
+TEST_F(Recordings, WithABitFlippedAndTheChecksumMendedAreReadOrRefused) {
   write_recording();
   const std::string whole = bytes();
   for (std::size_t bit = 0; bit < whole.size() * 8; bit += 11) {
     std::string flipped = whole;
     flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
-    put(flipped);
+    put(test::with_true_checksum(flipped));
     const std::string words = complaint();
     EXPECT_TRUE(words == "(all read)" || words.starts_with(file_.string() + ": ")) << bit << ": " << words;
     EXPECT_EQ(words.find('\n'), std::string::npos) << bit;

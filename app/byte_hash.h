@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "engine/anim/base/hash.h"
+
+namespace throng::app {
+
+/// One hash of many bytes, however they are cut into pieces: chain_hash over each eight of them as a little-endian
+/// number, then over what is left with zeros behind it, then over how many they were.
+class ByteHash {
+ public:
+  void add(std::string_view bytes) {
+    for (const char byte : bytes) {
+      word_ |= std::uint64_t{static_cast<unsigned char>(byte)} << count_ % 8 * 8;
+      if (++count_ % 8 != 0) continue;
+      hash_ = anim::chain_hash(hash_, word_);
+      word_ = 0;
+    }
+  }
+
+  std::uint64_t value() const { return anim::chain_hash(anim::chain_hash(hash_, word_), count_); }
+
+ private:
+  std::uint64_t hash_ = 0;
+  std::uint64_t word_ = 0;  // of up to seven bytes that are not in `hash_` yet
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace throng::app

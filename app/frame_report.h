@@ -11,6 +11,7 @@
 #include "app/crowd_roles.h"
 #include "app/selection_report.h"
 #include "app/settings.h"
+#include "app/tuning_sweep.h"
 
 namespace throng::app {
 
@@ -118,6 +119,7 @@ struct FrameReport {
   std::vector<PuReport> pu;
   std::deque<TimelineFrame> timeline;  ///< the last frames, oldest first
   std::vector<KindRow> memory;         ///< kinds that have blocks
+  SweepCurve sweep;                    ///< the newest; no stops: none was asked for yet
   CameraPlace camera;
   std::vector<std::string> preset_names;    ///< of presets that can be loaded, sorted
   int snapshots = 0;                        ///< of the crowd as it was, that it can be taken back to
@@ -153,6 +155,8 @@ struct OverlayCommands {
   std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
   bool copy_command_line = false;                                      ///< the tuning as options
   bool push_over = false;                                              ///< whoever is selected; as key P
+  std::optional<SweptValue> sweep;                                     ///< begins anew, for this value
+  bool stop_sweep = false;
   bool exact_crowd = false;  ///< while key X is held: nothing is skipped or simplified
 };
 

@@ -1,10 +1,7 @@
 #include "app/frame_reporter.h"
 
 #include <algorithm>
-#include <fstream>
 #include <thread>
-
-#include <nlohmann/json.hpp>
 
 #include "app/lod_sums.h"
 #include "app/selection_reporter.h"
@@ -255,33 +252,6 @@ void FrameReporter::remember_timeline() {
     frame.lanes.push_back(pu.spans);
     if (!pu.spans.empty()) frame.length_ms = std::max(frame.length_ms, pu.spans.back().end_ms);
   }
-}
-
-anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_file) {
-  std::ifstream stream(report_file);
-  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-  if (!json.is_object()) {
-    return anim::Error{report_file.string() + ": not the JSON object of measured figures that --ui=fixed shows"};
-  }
-  report_.frame_ms = json.value("frame_ms", 0.0F);
-  report_.update_ms = json.value("update_ms", 0.0F);
-  report_.draw_ms = json.value("draw_ms", 0.0F);
-  report_.frame_ms_history = json.value("frame_ms_history", std::vector<float>{});
-  report_.update_ms_history = json.value("update_ms_history", std::vector<float>{});
-  report_.context = json.value("context", "");
-  report_.gl_version = json.value("gl_version", "");
-  report_.gl_renderer = json.value("gl_renderer", "");
-  report_.simd_target = json.value("simd_target", "");
-  report_.hardware_threads = json.value("hardware_threads", 0);
-  report_.limit_sentence = json.value("limit_sentence", "");
-  const float busy_ms = json.value("pu_busy_ms", 0.0F);
-  for (PuReport& pu : report_.pu) {
-    pu.busy_ms = busy_ms;
-    pu.wait_ms = 0;
-    pu.spans.clear();
-  }
-  report_.timeline.clear();
-  return anim::Done{};
 }
 
 }  // namespace throng::app

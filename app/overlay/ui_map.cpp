@@ -47,6 +47,7 @@ Json tuning_json(const Tuning& tuning) {
           {"pus", tuning.pus},
           {"local_store_kib", tuning.local_store_kib},
           {"tile", tuning.tile},
+          {"grain_ns", tuning.cost.least_task},
           {"schedule", word(schedule_words, tuning.schedule)},
           {"double_buffer", word(double_buffer_words, tuning.double_buffer)},
           {"stream", word(stream_words, tuning.stream)},
@@ -80,6 +81,17 @@ Json bone_names(const FrameReport& report) {
   return names;
 }
 
+Json sweep_json(const SweepCurve& sweep) {
+  if (sweep.stops.empty()) return nullptr;
+  Json stops = Json::array();
+  for (const SweepStop& stop : sweep.stops) {
+    stops.push_back({{"value", stop.value},
+                     {"refused", stop.refused},
+                     {"update_ms", stop.known ? Json(stop.cost.milliseconds) : Json(nullptr)}});
+  }
+  return {{"value", word(swept_value_words, sweep.value)}, {"runs", sweep.runs}, {"stops", stops}};
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"characters", report.characters},
@@ -97,6 +109,7 @@ Json report_json(const FrameReport& report) {
           {"snapshots", report.snapshots},
           {"preset_names", report.preset_names},
           {"timeline_frames", report.timeline.size()},
+          {"sweep", sweep_json(report.sweep)},
           {"notice", report.notice},
           {"selected", selected_json(report.selected)}};
 }

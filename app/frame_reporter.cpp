@@ -51,12 +51,18 @@ std::optional<PuSpan::Kind> kind_of(anim::TraceSpan::Kind kind) {
 std::vector<PuSpan> spans_of(const anim::Trace& trace, const anim::UpdateTime& time) {
   const auto shortest = static_cast<float>(time.milliseconds / most_spans_in_a_lane);
   std::vector<PuSpan> spans;
+  anim::JoinedContent content;  // of the last of them
   for (const anim::TraceSpan& span : trace.spans()) {
     const auto kind = kind_of(span.kind);
     if (!kind) continue;
     const auto end = static_cast<float>(time.ms(span.end));
     const bool joins = !spans.empty() && spans.back().kind == *kind && end - spans.back().begin_ms < shortest;
-    if (!joins) spans.push_back({.kind = *kind, .begin_ms = static_cast<float>(time.ms(span.begin))});
+    if (!joins) {
+      spans.push_back({.kind = *kind, .begin_ms = static_cast<float>(time.ms(span.begin))});
+      content = {};
+    }
+    content.add(span.content);
+    spans.back().content = content.all();
     spans.back().end_ms = end;
     spans.back().bytes_in += span.bytes_in;
     spans.back().bytes_out += span.bytes_out;
@@ -154,6 +160,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.draw_calls = show.draw_counts().draw_calls;
   report_.triangles = show.draw_counts().triangles;
   add_level_of_detail(show.stage());
+  report_.thresholds = show.thresholds().thresholds();
+  report_.threshold_clip = show.thresholds().clip();
   add_heads(show.stage());
   add_units(system, show.last_update_ms());
   remember_timeline();

@@ -156,7 +156,7 @@ std::string refusals(const SweepCurve& curve) {
   for (const SweepStop& stop : curve.stops) {
     if (stop.refused) values += (values.empty() ? "" : ", ") + with_unit(curve.value, stop.value);
   }
-  return values.empty() ? "" : "Left out: " + values + ". " + curve.refusal;
+  return values.empty() ? "" : "Left out: " + values + ": " + curve.refusal;
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ void SweepView::show(const TabContext& context) {
   const SweepCurve& curve = report.sweep;
   widgets.section("Sweep: what an update takes");
   ImGui::BeginDisabled(curve.runs);
-  widgets.choice("Vary", value_, SweptValue::tile, swept_value_words,
+  widgets.choice("Vary", value_, value_, swept_value_words,
                  {.what = "What a sweep goes through, while all other values stay.",
                   .unit = "PUs: threads; store: KiB of each; tile: characters; grain: microseconds"});
   ImGui::EndDisabled();

@@ -59,10 +59,16 @@ Json entity_json(const EntityRow& row) {
   return {{"kind", row.kind}, {"clip", row.clip}, {"weight", row.weight}, {"bytes", row.bytes}};
 }
 
+Json layer_json(const LayerRow& layer) {
+  return {{"name", layer.name}, {"weight", layer.weight}, {"entities", layer.entities}};
+}
+
 Json selected_json(const std::optional<SelectionReport>& selected) {
   if (!selected) return nullptr;
   Json entities = Json::array();
   for (const EntityRow& row : selected->entities) entities.push_back(entity_json(row));
+  Json layers = Json::array();
+  for (const LayerRow& layer : selected->layers) layers.push_back(layer_json(layer));
   return {{"agent", selected->agent},
           {"posture", word(posture_words, selected->posture)},
           {"x", selected->x},
@@ -70,6 +76,7 @@ Json selected_json(const std::optional<SelectionReport>& selected) {
           {"z", selected->z},
           {"bytes", selected->bytes},
           {"entities", entities},
+          {"layers", layers},
           {"held_at", selected->held_at ? Json(*selected->held_at) : Json(nullptr)},
           {"history_frames", selected->history.size()},
           {"events", selected->events}};
@@ -103,6 +110,8 @@ Json report_json(const FrameReport& report) {
           {"level_bone_counts", report.level_bone_counts},
           {"bones", bone_names(report)},
           {"heads", report.heads.size()},
+          {"thresholds", report.thresholds.size()},
+          {"threshold_clip", report.threshold_clip},
           {"pus", report.pus},
           {"local_store_kib", report.local_store_kib},
           {"tile", report.tile},

@@ -9,8 +9,11 @@
 
 #include "app/bone_lod.h"
 #include "app/crowd_roles.h"
+#include "app/lod_thresholds.h"
 #include "app/selection_report.h"
 #include "app/settings.h"
+#include "app/tuning_sweep.h"
+#include "engine/anim/run/task_content.h"
 
 namespace throng::app {
 
@@ -21,6 +24,7 @@ struct PuSpan {
   float begin_ms = 0;  ///< from the start of the frame's update
   float end_ms = 0;
   std::uint64_t bytes_in = 0, bytes_out = 0, transfers = 0;  ///< copied meanwhile
+  anim::TaskContent content = {};                            ///< for whom
 };
 
 /// What every PU did in one of the last frames.
@@ -105,6 +109,8 @@ struct FrameReport {
   float cost_culling_percent = 0;              ///< of the cost of everyone: saved since it is out of view
   float cost_skipping_percent = 0;             ///< of the cost of those in view: saved by skipping updates
   float cost_bones_percent = 0;                ///< of the same: saved by dropping bones
+  std::vector<IntervalThreshold> thresholds;   ///< where the interval changes, the nearest first
+  std::string threshold_clip;                  ///< of whom; empty: of all alike
   std::string limit_sentence;                  ///< who limits the frame rate, with figures
   std::vector<float> level_error_millimetres;  ///< [level]: of its surface, 99th percentile
   std::vector<HeadFigures> heads;              ///< of those near by, if asked for
@@ -118,6 +124,7 @@ struct FrameReport {
   std::vector<PuReport> pu;
   std::deque<TimelineFrame> timeline;  ///< the last frames, oldest first
   std::vector<KindRow> memory;         ///< kinds that have blocks
+  SweepCurve sweep;                    ///< the newest; no stops: none was asked for yet
   CameraPlace camera;
   std::vector<std::string> preset_names;    ///< of presets that can be loaded, sorted
   int snapshots = 0;                        ///< of the crowd as it was, that it can be taken back to
@@ -153,6 +160,8 @@ struct OverlayCommands {
   std::optional<std::string> save_preset, load_preset, delete_preset;  ///< by name
   bool copy_command_line = false;                                      ///< the tuning as options
   bool push_over = false;                                              ///< whoever is selected; as key P
+  std::optional<SweptValue> sweep;                                     ///< begins anew, for this value
+  bool stop_sweep = false;
   bool exact_crowd = false;  ///< while key X is held: nothing is skipped or simplified
 };
 

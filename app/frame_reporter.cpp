@@ -1,10 +1,7 @@
 #include "app/frame_reporter.h"
 
 #include <algorithm>
-#include <fstream>
 #include <thread>
-
-#include <nlohmann/json.hpp>
 
 #include "app/lod_sums.h"
 #include "app/selection_reporter.h"
@@ -54,12 +51,18 @@ std::optional<PuSpan::Kind> kind_of(anim::TraceSpan::Kind kind) {
 std::vector<PuSpan> spans_of(const anim::Trace& trace, const anim::UpdateTime& time) {
   const auto shortest = static_cast<float>(time.milliseconds / most_spans_in_a_lane);
   std::vector<PuSpan> spans;
+  anim::JoinedContent content;  // of the last of them
   for (const anim::TraceSpan& span : trace.spans()) {
     const auto kind = kind_of(span.kind);
     if (!kind) continue;
     const auto end = static_cast<float>(time.ms(span.end));
     const bool joins = !spans.empty() && spans.back().kind == *kind && end - spans.back().begin_ms < shortest;
-    if (!joins) spans.push_back({.kind = *kind, .begin_ms = static_cast<float>(time.ms(span.begin))});
+    if (!joins) {
+      spans.push_back({.kind = *kind, .begin_ms = static_cast<float>(time.ms(span.begin))});
+      content = {};
+    }
+    content.add(span.content);
+    spans.back().content = content.all();
     spans.back().end_ms = end;
     spans.back().bytes_in += span.bytes_in;
     spans.back().bytes_out += span.bytes_out;
@@ -157,6 +160,8 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.draw_calls = show.draw_counts().draw_calls;
   report_.triangles = show.draw_counts().triangles;
   add_level_of_detail(show.stage());
+  report_.thresholds = show.thresholds().thresholds();
+  report_.threshold_clip = show.thresholds().clip();
   add_heads(show.stage());
   add_units(system, show.last_update_ms());
   remember_timeline();
@@ -255,33 +260,6 @@ void FrameReporter::remember_timeline() {
     frame.lanes.push_back(pu.spans);
     if (!pu.spans.empty()) frame.length_ms = std::max(frame.length_ms, pu.spans.back().end_ms);
   }
-}
-
-anim::Status FrameReporter::fix_measured(const std::filesystem::path& report_file) {
-  std::ifstream stream(report_file);
-  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-  if (!json.is_object()) {
-    return anim::Error{report_file.string() + ": not the JSON object of measured figures that --ui=fixed shows"};
-  }
-  report_.frame_ms = json.value("frame_ms", 0.0F);
-  report_.update_ms = json.value("update_ms", 0.0F);
-  report_.draw_ms = json.value("draw_ms", 0.0F);
-  report_.frame_ms_history = json.value("frame_ms_history", std::vector<float>{});
-  report_.update_ms_history = json.value("update_ms_history", std::vector<float>{});
-  report_.context = json.value("context", "");
-  report_.gl_version = json.value("gl_version", "");
-  report_.gl_renderer = json.value("gl_renderer", "");
-  report_.simd_target = json.value("simd_target", "");
-  report_.hardware_threads = json.value("hardware_threads", 0);
-  report_.limit_sentence = json.value("limit_sentence", "");
-  const float busy_ms = json.value("pu_busy_ms", 0.0F);
-  for (PuReport& pu : report_.pu) {
-    pu.busy_ms = busy_ms;
-    pu.wait_ms = 0;
-    pu.spans.clear();
-  }
-  report_.timeline.clear();
-  return anim::Done{};
 }
 
 }  // namespace throng::app

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/fixed_report.h"
 #include "app/frame_report.h"
 #include "app/limiter.h"
 #include "app/selection_log.h"
@@ -27,11 +28,14 @@ class FrameReporter {
   void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
 
   void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
+  void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
   /// The camera of the frame that begins.
   void see_from(const CameraPlace& camera) { report_.camera = camera; }
 
-  /// Puts the measured figures of a committed report in place of this machine's, so that pictures can be compared.
-  anim::Status fix_measured(const std::filesystem::path& report_file);
+  /// As app::fix_measured.
+  anim::Status fix_measured(const std::filesystem::path& report_file) {
+    return app::fix_measured(report_file, report_);
+  }
 
   const FrameReport& report() const { return report_; }
 

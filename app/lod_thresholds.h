@@ -1,13 +1,12 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "app/settings.h"
+#include "engine/anim/run/lod_choices.h"
 
 namespace throng::app {
-
-/// Frames between two updates of an agent, as the distance rule of the tuning gives them; 1 under other rules.
-int interval_at(const Tuning& tuning, float metres);
 
 /// From `metres` on, agents have this interval.
 struct IntervalThreshold {
@@ -15,7 +14,20 @@ struct IntervalThreshold {
   int interval = 1;
 };
 
-/// Where the interval grows, the nearest first; none under other rules.
+/// Where the interval changes, the nearest first, by the distance rule of the tuning.
 std::vector<IntervalThreshold> interval_thresholds(const Tuning& tuning);
+
+/// From where errors are looked at.
+struct ErrorView {
+  float tolerance_pixels = 1;  ///< above 0
+  float pixels_per_unit = 1;   ///< of a metre, a metre away
+};
+
+/// By the tolerance in pixels, as far as 200 metres, for who is as tall as the character, as important as most and not
+/// in the middle of the picture. Mostly it grows; it shrinks where fewer bones, more often, are cheaper.
+std::vector<IntervalThreshold> interval_thresholds(const anim::MotionLod& motion, const ErrorView& view);
+
+/// Frames between two updates of an agent that far away.
+int interval_at(std::span<const IntervalThreshold> thresholds, float metres);
 
 }  // namespace throng::app

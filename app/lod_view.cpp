@@ -4,13 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <span>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/agent_colors.h"
-#include "app/lod_thresholds.h"
 
 namespace throng::app {
 namespace {
@@ -64,9 +62,10 @@ void add_frustum(SceneLines& lines, const render::Camera& camera, float aspect, 
   add_trace(lines, far);
 }
 
-void add_threshold_rings(SceneLines& lines, const Tuning& tuning, const render::Camera& camera, float height) {
+void add_threshold_rings(SceneLines& lines, std::span<const IntervalThreshold> thresholds, const render::Camera& camera,
+                         float height) {
   const float above = camera.position.y - height;
-  for (const IntervalThreshold& threshold : interval_thresholds(tuning)) {
+  for (const IntervalThreshold& threshold : thresholds) {
     const float squared = threshold.metres * threshold.metres - above * above;
     if (squared <= 0) continue;
     const float radius = std::sqrt(squared);

@@ -5,6 +5,7 @@
 #include "app/options_commands.h"
 #include "app/options_scheduling.h"
 #include "app/preset.h"
+#include "app/preset_fields.h"
 
 namespace throng::app {
 namespace {
@@ -62,6 +63,8 @@ void declare_scheduling(OptionReader& reader, Tuning& tuning) {
   reader.value("--pus", "N", "PUs, the calling thread among them, 1 to 256 (all cores)",
                whole_number(tuning.pus, 1, 256));
   declare_local_store(reader, tuning);
+  reader.value("--grain", "NS", "Work that another PU is woken for, in nanoseconds of one PU (10000)",
+               find_preset_field("--grain")->reader(tuning));
   reader.value("--schedule", "NAME", "fused or levels (fused)", choice<Schedule>(tuning.schedule, schedule_names()));
   reader.value("--stream", "NAME", "sampled or keyframe (sampled)", choice<Stream>(tuning.stream, stream_names()));
   declare_palette(reader, tuning);
@@ -150,9 +153,9 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// What a recording says is not for the command line to say.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",    "--replay",     "--pus",     "--local-store", "--tile",    "--schedule", "--double-buffer",
-      "--size",   "--msaa",       "--shadows", "--ui",          "--hide-ui", "--headless", "--draw",
-      "--frames", "--screenshot", "--stats",   "--trace",       "--ui-map",  "--data"};
+      "MODEL",           "--replay", "--pus",        "--local-store", "--tile",  "--grain",   "--schedule",
+      "--double-buffer", "--size",   "--msaa",       "--shadows",     "--ui",    "--hide-ui", "--headless",
+      "--draw",          "--frames", "--screenshot", "--stats",       "--trace", "--ui-map",  "--data"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }

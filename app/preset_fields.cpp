@@ -48,9 +48,9 @@ PresetField whole(std::string_view key, std::string_view option, Member member, 
 }
 
 template <typename Number, typename Member>
-PresetField decimal(std::string_view key, Member member, Number least, Number most) {
+PresetField decimal(std::string_view key, Member member, Number least, Number most, std::string_view option = {}) {
   return {.key = key,
-          .option = {},
+          .option = option,
           .unsaid = {},
           .form = Form::number,
           .reader = [=](Tuning& tuning) { return decimal_number<Number>(member(tuning), least, most); },
@@ -58,10 +58,10 @@ PresetField decimal(std::string_view key, Member member, Number least, Number mo
 }
 
 template <typename Member>
-PresetField cost(std::string_view key, Member member) {
+PresetField cost(std::string_view key, Member member, std::string_view option = {}) {
   constexpr double most = 1e9;  // nanoseconds
   return decimal<double>(
-      key, [=](auto& tuning) -> auto& { return member(tuning.cost); }, 0.0, most);
+      key, [=](auto& tuning) -> auto& { return member(tuning.cost); }, 0.0, most, option);
 }
 
 template <typename Member>
@@ -207,7 +207,7 @@ void add_cost(std::vector<PresetField>& fields) {
   fields.push_back(cost(
       "cost_post_process_ns", [](auto& c) -> auto& { return c.post_process; }));
   fields.push_back(cost(
-      "cost_least_task_ns", [](auto& c) -> auto& { return c.least_task; }));
+      "cost_least_task_ns", [](auto& c) -> auto& { return c.least_task; }, "--grain"));
 }
 
 std::vector<PresetField> all_fields() {

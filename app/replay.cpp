@@ -69,8 +69,8 @@ DemoOptions Replay::options(const DemoOptions& given) {
 }
 
 Tuning Replay::with_own_scheduling(Tuning tuning) const {
-  static constexpr std::array<std::string_view, 5> own{"--pus", "--local-store", "--tile", "--schedule",
-                                                       "--double-buffer"};
+  static constexpr std::array<std::string_view, 6> own{"--pus",   "--local-store", "--tile",
+                                                       "--grain", "--schedule",    "--double-buffer"};
   for (const std::string& name : given_.given) {
     if (std::ranges::find(own, name) != own.end()) copy_field(*find_preset_field(name), given_.tuning, tuning);
   }

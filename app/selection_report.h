@@ -39,6 +39,15 @@ struct EntityRow {
   std::vector<std::uint8_t> block = {};               ///< the bytes themselves
 };
 
+/// A channel of an agent and what it is made of, or what changes the pose of all of them.
+struct LayerRow {
+  std::string name;
+  float weight = 1;        ///< how much of it is laid over what is below, 0 to 1
+  bool is_masked = false;  ///< over some bones only
+  bool is_channel = true;
+  std::vector<std::size_t> entities;  ///< places in SelectionReport::entities, sources before what reads them
+};
+
 /// How a pushed agent is: Stage::fallen in the overlay's words.
 enum class Posture : std::uint8_t { upright, falling, down, getting_up };
 
@@ -57,6 +66,7 @@ struct SelectionReport {
   bool can_fall = false;
   int channels = 0;
   std::vector<EntityRow> entities;       ///< each once, sources before what reads them, the pose last
+  std::vector<LayerRow> layers = {};     ///< the later over the earlier
   std::uint32_t bytes = 0;               ///< of all blocks
   std::vector<LodOfFrame> history = {};  ///< of the last frames, oldest first
   std::vector<std::string> events = {};  ///< data keys met and clips begun, the newest first

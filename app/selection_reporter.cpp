@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/agent_layers.h"
 #include "app/block_fields.h"
 #include "engine/anim/entity/player.h"
 
@@ -59,6 +60,7 @@ void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
     report.entities.back().weight = weights[i];
     report.bytes += report.entities.back().bytes;
   }
+  report.layers = agent_layers(system, report.agent);
 }
 
 void add_level_of_detail(const Stage& stage, SelectionReport& report) {

@@ -16,6 +16,7 @@
 #include "app/settings.h"
 #include "app/stage.h"
 #include "app/statistics.h"
+#include "app/thresholds_in_view.h"
 #include "app/timeline_log.h"
 #include "engine/render/camera.h"
 #include "engine/render/gl/context.h"
@@ -102,6 +103,8 @@ class Show {
   render::gl::Context& context() { return *context_; }
   const Stage& stage() const { return *stage_; }
   const Picture& picture() const { return picture_; }
+  /// Of the frame drawn last.
+  const ThresholdsInView& thresholds() const { return thresholds_; }
   /// What laying out the overlay took in this frame.
   void add_overlay_time(double milliseconds) { statistics_.add_overlay(milliseconds); }
   const Statistics& statistics() const { return statistics_; }
@@ -154,6 +157,7 @@ class Show {
   std::optional<render::Camera> frozen_camera_;
   Statistics statistics_;
   std::optional<TimelineLog> timeline_;
+  ThresholdsInView thresholds_;
   Spared spared_;
   render::DrawCounts draw_counts_;
   float mesh_detail_ = 1.0F;

@@ -19,10 +19,12 @@ void Show::freeze_lod_camera() {
 void Show::gather_lines() {
   const Tuning& tuning = stage_->tuning();
   const auto aspect = static_cast<float>(width) / static_cast<float>(height);
-  const auto middle = static_cast<float>(stage_->characters().front().bounds.height / 2);
   lines_.clear();
   if (frozen_camera_) add_frustum(lines_, *frozen_camera_, aspect, frustum_reach);
-  if (tuning.inspection.thresholds) add_threshold_rings(lines_, tuning, lod_camera(), middle);
+  thresholds_.update(*stage_, lod_camera(), height);
+  if (!tuning.inspection.thresholds) return;
+  const auto middle = static_cast<float>(stage_->characters()[thresholds_.character()].bounds.height / 2);
+  add_threshold_rings(lines_, thresholds_.thresholds(), lod_camera(), middle);
 }
 
 // What is taken away to see what it costs is taken away of the usual picture.

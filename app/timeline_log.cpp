@@ -33,6 +33,18 @@ void append(std::string& text, const char* format, Values... values) {
 
 }  // namespace
 
+// Nothing where nothing was copied for nobody.
+void TimelineLog::append_arguments(std::string& text, const Event& event) {
+  if (event.transfers == 0 && event.content.agents == 0) return;
+  append(text, ",\"args\":{\"bytes_in\":%u,\"bytes_out\":%u,\"transfers\":%u", event.bytes_in, event.bytes_out,
+         event.transfers);
+  if (event.content.agents > 0) {
+    append(text, ",\"agents\":%u,\"first_agent\":%u,\"last_agent\":%u", static_cast<unsigned>(event.content.agents),
+           event.content.first_agent, event.content.last_agent);
+  }
+  text += '}';
+}
+
 double TimelineLog::since_start(Clock::time_point time) const {
   return std::chrono::duration<double, std::micro>(time - start_).count();
 }
@@ -66,7 +78,8 @@ void TimelineLog::add_update(const anim::AnimationSystem& system, Clock::time_po
            .name = name_of(span.kind),
            .bytes_in = span.bytes_in,
            .bytes_out = span.bytes_out,
-           .transfers = span.transfers});
+           .transfers = span.transfers,
+           .content = span.content});
     }
   }
   lanes_ = std::max(lanes_, lane + 1);
@@ -89,10 +102,7 @@ std::string TimelineLog::to_json() const {
     for (const Event& event : frame) {
       append(text, ",\n{\"ph\":\"X\",\"pid\":1,\"tid\":%u,\"ts\":%.3f,\"dur\":%.3f,\"name\":\"%s\"", event.lane,
              event.begin_us, static_cast<double>(event.length_us), event.name);
-      if (event.transfers > 0) {
-        append(text, ",\"args\":{\"bytes_in\":%u,\"bytes_out\":%u,\"transfers\":%u}", event.bytes_in, event.bytes_out,
-               event.transfers);
-      }
+      append_arguments(text, event);
       text += '}';
     }
   }

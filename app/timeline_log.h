@@ -23,7 +23,7 @@ class TimelineLog {
   void add_part(const char* name, Clock::time_point begin, Clock::time_point end);
 
   /// One JSON object in the trace event format, which ui.perfetto.dev and chrome://tracing open: complete events (`X`)
-  /// in microseconds since the first frame; copies name their bytes and transfers.
+  /// in microseconds since the first frame; copies name their bytes and transfers, tasks their agents.
   std::string to_json() const;
 
  private:
@@ -33,8 +33,10 @@ class TimelineLog {
     std::uint32_t lane;  // 0: the frame; 1 + PU
     const char* name;
     std::uint32_t bytes_in = 0, bytes_out = 0, transfers = 0;
+    anim::TaskContent content = {};
   };
 
+  static void append_arguments(std::string& text, const Event& event);
   double since_start(Clock::time_point time) const;
   void add(const Event& event);
 

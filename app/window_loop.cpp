@@ -11,6 +11,7 @@
 #include "app/frame_reporter.h"
 #include "app/overlay/overlay.h"
 #include "app/preset.h"
+#include "app/tuning_sweep.h"
 #include "app/window_input.h"
 
 namespace throng::app {
@@ -18,6 +19,13 @@ namespace {
 
 constexpr double longest_step = 0.1;  // seconds: a breakpoint or a dragged window does not make the crowd jump
 constexpr double single_step = 1.0 / 60.0;
+
+UpdateCost cost_of_last_update(const anim::AnimationSystem& system) {
+  const anim::CopyCounts& copied = system.report().copies;
+  UpdateCost cost{.milliseconds = system.update_time().milliseconds, .bytes = copied.bytes_in + copied.bytes_out};
+  for (const anim::ProcessingUnit& unit : system.units()) cost.tasks += unit.activity().tasks;
+  return cost;
+}
 
 class WindowLoop {
  public:
@@ -77,9 +85,10 @@ class WindowLoop {
       repeat();
     } else {
       obey(commands);
-      apply(commands.exact_crowd ? without_level_of_detail(tuning_) : tuning_);
+      apply_what_is_wanted(commands.exact_crowd);
       show_.camera = fly_camera_.camera();
       show_.animate(step(seconds, commands.step));
+      measure_for_sweep();
     }
     if (show_.films || replay_ != nullptr) fly_camera_.set_camera(show_.camera);
     present();
@@ -146,6 +155,30 @@ class WindowLoop {
     show_.renderer().present();
   }
 
+  void apply_what_is_wanted(bool exact_crowd) {
+    if (!sweep_.began_with(tuning_)) sweep_.stop();
+    while (sweep_.runs() && !exact_crowd) {
+      const Tuning stop = sweep_.tuning();
+      const anim::Status applied = stop == show_.stage().tuning() ? anim::Done{} : show_.apply(stop);
+      if (applied) return;
+      sweep_.refuse(applied.error().message);
+    }
+    apply(exact_crowd ? without_level_of_detail(tuning_) : tuning_);
+  }
+
+  // Frames in which nobody was posed, or the exact crowd was, tell nothing.
+  void measure_for_sweep() {
+    const anim::AnimationSystem& system = show_.stage().system();
+    const bool tells = sweep_.runs() && show_.stage().tuning() == sweep_.tuning();
+    if (tells && system.report().agents_updated > 0) sweep_.add(cost_of_last_update(system));
+    reporter_.show_sweep(sweep_.curve());
+  }
+
+  void obey_sweep(const OverlayCommands& commands) {
+    if (commands.sweep) sweep_.start(*commands.sweep, tuning_, reporter_.report().hardware_threads);
+    if (commands.stop_sweep) sweep_.stop();
+  }
+
   void apply(const Tuning& tuning) {
     if (tuning == show_.stage().tuning()) return;
     const anim::Status applied = show_.apply(tuning);
@@ -170,6 +203,7 @@ class WindowLoop {
       if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
     }
     obey_hands(commands);
+    obey_sweep(commands);
     obey_presets(commands);
     const std::size_t character = reporter_.report().character;
     if (commands.roles) show_.set_roles(character, *commands.roles);
@@ -266,6 +300,7 @@ class WindowLoop {
   Overlay overlay_;
   FlyCamera fly_camera_;
   FrameReporter reporter_;
+  TuningSweep sweep_;
   Clock::time_point last_frame_ = Clock::now();
   std::string notice_;
   std::string recording_;  // its file

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/overlay/choices.h"
+#include "app/overlay/layer_rows.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
 
@@ -23,7 +24,6 @@ void show_who(const TabContext& context, const SelectionReport& selected) {
                {.what = "What the crowd has in mind for it."});
   widgets.fact("Posture", posture_words.at(static_cast<std::size_t>(selected.posture)),
                {.what = "Upright, or how a rag-doll is."});
-  widgets.fact("Channels", std::to_string(selected.channels), {.what = "Each lays its pose over those before it."});
   widgets.fact("Blocks", std::to_string(selected.entities.size()) + ", " + as_bytes(selected.bytes),
                {.what = "Its entities in main memory."});
 }
@@ -141,6 +141,7 @@ void AgentTab::show(const TabContext& context) {
   }
   const SelectionReport& selected = *context.report.selected;
   show_who(context, selected);
+  show_layers(context.widgets, selected);
   show_hands(context, selected);
   show_history(context, selected);
   show_events(context, selected);

@@ -9,6 +9,7 @@ namespace throng::app {
 inline constexpr std::array<const char*, 5> scene_words = {"plaza", "parade", "stadium", "grid", "film"};
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
+inline constexpr std::array<const char*, 4> swept_value_words = {"PUs", "store", "tile", "grain"};
 inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe"};
 inline constexpr std::array<const char*, 2> palette_words = {"float", "packed"};
 inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};

@@ -20,8 +20,10 @@ void show_looking(const TabContext& context) {
   widgets.toggle("Freeze LOD camera", look.freeze_camera, plain.freeze_camera,
                  {.what = "Level of detail and culling go on from where the camera is now, and you fly on. What that "
                           "camera sees is drawn as lines."});
-  widgets.toggle("Thresholds", look.thresholds, plain.thresholds,
-                 {.what = "Draws a ring on the ground wherever the interval grows, in that interval's colour."});
+  widgets.toggle(
+      "Thresholds", look.thresholds, plain.thresholds,
+      {.what = "Draws a ring on the ground wherever the interval changes, in that interval's colour. By the error "
+               "limit that is for the clip that most of those in view play."});
   widgets.toggle("Above heads", look.figures_above_heads, plain.figures_above_heads,
                  {.what = "Writes each agent's interval above its head, and after an L its bone level where bones are "
                           "dropped. The 300 tallest on the screen.",

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/lod_thresholds.h"
 #include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
@@ -73,17 +72,24 @@ void show_rule(const TabContext& context) {
   ImGui::EndDisabled();
 }
 
+/// At which distances, and of whom where that is not the same for all.
 void show_intervals_over_distance(const TabContext& context) {
   const Tuning& tuning = context.tuning;
-  const float reach = tuning.full_rate_distance + tuning.interval_growth * static_cast<float>(tuning.largest_interval);
-  const int largest = tuning.largest_interval;
+  const FrameReport& report = context.report;
+  if (tuning.lod == LodRule::off) return;
+  constexpr float nearest_reach = 20, margin = 1.2F;
+  const float reach = report.thresholds.empty() ? 0 : margin * report.thresholds.back().metres;
   context.widgets.section("Interval over distance");
   const Area plot = context.widgets.area("Interval over distance", 116);
   draw_steps(context.widgets.theme(), plot,
-             {.longest = std::max(20.0F, reach),
-              .largest = tuning.lod == LodRule::off ? 1 : largest,
-              .value_at = [&tuning](float metres) { return interval_at(tuning, metres); },
+             {.longest = std::max(nearest_reach, reach),
+              .largest = tuning.largest_interval,
+              .value_at = [&](float metres) { return interval_at(report.thresholds, metres); },
               .colour_of = [](int interval) { return colour::step(interval - 1, colour_steps); }});
+  if (report.threshold_clip.empty()) return;
+  context.widgets.caption("Of " + report.threshold_clip + ", which most of those in view play, at " +
+                          fixed(static_cast<double>(report.lod_tolerance_px), 2) +
+                          " px: each clip has distances of its own. Rings show the same.");
 }
 
 void show_agents_by_interval(const TabContext& context) {
@@ -110,7 +116,7 @@ void show_lod_skipping_tab(const TabContext& context) {
   show_rule(context);
   show_lod_inspection(context);
   show_agents_by_interval(context);
-  if (context.tuning.lod == LodRule::distance) show_intervals_over_distance(context);
+  show_intervals_over_distance(context);
   show_budget(context);
   show_error_on_screen(context);
   show_who_limits(context);

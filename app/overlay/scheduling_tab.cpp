@@ -12,7 +12,22 @@ namespace throng::app {
 namespace {
 
 constexpr std::array<int, 8> local_store_stops = {0, 16, 32, 64, 128, 256, 512, 1024};
+constexpr std::array<int, 11> grain_stops = {0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
 constexpr std::array<int, 6> tile_stops = {0, 1, 2, 4, 8, 16};
+
+void show_grain(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands] = context;
+  auto microseconds = static_cast<float>(swept_value(SweptValue::grain, tuning));
+  if (widgets.number(
+          "Grain", microseconds, static_cast<float>(swept_value(SweptValue::grain, standard)),
+          {.highest = 1000, .zero_word = "any", .suffix = " \xC2\xB5s", .stops = grain_stops},
+          {.what = "Work that is worth another PU: no more of them are woken than have so much to do each. What a PU "
+                   "then takes at a time is a tile.",
+           .unit = "microseconds of one PU, predicted; any: all PUs are woken, whatever there is to do",
+           .cost = "Small: waking takes longer than the work. Large: PUs stand by while others work."})) {
+    set_swept_value(SweptValue::grain, static_cast<double>(microseconds), tuning);
+  }
+}
 
 void show_machine(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
@@ -35,6 +50,7 @@ void show_machine(const TabContext& context) {
                  {.what = "Characters that are handed to a PU at a time.",
                   .unit = "characters; auto: as many as fit",
                   .cost = "Narrow tiles leave vector lanes idle."});
+  show_grain(context);
   widgets.choice(
       "Schedule", tuning.schedule, standard.schedule, schedule_words,
       {.what = "levels: all players, then blenders by priority, a barrier in between; states go back to main "
@@ -164,6 +180,7 @@ void SchedulingTab::show_timeline(const TabContext& context) {
 
 void SchedulingTab::show(const TabContext& context) {
   show_machine(context);
+  sweep_.show(context);
   show_pu_table(context);
   show_timeline(context);
   show_totals(context);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/overlay/sweep_view.h"
 #include "app/overlay/tabs.h"
 #include "app/overlay/timeline_view.h"
 
@@ -13,6 +14,7 @@ class SchedulingTab {
  private:
   void show_timeline(const TabContext& context);
 
+  SweepView sweep_;
   TimelineView timeline_;
 };
 

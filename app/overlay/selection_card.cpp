@@ -6,6 +6,7 @@
 
 #include "app/overlay/cards.h"
 #include "app/overlay/choices.h"
+#include "app/overlay/entity_words.h"
 #include "app/overlay/numbers.h"
 
 namespace throng::app {
@@ -34,11 +35,10 @@ using Cells = std::array<std::string, columns.size()>;
 std::string number(float value, int decimals) { return fixed(static_cast<double>(value), decimals); }
 
 Cells cells_of(const EntityRow& row) {
-  const bool plays = row.duration_seconds > 0;
   return {row.kind,
           row.clip,
-          plays ? number(row.position_seconds, 2) + " / " + number(row.duration_seconds, 2) : "",
-          number(100 * row.weight, 0) + " %",
+          place_in_clip(row),
+          as_percent(row.weight),
           with_thousands(row.bytes),
           std::to_string(row.pool) + ":" + std::to_string(row.generation) + ":" + std::to_string(row.index),
           row.priority == 0 ? "highest" : std::to_string(row.priority),

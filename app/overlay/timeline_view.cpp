@@ -28,6 +28,15 @@ constexpr std::array<SpanLook, 4> looks = {{{colour::fetch, "fetch: entities are
 
 const SpanLook& look_of(PuSpan::Kind kind) { return looks[static_cast<std::size_t>(kind)]; }
 
+std::string agents_of(const anim::TaskContent& content) {
+  const std::string first = with_thousands(content.first_agent), last = with_thousands(content.last_agent);
+  const std::string level = content.bone_level == anim::TaskContent::several_levels
+                                ? "several bone levels"
+                                : "bone level " + std::to_string(content.bone_level);
+  if (content.agents == 1) return "agent " + first + ", " + level;
+  return with_thousands(content.agents) + " agents from " + first + " to " + last + ", " + level;
+}
+
 void show_content(const PuSpan& span, int frame) {
   const auto begin = static_cast<double>(span.begin_ms), end = static_cast<double>(span.end_ms);
   ImGui::BeginTooltip();
@@ -35,6 +44,7 @@ void show_content(const PuSpan& span, int frame) {
   ImGui::TextUnformatted(("frame " + std::to_string(frame) + ", " + fixed(begin, 3) + " to " + fixed(end, 3) + " ms, " +
                           fixed(1000 * (end - begin), 1) + " \xC2\xB5s")
                              .c_str());
+  if (span.content.agents > 0) ImGui::TextUnformatted(agents_of(span.content).c_str());
   if (span.transfers > 0) {
     ImGui::TextUnformatted((as_bytes(span.bytes_in) + " in, " + as_bytes(span.bytes_out) + " out, " +
                             with_thousands(span.transfers) + " transfers")

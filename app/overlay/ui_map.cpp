@@ -47,6 +47,7 @@ Json tuning_json(const Tuning& tuning) {
           {"pus", tuning.pus},
           {"local_store_kib", tuning.local_store_kib},
           {"tile", tuning.tile},
+          {"grain_ns", tuning.cost.least_task},
           {"schedule", word(schedule_words, tuning.schedule)},
           {"double_buffer", word(double_buffer_words, tuning.double_buffer)},
           {"stream", word(stream_words, tuning.stream)},
@@ -58,10 +59,16 @@ Json entity_json(const EntityRow& row) {
   return {{"kind", row.kind}, {"clip", row.clip}, {"weight", row.weight}, {"bytes", row.bytes}};
 }
 
+Json layer_json(const LayerRow& layer) {
+  return {{"name", layer.name}, {"weight", layer.weight}, {"entities", layer.entities}};
+}
+
 Json selected_json(const std::optional<SelectionReport>& selected) {
   if (!selected) return nullptr;
   Json entities = Json::array();
   for (const EntityRow& row : selected->entities) entities.push_back(entity_json(row));
+  Json layers = Json::array();
+  for (const LayerRow& layer : selected->layers) layers.push_back(layer_json(layer));
   return {{"agent", selected->agent},
           {"posture", word(posture_words, selected->posture)},
           {"x", selected->x},
@@ -69,6 +76,7 @@ Json selected_json(const std::optional<SelectionReport>& selected) {
           {"z", selected->z},
           {"bytes", selected->bytes},
           {"entities", entities},
+          {"layers", layers},
           {"held_at", selected->held_at ? Json(*selected->held_at) : Json(nullptr)},
           {"history_frames", selected->history.size()},
           {"events", selected->events}};
@@ -78,6 +86,17 @@ Json bone_names(const FrameReport& report) {
   Json names = Json::array();
   for (const BoneRow& bone : report.bones) names.push_back(bone.name);
   return names;
+}
+
+Json sweep_json(const SweepCurve& sweep) {
+  if (sweep.stops.empty()) return nullptr;
+  Json stops = Json::array();
+  for (const SweepStop& stop : sweep.stops) {
+    stops.push_back({{"value", stop.value},
+                     {"refused", stop.refused},
+                     {"update_ms", stop.known ? Json(stop.cost.milliseconds) : Json(nullptr)}});
+  }
+  return {{"value", word(swept_value_words, sweep.value)}, {"runs", sweep.runs}, {"stops", stops}};
 }
 
 Json report_json(const FrameReport& report) {
@@ -91,12 +110,15 @@ Json report_json(const FrameReport& report) {
           {"level_bone_counts", report.level_bone_counts},
           {"bones", bone_names(report)},
           {"heads", report.heads.size()},
+          {"thresholds", report.thresholds.size()},
+          {"threshold_clip", report.threshold_clip},
           {"pus", report.pus},
           {"local_store_kib", report.local_store_kib},
           {"tile", report.tile},
           {"snapshots", report.snapshots},
           {"preset_names", report.preset_names},
           {"timeline_frames", report.timeline.size()},
+          {"sweep", sweep_json(report.sweep)},
           {"notice", report.notice},
           {"selected", selected_json(report.selected)}};
 }

@@ -2,35 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "app/lod_thresholds.h"
-
 namespace throng::app {
 namespace {
 
-TEST(IntervalThresholds, LieWhereTheRuleLengthensTheInterval) {
-  Tuning tuning{.lod = LodRule::distance};
+TEST(IntervalThresholds, LieWhereTheRuleByDistanceHasThem) {
+  Tuning tuning{.lod = LodRule::distance, .full_rate_distance = 10, .interval_growth = 5};
   tuning.largest_interval = 4;
   const auto thresholds = interval_thresholds(tuning);
   ASSERT_EQ(thresholds.size(), 3U);
-  for (const IntervalThreshold& threshold : thresholds) {
-    EXPECT_EQ(interval_at(tuning, threshold.metres + 0.01F), threshold.interval);
-    EXPECT_EQ(interval_at(tuning, threshold.metres - 0.01F), threshold.interval - 1);
-  }
-  tuning.lod = LodRule::off;
-  EXPECT_TRUE(interval_thresholds(tuning).empty());
+  EXPECT_EQ(interval_at(thresholds, 9.9F), 1);
+  EXPECT_EQ(interval_at(thresholds, 10), 2);
+  EXPECT_EQ(interval_at(thresholds, 14.9F), 2);
+  EXPECT_EQ(interval_at(thresholds, 15), 3);
+  EXPECT_EQ(interval_at(thresholds, 1000), 4);
 }
 
-TEST(ThresholdRings, AreAsFarFromTheCameraAsTheRuleSays) {
-  Tuning tuning{.lod = LodRule::distance};
-  tuning.full_rate_distance = 10;
-  tuning.largest_interval = 2;
+/// Somebody who walks, whose levels are off by a millimetre, a centimetre and a decimetre.
+anim::MotionLod walk(bool smooth = true) {
+  const anim::LodCharacter person{.level_error_metres = {0.0F, 0.001F, 0.01F, 0.1F},
+                                  .update_nanoseconds = {1600, 1200, 800, 400}};
+  return {person, {}, {.rule = anim::LodRule::budget, .smooth = smooth}, 1.0F / 60.0F};
+}
+
+TEST(IntervalThresholds, LieWhereTheRuleByPixelsChangesItsChoice) {
+  const anim::MotionLod motion = walk();
+  const ErrorView view{.tolerance_pixels = 0.5F, .pixels_per_unit = 800};
+  const auto thresholds = interval_thresholds(motion, view);
+  ASSERT_GE(thresholds.size(), 3U);
+  for (float metres = 0.5F; metres < 180; metres *= 1.01F) {
+    const float allowed = metres * view.tolerance_pixels / view.pixels_per_unit;
+    const bool at_a_step = motion.choose(allowed * 1.01F) != motion.choose(allowed * 0.99F);
+    if (at_a_step) continue;
+    EXPECT_EQ(interval_at(thresholds, metres), motion.choose(allowed).interval) << metres << " m";
+  }
+}
+
+TEST(IntervalThresholds, MoveOutWithAFinerToleranceAndWithoutBlending) {
+  const auto first = [](const anim::MotionLod& motion, float pixels) {
+    return interval_thresholds(motion, {.tolerance_pixels = pixels, .pixels_per_unit = 800}).front().metres;
+  };
+  EXPECT_NEAR(first(walk(), 0.5F), 2 * first(walk(), 1), 1e-3);
+  EXPECT_GT(first(walk(false), 1), first(walk(), 1)) << "a held pose is farther off";
+}
+
+TEST(ThresholdRings, AreAsFarFromTheCameraAsTheThresholds) {
+  const std::vector<IntervalThreshold> thresholds{{10, 2}};
   const render::Camera camera{.position = {3, 7, -2}};
   SceneLines lines;
-  add_threshold_rings(lines, tuning, camera, 1.0F);
+  add_threshold_rings(lines, thresholds, camera, 1.0F);
   ASSERT_FALSE(lines.empty());
   for (const render::SceneLine& line : lines) {
     const glm::vec3 middle_of_agent(line.from.x, 1.0F, line.from.z);
@@ -39,11 +63,9 @@ TEST(ThresholdRings, AreAsFarFromTheCameraAsTheRuleSays) {
 }
 
 TEST(ThresholdRings, DoNotReachTheGroundFromTooHighAbove) {
-  Tuning tuning{.lod = LodRule::distance};
-  tuning.full_rate_distance = 10;
-  tuning.largest_interval = 2;
+  const std::vector<IntervalThreshold> thresholds{{10, 2}};
   SceneLines lines;
-  add_threshold_rings(lines, tuning, {.position = {0, 50, 0}}, 1.0F);
+  add_threshold_rings(lines, thresholds, {.position = {0, 50, 0}}, 1.0F);
   EXPECT_TRUE(lines.empty());
 }
 

@@ -30,6 +30,8 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.copy_command_line |= commands.copy_command_line;
     all.save_bone_lod |= commands.save_bone_lod;
     all.export_lod |= commands.export_lod;
+    all.stop_sweep |= commands.stop_sweep;
+    if (commands.sweep) all.sweep = commands.sweep;
     if (commands.bone_lod) all.bone_lod = commands.bone_lod;
     if (commands.hold_at) all.hold_at = commands.hold_at;
     if (commands.save_preset) all.save_preset = commands.save_preset;

@@ -110,6 +110,19 @@ TEST_F(LodSkippingTab, UnderABudgetShowsItsLimitsInsteadOfDistances) {
   EXPECT_TRUE(driver.sees("Limited by"));
 }
 
+TEST_F(LodSkippingTab, ShowsIntervalsOverDistanceAndOfWhichClip) {
+  driver.report.thresholds = {{8, 2}, {16, 3}};
+  scroll_down();
+  EXPECT_TRUE(driver.sees("Interval over distance"));
+  const int without_clip = driver.overlay.vertex_count();
+  driver.report.threshold_clip = "Walking_A";
+  driver.frames();
+  EXPECT_GT(driver.overlay.vertex_count(), without_clip);
+  driver.tuning.lod = LodRule::off;
+  driver.frames();
+  EXPECT_FALSE(driver.sees("Interval over distance"));
+}
+
 TEST_F(LodSkippingTab, TakesPartsOfTheFrameAwayToSeeWhatTheyCost) {
   scroll_down();
   driver.click("No drawing");

@@ -18,6 +18,8 @@ SelectionReport somebody() {
                         .fields = {{"Priority", "highest"}, {"Bones", "62"}},
                         .block = std::vector<std::uint8_t>(128, 0xAB)},
                        {.kind = "ease blender", .clip = {}, .bytes = 128, .fields = {{"Sources", "2"}}}};
+  selected.layers = {{.name = "Channel 0", .entities = {0, 1}},
+                     {.name = "look-at", .weight = 0.5F, .is_channel = false, .entities = {2}}};
   selected.history.assign(200, {.visible = true, .interval = 3, .bone_level = 1});
   selected.events = {"12.00 s  begins Idle"};
   return selected;
@@ -44,6 +46,17 @@ TEST_F(AgentTabTest, SaysSoWhenNobodyIsSelected) {
   driver.frames();
   EXPECT_FALSE(driver.sees("Hold clip at"));
   EXPECT_FALSE(driver.sees("LOD history"));
+}
+
+TEST_F(AgentTabTest, ShowsEachChannelWithItsEntitiesAndWhatChangesThePose) {
+  for (const std::string row : {"Layer 0", "Layer 0, entity 0", "Layer 0, entity 1", "Layer 1"}) {
+    EXPECT_TRUE(driver.sees(row)) << row;
+  }
+  EXPECT_FALSE(driver.sees("Layer 1, entity 2")) << "its own row says it";
+  const int half = driver.overlay.vertex_count();
+  driver.report.selected->layers[1].weight = 0;
+  driver.frames();
+  EXPECT_LT(driver.overlay.vertex_count(), half) << "a shorter figure, and no bar";
 }
 
 TEST_F(AgentTabTest, ShowsLevelOfDetailOverTheLastFrames) {
@@ -127,7 +140,13 @@ TEST_F(TimelineTest, ThePointerTellsWhatASpanWas) {
   driver.frames();
   const int without = driver.overlay.vertex_count();
   point_into_timeline(0.3F);
-  EXPECT_GT(driver.overlay.vertex_count(), without);
+  const int nobody = driver.overlay.vertex_count();
+  EXPECT_GT(nobody, without);
+  for (TimelineFrame& frame : driver.report.timeline) {
+    for (auto& lane : frame.lanes) lane[1].content = {.first_agent = 12, .last_agent = 40, .agents = 16};
+  }
+  driver.frames();
+  EXPECT_GT(driver.overlay.vertex_count(), nobody) << "and for whom";
 }
 
 struct PresetsTabTest : testing::Test {

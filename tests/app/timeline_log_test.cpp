@@ -56,6 +56,18 @@ TEST(TraceFile, ShowsTheBarriersOfThePapersSchedule) {
               testing::IsSupersetOf({"fetch", "compute", "write back", "wait", "schedule"}));
 }
 
+TEST(TraceFile, NamesTheAgentsOfEachTask) {
+  const nlohmann::json trace = trace_of_a_run("fused");
+  int agents = 0;
+  for (const auto& event : trace["traceEvents"]) {
+    if (event["name"] != "compute") continue;
+    EXPECT_LE(event["args"]["first_agent"], event["args"]["last_agent"]);
+    EXPECT_LT(event["args"]["last_agent"], 40);
+    agents += event["args"]["agents"].get<int>();
+  }
+  EXPECT_EQ(agents, 3 * 40) << "everybody in each frame";
+}
+
 TEST(TraceFile, PutsTheWorkOfPusInsideTheirFrame) {
   constexpr double rounding_us = 0.01;
   const nlohmann::json trace = trace_of_a_run("fused");

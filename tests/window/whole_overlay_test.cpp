@@ -55,6 +55,27 @@ class WholeOverlay : public WindowDriver {
     wait_for("three PUs of 256 KiB",
              [](const Json& map) { return map["report"]["pus"] == 3 && map["report"]["local_store_kib"] == 256; });
   }
+  void sweep_the_tile() {
+    const Json before = next_map()["tuning"];
+    click("Vary:tile");
+    click("Sweep");
+    wait_for("a sweep that runs", [](const Json& map) { return map["report"]["sweep"]["runs"] == true; });
+    const Json map = wait_for("its end", [](const Json& now) { return now["report"]["sweep"]["runs"] == false; });
+    const Json sweep = map["report"]["sweep"];
+    EXPECT_EQ(sweep["value"], "tile");
+    EXPECT_EQ(sweep["stops"].size(), 5U);
+    for (const Json& stop : sweep["stops"]) EXPECT_TRUE(stop["refused"] == true || stop["update_ms"] > 0) << stop;
+    EXPECT_EQ(next_map()["tuning"], before) << "all values are as they were";
+    EXPECT_EQ(next_map()["report"]["tile"], 16) << "and so is what the crowd is posed with";
+  }
+  void stop_a_sweep() {
+    click("Vary:PUs");
+    click("Sweep");
+    wait_for("a sweep that runs", [](const Json& map) { return map["report"]["sweep"]["runs"] == true; });
+    click("Stop");
+    wait_for("no sweep", [](const Json& map) { return map["report"]["sweep"]["runs"] == false; });
+    EXPECT_EQ(next_map()["report"]["pus"], 3) << "as it was typed";
+  }
   void look_at_both_crowds() {
     click("tab:LOD skipping");
     for (const std::string split : {"exact | LOD", "difference", "off"}) {
@@ -125,6 +146,8 @@ TEST_F(WholeOverlay, IsDrivenThroughByAScript) {
   ASSERT_NO_FATAL_FAILURE(order_bones());
   ASSERT_NO_FATAL_FAILURE(move_the_end_of_a_level());
   ASSERT_NO_FATAL_FAILURE(change_units_and_their_stores());
+  ASSERT_NO_FATAL_FAILURE(sweep_the_tile());
+  ASSERT_NO_FATAL_FAILURE(stop_a_sweep());
   ASSERT_NO_FATAL_FAILURE(look_at_both_crowds());
   ASSERT_NO_FATAL_FAILURE(freeze_and_fly_on());
   ASSERT_NO_FATAL_FAILURE(select_somebody_and_scrub());

@@ -49,7 +49,7 @@ void AnimationSystem::begin_shared_work() {
     for (std::uint32_t graph = 0; graph < shared.count(); ++graph) {
       shared_work_.push_back({.program = &shared.program(graph),
                               .delta = clock_ - shared_posed_at_,
-                              .agent = graph,
+                              .agent = shared_owner | graph,
                               .skeleton = static_cast<std::uint8_t>(cast)});
     }
   }

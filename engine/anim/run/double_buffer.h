@@ -15,21 +15,28 @@ namespace throng::anim {
 ///   interleaved  two: the same bytes, moved in slices from inside the kernels' loop over packets of bones
 enum class DoubleBuffering : std::uint8_t { off, inline_copy, interleaved };
 
+template <typename Tasks, typename Task>
+TaskContent recorded_content(const Tasks& tasks, const Task& task, const Trace& trace) {
+  return trace.records() ? tasks.content(task) : TaskContent{};
+}
+
 /// What a kind of task must offer to be run through the local store.
 ///   next()                          the next task of this PU, if any
 ///   fetch(task, buffer, engine)     queues what it reads
 ///   copy_points(task)               how often compute() calls engine.advance()
 ///   compute(task, buffer, engine)
 ///   write_back(task, buffer, engine) queues what it changed
+///   content(task)                   for whom it is
 template <typename Tasks>
 void run_single_buffered(Tasks& tasks, CopyEngine& engine, Trace& trace) {
   while (auto task = tasks.next()) {
     tasks.fetch(*task, 0, engine);
-    trace.close(TraceSpan::Kind::fetch, engine.finish());
+    const TaskContent content = recorded_content(tasks, *task, trace);
+    trace.close(TraceSpan::Kind::fetch, engine.finish(), content);
     tasks.compute(*task, 0, engine);
-    trace.close(TraceSpan::Kind::compute);
+    trace.close(TraceSpan::Kind::compute, {}, content);
     tasks.write_back(*task, 0, engine);
-    trace.close(TraceSpan::Kind::write_back, engine.finish());
+    trace.close(TraceSpan::Kind::write_back, engine.finish(), content);
   }
 }
 
@@ -39,22 +46,24 @@ void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode,
   if (!current) return;
   int buffer = 0;
   tasks.fetch(*current, buffer, engine);
-  trace.close_alone(TraceSpan::Kind::fetch, engine.finish());
+  trace.close_alone(TraceSpan::Kind::fetch, engine.finish(), recorded_content(tasks, *current, trace));
   decltype(current) previous;
   while (current) {
     auto next = tasks.next();
     if (previous) tasks.write_back(*previous, 1 - buffer, engine);
     if (next) tasks.fetch(*next, 1 - buffer, engine);
-    if (mode == DoubleBuffering::inline_copy) trace.close(TraceSpan::Kind::fetch, engine.finish());
+    if (mode == DoubleBuffering::inline_copy) {
+      trace.close(TraceSpan::Kind::fetch, engine.finish(), recorded_content(tasks, next ? *next : *current, trace));
+    }
     engine.spread_over(tasks.copy_points(*current), &trace);
     tasks.compute(*current, buffer, engine);
-    trace.close(TraceSpan::Kind::compute, engine.finish());
+    trace.close(TraceSpan::Kind::compute, engine.finish(), recorded_content(tasks, *current, trace));
     previous = current;
     current = next;
     buffer = 1 - buffer;
   }
   tasks.write_back(*previous, 1 - buffer, engine);
-  trace.close_alone(TraceSpan::Kind::write_back, engine.finish());
+  trace.close_alone(TraceSpan::Kind::write_back, engine.finish(), recorded_content(tasks, *previous, trace));
 }
 
 template <typename Tasks>

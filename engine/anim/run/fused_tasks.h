@@ -8,6 +8,7 @@
 #include "engine/anim/run/fused_scratch.h"
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/step_walk.h"
+#include "engine/anim/run/task_content.h"
 #include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_scratch.h"
 
@@ -46,6 +47,8 @@ class FusedTasks {
   int copy_points(int task) const;
   void compute(int task, int buffer, CopyEngine& engine);
   void write_back(int task, int buffer, CopyEngine& engine) const;
+
+  TaskContent content(int task) const { return content_of(agents(task)); }
 
   std::uint32_t tiles_done() const { return tiles_done_; }
   std::uint32_t agents_done() const { return agents_done_; }

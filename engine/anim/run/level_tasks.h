@@ -5,6 +5,7 @@
 
 #include "engine/anim/run/agent_work.h"
 #include "engine/anim/run/local_store.h"
+#include "engine/anim/run/task_content.h"
 #include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_scratch.h"
 
@@ -14,14 +15,16 @@ namespace throng::anim {
 struct EntityUpdate {
   const PoseProgram* program = nullptr;
   Ticks delta = 0;
-  std::uint16_t cost = 1;  ///< predicted, in steps of cost_step
-  std::uint8_t step = 0;   ///< of the program
-  std::uint8_t skeleton = 0;
-  std::uint8_t level = 0;
+  std::uint32_t agent = 0;
+  std::uint16_t cost = 1;         ///< predicted, in steps of cost_step
+  std::uint8_t step = 0;          ///< of the program
+  std::uint8_t skeleton : 5 = 0;  ///< below most_skeletons
+  std::uint8_t level : 2 = 0;
 
   const PoseStep& entity() const { return program->steps[step]; }
   std::span<const std::uint8_t> sources() const { return {entity().sources.data(), entity().source_count}; }
 };
+static_assert(sizeof(EntityUpdate) == 24);
 
 /// The paper's schedule, one priority of it (2.2.3, 2.2.5): entities in any order, each copied in whole, updated,
 /// copied back whole. Its sources come along, header and transforms, and are not written back.
@@ -40,6 +43,8 @@ class EntityTasks {
   int copy_points(int task) const { return context(task).packets(update(task).level); }
   void compute(int task, int buffer, CopyEngine& engine);
   void write_back(int task, int buffer, CopyEngine& engine) const;
+
+  TaskContent content(int task) const { return content_of(update(task).agent, update(task).level); }
 
   std::uint32_t entities_done() const { return entities_done_; }
 
@@ -75,6 +80,8 @@ class PaletteTasks {
   static int copy_points(const Task&) { return 1; }
   void compute(const Task& task, int buffer, CopyEngine& engine);
   void write_back(const Task&, int, CopyEngine&) const {}
+
+  TaskContent content(const Task& task) const { return content_of(agents(task)); }
 
   std::uint32_t tiles_done() const { return tiles_done_; }
   std::uint32_t agents_done() const { return agents_done_; }

@@ -5,7 +5,7 @@
 namespace throng::anim {
 namespace {
 
-// Of a trace: enough for every task of a few thousand agents in any schedule, and 2 MiB a PU at most.
+// Of a trace: enough for every task of a few thousand agents in any schedule, and 3 MiB a PU at most.
 constexpr std::size_t spans_an_agent = 12;
 constexpr std::size_t few_spans = 64;
 constexpr std::size_t most_spans = std::size_t{1} << 16U;
@@ -169,10 +169,11 @@ void Scheduler::collect_entities(std::span<const UpdateContext> contexts, std::s
       priorities_[steps[i].below_highest].push_back(
           {.program = agent.program,
            .delta = agent.delta,
+           .agent = agent.agent,
            .cost = cost_in_steps(
                cost_of(*context.pools->layout(steps[i].entity).kind, context.packets(agent.level), options_.cost)),
            .step = static_cast<std::uint8_t>(i),
-           .skeleton = agent.skeleton,
+           .skeleton = static_cast<std::uint8_t>(agent.skeleton & (most_skeletons - 1)),
            .level = agent.level});
     }
   }

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/anim/run/task_content.h"
+
 namespace throng::anim {
 
 /// Counts up at an even rate, the same on all cores: the processor's time stamp where there is one, because a span
@@ -23,7 +25,7 @@ struct TraceClock {
   }
 };
 
-/// One stretch of a PU's time within an update; 32 bytes.
+/// One stretch of a PU's time within an update; 48 bytes.
 struct TraceSpan {
   enum class Kind : std::uint8_t {
     fetch,       ///< copies, of the next task in and, with double buffering, of the previous one out
@@ -39,8 +41,9 @@ struct TraceSpan {
   std::uint32_t bytes_out;
   std::uint32_t transfers;
   Kind kind;
+  TaskContent content{};
 };
-static_assert(sizeof(TraceSpan) == 32);
+static_assert(sizeof(TraceSpan) == 48);
 
 /// Bytes and transfers of copies.
 struct CopyCounts {
@@ -120,30 +123,34 @@ class Trace {
     tasks_in_span_ = 1;
   }
 
-  /// The time since the last span was spent so.
-  void close(TraceSpan::Kind kind, const CopyCounts& copied = {}) {
-    if (room_ == 0) return;
+  bool records() const { return room_ > 0; }
+
+  /// The time since the last span was spent so, for them.
+  void close(TraceSpan::Kind kind, const CopyCounts& copied = {}, const TaskContent& content = {}) {
+    if (!records()) return;
     if (tasks_in_span_ > 1) {
       joined_copies_ += copied;
+      if (kind == TraceSpan::Kind::compute) joined_content_.add(content);
+      copied_content_ = content;
       if (kind == TraceSpan::Kind::compute && ++joined_tasks_ == tasks_in_span_) close_joined();
       return;
     }
     const std::uint64_t now = TraceClock::now();
-    add(kind, last_, now, copied);
+    add(kind, last_, now, copied, content);
     last_ = now;
   }
 
   /// The same, never joined with others: what happens once for many tasks.
-  void close_alone(TraceSpan::Kind kind, const CopyCounts& copied) {
+  void close_alone(TraceSpan::Kind kind, const CopyCounts& copied, const TaskContent& content) {
     const std::uint32_t joining = std::exchange(tasks_in_span_, 1U);
     if (joined_tasks_ > 0) close_joined();
-    close(kind, copied);
+    close(kind, copied, content);
     tasks_in_span_ = joining;
   }
 
   /// True now and then: record the slices in which the copies of this task are done, too.
   bool wants_slices() { return room_ > 0 && tasks_in_span_ == 1 && tasks_++ % slices_of_one_task_in == 0; }
-  void add_slice(std::uint64_t begin) { add(TraceSpan::Kind::copy_slice, begin, TraceClock::now(), {}); }
+  void add_slice(std::uint64_t begin) { add(TraceSpan::Kind::copy_slice, begin, TraceClock::now(), {}, {}); }
 
   std::span<const TraceSpan> spans() const { return spans_; }
   std::uint32_t not_kept() const { return not_kept_; }
@@ -151,12 +158,15 @@ class Trace {
  private:
   void close_joined() {
     const std::uint64_t now = TraceClock::now();
-    add(TraceSpan::Kind::compute, last_, now, joined_copies_);
+    add(TraceSpan::Kind::compute, last_, now, joined_copies_,
+        joined_tasks_ > 0 ? joined_content_.all() : copied_content_);
     last_ = now;
     joined_tasks_ = 0;
     joined_copies_ = {};
+    joined_content_ = {};
   }
-  void add(TraceSpan::Kind kind, std::uint64_t begin, std::uint64_t end, const CopyCounts& copied) {
+  void add(TraceSpan::Kind kind, std::uint64_t begin, std::uint64_t end, const CopyCounts& copied,
+           const TaskContent& content) {
     if (spans_.size() == room_) {
       ++not_kept_;
       return;
@@ -166,7 +176,8 @@ class Trace {
                       .bytes_in = static_cast<std::uint32_t>(copied.bytes_in),
                       .bytes_out = static_cast<std::uint32_t>(copied.bytes_out),
                       .transfers = static_cast<std::uint32_t>(copied.transfers),
-                      .kind = kind});
+                      .kind = kind,
+                      .content = content});
   }
 
   std::vector<TraceSpan> spans_;
@@ -178,6 +189,8 @@ class Trace {
   std::uint32_t tasks_in_span_ = 1;
   std::uint32_t joined_tasks_ = 0;  // of the span that is open
   CopyCounts joined_copies_;
+  JoinedContent joined_content_;
+  TaskContent copied_content_;  // of the task that was copied, or computed, last
 };
 
 }  // namespace throng::anim

@@ -68,6 +68,59 @@ TEST(Trace, NamesEveryByteAndTransferThatWasCopied) {
   }
 }
 
+/// Of all compute spans; each agent once where each is in one tile.
+std::size_t agents_computed(const CrowdRig& crowd) {
+  std::size_t sum = 0;
+  for (const ProcessingUnit& unit : crowd->units()) {
+    for (const TraceSpan& span : unit.trace().spans()) {
+      if (span.kind == TraceSpan::Kind::compute) sum += span.content.agents;
+    }
+  }
+  return sum;
+}
+
+TEST(Trace, NamesTheAgentsOfEveryTask) {
+  for (const Tracing tracing : {Tracing::on, Tracing::every_task}) {
+    for (const auto mode : {DoubleBuffering::off, DoubleBuffering::inline_copy, DoubleBuffering::interleaved}) {
+      const CrowdRig crowd = fading_crowd({.pus = 2, .double_buffering = mode, .trace = tracing});
+      EXPECT_GE(agents_computed(crowd), agents);
+      if (tracing == Tracing::every_task) {
+        EXPECT_EQ(agents_computed(crowd), agents);
+      }
+      std::uint32_t last = 0;
+      for (const ProcessingUnit& unit : crowd->units()) {
+        for (const TraceSpan& span : unit.trace().spans()) {
+          const bool works = span.kind != TraceSpan::Kind::wait && span.kind != TraceSpan::Kind::schedule;
+          if (is_slice(span)) continue;
+          EXPECT_EQ(span.content.agents > 0, works);
+          EXPECT_LE(span.content.first_agent, span.content.last_agent);
+          last = std::max(last, span.content.last_agent);
+        }
+      }
+      EXPECT_EQ(last, agents - 1);
+    }
+  }
+}
+
+TEST(Trace, CountsTheEntitiesOfAnAgentOnceASpan) {
+  constexpr std::size_t stages = 3;  // players, of which each agent has two, blenders, palettes
+  const std::size_t computed = agents_computed(fading_crowd({.pus = 1, .schedule = Schedule::levels}));
+  EXPECT_GE(computed, stages * agents);
+  EXPECT_LT(computed, (stages + 1) * agents) << "few spans begin or end in the middle of an agent or a tile";
+}
+
+TEST(JoinedContent, OfSeveralTasksIsFromTheLowestAgentToTheHighest) {
+  JoinedContent joined;
+  joined.add({.first_agent = 40, .last_agent = 55, .agents = 16, .bone_level = 1});
+  joined.add({.first_agent = 40, .last_agent = 55, .agents = 16, .bone_level = 1});
+  EXPECT_EQ(joined.all().agents, 16) << "the same once more";
+  joined.add({});
+  joined.add({.first_agent = 3, .last_agent = 70, .agents = 8, .bone_level = 2});
+  const TaskContent expected{
+      .first_agent = 3, .last_agent = 70, .agents = 24, .bone_level = TaskContent::several_levels};
+  EXPECT_EQ(joined.all(), expected);
+}
+
 TEST(Trace, HasAComputeSpanForEachTask) {
   for (const SystemOptions& options : every_schedule_and_mode(Tracing::every_task)) {
     const CrowdRig crowd = fading_crowd(options);

@@ -72,26 +72,26 @@ anim::Status take_bone_lod(const RecordedCharacter& recorded, CharacterSource& s
   auto bones = bones_named(recorded.bones, source.model.skeleton);
   if (!bones) return bones.error();
   const BoneLodChoice choice{.bones = std::move(*bones), .level_counts = recorded.level_counts};
-  if (const anim::Status checked = check_bone_lod(source.model.skeleton, choice); !checked) return checked;
+  if (anim::Status checked = check_bone_lod(source.model.skeleton, choice); !checked) return checked;
   take_order(source, choice);
   return anim::Done{};
 }
 
 }  // namespace
 
-RecordedCharacter recorded(const CharacterSource& source) {
-  const anim::Skeleton& skeleton = source.character->skeleton;
-  return {.file = source.file,
-          .fingerprint = fingerprint(source),
-          .roles = source.roles.clips,
+RecordedCharacter recorded(const CharacterSource& character) {
+  const anim::Skeleton& skeleton = character.character->skeleton;
+  return {.file = character.file,
+          .fingerprint = fingerprint(character),
+          .roles = character.roles.clips,
           .bones = bone_keys(skeleton),
           .level_counts = skeleton.level_bone_counts};
 }
 
-std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> sources) {
-  std::vector<RecordedCharacter> characters;
-  for (const CharacterSource& source : sources) characters.push_back(recorded(source));
-  return characters;
+std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> characters) {
+  std::vector<RecordedCharacter> all;
+  for (const CharacterSource& character : characters) all.push_back(recorded(character));
+  return all;
 }
 
 bool has_clips(const CharacterSource& character, const RoleClips& roles) {
@@ -99,18 +99,18 @@ bool has_clips(const CharacterSource& character, const RoleClips& roles) {
   return std::ranges::all_of(roles, [&](int clip) { return clip >= no_clip && clip < clips; });
 }
 
-anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& source) {
-  RecordedCharacter here = recorded(source);
+anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character) {
+  RecordedCharacter here = recorded(character);
   if (here.fingerprint != as_recorded.fingerprint) {
-    return anim::Error{source.name + " is not the character that was recorded: its bones or clips differ"};
+    return anim::Error{character.name + " is not the character that was recorded: its bones or clips differ"};
   }
   if (here.bones != as_recorded.bones || here.level_counts != as_recorded.level_counts) {
-    if (const anim::Status taken = take_bone_lod(as_recorded, source); !taken) {
-      return anim::Error{"the recorded order of the bones of " + source.name + ": " + taken.error().message};
+    if (const anim::Status taken = take_bone_lod(as_recorded, character); !taken) {
+      return anim::Error{"the recorded order of the bones of " + character.name + ": " + taken.error().message};
     }
   }
-  if (!has_clips(source, as_recorded.roles)) return anim::Error{"plays a clip that " + source.name + " has not"};
-  assign_roles(source, as_recorded.roles);
+  if (!has_clips(character, as_recorded.roles)) return anim::Error{"plays a clip that " + character.name + " has not"};
+  assign_roles(character, as_recorded.roles);
   return anim::Done{};
 }
 

@@ -31,7 +31,7 @@ bool has_clips(const CharacterSource& character, const RoleClips& roles);
 
 /// Makes a character what was recorded: the same order of bones, levels and roles. Errors: it is another character, or
 /// the recording asks for what it does not have.
-anim::Status become_recorded(const RecordedCharacter& recorded, CharacterSource& character);
+anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
 
 /// JSON: a list of objects with "file", "fingerprint", "roles", "bones" and "level_counts".
 std::string to_json(std::span<const RecordedCharacter> characters);

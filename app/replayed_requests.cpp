@@ -64,7 +64,7 @@ anim::Status asked(const RecordedCharacters& others, Show& show) {
   auto characters = load_characters(files);
   if (!characters) return characters.error();
   for (std::size_t i = 0; i < characters->size(); ++i) {
-    const anim::Status became = become_recorded(others.characters[i], (*characters)[i]);
+    anim::Status became = become_recorded(others.characters[i], (*characters)[i]);
     if (!became) return became;
   }
   return show.replace_characters(std::move(*characters));

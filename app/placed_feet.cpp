@@ -50,14 +50,14 @@ std::unique_ptr<anim::PostProcess> PlacedFeet::make(std::uint32_t character) {
 }
 
 // A local store that has no room for it will have none for others.
-bool PlacedFeet::give(std::uint32_t agent) {
+bool PlacedFeet::give(std::uint32_t agent, bool is_shown) {
   const std::uint32_t character = system_->character_number(agent);
   if (!kinds_[character]) return false;
   Feet& feet = now_.feet[agent];
   if (feet.process != none) return true;
   std::unique_ptr<anim::PostProcess> process = make(character);
   static_cast<Process&>(*process) = Process(*kinds_[character]);
-  static_cast<Process&>(*process).set_weight(1.0F, fade);
+  static_cast<Process&>(*process).set_weight(1.0F, is_shown ? fade : 0);
   const std::size_t index = system_->post_process_count(agent);
   if (!system_->add_post_process(agent, std::move(process))) {
     kinds_[character].reset();
@@ -68,15 +68,15 @@ bool PlacedFeet::give(std::uint32_t agent) {
   return true;
 }
 
-void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent) {
-  if (!give(agent)) return;
+void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown) {
+  if (!give(agent, is_shown)) return;
   const bool begins = !std::exchange(now_.feet[agent].placed, true);
   [[maybe_unused]] const anim::Status placed =
       system_->change_process<anim::FootPlacementProcess>(agent, now_.feet[agent].process, [&](auto& feet) {
         const anim::JointMotion placement = placement_of(crowd, agent);
         feet.set_placement(placement);
         feet.set_ground({.place = placement.position});  // the tier of a stadium that it stands on
-        if (begins) feet.set_weight(1.0F, fade);
+        if (begins) feet.set_weight(1.0F, is_shown ? fade : 0);
       });
   assert(placed && "the graph is as large as it was");
 }

@@ -37,8 +37,9 @@ class PlacedFeet {
   /// All agents are made anew.
   void reset(std::size_t agents);
 
-  /// Before an update of an agent with all bones, for the pose of now: where it stands.
-  void place(const Crowd& crowd, std::uint32_t agent);
+  /// Before an update of an agent with all bones, for the pose of now: where it stands. Of one that `is_shown` already
+  /// they fade to there.
+  void place(const Crowd& crowd, std::uint32_t agent, bool is_shown);
   /// Before an update in which its feet go as the clip has them.
   void let_go(std::uint32_t agent);
   /// Before an update: from those who need it no more, or whom nobody sees. `visible`: by rising agent.
@@ -50,7 +51,7 @@ class PlacedFeet {
  private:
   using Process = anim::FootPlacementProcess;
 
-  bool give(std::uint32_t agent);
+  bool give(std::uint32_t agent, bool is_shown);
   bool needs(std::uint32_t agent, std::span<const anim::VisibleAgent> visible) const;
   std::unique_ptr<anim::PostProcess> make(std::uint32_t character);
 

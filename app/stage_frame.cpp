@@ -161,7 +161,7 @@ anim::PaletteDestination Stage::show(std::uint32_t agent, std::uint8_t level, st
 void Stage::place_feet(const anim::DueAgent& due, bool near_by) {
   const bool everyone = tuning_.lod == LodRule::off;
   if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && lod_.interval[due.agent] == 1))) {
-    feet_->place(*crowd_, due.agent);
+    feet_->place(*crowd_, due.agent, shown_.pose(due.agent).shown());
   } else {
     feet_->let_go(due.agent);
   }

@@ -124,6 +124,7 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.heading("Files");
   reader.value("--screenshot", "FILE.png", "Write the last frame", png_file(options.screenshot));
   reader.value("--stats", "FILE|-", "Write what the run did and how long it took, as JSON", any_text(options.stats));
+  reader.flag("--events", options.events, "Sum up in --stats what everybody met, and where everybody was");
   reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
   reader.value("--ui-map", "FILE", "Write where every widget of the overlay is, as JSON", file_name(options.ui_map));
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
@@ -153,9 +154,10 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// What a recording says is not for the command line to say.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",           "--replay", "--pus",        "--local-store", "--tile",  "--grain",   "--schedule",
-      "--double-buffer", "--size",   "--msaa",       "--shadows",     "--ui",    "--hide-ui", "--headless",
-      "--draw",          "--frames", "--screenshot", "--stats",       "--trace", "--ui-map",  "--data"};
+      "MODEL",      "--replay",        "--pus",    "--local-store", "--tile",       "--grain",
+      "--schedule", "--double-buffer", "--size",   "--msaa",        "--shadows",    "--ui",
+      "--hide-ui",  "--headless",      "--draw",   "--frames",      "--screenshot", "--stats",
+      "--events",   "--trace",         "--ui-map", "--data"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }

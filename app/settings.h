@@ -140,6 +140,7 @@ struct DemoOptions {
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
+  bool events = false;                                 ///< what everybody meets is summed up for the statistics
   std::string record, replay;                          ///< files; empty: not asked for
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };

@@ -234,7 +234,10 @@ void Stage::populate(Clocks clocks) {
   exact_.reset(agents, frame_);
   meter_.reset(agents);
   updates_.reserve(agents);
+  if (event_sums_) event_sums_->reset(agents);
 }
+
+void Stage::sum_up_events() { event_sums_.emplace().reset(crowd_->size()); }
 
 void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
   const int index = clip == no_clip ? 0 : clip;

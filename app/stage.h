@@ -12,6 +12,7 @@
 #include "app/crowd_lod.h"
 #include "app/cut_scene.h"
 #include "app/error_meter.h"
+#include "app/event_sums.h"
 #include "app/exact_poses.h"
 #include "app/fallen_agents.h"
 #include "app/picking.h"
@@ -55,6 +56,11 @@ class Stage {
   void restart();
 
   void move(anim::Ticks delta);
+
+  /// From now on everybody's data keys and places are summed up: takes about as long as the crowd's own logic.
+  void sum_up_events();
+  const std::optional<EventSums>& event_sums() const { return event_sums_; }
+
   /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
   /// looking ahead.
   void pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step, std::uint64_t completed_frame);
@@ -160,6 +166,7 @@ class Stage {
   std::unique_ptr<anim::AnimationSystem> system_;
   std::unique_ptr<FallenAgents> fallen_;
   std::unique_ptr<PlacedFeet> feet_;
+  std::optional<EventSums> event_sums_;
   std::unique_ptr<Crowd> crowd_;
   std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
   std::vector<float> played_speeds_;     // of each agent's clip, as the system was told

@@ -26,8 +26,11 @@ std::uint32_t microseconds(anim::Ticks ticks) {
 void Stage::move(anim::Ticks delta) {
   moving_ = delta > 0;
   if (moving_) ++frames_moved_;
+  const anim::Ticks before = system_->clock();
   system_->advance(delta);
+  if (event_sums_) event_sums_->add_events(*system_, before);
   const auto requests = crowd_->advance(delta, system_->executor(), system_->options().pus);
+  if (event_sums_) event_sums_->add_places(*crowd_);
   for (const ClipRequest& request : requests) request_clip(request);
   match_playback();
   if (cut_scene_ && moving_) cut_scene_->advance();

@@ -89,6 +89,13 @@ void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) 
   json["cost_bones_percent"] = saved.bones_percent;
 }
 
+// Null unless they were asked for.
+void add_events(Json& json, const std::optional<EventSums>& sums) {
+  json["events"] = sums ? Json(sums->events()) : Json(nullptr);
+  json["event_hash"] = sums ? Json(hex_string(sums->event_hash())) : Json(nullptr);
+  json["place_hash"] = sums ? Json(hex_string(sums->place_hash())) : Json(nullptr);
+}
+
 }  // namespace
 
 double median(std::vector<double> values) { return nearest_rank(std::move(values), 0.5); }
@@ -141,6 +148,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
   add_error(json, stage.error_meter().since_start());
   add_level_of_detail(json, lod_, stage.tuning());
+  add_events(json, stage.event_sums());
   json["gl_version"] = null_if_empty(drawn_by.gl_version);
   json["gl_renderer"] = null_if_empty(drawn_by.gl_renderer);
   json["context"] = drawn_by.context;

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -35,6 +36,7 @@ class Watched {
     const bool off = lod == LodRule::off;
     const Tuning tuning{.agents = agents, .lod = lod, .smooth = !off, .bone_lod = !off, .pus = 2};
     stage_ = std::move(*Stage::create(std::move(characters), tuning, pages_));
+    stage_->sum_up_events();
   }
 
   void pass_frame() {
@@ -52,6 +54,7 @@ class Watched {
 
   const Crowd& crowd() const { return stage_->crowd(); }
   const std::vector<std::vector<Met>>& met() const { return met_; }
+  const EventSums& sums() const { return *stage_->event_sums(); }
   std::uint64_t posed() const { return stage_->system().report().agents_updated; }
 
  private:
@@ -85,6 +88,7 @@ TEST_P(LodEvents, AreTheSameInTheSameOrderAsWithoutAndSoArePlaces) {
   constexpr int agents = 100, frames = 2400;
   Watched exact(LodRule::off, agents), skipping(GetParam(), agents);
   std::uint64_t posed = 0;
+  const auto before = std::pair(exact.sums().event_hash(), exact.sums().place_hash());
   for (int i = 0; i < frames; ++i) {
     exact.pass_frame();
     skipping.pass_frame();
@@ -97,6 +101,10 @@ TEST_P(LodEvents, AreTheSameInTheSameOrderAsWithoutAndSoArePlaces) {
     EXPECT_EQ(first_difference(exact.met()[agent], skipping.met()[agent]), "") << "agent " << agent;
     events += exact.met()[agent].size();
   }
+  EXPECT_EQ(exact.sums().event_hash(), skipping.sums().event_hash());
+  EXPECT_EQ(exact.sums().place_hash(), skipping.sums().place_hash());
+  EXPECT_NE(exact.sums().event_hash(), before.first) << "somebody met something";
+  EXPECT_NE(exact.sums().place_hash(), before.second) << "and went somewhere";
   EXPECT_GT(events, 500U) << "people walk, and steps are data keys";
 }
 

@@ -1,9 +1,11 @@
 #include "engine/anim/kernel/noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -60,7 +62,6 @@ glm::dvec3 turn_at(const Noise& noise, int bone) {
 
 std::uint32_t mixed(std::uint32_t bits) {
   bits = (bits ^ (bits >> 16)) * 0x7FEB352DU;
-  bits = (bits ^ (bits >> 15)) * 0x846CA68BU;
   return bits ^ (bits >> 16);
 }
 
@@ -165,6 +166,27 @@ TEST(Noise, DiffersBetweenSeedsBonesAndAxes) {
   EXPECT_GT(glm::length(turn_at(noise, 0) - turn_at(other_packet, 0)), 1e-3);
   EXPECT_GT(glm::length(turn_at(noise, 0) - turn_at(noise, 1)), 1e-3);
   EXPECT_GT(std::abs(turn_at(noise, 0).x - turn_at(noise, 0).y), 1e-3);
+}
+
+TEST(Noise, OfOneBoneOrAxisSaysLittleOfAnother) {
+  constexpr int keys = 2000, values_of_a_key = packet_bones * 3;
+  constexpr double most_correlation = 0.1, four_deviations = 4.0 / 44.7;  // of a chance correlation over so many keys
+  std::vector<std::array<double, values_of_a_key>> values(keys);
+  for (int key = 0; key < keys; ++key) {
+    for (int i = 0; i < values_of_a_key; ++i) {
+      values[static_cast<std::size_t>(key)].at(static_cast<std::size_t>(i)) =
+          lattice_value({.point = {}, .seed = static_cast<std::uint64_t>(key)}, i % 3, 0, i / 3);
+    }
+  }
+  double largest = 0.0;
+  for (std::size_t a = 0; a < values_of_a_key; ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      double sum = 0.0;
+      for (const auto& of_a_key : values) sum += of_a_key.at(a) * of_a_key.at(b);
+      largest = std::max(largest, std::abs(3.0 * sum / keys));
+    }
+  }
+  EXPECT_LT(largest, most_correlation + four_deviations);
 }
 
 TEST(Noise, LeansToNoSide) {

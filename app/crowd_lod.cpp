@@ -92,6 +92,13 @@ void CrowdLod::prepare(const LodPreparation& moment, std::span<const CharacterSo
   weigh(moment.now, selected);
 }
 
+bool CrowdLod::begin(const Tuning& tuning, const anim::LodCost& cost) {
+  if (tuning.lod != LodRule::budget || tuning.budget_ms <= 0.0F || !controller_.is_new()) return false;
+  controller_.begin(limits_of(tuning), cost.by_tolerance);
+  rules_.tolerance_pixels = controller_.tolerance_pixels();
+  return true;
+}
+
 void CrowdLod::settle(const Tuning& tuning, const anim::LodCost& cost, double predicted_nanoseconds, bool moving) {
   if (!moving) return;
   const bool by_error = tuning.lod == LodRule::budget;

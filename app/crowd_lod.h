@@ -54,6 +54,9 @@ class CrowdLod {
   std::span<const float> importance() const { return importance_; }
   std::span<const std::uint8_t> changing() const { return changing_; }
 
+  /// With a budget, in the first frame, whose tolerance is not known until its selection has said what it would cost:
+  /// then it has another one, and whoever was selected is to be selected again.
+  bool begin(const Tuning& tuning, const anim::LodCost& cost);
   /// After a frame was posed: the tolerance of the next.
   void settle(const Tuning& tuning, const anim::LodCost& cost, double predicted_nanoseconds, bool moving);
   void tell_measured_error(std::optional<float> pixels) { measured_error_ = pixels; }

@@ -48,7 +48,8 @@ std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters
   return roles;
 }
 
-constexpr auto cost_of_placed_feet = static_cast<std::uint32_t>(anim::CostModel{}.post_process);
+constexpr auto cost_of_placed_feet =
+    static_cast<std::uint32_t>(anim::foot_placement_work * anim::CostModel{}.post_process);
 
 anim::LodCharacter lod_character(const CharacterSource& source) {
   return {.centre_height = static_cast<float>(source.bounds.height / 2.0),

@@ -82,8 +82,15 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   slots_.reclaim(completed_frame);
   crowd_lod_.prepare({.rules = lod_rules(tuning_), .now = system_->clock(), .frame_step = frame_step}, characters_,
                      selected_);
-  anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
-                          system_->options().pus);
+  const auto select = [&] {
+    anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
+                            system_->options().pus);
+  };
+  select();
+  if (crowd_lod_.begin(tuning_, selection_.cost)) {
+    lod_.make_all_due();
+    select();
+  }
   shown_.hide_unseen(selection_.visible, last_frame);
   meter_.begin_frame(error_sampling(tuning_), selection_.visible, shown_);
   updates_.clear();

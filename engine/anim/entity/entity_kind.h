@@ -117,7 +117,8 @@ struct EntityKind {
   void (*pose_whole)(const EntityInStore& entity, const PoseView& pose) = nullptr;  ///< or this one
   /// pose_whole reads and changes the bones below this one alone: the others need not be there yet.
   int whole_bones = std::numeric_limits<int>::max();
-  bool displaces = true;  ///< false: positions are those of its only source
+  int whole_pose_work = 1;  ///< what pose_whole takes, in gazes: CostModel::post_process
+  bool displaces = true;    ///< false: positions are those of its only source
   /// For up to widest_tile characters at once, each as pose_whole would, to the bit and whoever the others are; called
   /// where these stand side by side. Null: pose_whole is called for each.
   void (*pose_tile)(std::span<const PosedEntity> all) = nullptr;

@@ -18,7 +18,8 @@ static_assert(sizeof(FadingWeight) == 16);
 
 inline float value(const FadingWeight& weight) {
   if (weight.elapsed >= weight.total) return weight.to;
-  return std::lerp(weight.from, weight.to, ease(std::max(weight.elapsed, 0.0F) / weight.total));
+  if (weight.elapsed <= 0.0F) return weight.from;
+  return std::lerp(weight.from, weight.to, ease(weight.elapsed / weight.total));
 }
 
 inline constexpr float weight_memory = 2.0F;  ///< seconds after a fade in which it can still be wound back
@@ -30,7 +31,7 @@ inline void advance_weight(FadingWeight& weight, float seconds) {
 
 /// From where it is. `lead`: how far the entity stands ahead of the moment at which the fade begins.
 inline void fade_to(FadingWeight& weight, float to, float seconds, float lead) {
-  weight = {.from = value(weight), .to = to, .elapsed = std::min(lead, seconds), .total = seconds};
+  weight = {.from = value(weight), .to = to, .elapsed = std::min(lead, seconds + weight_memory), .total = seconds};
 }
 
 }  // namespace throng::anim

@@ -55,6 +55,7 @@ EntityKind foot_placement_kind(const FootPlacementRig& rig) {
           .prepared_bytes = whole_pose_prepared_bytes,
           .advance = advance_feet,
           .pose_whole = place,
+          .whole_pose_work = foot_placement_work,
           .resource = &rig};
 }
 

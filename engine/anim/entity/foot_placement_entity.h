@@ -37,6 +37,9 @@ struct FootPlacementMemory {
 };
 static_assert(std::is_trivially_copyable_v<FootPlacementMemory>);
 
+/// EntityKind::whole_pose_work.
+inline constexpr int foot_placement_work = 16;
+
 /// The placed feet of a skeleton; the rig outlives them. A level of detail without all legs is left as it is, and where
 /// feet were locked is forgotten.
 EntityKind foot_placement_kind(const FootPlacementRig& rig);

@@ -34,6 +34,7 @@ EntityKind ik_kind(const std::vector<TwoBoneLimb>& limbs) {
           .prepared_bytes = whole_pose_prepared_bytes,
           .advance = advance_ik,
           .pose_whole = reach,
+          .whole_pose_work = 3,
           .resource = &limbs};
 }
 

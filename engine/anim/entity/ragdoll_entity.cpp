@@ -120,6 +120,7 @@ EntityKind ragdoll_kind(const RagdollRig& rig) {
           .prepared_bytes = 64,
           .advance = advance_ragdoll,
           .pose_whole = pose_ragdoll,
+          .whole_pose_work = 600,
           .resource = &rig};
 }
 

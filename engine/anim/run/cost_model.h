@@ -7,9 +7,9 @@ namespace throng::anim {
 
 /// What of a program costs time.
 struct ProgramParts {
-  std::uint8_t players = 0;         ///< read a stream
-  std::uint8_t blenders = 0;        ///< whatever else makes packets: blenders, mixers, layers, noise
-  std::uint8_t post_processes = 0;  ///< need the whole pose: reach, gaze, feet, rag-dolls
+  std::uint8_t players = 0;           ///< read a stream
+  std::uint8_t blenders = 0;          ///< whatever else makes packets: blenders, mixers, layers, noise
+  std::uint16_t whole_pose_work = 0;  ///< of what needs the whole pose (EntityKind::whole_pose_work)
 };
 
 /// Paper 3.2: "never treat tasks as equal units". What a task takes, nanoseconds of one PU, from bones (as packets of
@@ -22,12 +22,12 @@ struct CostModel {
   double agent = 95;           ///< copies, clocks
   double player_packet = 23;   ///< 16 bones of a player
   double blender_packet = 27;  ///< of what combines or changes them
-  double post_process = 790;   ///< a whole pose held, and one change to it
+  double post_process = 165;   ///< a whole pose held, and a gaze
   double least_task = 10'000;  ///< below which another PU is not worth waking
 
   double of_agent(const ProgramParts& parts, int packets) const {
     const double packet = parts.players * player_packet + parts.blenders * blender_packet;
-    return agent + packets * packet + parts.post_processes * post_process;
+    return agent + packets * packet + parts.whole_pose_work * post_process;
   }
   double of_tile(int packets) const { return tile + packets * tile_packet; }
 

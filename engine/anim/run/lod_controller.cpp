@@ -79,7 +79,14 @@ void LodController::reset(const LodLimits& limits) {
   if (limits.error_pixels > 0.0F) tolerance_ = std::max(limits.error_pixels, least_tolerance_pixels);
 }
 
+void LodController::begin(const LodLimits& limits, const CostByTolerance& cost) {
+  budget_tolerance_ = least_tolerance(cost, limits.budget_nanoseconds / headroom_ * aimed_cost);
+  tolerance_ = std::max(limits.error_pixels, budget_tolerance_);
+  is_new_ = false;
+}
+
 void LodController::settle(const LodLimits& limits, const LodOutcome& outcome) {
+  is_new_ = false;
   const bool error_limited = limits.error_pixels > 0.0F, budgeted = limits.budget_nanoseconds > 0.0;
   const bool error_decides = binding_ == BindingLimit::error;
   if (error_limited && error_decides && outcome.measured_error_pixels) {

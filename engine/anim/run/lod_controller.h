@@ -42,6 +42,11 @@ class LodController {
   /// Before the first frame, and when the crowd starts anew.
   void reset(const LodLimits& limits);
 
+  /// No frame has been settled since.
+  bool is_new() const { return is_new_; }
+  /// With a budget, before the first frame: from what those in view would cost.
+  void begin(const LodLimits& limits, const CostByTolerance& cost);
+
   void settle(const LodLimits& limits, const LodOutcome& outcome);
 
   float tolerance_pixels() const { return tolerance_; }
@@ -55,9 +60,10 @@ class LodController {
   float tolerance_ = 1.0F;
   float budget_tolerance_ = least_tolerance_pixels;
   float error_factor_ = 1.0F;  // tolerance over the error that is wanted
-  double headroom_ = 1.35;      // what frames come to, over what they would in the long run; at first a careful guess
+  double headroom_ = 1.35;     // what frames come to, over what they would in the long run; at first a careful guess
   double expected_ = 0.0;      // nanoseconds, of the last frames
   BindingLimit binding_ = BindingLimit::error;
+  bool is_new_ = true;
 };
 
 }  // namespace throng::anim

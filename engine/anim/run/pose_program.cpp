@@ -142,7 +142,7 @@ void count_part(const EntityKind& kind, ProgramParts& parts) {
   if (kind.sources == nullptr) {
     ++parts.players;
   } else if (kind.whole_pose()) {
-    ++parts.post_processes;
+    parts.whole_pose_work = static_cast<std::uint16_t>(parts.whole_pose_work + kind.whole_pose_work);
   } else {
     ++parts.blenders;
   }

@@ -52,5 +52,14 @@ TEST(FadingWeight, BeginsWhenItWasAskedForWhereverTheEntityStands) {
   EXPECT_FLOAT_EQ(value(behind), 0.5F);
 }
 
+TEST(FadingWeight, ThatIsSetAtOnceCanBeWoundBackToThatMomentAndBeyond) {
+  FadingWeight ahead{};
+  fade_to(ahead, 1.0F, 0.0F, 0.25F);
+  advance_weight(ahead, -0.25F);
+  EXPECT_EQ(value(ahead), 1.0F) << "when it was asked for";
+  advance_weight(ahead, -0.25F);
+  EXPECT_EQ(value(ahead), 0.0F) << "before that";
+}
+
 }  // namespace
 }  // namespace throng::anim

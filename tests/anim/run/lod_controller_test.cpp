@@ -42,10 +42,12 @@ TEST_F(LodControllerTest, ABudgetThatIsEnoughForTheFinestBindsNothing) {
   EXPECT_FLOAT_EQ(controller.tolerance_pixels(), least_tolerance_pixels);
 }
 
-TEST_F(LodControllerTest, TheBudgetIsHeldFromTheFrameAfterTheFirst) {
+TEST_F(LodControllerTest, TheBudgetIsHeldFromTheFirstFrameOn) {
   limits.budget_nanoseconds = 2 * millisecond;
   const CostByTolerance cost = crowd_costing(3 * millisecond);
-  settle(cost);
+  EXPECT_TRUE(controller.is_new());
+  controller.begin(limits, cost);
+  EXPECT_FALSE(controller.is_new());
   for (int frame = 0; frame < 600; ++frame) {
     EXPECT_LE(cost_of(cost, controller.tolerance_pixels()), limits.budget_nanoseconds);
     settle(cost);

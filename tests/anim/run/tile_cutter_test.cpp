@@ -76,7 +76,7 @@ TEST(CostModel, CountsThePartsOfAProgram) {
   const ProgramParts& parts = crowd->program(0).parts;
   EXPECT_EQ(parts.players, 2);
   EXPECT_EQ(parts.blenders, 1);
-  EXPECT_EQ(parts.post_processes, 0);
+  EXPECT_EQ(parts.whole_pose_work, 0);
 }
 
 TEST(CutShares, AreOfAboutEqualCostWhateverTheTasksAre) {

@@ -13,7 +13,7 @@ constexpr std::size_t most_spans = std::size_t{1} << 16U;
 /// What an entity by itself costs in `levels`.
 double cost_of(const EntityKind& kind, int packets, const CostModel& cost) {
   if (kind.sources == nullptr) return cost.agent + packets * cost.player_packet;
-  return cost.agent + (kind.whole_pose() ? cost.post_process : packets * cost.blender_packet);
+  return cost.agent + (kind.whole_pose() ? kind.whole_pose_work * cost.post_process : packets * cost.blender_packet);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ constexpr float most_error_factor = 8.0F;
 constexpr double frames_of_change = 8.0;  // until most agents have met their turn
 constexpr double headroom_rise = 0.25, headroom_fall = 1.0 / 240.0;
 constexpr double most_headroom = 4.0;
-constexpr double aimed_cost = 0.93;                             // of the budget
-constexpr double too_much_cost = 0.98, too_little_cost = 0.85;  // in between the tolerance stays
+constexpr double aimed_cost = 0.88;                             // of the budget
+constexpr double too_much_cost = 0.93, too_little_cost = 0.82;  // in between the tolerance stays
 constexpr float sinking = 1.0F / 30.0F;                         // of the way to a lower tolerance, a frame
 
 double cost_at(const CostByTolerance& cost, float tolerance) {

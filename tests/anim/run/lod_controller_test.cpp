@@ -80,7 +80,7 @@ TEST_F(LodControllerTest, MostOfTheBudgetIsSpent) {
   limits.budget_nanoseconds = 2 * millisecond;
   const CostByTolerance cost = crowd_costing(3 * millisecond);
   settle(crowd_costing(30 * millisecond));  // what was there before
-  for (int frame = 0; frame < 600; ++frame) settle(cost);
+  for (int frame = 0; frame < 1200; ++frame) settle(cost);
   EXPECT_GE(cost_of(cost, controller.tolerance_pixels()), 0.8 * limits.budget_nanoseconds);
 }
 
@@ -125,7 +125,7 @@ TEST_F(LodControllerTest, WithoutAMeasuredErrorThePredictedOneIsHeld) {
 
 TEST_F(LodControllerTest, OfTwoLimitsThatHoldTheErrorsBinds) {
   limits = {.error_pixels = 1.0F, .budget_nanoseconds = 4 * millisecond};
-  for (int frame = 0; frame < 300; ++frame) settle(crowd_costing(3 * millisecond));
+  for (int frame = 0; frame < 1200; ++frame) settle(crowd_costing(3 * millisecond));
   EXPECT_EQ(controller.binding(), BindingLimit::error);
   EXPECT_FLOAT_EQ(controller.tolerance_pixels(), 1.0F);
 }

@@ -84,18 +84,22 @@ anim::Result<std::unique_ptr<SystemSubject>> CaseBench::subject(const anim::Syst
 
 void CaseBench::add_write_floors() {
   for (const auto& [key, policy] : store_policies) {
-    rounds_.add({key, [this, policy = policy] { app::write_floor(floor_palettes_->bytes(), policy); }});
+    rounds_.add({key, [this, policy = policy] {
+                   anim::best_kernels().write_lines({.lines = floor_palettes_->floats(), .stores = policy});
+                 }});
   }
 }
 
 void CaseBench::add_kernels() {
   if (!all_sampled(*character_)) return;
-  kernels_ = std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *palettes_);
-  scalar_ = std::make_unique<KernelSubject>(*character_, anim::scalar_kernels(), agents_, *palettes_);
+  const anim::StorePolicy stores = system().schedule().stores;
+  kernels_ = std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *palettes_, stores);
+  scalar_ = std::make_unique<KernelSubject>(*character_, anim::scalar_kernels(), agents_, *palettes_, stores);
   rounds_.add({"scalar", [this] { scalar_->run(); }});
   rounds_.add({"kernels", [this] { kernels_->run(); }});
   if (packed_palettes_ == nullptr) return;
-  packed_kernels_ = std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *packed_palettes_);
+  packed_kernels_ =
+      std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *packed_palettes_, stores);
   rounds_.add({"packed kernels", [this] { packed_kernels_->run(); }});
 }
 
@@ -104,6 +108,10 @@ void CaseBench::add_updates() {
   anim::SystemOptions one_pu = options_;
   one_pu.pus = 1;
   const auto run = [this] { update_->run(); };
+  anim::SystemOptions other_stores = one_pu;
+  other_stores.stores = system().schedule().stores == anim::StorePolicy::streaming ? anim::StorePolicy::prefetched
+                                                                                   : anim::StorePolicy::streaming;
+  rounds_.add({"other stores", run, [this, other_stores] { update_->configure(other_stores); }});
   rounds_.add({"one pu", run, [this, one_pu] { update_->configure(one_pu); }});
   rounds_.add({"update", run, [this] { update_->configure(options_); }});
   rounds_.add({"untraced", run, [this] { update_->record_trace(anim::Tracing::off); }});
@@ -195,6 +203,7 @@ Json CaseBench::report() const {
   json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
   json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
   json["ozz_over_one_pu"] = ratio_or_null("ozz", "one pu");
+  json["other_stores_over_one_pu"] = ratio_or_null("other stores", "one pu");
   json["held_over_streaming"] = ratio_or_null("held", "one pu");
   json["trace_cost_percent"] = 100.0 * (rounds_.fastest("traced") / rounds_.fastest("untraced") - 1.0);
   json["agents_per_60hz_frame"] =
@@ -253,6 +262,7 @@ anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options,
   json["stream"] = bench.stream == Stream::sampled ? "sampled" : "keyframe";
   const bool packed = work.system().palette_format(0) == anim::PaletteFormat::packed;
   json["palette_format"] = packed ? "packed" : "float";
+  json["stores"] = schedule.stores == anim::StorePolicy::streaming ? "streaming" : "prefetched";
   json["simd_target"] = work.system().kernels().target;
   json["pose_hash"] = hex_string(work.hash(options.frames));
   json["clips"] = character.character->clips.size();

@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 #include <random>
-
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
 
 namespace throng::app {
 namespace {
 
 constexpr anim::Ticks frame_step = anim::ticks_per_second / 60;
-constexpr std::size_t cache_line = 64;
 
 anim::PlayRequest request(int clip, anim::Ticks start) { return {.clip = clip, .start = start}; }
 
@@ -82,8 +76,9 @@ void SystemSubject::configure(const anim::SystemOptions& options) {
 }
 
 KernelSubject::KernelSubject(const anim::Character& character, const anim::Kernels& kernels,
-                             std::span<const BenchAgent> agents, const BenchPalettes& palettes)
-    : character_(&character), kernels_(&kernels), agents_(agents), palettes_(&palettes) {
+                             std::span<const BenchAgent> agents, const BenchPalettes& palettes,
+                             anim::StorePolicy stores)
+    : character_(&character), kernels_(&kernels), agents_(agents), palettes_(&palettes), stores_(stores) {
   const std::size_t lanes = anim::widest_tile;
   const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count + 1);
   const std::size_t floats = packet_floats(character) * lanes + slots * anim::branch_slot_floats * lanes;
@@ -139,33 +134,13 @@ void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t fir
                              .characters = static_cast<int>(agents.size()),
                              .local = local_,
                              .displaced = displaced,
+                             .stores = stores_,
                              .carry = carry_,
                              .branch_slots = branches_,
                              .format = palettes_->format(),
                              .palettes = palettes.data(),
                              .hashes = nullptr});
   }
-}
-
-void write_floor(std::span<std::byte> palettes, anim::StorePolicy policy) {
-#if defined(__SSE2__)
-  const __m128 value = _mm_set1_ps(static_cast<float>(palettes.size()));
-  for (std::size_t offset = 0; offset < palettes.size(); offset += cache_line) {
-    auto* line = reinterpret_cast<float*>(palettes.data() + offset);
-    if (policy == anim::StorePolicy::prefetched) __builtin_prefetch(palettes.data() + offset + 16 * cache_line, 1);
-    for (int i = 0; i < 16; i += 4) {
-      if (policy == anim::StorePolicy::streaming) {
-        _mm_stream_ps(line + i, value);
-      } else {
-        _mm_store_ps(line + i, value);
-      }
-    }
-  }
-  _mm_sfence();
-#else
-  static_cast<void>(policy);
-  std::memset(palettes.data(), 1, palettes.size());
-#endif
 }
 
 }  // namespace throng::app

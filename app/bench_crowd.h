@@ -31,7 +31,7 @@ class BenchPalettes {
   anim::PaletteDestination of(std::size_t agent) const {
     return anim::PaletteDestination(memory_.get() + agent * slot_bytes_);
   }
-  std::span<std::byte> bytes() const { return {memory_.get(), size_}; }
+  std::span<float> floats() const { return {reinterpret_cast<float*>(memory_.get()), size_ / sizeof(float)}; }
 
  private:
   anim::PaletteFormat format_;
@@ -65,7 +65,7 @@ class SystemSubject {
 class KernelSubject {
  public:
   KernelSubject(const anim::Character& character, const anim::Kernels& kernels, std::span<const BenchAgent> agents,
-                const BenchPalettes& palettes);
+                const BenchPalettes& palettes, anim::StorePolicy stores);
   void run();
 
  private:
@@ -77,14 +77,12 @@ class KernelSubject {
   const anim::Kernels* kernels_;
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
+  anim::StorePolicy stores_;
   anim::Ticks clock_ = 0;
   anim::AlignedBytes scratch_;
   float* local_;
   float* carry_;
   float* branches_;
 };
-
-/// Writing the same palette bytes and nothing else.
-void write_floor(std::span<std::byte> palettes, anim::StorePolicy policy);
 
 }  // namespace throng::app

@@ -12,6 +12,7 @@
 
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/asset/skeleton.h"
+#include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/kernel/hierarchy.h"
 #include "engine/anim/kernel/kernels.h"
 
@@ -295,14 +296,12 @@ void model_palette_alone(benchmark::State& state, const Kernels& kernels, Palett
 }
 
 /// Writing as many bytes and nothing else: what no kernel can beat.
-void write_floor(benchmark::State& state) {
+void write_floor(benchmark::State& state, StorePolicy stores) {
   const auto characters = static_cast<std::size_t>(state.range(0));
-  std::vector<PaletteMatrix> palettes(characters * bones);
-  int value = 0;
-  for ([[maybe_unused]] const auto& round : state) {
-    std::memset(palettes.data(), ++value, palettes.size() * sizeof(PaletteMatrix));
-    benchmark::ClobberMemory();
-  }
+  const std::size_t bytes = characters * bones * sizeof(PaletteMatrix);
+  const AlignedBytes palettes = allocate_aligned(bytes);
+  const WriteLinesJob job{.lines = {reinterpret_cast<float*>(palettes.get()), bytes / sizeof(float)}, .stores = stores};
+  for ([[maybe_unused]] const auto& round : state) best_kernels().write_lines(job);
   report(state, characters * bones);
 }
 
@@ -329,7 +328,9 @@ void register_all() {
     sizes(
         benchmark::RegisterBenchmark(("packed_pipeline/" + target).c_str(), pipeline, kernels, PaletteFormat::packed));
   }
-  sizes(benchmark::RegisterBenchmark("write_floor", write_floor));
+  sizes(benchmark::RegisterBenchmark("write_floor/plain", write_floor, StorePolicy::plain));
+  sizes(benchmark::RegisterBenchmark("write_floor/prefetched", write_floor, StorePolicy::prefetched));
+  sizes(benchmark::RegisterBenchmark("write_floor/streaming", write_floor, StorePolicy::streaming));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/anim/run/store_choice.h"
 #include "engine/anim/run/stream_reads.h"
 
 namespace throng::anim {
@@ -116,7 +117,7 @@ void AnimationSystem::make_scheduler(const LocalStorePlan& plan, std::size_t sto
                                                            .local_store_bytes = store_bytes,
                                                            .pus = options_.pus,
                                                            .cost = options_.cost,
-                                                           .stores = options_.stores,
+                                                           .stores = store_policy(),
                                                            .trace = options_.trace},
                                            most_entries);
   scheduler_->reserve(agent_count());
@@ -175,11 +176,19 @@ void AnimationSystem::restart() {
   shared_posed_at_ = 0;
 }
 
+StorePolicy AnimationSystem::store_policy() const {
+  if (options_.stores) return *options_.stores;
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < casts_.size(); ++i) bytes += casts_[i]->palette_bytes(contexts_[i].palette_format);
+  return store_policy_for(bytes);
+}
+
 void AnimationSystem::reserve_work() {
   posed_at_.resize(agent_count(), clock_);
   agent_hashes_.resize(agent_count(), 0);
   work_.reserve(agent_count());
   scheduler_->reserve(agent_count());
+  scheduler_->set_stores(store_policy());
 }
 
 EntityBuilder AnimationSystem::builder(std::uint32_t agent) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ struct SystemOptions {
   Tracing trace = Tracing::on;  ///< record what each PU does, for units() and update_time()
   bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
   CostModel cost{};             ///< what orders tasks and cuts tiles
-  StorePolicy stores = StorePolicy::prefetched;  ///< how palettes are written
+  std::optional<StorePolicy> stores{};  ///< how palettes are written; none: by their size (run/store_choice.h)
   /// What is written: `packed` of the characters that can be packed (see palette_format), matrices of all others.
   PaletteFormat palettes = PaletteFormat::matrices;
   const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
@@ -289,6 +290,7 @@ class AnimationSystem {
   std::uint16_t predicted_cost(const PoseProgram& program, std::uint32_t cast, int level) const;
   bool exact_stores_hold() const;
   void make_exact_scheduler();
+  StorePolicy store_policy() const;
   void report_work();
   void end_work();
 

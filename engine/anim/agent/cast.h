@@ -64,6 +64,10 @@ struct Cast {
   Compaction compact();
   void add_memory(std::vector<KindMemory>& kinds) const;
   std::size_t bytes_alive() const;
+  /// Of one palette of each agent.
+  std::size_t palette_bytes(PaletteFormat format) const {
+    return agents.count() * static_cast<std::size_t>(skeleton().palette_count()) * palette_entry_bytes(format);
+  }
 
   std::shared_ptr<const Character> character;
   std::vector<float> still_pose;

@@ -28,6 +28,7 @@
 #include "engine/anim/kernel/rigid_palette-inl.h"
 #include "engine/anim/kernel/sample-inl.h"
 #include "engine/anim/kernel/subtract-inl.h"
+#include "engine/anim/kernel/write_lines-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
@@ -81,6 +82,7 @@ Kernels kernel_set() {
           .noise = &noise,
           .look_at = &look_at,
           .model_palette = &model_palette,
+          .write_lines = &write_lines,
           .fence_stores = &fence_stores};
 }
 

@@ -128,6 +128,14 @@ struct ModelPaletteJob {
 std::uint64_t palette_entry_hash(std::uint32_t joint, const PaletteMatrix& matrix);
 std::uint64_t palette_entry_hash(std::uint32_t joint, const PackedPaletteEntry& entry);
 
+/// Whole cache lines of one value and nothing else, in order: the floor under every kernel that writes palettes, and
+/// the probe that tells how palettes are best written (run/store_choice.h).
+struct WriteLinesJob {
+  std::span<float> lines;  ///< out, [16 * lines]
+  float value = 0.0F;
+  StorePolicy stores = StorePolicy::plain;
+};
+
 /// One SIMD target's set.
 struct Kernels {
   const char* target;  ///< as Highway names it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
@@ -143,6 +151,7 @@ struct Kernels {
   void (*noise)(const NoiseJob& job);
   void (*look_at)(std::span<LookAtJob> jobs);  ///< at most widest_tile, all of one rig; see look_at.h
   void (*model_palette)(const ModelPaletteJob& job);
+  void (*write_lines)(const WriteLinesJob& job);
   void (*fence_stores)();  ///< what was streamed is visible to whoever learns of it from now on
 };
 

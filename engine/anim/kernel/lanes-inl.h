@@ -102,28 +102,26 @@ HWY_INLINE Vectors<V> sum(const Vectors<V>& a, const Vectors<V>& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
 
+template <class V>
+HWY_INLINE Vectors<V> difference(const Vectors<V>& a, const Vectors<V>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE Matrices<V> difference(const Matrices<V>& a, const Matrices<V>& b) {
+  return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
+}
+
 /// row * v + start
 template <class V>
 HWY_INLINE V dot_add(const Vectors<V>& row, const Vectors<V>& v, V start) {
   return hn::MulAdd(row.z, v.z, hn::MulAdd(row.y, v.y, hn::MulAdd(row.x, v.x, start)));
 }
 
-/// start - row * v
-template <class V>
-HWY_INLINE V dot_subtract(const Vectors<V>& row, const Vectors<V>& v, V start) {
-  return hn::NegMulAdd(row.z, v.z, hn::NegMulAdd(row.y, v.y, hn::NegMulAdd(row.x, v.x, start)));
-}
-
 /// m * v + start
 template <class V>
 HWY_INLINE Vectors<V> transform_add(const Matrices<V>& m, const Vectors<V>& v, const Vectors<V>& start) {
   return {dot_add(m.x, v, start.x), dot_add(m.y, v, start.y), dot_add(m.z, v, start.z)};
-}
-
-/// start - m * v
-template <class V>
-HWY_INLINE Vectors<V> transform_subtract(const Matrices<V>& m, const Vectors<V>& v, const Vectors<V>& start) {
-  return {dot_subtract(m.x, v, start.x), dot_subtract(m.y, v, start.y), dot_subtract(m.z, v, start.z)};
 }
 
 template <class D, class V>

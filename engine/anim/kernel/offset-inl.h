@@ -12,11 +12,6 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
 template <class V>
-HWY_INLINE Vectors<V> difference(const Vectors<V>& a, const Vectors<V>& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-
-template <class V>
 struct Offsets {
   Quaternions<V> rotation;
   Vectors<V> position;

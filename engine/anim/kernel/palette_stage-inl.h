@@ -71,7 +71,8 @@ class PaletteStage {
   HWY_INLINE void put_row(D d, int entry, int row, const Vectors<V>& xyz, V w) {
     if constexpr (lanes >= block_floats) {
       const auto characters = transpose_blocks(d, xyz.x, xyz.y, xyz.z, w);
-      for (int k = 0; k < 4; ++k) hn::Store(characters.v[k], d, put_ + ((k * entries + entry) * rows + row) * lanes);
+      float* const to = put_ + (entry * rows + row) * lanes;
+      for (int k = 0; k < 4; ++k) hn::Store(characters.v[k], d, to + k * entries * rows * lanes);
     } else {
       alignas(16) FloatArray<lanes> components[4];
       hn::Store(xyz.x, d, components[0]);

@@ -49,15 +49,19 @@ HWY_INLINE Vectors<V> displaced(D d, const Vectors<V>& at_rest, const float* dis
 
 /// `motion` of the parent becomes that of a bone turned by `rotation` about its pivot, which was moved by
 /// `displacement`, if that is not null (ReferenceFrame):
-///     R = R_parent * R',   t = t_parent + R_parent * (pivot + displacement) - R * pivot
+///     R = R_parent * R',   t = t_parent + R_parent * displacement + (R_parent - R) * pivot
+/// The difference first: translations of a chain of bones wait for each other, matrices need not wait for them.
 template <class D, class V>
 HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Quaternions<V>& rotation,
                         const float* displacement, int stride, RigidMotion<V>& motion) {
-  const auto pivot = broadcast_vector(d, program.pivots.data() + 3 * bone);
-  const auto joint = transform_add(motion.matrix, displaced(d, pivot, displacement, stride), motion.translation);
+  const Matrices<V> parent = motion.matrix;
+  if (displacement != nullptr) {
+    motion.translation = transform_add(parent, load_vectors(d, displacement, stride), motion.translation);
+  }
   motion.rotation = product(motion.rotation, rotation);
   motion.matrix = rotation_matrices(d, motion.rotation);
-  motion.translation = transform_subtract(motion.matrix, pivot, joint);
+  const auto pivot = broadcast_vector(d, program.pivots.data() + 3 * bone);
+  motion.translation = transform_add(difference(parent, motion.matrix), pivot, motion.translation);
 }
 
 template <class D, class V>

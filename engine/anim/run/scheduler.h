@@ -39,6 +39,9 @@ class Scheduler {
   /// For updates of so many agents.
   void record_trace(Tracing tracing, std::size_t agents);
 
+  /// How palettes are written from the next update on.
+  void set_stores(StorePolicy stores) { options_.stores = stores; }
+
   /// Divides the stores anew, at a frame boundary.
   void set_plan(const LocalStorePlan& plan);
 

@@ -1,0 +1,52 @@
+#include "engine/anim/run/store_choice.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <span>
+
+#include "engine/anim/base/aligned_bytes.h"
+
+namespace throng::anim {
+namespace {
+
+/// The least time of a few rounds, since all that disturbs it makes it longer. The first brings the lines to where that
+/// many of them stay.
+double seconds_to_write(std::span<float> lines, StorePolicy stores) {
+  constexpr int rounds = 3;
+  const Kernels& kernels = best_kernels();
+  double least = std::numeric_limits<double>::max();
+  for (int round = 0; round < rounds; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    kernels.write_lines({.lines = lines, .value = static_cast<float>(round), .stores = stores});
+    kernels.fence_stores();
+    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return least;
+}
+
+bool stays_in_caches(std::size_t bytes) {
+  const AlignedBytes memory = allocate_aligned(bytes);
+  const std::span lines(reinterpret_cast<float*>(memory.get()), bytes / sizeof(float));
+  return seconds_to_write(lines, StorePolicy::prefetched) < seconds_to_write(lines, StorePolicy::streaming);
+}
+
+std::size_t measured_cached_bytes() {
+  std::size_t bytes = least_cached_bytes;
+  while (bytes < most_cached_bytes && stays_in_caches(2 * bytes)) bytes *= 2;
+  return bytes;
+}
+
+}  // namespace
+
+std::size_t cached_bytes() {
+  static const std::size_t bytes = measured_cached_bytes();
+  return bytes;
+}
+
+StorePolicy store_policy_for(std::size_t palette_bytes) {
+  const bool cached = palette_bytes <= least_cached_bytes || palette_bytes <= cached_bytes();
+  return cached ? StorePolicy::prefetched : StorePolicy::streaming;
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,61 @@
+#include "engine/anim/run/store_choice.h"
+
+#include <bit>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "tests/anim/agent/crowd_rig.h"
+
+namespace throng::anim {
+namespace {
+
+TEST(StoreChoice, MeasuresTheMachineOnceWithinItsLimits) {
+  const std::size_t measured = cached_bytes();
+  EXPECT_GE(measured, least_cached_bytes);
+  EXPECT_LE(measured, most_cached_bytes);
+  EXPECT_TRUE(std::has_single_bit(measured));
+  EXPECT_EQ(cached_bytes(), measured);
+}
+
+TEST(StoreChoice, FetchesWhatStaysInTheCachesAndWritesPastThemWhatDoesNot) {
+  EXPECT_EQ(store_policy_for(0), StorePolicy::prefetched);
+  EXPECT_EQ(store_policy_for(least_cached_bytes), StorePolicy::prefetched);
+  EXPECT_EQ(store_policy_for(cached_bytes()), StorePolicy::prefetched);
+  EXPECT_EQ(store_policy_for(cached_bytes() + 1), StorePolicy::streaming);
+}
+
+TEST(StoreChoice, FollowsTheSizeOfTheCrowd) {
+  CrowdRig crowd({}, 1);
+  EXPECT_EQ(crowd->schedule().stores, StorePolicy::prefetched);
+  const std::size_t palette_bytes = static_cast<std::size_t>(test_character()->skeleton.palette_count()) * 48;
+  crowd->add_agents(static_cast<std::uint32_t>(most_cached_bytes / palette_bytes), 0);
+  EXPECT_EQ(crowd->schedule().stores, StorePolicy::streaming);
+  crowd->set_agent_count(0);
+  EXPECT_EQ(crowd->schedule().stores, StorePolicy::prefetched);
+}
+
+TEST(StoreChoice, IsTheHostsWhereItSaysSo) {
+  for (const StorePolicy stores : {StorePolicy::plain, StorePolicy::prefetched, StorePolicy::streaming}) {
+    const CrowdRig crowd({.stores = stores}, 1);
+    EXPECT_EQ(crowd->schedule().stores, stores);
+  }
+}
+
+TEST(StoreChoice, ChangesNoBitOfAPalette) {
+  constexpr std::uint32_t agents = 21;
+  const auto played = [](StorePolicy stores) {
+    CrowdRig crowd({.stores = stores}, agents);
+    for (std::uint32_t agent = 0; agent < agents; ++agent) crowd->play(agent, {.clip = static_cast<int>(agent % 5)});
+    crowd.step(3);
+    return crowd;
+  };
+  const CrowdRig plain = played(StorePolicy::plain);
+  for (const StorePolicy stores : {StorePolicy::prefetched, StorePolicy::streaming}) {
+    const CrowdRig other = played(stores);
+    for (std::uint32_t agent = 0; agent < agents; ++agent) EXPECT_TRUE(other.bones_unlike(plain, agent).empty());
+  }
+}
+
+}  // namespace
+}  // namespace throng::anim

@@ -228,7 +228,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   begin_palettes(scratch_.model, tile, palettes_.unseen);
   if (needs.held) compute_held(characters, engine);
   compute_streaming(characters, engine);
-  store_hashes(scratch_.model, tile);
+  store_hashes(about, scratch_.model, tile);
   ++tiles_done_;
   agents_done_ += static_cast<std::uint32_t>(tile.size());
 }

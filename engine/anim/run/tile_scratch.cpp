@@ -41,13 +41,12 @@ void model_palette_packet(const UpdateContext& context, const ModelScratch& scra
                                          .branch_slots = scratch.branches.data(),
                                          .format = context.palette_format,
                                          .palettes = scratch.palettes.data(),
-                                         .hashes = tile.front().hash == nullptr ? nullptr : scratch.hashes.data()});
+                                         .hashes = context.hashes.empty() ? nullptr : scratch.hashes.data()});
 }
 
-void store_hashes(const ModelScratch& scratch, std::span<const AgentWork> tile) {
-  for (std::size_t i = 0; i < tile.size(); ++i) {
-    if (tile[i].hash != nullptr) *tile[i].hash = scratch.hashes[i];
-  }
+void store_hashes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile) {
+  if (context.hashes.empty()) return;
+  for (std::size_t i = 0; i < tile.size(); ++i) context.hashes[tile[i].agent] = scratch.hashes[i];
 }
 
 }  // namespace throng::anim

@@ -71,7 +71,7 @@ struct TilePacket {
 void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, float* local,
                           std::span<const AgentWork> tile, const TilePacket& about);
 
-/// Hands the hashes to the agents that asked for them.
-void store_hashes(const ModelScratch& scratch, std::span<const AgentWork> tile);
+/// Hands the hashes to the agents, where they are wanted.
+void store_hashes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile);
 
 }  // namespace throng::anim

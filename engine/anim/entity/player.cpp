@@ -32,10 +32,16 @@ void keep_in_clip(Player& player, FineTicks duration) {
   }
 }
 
-RootVelocity velocity_of(const Player& player, const ClipStreams& clip) {
+bool stands_still(const Player& player, const ClipStreams& clip) {
   const bool holds = (player.flags & Player::looping) == 0 && (player.flags & Player::reached_end) != 0;
-  if (holds) return {};
-  return clip.root_motion == nullptr ? RootVelocity{} : root_velocity(*clip.root_motion, player.position);
+  return holds || clip.root_motion == nullptr || clip.root_motion->keys.empty();
+}
+
+void set_velocity(AnimationStateHeader& state, const RootVelocity& velocity, double speed) {
+  for (int axis = 0; axis < 3; ++axis) {
+    state.linear_velocity[axis] = static_cast<float>(velocity.linear[axis] * speed);
+    state.angular_velocity[axis] = axis == 1 ? static_cast<float>(velocity.yaw * speed) : 0.0F;
+  }
 }
 
 }  // namespace
@@ -44,11 +50,12 @@ void advance_player(Player& player, const ClipStreams& clip) {
   player.position += player.state.delta_time * player.speed;
   player.state.delta_time = 0;
   keep_in_clip(player, clip.duration * fine_ticks_per_tick);
-  const RootVelocity velocity = velocity_of(player, clip);
-  const double speed = static_cast<double>(player.speed) / 65536.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    player.state.linear_velocity[axis] = static_cast<float>(velocity.linear[axis] * speed);
-    player.state.angular_velocity[axis] = axis == 1 ? static_cast<float>(velocity.yaw * speed) : 0.0F;
+  if (stands_still(player, clip)) {
+    std::ranges::fill(player.state.linear_velocity, 0.0F);
+    std::ranges::fill(player.state.angular_velocity, 0.0F);
+  } else {
+    set_velocity(player.state, root_velocity(*clip.root_motion, player.position),
+                 static_cast<double>(player.speed) / 65536.0);
   }
 }
 
@@ -102,7 +109,7 @@ void advance_entity(const EntityInStore& entity, std::span<const AnimationStateH
 ShownClips shown_clips(const EntityInStore& entity, std::span<const ShownClips* const>) {
   const auto& pose = entity.prepared_as<PlayerPose>();
   if (pose.bones != nullptr) return {};
-  return {.clips = {{{pose.clip->sampled, &pose.point}, {}}}, .count = 1};
+  return {.clips = {{{pose.clip->sampled, &pose.point}, {}}}, .count = 1, .fraction = 0.0F};
 }
 
 /// Packets without a selected bone are not evaluated.

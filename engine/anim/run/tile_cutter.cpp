@@ -55,6 +55,12 @@ bool share_a_tile(const AgentWork& a, const AgentWork& b) {
   return a.skeleton == b.skeleton && a.level == b.level && a.held == b.held;
 }
 
+bool is_one_class(std::span<const AgentWork> work) {
+  return std::ranges::all_of(work, [&first = work.front()](const AgentWork& agent) {
+    return share_a_tile(first, agent) && (agent.cost == first.cost || bucket_of(agent.cost) == bucket_of(first.cost));
+  });
+}
+
 /// The widest tile of agents of these needs.
 int tile_limit(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared,
                const LocalStorePlan& plan, Schedule schedule) {
@@ -71,7 +77,7 @@ void TileCutter::reserve(std::size_t agents) {
 
 // A stable counting sort. A crowd of one class, which is common, stays where it is.
 std::span<const AgentWork> TileCutter::sorted(std::span<const AgentWork> work) {
-  if (std::ranges::adjacent_find(work, std::ranges::not_equal_to{}, class_of) == work.end()) return work;
+  if (is_one_class(work)) return work;
   ClassStarts places{};
   std::array<std::uint64_t, groups> costs{};
   std::array<std::uint32_t, groups> counts{};
@@ -97,7 +103,7 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, std::sp
     const PoseProgram& program = *work[i].program;
     const bool joins = !tiles_.empty() && share_a_tile(work[tiles_.back().first], work[i]);
     StoreNeeds wider = needs;
-    wider.widen(program.needs);
+    if (program.needs != needs) wider.widen(program.needs);
     if (joins && wider == needs && program.needs.shared == 0) {
       if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({.first = i, .needs = needs});
       ++tiles_.back().count;

@@ -47,12 +47,14 @@ struct ModelScratch {
   std::span<float> branches;
   std::span<PaletteDestination> palettes;
   std::span<std::uint64_t> hashes;
+  bool fades = false;  ///< bones of some character are on their way to where they stand still
 
   /// `with_local`: false where the local poses lie in a fetch buffer.
   static ModelScratch carve(ScratchCarver& carver, int width, int components, int slots, bool with_local);
 };
 
-/// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0.
+/// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0. Notes
+/// whether some bones fade.
 void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, PaletteMatrix* unseen);
 
 /// What the tiles of an update have in common about palettes.

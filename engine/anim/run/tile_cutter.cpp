@@ -61,6 +61,14 @@ bool is_one_class(std::span<const AgentWork> work) {
   });
 }
 
+/// Room for `needs` is room for `other`, too.
+bool hold(const StoreNeeds& needs, const StoreNeeds& other) {
+  if (other == needs) return true;  // as nearly always
+  StoreNeeds wider = needs;
+  wider.widen(other);
+  return wider == needs;
+}
+
 /// The widest tile of agents of these needs.
 int tile_limit(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared,
                const LocalStorePlan& plan, Schedule schedule) {
@@ -102,13 +110,13 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, std::sp
     const UpdateContext& context = contexts[work[i].skeleton];
     const PoseProgram& program = *work[i].program;
     const bool joins = !tiles_.empty() && share_a_tile(work[tiles_.back().first], work[i]);
-    StoreNeeds wider = needs;
-    if (program.needs != needs) wider.widen(program.needs);
-    if (joins && wider == needs && program.needs.shared == 0) {
+    if (joins && program.needs.shared == 0 && hold(needs, program.needs)) {
       if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({.first = i, .needs = needs});
       ++tiles_.back().count;
       continue;
     }
+    StoreNeeds wider = needs;
+    wider.widen(program.needs);
     SharedSources more = shared;
     const int wider_limit = joins && more.add(program) ? tile_limit(context, wider, more, plan, schedule) : 0;
     if (joins && wider_limit > static_cast<int>(tiles_.back().count)) {

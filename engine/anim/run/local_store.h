@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -51,11 +52,13 @@ class CopyEngine {
 
   /// Queue. Addresses and sizes are multiples of 64 bytes. A fetch closes its destination until its bytes have arrived.
   void fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
+    assert(size % block_alignment == 0);
     guard(local, size);
     queued_.bytes_in += size;
     queue_.push_back({main_memory, local, size, true});
   }
   void write_back(const std::byte* local, std::byte* main_memory, std::size_t size) {
+    assert(size % block_alignment == 0);
     queued_.bytes_out += size;
     queue_.push_back({local, main_memory, size, false});
   }

@@ -70,7 +70,10 @@ void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
                            .held = program.needs.held});
   }
   exact_contexts_ = contexts_;
-  for (UpdateContext& context : exact_contexts_) context.palette_format = PaletteFormat::matrices;
+  for (UpdateContext& context : exact_contexts_) {
+    context.palette_format = PaletteFormat::matrices;
+    context.hashes = {};
+  }
   if (exact_scheduler_ == nullptr || !exact_stores_hold()) make_exact_scheduler();
   exact_scheduler_->update(exact_contexts_, {}, exact_work_, executor());
 }

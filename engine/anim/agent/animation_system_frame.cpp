@@ -58,6 +58,8 @@ void AnimationSystem::begin_shared_work() {
 
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   constexpr std::size_t soon = 8;
+  for (UpdateContext& context : contexts_)
+    context.hashes = options_.hash ? std::span(agent_hashes_) : std::span(agent_hashes_).first(0);
   work_.clear();
   for (std::size_t i = 0; i < agents.size(); ++i) {
     if (i + soon < agents.size())
@@ -74,13 +76,12 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
     work_.push_back({.program = &program,
                      .delta = time - posed_at_[update.agent],
                      .palette = update.palette,
-                     .hash = options_.hash ? &agent_hashes_[update.agent] : nullptr,
                      .agent = update.agent,
                      .cost = predicted_cost(program, member.cast, update.level),
                      .skeleton = static_cast<std::uint8_t>(member.cast),
-                     .level = static_cast<std::uint8_t>(update.level & 3U),
-                     .fade_level = static_cast<std::uint8_t>(update.fade_level & 3U),
-                     .fade_halves = static_cast<std::uint8_t>(update.fade_halves & 3U),
+                     .level = update.level,
+                     .fade_level = update.fade_level,
+                     .fade_halves = update.fade_halves,
                      .held = program.needs.held});
     posed_at_[update.agent] = time;
   }

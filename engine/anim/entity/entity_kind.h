@@ -30,8 +30,6 @@ struct EntityLayout {
   /// Bytes that a source costs to fetch: header and transforms, without the private part.
   std::uint32_t source_bytes() const { return private_offset; }
   std::uint32_t private_bytes() const { return total_size - private_offset; }
-  /// Bytes of a transient block that an update changes, from identity_bytes on.
-  std::uint32_t changed_bytes() const { return total_size - static_cast<std::uint32_t>(identity_bytes); }
 };
 
 /// Read-only memory that entities of one skeleton may read beside their own block.
@@ -86,13 +84,13 @@ struct PosedEntity {
 
 /// What an entity shows where that is a clip, or a blend of two: kernels make such poses for many characters at once.
 struct ShownClip {
-  const SampledStream* stream = nullptr;
-  const SamplePoint* point = nullptr;
+  const SampledStream* stream;
+  const SamplePoint* point;
 };
 struct ShownClips {
-  std::array<ShownClip, 2> clips{};
-  int count = 0;          ///< 0: something else
-  float fraction = 0.0F;  ///< of the second, above 0 and below 1
+  std::array<ShownClip, 2> clips;
+  int count;       ///< 0: something else
+  float fraction;  ///< of the second, above 0 and below 1
 };
 
 /// Paper 2.2.6: "Following the formula we can derive various animation tasks that can result in animation states." What

@@ -32,10 +32,16 @@ void keep_in_clip(Player& player, FineTicks duration) {
   }
 }
 
-RootVelocity velocity_of(const Player& player, const ClipStreams& clip) {
+bool stands_still(const Player& player, const ClipStreams& clip) {
   const bool holds = (player.flags & Player::looping) == 0 && (player.flags & Player::reached_end) != 0;
-  if (holds) return {};
-  return clip.root_motion == nullptr ? RootVelocity{} : root_velocity(*clip.root_motion, player.position);
+  return holds || clip.root_motion == nullptr || clip.root_motion->keys.empty();
+}
+
+void set_velocity(AnimationStateHeader& state, const RootVelocity& velocity, double speed) {
+  for (int axis = 0; axis < 3; ++axis) {
+    state.linear_velocity[axis] = static_cast<float>(velocity.linear[axis] * speed);
+    state.angular_velocity[axis] = axis == 1 ? static_cast<float>(velocity.yaw * speed) : 0.0F;
+  }
 }
 
 }  // namespace
@@ -44,11 +50,12 @@ void advance_player(Player& player, const ClipStreams& clip) {
   player.position += player.state.delta_time * player.speed;
   player.state.delta_time = 0;
   keep_in_clip(player, clip.duration * fine_ticks_per_tick);
-  const RootVelocity velocity = velocity_of(player, clip);
-  const double speed = static_cast<double>(player.speed) / 65536.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    player.state.linear_velocity[axis] = static_cast<float>(velocity.linear[axis] * speed);
-    player.state.angular_velocity[axis] = axis == 1 ? static_cast<float>(velocity.yaw * speed) : 0.0F;
+  if (stands_still(player, clip)) {
+    std::ranges::fill(player.state.linear_velocity, 0.0F);
+    std::ranges::fill(player.state.angular_velocity, 0.0F);
+  } else {
+    set_velocity(player.state, root_velocity(*clip.root_motion, player.position),
+                 static_cast<double>(player.speed) / 65536.0);
   }
 }
 
@@ -64,15 +71,24 @@ FineTicks unwrapped_position(const Player& player, Ticks duration) {
   return player.loop_count * duration * fine_ticks_per_tick + player.position;
 }
 
+namespace {
+
+PlayerPose sampled_pose(const Player& player, const ClipStreams& clip) {
+  const Ticks time = player.position / fine_ticks_per_tick;
+  return {.clip = &clip, .time = time, .point = locate(*clip.sampled, time), .interpolations = {}};
+}
+
+PlayerPose keyframe_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations) {
+  const Ticks time = player.position / fine_ticks_per_tick;
+  advance_keyframes(*clip.keyframe, time, player.cursor, interpolations);
+  return {.clip = &clip, .time = time, .point = {}, .interpolations = interpolations};
+}
+
+}  // namespace
+
 PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations) {
-  PlayerPose pose{.clip = &clip, .time = player.position / fine_ticks_per_tick, .point = {}, .interpolations = {}};
-  if (player.state.type == EntityType::keyframe_player) {
-    advance_keyframes(*clip.keyframe, pose.time, player.cursor, interpolations);
-    pose.interpolations = interpolations;
-  } else {
-    pose.point = locate(*clip.sampled, pose.time);
-  }
-  return pose;
+  const bool keyframes = player.state.type == EntityType::keyframe_player;
+  return keyframes ? keyframe_pose(player, clip, interpolations) : sampled_pose(player, clip);
 }
 
 namespace {
@@ -88,21 +104,33 @@ void prefetch_rows(const SampledStream& stream, const SamplePoint& point) {
   }
 }
 
-void advance_entity(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
+const BoneSelection* selection_of(const Player& player, const EntityAssets& assets) {
+  return player.bone_selection == Player::every_bone ? nullptr : &assets.selections[player.bone_selection - 1];
+}
+
+// The pose is made in its place: a copy would wait for the parts that were just written.
+void advance_sampled(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
   static_assert(sizeof(PlayerPose) <= prepared_pose_bytes);
   auto& player = entity.as<Player>();
   const ClipStreams& clip = entity.assets->clips[player.clip];
   advance_player(player, clip);
-  // Made in its place: a copy would wait for the parts that were just written.
-  auto& pose = *::new (entity.prepared) PlayerPose(begin_pose(player, clip, entity.private_part()));
-  if (entity.assets->prefetch && pose.point.from != nullptr) prefetch_rows(*clip.sampled, pose.point);
-  if (player.bone_selection != Player::every_bone) pose.bones = &entity.assets->selections[player.bone_selection - 1];
+  auto& pose = *::new (entity.prepared) PlayerPose(sampled_pose(player, clip));
+  if (entity.assets->prefetch) prefetch_rows(*clip.sampled, pose.point);
+  pose.bones = selection_of(player, *entity.assets);
+}
+
+void advance_keyframed(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
+  auto& player = entity.as<Player>();
+  const ClipStreams& clip = entity.assets->clips[player.clip];
+  advance_player(player, clip);
+  auto& pose = *::new (entity.prepared) PlayerPose(keyframe_pose(player, clip, entity.private_part()));
+  pose.bones = selection_of(player, *entity.assets);
 }
 
 ShownClips shown_clips(const EntityInStore& entity, std::span<const ShownClips* const>) {
   const auto& pose = entity.prepared_as<PlayerPose>();
   if (pose.bones != nullptr) return {};
-  return {.clips = {{{pose.clip->sampled, &pose.point}, {}}}, .count = 1};
+  return {.clips = {{{pose.clip->sampled, &pose.point}, {}}}, .count = 1, .fraction = 0.0F};
 }
 
 /// Packets without a selected bone are not evaluated.
@@ -134,7 +162,7 @@ void pose_keyframe_packet(const EntityInStore& entity, const PacketJob& job) {
 const EntityKind sampled_player_kind = {.name = "sampled player",
                                         .type = EntityType::sampled_player,
                                         .prepared_bytes = prepared_pose_bytes,
-                                        .advance = advance_entity,
+                                        .advance = advance_sampled,
                                         .pose_packet = pose_sampled_packet,
                                         .shown_clips = shown_clips};
 
@@ -142,7 +170,7 @@ const EntityKind keyframe_player_kind = {.name = "keyframe player",
                                          .type = EntityType::keyframe_player,
                                          .private_bytes = interpolation_bytes,
                                          .prepared_bytes = prepared_pose_bytes,
-                                         .advance = advance_entity,
+                                         .advance = advance_keyframed,
                                          .pose_packet = pose_keyframe_packet};
 
 }  // namespace throng::anim

@@ -46,24 +46,25 @@ void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode,
   if (!current) return;
   int buffer = 0;
   tasks.fetch(*current, buffer, engine);
-  trace.close_alone(TraceSpan::Kind::fetch, engine.finish(), recorded_content(tasks, *current, trace));
+  TaskContent content = recorded_content(tasks, *current, trace);
+  trace.close_alone(TraceSpan::Kind::fetch, engine.finish(), content);
   decltype(current) previous;
   while (current) {
     auto next = tasks.next();
     if (previous) tasks.write_back(*previous, 1 - buffer, engine);
     if (next) tasks.fetch(*next, 1 - buffer, engine);
-    if (mode == DoubleBuffering::inline_copy) {
-      trace.close(TraceSpan::Kind::fetch, engine.finish(), recorded_content(tasks, next ? *next : *current, trace));
-    }
+    const TaskContent next_content = next ? recorded_content(tasks, *next, trace) : content;
+    if (mode == DoubleBuffering::inline_copy) trace.close(TraceSpan::Kind::fetch, engine.finish(), next_content);
     engine.spread_over(tasks.copy_points(*current), &trace);
     tasks.compute(*current, buffer, engine);
-    trace.close(TraceSpan::Kind::compute, engine.finish(), recorded_content(tasks, *current, trace));
+    trace.close(TraceSpan::Kind::compute, engine.finish(), content);
     previous = current;
     current = next;
+    content = next_content;
     buffer = 1 - buffer;
   }
   tasks.write_back(*previous, 1 - buffer, engine);
-  trace.close_alone(TraceSpan::Kind::write_back, engine.finish(), recorded_content(tasks, *previous, trace));
+  trace.close_alone(TraceSpan::Kind::write_back, engine.finish(), content);
 }
 
 template <typename Tasks>

@@ -51,36 +51,37 @@ std::span<const AgentWork> FusedTasks::agents_behind(int task, std::uint32_t til
   return work_.subspan(first, std::min<std::size_t>(tile.count, work_.size() - first));
 }
 
-void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) const {
+void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
   prefetch_steps(agents_behind(task, 1));
   prefetch_programs(agents_behind(task, 2));
   const EntityPools& pools = *context(task).pools;
   std::byte* local = store_->fetch_buffer(buffer).data();
-  const auto fetch_block = [&](Handle entity, std::uint32_t size) {
-    engine.fetch(pools.block(entity), local, size);
-    local += size;
-  };
+  Home* home = homes_[static_cast<std::size_t>(buffer)].data();
   for (const AgentWork& work : agents(task)) {
     for (const PoseStep& step : work.program->steps) {
-      if (!step.shared) fetch_block(step.entity, pools.layout(step.entity).total_size);
+      if (step.shared) continue;
+      const std::size_t size = pools.layout(step.entity).total_size;
+      *home = {pools.block(step.entity), size};
+      engine.fetch(home->block, local, size);
+      ++home;
+      local += size;
     }
   }
   if (tiles_[static_cast<std::size_t>(task)].needs.shared == 0) return;
   const SharedSources shared(agents(task));
-  for (const Handle source : shared.all()) fetch_block(source, pools.layout(source).source_bytes());
+  for (const Handle source : shared.all()) {
+    const std::size_t size = pools.layout(source).source_bytes();
+    engine.fetch(pools.block(source), local, size);
+    local += size;
+  }
 }
 
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
   if (changes_ == BlockChanges::dropped) return;
-  const EntityPools& pools = *context(task).pools;
   const std::byte* local = store_->fetch_buffer(buffer).data();
-  for (const AgentWork& work : agents(task)) {
-    for (const PoseStep& step : work.program->steps) {
-      if (step.shared) continue;
-      const EntityLayout& layout = pools.layout(step.entity);
-      engine.write_back(local + identity_bytes, pools.block(step.entity) + identity_bytes, layout.changed_bytes());
-      local += layout.total_size;
-    }
+  const std::byte* const end = local + own_bytes(agents(task));
+  for (const Home* home = homes_[static_cast<std::size_t>(buffer)].data(); local < end; local += home++->size) {
+    engine.write_back(local + identity_bytes, home->block + identity_bytes, home->size - identity_bytes);
   }
 }
 
@@ -89,34 +90,51 @@ int FusedTasks::copy_points(int task) const {
   return agents(task).front().held ? packets + static_cast<int>(agents(task).size()) : packets;
 }
 
-/// Moves a character's entities and notes which clips each of its steps shows. Returns the root's.
-const ShownClips& FusedTasks::advance_character(const Characters& characters, const AgentWork& work, StepPlace& place) {
-  LeftBySteps<const AnimationStateHeader*> states;
+/// Moves their entities, step by step, and notes which clips each shows.
+void FusedTasks::advance_alike(const Characters& characters, Alike alike, StepPlace place) {
+  struct States {
+    const std::byte* first;
+    std::size_t stride;  // from one character's to the next one's
+  };
+  const PoseProgram& program = *characters.work[alike.first].program;
+  LeftBySteps<States> states;
+  std::array<States, max_sources> sources;
   std::array<const AnimationStateHeader*, max_sources> source_states;
   std::array<const ShownClips*, max_sources> source_clips;
-  for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
-    states.left[i] = &characters.shared_state(step.entity);
-    shown_[i].count = 0;
+  for_each_shared(program, [&](std::size_t i, const PoseStep& step) {
+    states.left[i] = {reinterpret_cast<const std::byte*>(&characters.shared_state(step.entity)), 0};
+    for (std::size_t c = alike.first; c < alike.end; ++c) shown(i, c).count = 0;
   });
-  for_each_own(*characters.context, *work.program, place, work.program->steps.size(),
-               [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+  for_each_own(*characters.context, program, place, program.steps.size(),
+               [&](std::size_t i, const PoseStep& step, EntityInStore entity) {
                  const EntityKind& kind = *entity.layout->kind;
-                 auto& state = entity.as<AnimationStateHeader>();
-                 state.delta_time += work.delta;
-                 kind.advance(entity, states.sources(step, source_states));
-                 states.left[i] = &state;
-                 shown_[i].count = 0;
-                 if (kind.shown_clips == nullptr || is_resident(*entity.layout)) return;
-                 for (std::size_t k = 0; k < step.source_count; ++k) source_clips[k] = &shown_[step.sources[k]];
-                 // Made in its place: a copy would wait for the parts that were just written.
-                 ::new (&shown_[i]) ShownClips(kind.shown_clips(entity, {source_clips.data(), step.source_count}));
+                 const bool shows_clips = kind.shown_clips != nullptr && !is_resident(*entity.layout);
+                 const std::size_t count = step.source_count;
+                 states.sources(step, sources);
+                 states.left[i] = {entity.block, program.needs.fetch_bytes};
+                 for (std::size_t c = alike.first; c < alike.end; ++c) {
+                   for (std::size_t k = 0; k < count; ++k) {
+                     source_states[k] = reinterpret_cast<const AnimationStateHeader*>(sources[k].first);
+                     source_clips[k] = &shown(step.sources[k], c);
+                     sources[k].first += sources[k].stride;
+                   }
+                   entity.as<AnimationStateHeader>().delta_time += characters.work[c].delta;
+                   kind.advance(entity, {source_states.data(), count});
+                   // Made in its place: a copy would wait for the parts that were just written.
+                   if (shows_clips) {
+                     ::new (&shown(i, c)) ShownClips(kind.shown_clips(entity, {source_clips.data(), count}));
+                   } else {
+                     shown(i, c).count = 0;
+                   }
+                   entity.block += program.needs.fetch_bytes;
+                   entity.prepared += program.needs.prepared_bytes;
+                 }
                });
-  return shown_[work.program->steps.size() - 1];
 }
 
 /// The last step that shows clips which others, that do not, read.
-std::size_t FusedTasks::base_of(const PoseProgram& program) const {
-  const auto shows_clips = [&](std::size_t i) { return shown_[i].count > 0; };
+std::size_t FusedTasks::base_of(const PoseProgram& program, std::size_t character) {
+  const auto shows_clips = [&](std::size_t i) { return shown(i, character).count > 0; };
   const std::uint64_t wanted = steps_over(program, Composed::no_base, shows_clips);
   for (std::size_t i = program.steps.size(); i-- > 0;) {
     if ((wanted >> i & 1U) != 0 && shows_clips(i)) return i;
@@ -138,26 +156,34 @@ bool FusedTasks::is_displaced(const Characters& characters, int packet) const {
   return composed_displaces_ || characters.context->assets.components == general_components || clips_.displaced(packet);
 }
 
-/// Moves all characters' entities and sorts out whose poses are clips, or begin with them.
+/// Whether the pose of a character is clips, or at least begins with some.
+void FusedTasks::sort_out(const Characters& characters, std::size_t character, const StepPlace& place) {
+  const PoseProgram& program = *characters.work[character].program;
+  const ShownClips& root = shown(program.steps.size() - 1, character);
+  if (root.count > 0) return clips_.add(static_cast<int>(character), root);
+  Composed& composed = composed_[composed_count_++];
+  composed = {.character = character, .first = place, .next = place, .base = base_of(program, character)};
+  if (composed.base != Composed::no_base) clips_.add(static_cast<int>(character), shown(composed.base, character));
+  composed.wanted = steps_over(program, composed.base, [](std::size_t) { return false; });
+  composed_displaces_ = composed_displaces_ || displaces(*characters.context->pools, program, composed);
+}
+
 void FusedTasks::advance_entities(const Characters& characters) {
-  StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
   clips_.clear();
   composed_count_ = 0;
   composed_displaces_ = false;
-  for (std::size_t i = 0; i < characters.work.size(); ++i) {
-    place.step = 0;
-    Composed composed{.character = i, .first = place, .next = place};
-    const AgentWork& work = characters.work[i];
-    const ShownClips& shown = advance_character(characters, work, place);
-    if (shown.count > 0) {
-      clips_.add(static_cast<int>(i), shown);
-      continue;
+  StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
+  for (Alike alike{0, 0}; alike.first < characters.work.size(); alike.first = alike.end) {
+    const PoseProgram& program = *characters.work[alike.first].program;
+    for (alike.end = alike.first + 1; alike.end < characters.work.size(); ++alike.end) {
+      if (!are_alike(program, *characters.work[alike.end].program)) break;
     }
-    composed.base = base_of(*work.program);
-    if (composed.base != Composed::no_base) clips_.add(static_cast<int>(i), shown_[composed.base]);
-    composed.wanted = steps_over(*work.program, composed.base, [](std::size_t) { return false; });
-    composed_displaces_ = composed_displaces_ || displaces(*characters.context->pools, *work.program, composed);
-    composed_[composed_count_++] = composed;
+    advance_alike(characters, alike, place);
+    for (std::size_t c = alike.first; c < alike.end; ++c) {
+      sort_out(characters, c, place);
+      place.block += program.needs.fetch_bytes;
+      place.prepared += program.needs.prepared_bytes;
+    }
   }
 }
 
@@ -228,7 +254,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   begin_palettes(scratch_.model, tile, palettes_.unseen);
   if (needs.held) compute_held(characters, engine);
   compute_streaming(characters, engine);
-  store_hashes(scratch_.model, tile);
+  store_hashes(about, scratch_.model, tile);
   ++tiles_done_;
   agents_done_ += static_cast<std::uint32_t>(tile.size());
 }

@@ -43,7 +43,7 @@ class FusedTasks {
         changes_(changes) {}
 
   std::optional<int> next() { return queue_.take(); }
-  void fetch(int task, int buffer, CopyEngine& engine) const;
+  void fetch(int task, int buffer, CopyEngine& engine);
   int copy_points(int task) const;
   void compute(int task, int buffer, CopyEngine& engine);
   void write_back(int task, int buffer, CopyEngine& engine) const;
@@ -55,6 +55,16 @@ class FusedTasks {
 
  private:
   struct Characters;
+  /// Characters of a tile that follow each other and whose programs are alike.
+  struct Alike {
+    std::size_t first;
+    std::size_t end;
+  };
+  /// Where in main memory a block belongs that lies in a fetch buffer.
+  struct Home {
+    std::byte* block;
+    std::size_t size;
+  };
   /// One whose pose is not clips alone, but may begin with some.
   struct Composed {
     static constexpr std::size_t no_base = PoseProgram::max_steps;
@@ -73,12 +83,14 @@ class FusedTasks {
   std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   void advance_entities(const Characters& characters);
-  const ShownClips& advance_character(const Characters& characters, const AgentWork& work, StepPlace& place);
+  void advance_alike(const Characters& characters, Alike alike, StepPlace place);
+  void sort_out(const Characters& characters, std::size_t character, const StepPlace& place);
+  ShownClips& shown(std::size_t step, std::size_t character) { return shown_[step * widest_tile + character]; }
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;
   void compute_held(const Characters& characters, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
   bool stream_packet(const Characters& characters, int packet) const;
-  std::size_t base_of(const PoseProgram& program) const;
+  std::size_t base_of(const PoseProgram& program, std::size_t character);
   static bool displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed);
   bool is_displaced(const Characters& characters, int packet) const;
   std::size_t held_stride(const Characters& characters) const;
@@ -95,9 +107,11 @@ class FusedTasks {
   PaletteStores palettes_;
   BlockChanges changes_;
   FusedScratch scratch_;
-  std::array<ShownClips, PoseProgram::max_steps> shown_;  // by the steps of the character that is under way
-  ClipTile clips_;                                        // the characters that show clips
-  std::array<Composed, widest_tile> composed_{};          // and the others
+  static constexpr std::size_t most_blocks = PoseProgram::max_steps * widest_tile;
+  std::array<std::array<Home, most_blocks>, 2> homes_;  // [fetch buffer] of the blocks in it
+  std::array<ShownClips, most_blocks> shown_;           // [step][character]
+  ClipTile clips_;                                      // the characters that show clips
+  std::array<Composed, widest_tile> composed_{};        // and the others
   std::size_t composed_count_ = 0;
   bool composed_displaces_ = false;  // positions of some of them come from more than clips
   std::uint32_t tiles_done_ = 0;

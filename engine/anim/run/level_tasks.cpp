@@ -17,7 +17,7 @@ void EntityTasks::fetch(int task, int buffer, CopyEngine& engine) const {
   };
   fetch_block(entity.entity().entity, pools.layout(entity.entity().entity).total_size);
   for (const std::uint8_t source : entity.sources()) {
-    const Handle block = entity.program->steps[source].entity;
+    const Handle block = entity.program().steps[source].entity;
     fetch_block(block, pools.layout(block).source_bytes());
   }
 }
@@ -33,7 +33,8 @@ void EntityTasks::compute(int task, int buffer, CopyEngine& engine) {
   const UpdateContext& about = context(task);
   const EntityUpdate& work = update(task);
   const auto view = [&](AnimationStateHeader& state) {
-    return PoseView{transforms_of(state), about.packet_floats(), about.assets.components, about.bones(work.level)};
+    return PoseView{transforms_of(state), about.packet_floats(), about.assets.components,
+                    about.bones(work.agent->level)};
   };
   const EntityInStore entity{.block = store_->fetch_buffer(buffer).data(),
                              .prepared = store_->scratch().data(),
@@ -46,12 +47,12 @@ void EntityTasks::compute(int task, int buffer, CopyEngine& engine) {
     auto& state = *reinterpret_cast<AnimationStateHeader*>(source);
     states[i] = &state;
     poses[i] = view(state);
-    source += about.pools->layout(work.program->steps[work.sources()[i]].entity).source_bytes();
+    source += about.pools->layout(work.program().steps[work.sources()[i]].entity).source_bytes();
   }
   auto& state = entity.as<AnimationStateHeader>();
-  state.delta_time += work.delta;
+  state.delta_time += work.agent->delta;
   entity.layout->kind->advance(entity, {states.data(), work.sources().size()});
-  pose_entity(entity, {poses.data(), work.sources().size()}, view(state), about.packets(work.level), &engine);
+  pose_entity(entity, {poses.data(), work.sources().size()}, view(state), about.packets(work.agent->level), &engine);
 }
 
 std::size_t PaletteTasks::fetch_bytes(const UpdateContext& context, int width) {
@@ -107,7 +108,7 @@ void PaletteTasks::compute(const Task& task, int buffer, CopyEngine& engine) {
                        {.width = width_, .packet = task.packet, .stores = palettes_.policy});
   engine.advance();
   if (task.packet + 1 < context(task).packets(tile.front().level)) return;
-  store_hashes(scratch_, tile);
+  store_hashes(context(task), scratch_, tile);
   ++tiles_done_;
   agents_done_ += static_cast<std::uint32_t>(tile.size());
 }

@@ -13,18 +13,15 @@ namespace throng::anim {
 
 /// One entity to be updated in the `levels` schedule.
 struct EntityUpdate {
-  const PoseProgram* program = nullptr;
-  Ticks delta = 0;
-  std::uint32_t agent = 0;
-  std::uint16_t cost = 1;         ///< predicted, in steps of cost_step
-  std::uint8_t step = 0;          ///< of the program
-  std::uint8_t skeleton : 5 = 0;  ///< below most_skeletons
-  std::uint8_t level : 2 = 0;
+  const AgentWork* agent = nullptr;  ///< whose it is
+  std::uint16_t cost = 1;            ///< predicted, in steps of cost_step
+  std::uint8_t step = 0;             ///< of the program
 
-  const PoseStep& entity() const { return program->steps[step]; }
+  const PoseProgram& program() const { return *agent->program; }
+  const PoseStep& entity() const { return program().steps[step]; }
   std::span<const std::uint8_t> sources() const { return {entity().sources.data(), entity().source_count}; }
 };
-static_assert(sizeof(EntityUpdate) == 24);
+static_assert(sizeof(EntityUpdate) == 16);
 
 /// The paper's schedule, one priority of it (2.2.3, 2.2.5): entities in any order, each copied in whole, updated,
 /// copied back whole. Its sources come along, header and transforms, and are not written back.
@@ -40,17 +37,17 @@ class EntityTasks {
 
   std::optional<int> next() { return queue_.take(); }
   void fetch(int task, int buffer, CopyEngine& engine) const;
-  int copy_points(int task) const { return context(task).packets(update(task).level); }
+  int copy_points(int task) const { return context(task).packets(update(task).agent->level); }
   void compute(int task, int buffer, CopyEngine& engine);
   void write_back(int task, int buffer, CopyEngine& engine) const;
 
-  TaskContent content(int task) const { return content_of(update(task).agent, update(task).level); }
+  TaskContent content(int task) const { return content_of(update(task).agent->agent, update(task).agent->level); }
 
   std::uint32_t entities_done() const { return entities_done_; }
 
  private:
   const EntityUpdate& update(int task) const { return updates_[static_cast<std::size_t>(task)]; }
-  const UpdateContext& context(int task) const { return contexts_[update(task).skeleton]; }
+  const UpdateContext& context(int task) const { return contexts_[update(task).agent->skeleton]; }
 
   std::span<const UpdateContext> contexts_;
   std::span<const EntityUpdate> updates_;

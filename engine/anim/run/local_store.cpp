@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
-
-#include "engine/anim/base/guard.h"
 
 namespace throng::anim {
 namespace {
@@ -15,7 +14,7 @@ constexpr std::size_t line = 64;
 // processor's buffers, where everything else would wait behind them.
 constexpr std::size_t transfers_under_way = 16;
 
-void begin_transfer(const CopyEngine::Transfer& transfer) {
+void begin(const CopyEngine::Transfer& transfer) {
   if (!transfer.inward) return;  // what goes out is in the local store
   for (std::size_t offset = 0; offset < transfer.size; offset += line) __builtin_prefetch(transfer.from + offset);
 }
@@ -34,7 +33,7 @@ THRONG_COPIES_GUARDED_MEMORY void copy_lines(const std::byte* from, std::byte* t
     out[1] = second;
     out[2] = third;
     out[3] = fourth;
-    asm volatile("" ::: "memory");  // or the compiler would turn the loop back into memcpy
+    asm volatile("" : "+r"(offset));  // or the compiler would turn the loop back into memcpy
   }
 }
 
@@ -59,66 +58,53 @@ std::span<std::byte> LocalStore::scratch() const {
   return {memory_.get() + static_cast<std::size_t>(fetch_buffers_) * fetch_bytes_, scratch_bytes_};
 }
 
-void CopyEngine::fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
-  assert(size % line == 0);
-  guard(local, size);
-  queue_.push_back({main_memory, local, size, true});
-  if (queue_.size() <= next_ + transfers_under_way) begin_transfer(queue_.back());
-  queued_bytes_ += size;
-  queued_counts_.bytes_in += size;
-  ++queued_counts_.transfers;
-}
-
-void CopyEngine::write_back(const std::byte* local, std::byte* main_memory, std::size_t size) {
-  assert(size % line == 0);
-  queue_.push_back({local, main_memory, size, false});
-  queued_bytes_ += size;
-  queued_counts_.bytes_out += size;
-  ++queued_counts_.transfers;
-}
-
 void CopyEngine::spread_over(int slices, Trace* trace) {
   slices_to_ = trace != nullptr && trace->wants_slices() ? trace : nullptr;
-  const std::size_t lines = queued_bytes_ / line;
+  const std::size_t bytes = queued_.bytes_in + queued_.bytes_out - moved_bytes_;
   const auto parts = static_cast<std::size_t>(std::max(slices, 1));
-  slice_bytes_ = (lines + parts - 1) / parts * line;
+  slice_bytes_ = (bytes + parts - 1) / parts;
+  due_bytes_ = moved_bytes_;
+  if (moved_ == 0) begin_first();
 }
 
 void CopyEngine::advance() {
-  if (slices_to_ == nullptr || queued_bytes_ == 0) return move(slice_bytes_);
+  due_bytes_ += slice_bytes_;
+  if (slices_to_ == nullptr || moved_ == queue_.size()) return move(due_bytes_);
   const std::uint64_t begin = TraceClock::now();
-  move(slice_bytes_);
+  move(due_bytes_);
   slices_to_->add_slice(begin);
 }
 
 CopyCounts CopyEngine::finish() {
-  move(queued_bytes_);
+  if (moved_ == 0) begin_first();
+  move(std::numeric_limits<std::size_t>::max());
+  queued_.transfers = queue_.size();
   queue_.clear();
-  next_ = 0;
+  moved_ = moved_bytes_ = due_bytes_ = slice_bytes_ = 0;
   slices_to_ = nullptr;
-  counts_ += queued_counts_;
-  return std::exchange(queued_counts_, {});
+  counts_ += queued_;
+  return std::exchange(queued_, {});
 }
 
-void CopyEngine::move(std::size_t bytes) {
-  std::size_t next = next_;
-  std::size_t moved = moved_;
-  std::size_t left = bytes;
-  while (left > 0 && next < queue_.size()) {
-    const Transfer transfer = queue_[next];
-    const std::size_t size = std::min(left, transfer.size - moved);
-    if (transfer.inward) release_guard(transfer.to + moved, size);
-    copy_lines(transfer.from + moved, transfer.to + moved, size);
-    left -= size;
-    moved += size;
-    if (moved < transfer.size) break;
-    if (next + transfers_under_way < queue_.size()) begin_transfer(queue_[next + transfers_under_way]);
-    ++next;
-    moved = 0;
+void CopyEngine::begin_first() const {
+  for (const Transfer& transfer : std::span(queue_).first(std::min(queue_.size(), transfers_under_way))) {
+    begin(transfer);
   }
-  next_ = next;
+}
+
+void CopyEngine::move(std::size_t due) {
+  const std::span<const Transfer> queue = queue_;
+  std::size_t moved = moved_;
+  std::size_t moved_bytes = moved_bytes_;
+  for (; moved < queue.size() && moved_bytes < due; ++moved) {
+    if (moved + transfers_under_way < queue.size()) begin(queue[moved + transfers_under_way]);
+    const Transfer& transfer = queue[moved];
+    if (transfer.inward) release_guard(transfer.to, transfer.size);
+    copy_lines(transfer.from, transfer.to, transfer.size);
+    moved_bytes += transfer.size;
+  }
   moved_ = moved;
-  queued_bytes_ -= bytes - left;
+  moved_bytes_ = moved_bytes;
 }
 
 CopyCounts CopyEngine::take_counts() { return std::exchange(counts_, {}); }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -60,6 +62,16 @@ struct PoseProgram {
   std::size_t own_count() const { return steps.size() - needs.shared; }
   Handle root() const { return steps.back().entity; }
 };
+
+/// Programs are alike that differ in nothing but their own entities: kinds, sources and registers are the same.
+inline bool are_alike(const PoseStep& a, const PoseStep& b) {
+  using Sources = std::uint64_t;  // compared at once: as an array they would be handed to memcmp
+  return (a.shared ? a.entity == b.entity : a.entity.pool() == b.entity.pool()) && a.target == b.target &&
+         a.source_count == b.source_count && std::bit_cast<Sources>(a.sources) == std::bit_cast<Sources>(b.sources);
+}
+inline bool are_alike(const PoseProgram& a, const PoseProgram& b) {
+  return std::ranges::equal(a.steps, b.steps, [](const auto& one, const auto& other) { return are_alike(one, other); });
+}
 
 /// Owners of graphs of shared entities have this bit; others are agents.
 inline constexpr std::uint32_t shared_owner = 1U << 31;

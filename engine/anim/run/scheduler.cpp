@@ -115,7 +115,7 @@ void Scheduler::run_entities(std::span<const UpdateContext> contexts, std::span<
       .fetch_bytes = options_.plan.all_fetch_bytes(), .fetch_buffers = 1, .scratch_bytes = options_.plan.scratch_bytes};
   for (std::vector<EntityUpdate>& updates : priorities_) {
     const auto large = std::partition(updates.begin(), updates.end(), [&](const EntityUpdate& update) {
-      return update.program->needs.entity_bytes <= options_.plan.fetch_bytes;
+      return update.program().needs.entity_bytes <= options_.plan.fetch_bytes;
     });
     run_updates(contexts, {updates.begin(), large}, options_.plan, executor);
     run_updates(contexts, {large, updates.end()}, one_at_a_time, executor);
@@ -167,14 +167,10 @@ void Scheduler::collect_entities(std::span<const UpdateContext> contexts, std::s
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (steps[i].shared) continue;
       priorities_[steps[i].below_highest].push_back(
-          {.program = agent.program,
-           .delta = agent.delta,
-           .agent = agent.agent,
+          {.agent = &agent,
            .cost = cost_in_steps(
                cost_of(*context.pools->layout(steps[i].entity).kind, context.packets(agent.level), options_.cost)),
-           .step = static_cast<std::uint8_t>(i),
-           .skeleton = static_cast<std::uint8_t>(agent.skeleton & (most_skeletons - 1)),
-           .level = agent.level});
+           .step = static_cast<std::uint8_t>(i)});
     }
   }
 }

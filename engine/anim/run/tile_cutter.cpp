@@ -55,6 +55,20 @@ bool share_a_tile(const AgentWork& a, const AgentWork& b) {
   return a.skeleton == b.skeleton && a.level == b.level && a.held == b.held;
 }
 
+bool is_one_class(std::span<const AgentWork> work) {
+  return std::ranges::all_of(work, [&first = work.front()](const AgentWork& agent) {
+    return share_a_tile(first, agent) && (agent.cost == first.cost || bucket_of(agent.cost) == bucket_of(first.cost));
+  });
+}
+
+/// Room for `needs` is room for `other`, too.
+bool hold(const StoreNeeds& needs, const StoreNeeds& other) {
+  if (other == needs) return true;  // as nearly always
+  StoreNeeds wider = needs;
+  wider.widen(other);
+  return wider == needs;
+}
+
 /// The widest tile of agents of these needs.
 int tile_limit(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared,
                const LocalStorePlan& plan, Schedule schedule) {
@@ -71,7 +85,7 @@ void TileCutter::reserve(std::size_t agents) {
 
 // A stable counting sort. A crowd of one class, which is common, stays where it is.
 std::span<const AgentWork> TileCutter::sorted(std::span<const AgentWork> work) {
-  if (std::ranges::adjacent_find(work, std::ranges::not_equal_to{}, class_of) == work.end()) return work;
+  if (is_one_class(work)) return work;
   ClassStarts places{};
   std::array<std::uint64_t, groups> costs{};
   std::array<std::uint32_t, groups> counts{};
@@ -96,13 +110,13 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, std::sp
     const UpdateContext& context = contexts[work[i].skeleton];
     const PoseProgram& program = *work[i].program;
     const bool joins = !tiles_.empty() && share_a_tile(work[tiles_.back().first], work[i]);
-    StoreNeeds wider = needs;
-    wider.widen(program.needs);
-    if (joins && wider == needs && program.needs.shared == 0) {
+    if (joins && program.needs.shared == 0 && hold(needs, program.needs)) {
       if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({.first = i, .needs = needs});
       ++tiles_.back().count;
       continue;
     }
+    StoreNeeds wider = needs;
+    wider.widen(program.needs);
     SharedSources more = shared;
     const int wider_limit = joins && more.add(program) ? tile_limit(context, wider, more, plan, schedule) : 0;
     if (joins && wider_limit > static_cast<int>(tiles_.back().count)) {

@@ -20,12 +20,13 @@ void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, Pale
   for (std::size_t i = 0; i < tile.size(); ++i) {
     scratch.palettes[i] = tile[i].palette == nullptr ? PaletteDestination(unseen) : tile[i].palette;
     scratch.hashes[i] = 0;
+    scratch.fades = scratch.fades || tile[i].fade_halves != 0;
   }
 }
 
 void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, float* local,
                           std::span<const AgentWork> tile, const TilePacket& about) {
-  for (std::size_t i = 0; i < tile.size(); ++i) {
+  for (std::size_t i = 0; scratch.fades && i < tile.size(); ++i) {
     if (tile[i].fade_halves == 0) continue;
     fade_bones(context, tile[i], about.packet, about.displaced, local + i * context.packet_floats());
   }
@@ -41,13 +42,12 @@ void model_palette_packet(const UpdateContext& context, const ModelScratch& scra
                                          .branch_slots = scratch.branches.data(),
                                          .format = context.palette_format,
                                          .palettes = scratch.palettes.data(),
-                                         .hashes = tile.front().hash == nullptr ? nullptr : scratch.hashes.data()});
+                                         .hashes = context.hashes.empty() ? nullptr : scratch.hashes.data()});
 }
 
-void store_hashes(const ModelScratch& scratch, std::span<const AgentWork> tile) {
-  for (std::size_t i = 0; i < tile.size(); ++i) {
-    if (tile[i].hash != nullptr) *tile[i].hash = scratch.hashes[i];
-  }
+void store_hashes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile) {
+  if (context.hashes.empty()) return;
+  for (std::size_t i = 0; i < tile.size(); ++i) context.hashes[tile[i].agent] = scratch.hashes[i];
 }
 
 }  // namespace throng::anim

@@ -47,12 +47,14 @@ struct ModelScratch {
   std::span<float> branches;
   std::span<PaletteDestination> palettes;
   std::span<std::uint64_t> hashes;
+  bool fades = false;  ///< bones of some character are on their way to where they stand still
 
   /// `with_local`: false where the local poses lie in a fetch buffer.
   static ModelScratch carve(ScratchCarver& carver, int width, int components, int slots, bool with_local);
 };
 
-/// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0.
+/// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0. Notes
+/// whether some bones fade.
 void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, PaletteMatrix* unseen);
 
 /// What the tiles of an update have in common about palettes.
@@ -71,7 +73,7 @@ struct TilePacket {
 void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, float* local,
                           std::span<const AgentWork> tile, const TilePacket& about);
 
-/// Hands the hashes to the agents that asked for them.
-void store_hashes(const ModelScratch& scratch, std::span<const AgentWork> tile);
+/// Hands the hashes to the agents, where they are wanted.
+void store_hashes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile);
 
 }  // namespace throng::anim

@@ -186,7 +186,7 @@ TEST(EntityLayout, ATransientPlayerIsTwoCacheLines) {
   const EntityLayout layout = entity_layout(sampled_player_kind, Residency::transient, 62, rigid_components);
   EXPECT_EQ(layout.total_size, 128U);
   EXPECT_EQ(layout.transforms_offset, 0U);
-  EXPECT_EQ(layout.changed_bytes(), 64U) << "at most 64 bytes of a transient entity change in a frame";
+  EXPECT_EQ(layout.total_size - identity_bytes, 64U) << "at most 64 bytes of a transient entity change in a frame";
 }
 
 TEST(EntityLayout, AResidentKeyframePlayerOf62BonesFitsTheFetchBufferOf8KiBThatThePaperHas) {

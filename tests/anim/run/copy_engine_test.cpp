@@ -88,7 +88,8 @@ TEST(CopyEngineDeathTest, ABlockThatHasNotArrivedCannotBeRead) {
   LocalStore store(256);
   store.divide(256, 1, 0);
   CopyEngine engine;
-  engine.fetch(main_memory.bytes.get(), store.fetch_buffer(0).data(), 256);
+  engine.fetch(main_memory.bytes.get(), store.fetch_buffer(0).data(), 128);
+  engine.fetch(main_memory.bytes.get() + 128, store.fetch_buffer(0).data() + 128, 128);
   engine.spread_over(2);
   engine.advance();
   const volatile std::byte* local = store.fetch_buffer(0).data();

@@ -117,6 +117,9 @@ const ShownClips& FusedTasks::advance_character(const Characters& characters, co
 /// The last step that shows clips which others, that do not, read.
 std::size_t FusedTasks::base_of(const PoseProgram& program) const {
   const auto shows_clips = [&](std::size_t i) { return shown_[i].count > 0; };
+  for (std::size_t i = program.steps.size(); i-- >= program.tail;) {
+    if (shows_clips(i)) return i;
+  }
   const std::uint64_t wanted = steps_over(program, Composed::no_base, shows_clips);
   for (std::size_t i = program.steps.size(); i-- > 0;) {
     if ((wanted >> i & 1U) != 0 && shows_clips(i)) return i;
@@ -138,6 +141,16 @@ bool FusedTasks::is_displaced(const Characters& characters, int packet) const {
   return composed_displaces_ || characters.context->assets.components == general_components || clips_.displaced(packet);
 }
 
+/// Where nothing follows the clips but steps that change their pose in place, these are the first.
+void FusedTasks::go_on_over_clips(const Characters& characters, Composed& composed) {
+  const PoseProgram& program = *characters.work[composed.character].program;
+  composed.over_clips = composed.base != Composed::no_base && composed.base + 1 >= program.tail;
+  if (!composed.over_clips) return;
+  composed.first = composed.first.at_tail(program);
+  for_each_own(*characters.context, program, composed.first, composed.base + 1, [](auto&&...) {});
+  composed.next = composed.first;
+}
+
 /// Moves all characters' entities and sorts out whose poses are clips, or begin with them.
 void FusedTasks::advance_entities(const Characters& characters) {
   StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
@@ -146,19 +159,35 @@ void FusedTasks::advance_entities(const Characters& characters) {
   composed_displaces_ = false;
   for (std::size_t i = 0; i < characters.work.size(); ++i) {
     place.step = 0;
-    Composed composed{.character = i, .first = place, .next = place};
+    const StepPlace first = place;
     const AgentWork& work = characters.work[i];
     const ShownClips& shown = advance_character(characters, work, place);
     if (shown.count > 0) {
       clips_.add(static_cast<int>(i), shown);
       continue;
     }
+    Composed& composed = composed_[composed_count_++];
+    composed.character = i;
+    composed.first = first;
+    composed.next = first;
     composed.base = base_of(*work.program);
     if (composed.base != Composed::no_base) clips_.add(static_cast<int>(i), shown_[composed.base]);
     composed.wanted = steps_over(*work.program, composed.base, [](std::size_t) { return false; });
     composed_displaces_ = composed_displaces_ || displaces(*characters.context->pools, *work.program, composed);
-    composed_[composed_count_++] = composed;
+    go_on_over_clips(characters, composed);
   }
+}
+
+/// The steps from `place` on, which read the one before and nothing else.
+void FusedTasks::compose_in_place(const Characters& characters, std::size_t character, StepPlace place, int packet,
+                                  float* pose) {
+  const PoseProgram& program = *characters.work[character].program;
+  for_each_own(*characters.context, program, place, program.steps.size(),
+               [&](std::size_t, const PoseStep&, const EntityInStore& entity) {
+                 const EntityKind& kind = *entity.layout->kind;
+                 if (kind.whole_pose()) return;  // whose bones all lie in held packets
+                 kind.pose_packet(entity, {.packet = packet, .sources = &pose, .out = pose});
+               });
 }
 
 /// Entity after entity, over clips that are there already.
@@ -167,6 +196,7 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
   const std::size_t floats = characters.context->packet_floats();
   const std::size_t offset = static_cast<std::size_t>(packet) * floats;
   float* const local = &scratch_.model.local[composed.character * floats];
+  if (composed.over_clips) return compose_in_place(characters, composed.character, composed.first, packet, local);
   StepPlace place = composed.first;
   LeftBySteps<const float*> poses;
   std::array<const float*, max_sources> sources;

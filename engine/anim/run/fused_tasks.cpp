@@ -178,10 +178,11 @@ void FusedTasks::advance_entities(const Characters& characters) {
   }
 }
 
-/// The steps from `place` on, which read the one before and nothing else.
-void FusedTasks::compose_in_place(const Characters& characters, std::size_t character, StepPlace place, int packet,
-                                  float* pose) {
+/// The steps from `first` on, which read the one before and nothing else.
+void FusedTasks::compose_in_place(const Characters& characters, std::size_t character, const StepPlace& first,
+                                  int packet, float* pose) {
   const PoseProgram& program = *characters.work[character].program;
+  StepPlace place = first;
   for_each_own(*characters.context, program, place, program.steps.size(),
                [&](std::size_t, const PoseStep&, const EntityInStore& entity) {
                  const EntityKind& kind = *entity.layout->kind;

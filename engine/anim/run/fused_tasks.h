@@ -79,7 +79,7 @@ class FusedTasks {
   void compute_held(const Characters& characters, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
   static void go_on_over_clips(const Characters& characters, Composed& composed);
-  static void compose_in_place(const Characters& characters, std::size_t character, StepPlace place, int packet,
+  static void compose_in_place(const Characters& characters, std::size_t character, const StepPlace& first, int packet,
                                float* pose);
   bool stream_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program) const;

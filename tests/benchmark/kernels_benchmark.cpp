@@ -217,7 +217,7 @@ class Workbench {
   NoiseJob noise() {
     return {.from = from_.front().floats,
             .amplitude = 0.02F,
-            .moment = noise_moment(1, noise_at(12345678, 3.0F)),
+            .moment = &noise_moment_,
             .packet = 1,
             .bone_count = bones,
             .out = from_.front().floats};
@@ -248,6 +248,7 @@ class Workbench {
   }
 
  private:
+  NoiseMoment noise_moment_ = noise_moment(1, noise_at(12345678, 3.0F));
   HierarchyProgram program_ = compile_hierarchy(branching_skeleton());
   Lines stream_ = stream_of(turning_rows(1.0));
   Lines from_ = unit_pose(0.3F), to_ = unit_pose(0.8F), out_ = floats(packet_floats);

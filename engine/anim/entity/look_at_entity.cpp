@@ -1,6 +1,5 @@
 #include "engine/anim/entity/look_at_entity.h"
 
-#include <algorithm>
 #include <array>
 
 #include "engine/anim/entity/whole_pose_step.h"
@@ -14,22 +13,23 @@ void advance_look(const EntityInStore& entity, std::span<const AnimationStateHea
   advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, states).elapsed);
 }
 
-LookAtJob job_of(const PosedEntity& posed) {
+/// Part by part: a whole job would be copied, which waits for the parts that were just written.
+void set_job(const PosedEntity& posed, LookAtJob& job) {
   const EntityInStore& entity = posed.entity;
   const auto& look = entity.as<LookAtEntity>();
   auto& memory = entity.private_as<LookAtMemory>();
-  return {.rig = &entity.resource_as<LookAtRig>(),
-          .state = &memory.gaze,
-          .pose = posed.pose,
-          .target = {look.target[0], look.target[1], look.target[2]},
-          .seconds = entity.prepared_as<WholePoseStep>().seconds,
-          .weight = value(look.weight),
-          .limits = memory.limits};
+  job.rig = &entity.resource_as<LookAtRig>();
+  job.state = &memory.gaze;
+  job.pose = posed.pose;
+  job.target = {look.target[0], look.target[1], look.target[2]};
+  job.seconds = entity.prepared_as<WholePoseStep>().seconds;
+  job.weight = value(look.weight);
+  job.limits = memory.limits;
 }
 
 void turn_all_to_targets(std::span<const PosedEntity> all) {
   std::array<LookAtJob, widest_tile> jobs;
-  std::ranges::transform(all, jobs.begin(), job_of);
+  for (std::size_t i = 0; i < all.size(); ++i) set_job(all[i], jobs[i]);
   all.front().entity.assets->kernels->look_at(std::span(jobs).first(all.size()));
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].entity.private_as<LookAtMemory>().remaining = jobs[i].remaining;

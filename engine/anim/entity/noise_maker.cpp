@@ -1,5 +1,7 @@
 #include "engine/anim/entity/noise_maker.h"
 
+#include <new>
+
 namespace throng::anim {
 namespace {
 
@@ -7,7 +9,8 @@ void advance_noise(const EntityInStore& entity, std::span<const AnimationStateHe
   auto& noise = entity.as<NoiseMaker>();
   noise.time += noise.state.delta_time;
   noise.state.delta_time = 0;
-  entity.prepared_as<NoiseMoment>() = noise_moment(noise.seed, noise_at(noise.time, noise.frequency));
+  // Made in its place: a copy would wait for the parts that were just written.
+  ::new (entity.prepared) NoiseMoment(noise_moment(noise.seed, noise_at(noise.time, noise.frequency)));
   take_velocity(noise.state, *states[0]);
 }
 
@@ -18,7 +21,7 @@ void shake_packet(const EntityInStore& entity, const PacketJob& job) {
   assets.kernels->noise({.from = job.sources[0],
                          .amplitude = noise.amplitude,
                          .bone_weights = mask == nullptr ? nullptr : mask + job.packet * packet_bones,
-                         .moment = entity.prepared_as<NoiseMoment>(),
+                         .moment = &entity.prepared_as<NoiseMoment>(),
                          .packet = job.packet,
                          .bone_count = assets.bone_count,
                          .components = assets.components,

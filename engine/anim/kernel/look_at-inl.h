@@ -37,8 +37,9 @@ HWY_INLINE JointMotions<V> pose_carrier(D d, const LookAtRig& rig, const LookLan
   JointMotions<V> carrier{no_rotation(d), {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
   for (int joint = 0; joint < rig.joints.front(); ++joint) {
     carrier.position = sum(carrier.position, rotated(carrier.rotation, lanes.offset(d, rig.chain, joint)));
-    carrier.rotation = renormalised(d, product(carrier.rotation, lanes.rotation(d, joint)));
+    carrier.rotation = product(carrier.rotation, lanes.rotation(d, joint));
   }
+  carrier.rotation = renormalised(d, carrier.rotation);
   return carrier;
 }
 
@@ -46,7 +47,7 @@ template <class D, class V>
 HWY_INLINE void pose_looking_joints(D d, const LookAtRig& rig, const LookLanes<D>& lanes, LookingChain<V>& posed) {
   posed.head.rotation = no_rotation(d);
   for (int joint = rig.joints.front(); joint < rig.chain.count; ++joint) {
-    posed.head.rotation = renormalised(d, product(posed.head.rotation, lanes.rotation(d, joint)));
+    posed.head.rotation = product(posed.head.rotation, lanes.rotation(d, joint));
     posed.rotations[joint] = posed.head.rotation;
   }
 }

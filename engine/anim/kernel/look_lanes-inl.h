@@ -45,9 +45,9 @@ struct LookLanes {
 
   void load(const JointChain& chain, std::span<LookAtJob* const> jobs) {
     for (int lane = 0; lane < lane_count<D>; ++lane) {
-      const auto filled = HWY_MIN(static_cast<std::size_t>(lane), jobs.size() - 1);
-      load_pose(chain, jobs[filled]->pose, lane);
-      load_gaze(*jobs[filled], lane);
+      const LookAtJob& job = *jobs[HWY_MIN(static_cast<std::size_t>(lane), jobs.size() - 1)];
+      load_pose(chain, job.pose, lane);
+      load_gaze(job, lane);
     }
   }
 
@@ -64,10 +64,9 @@ struct LookLanes {
   }
   /// From the joint before, in its frame.
   Vectors<V> offset(D d, const JointChain& chain, int joint) const {
+    const Vectors<V> bound = broadcast_vector(d, &chain.offsets.data()[joint].x);
     const Lane<D>* parts = joints[joint] + 4;
-    const glm::vec3& bound = chain.offsets.data()[joint];
-    return {hn::Add(parts[0].load(d), hn::Set(d, bound.x)), hn::Add(parts[1].load(d), hn::Set(d, bound.y)),
-            hn::Add(parts[2].load(d), hn::Set(d, bound.z))};
+    return sum(bound, Vectors<V>{parts[0].load(d), parts[1].load(d), parts[2].load(d)});
   }
 
   void store(const LookAtRig& rig, std::span<LookAtJob* const> jobs) const {
@@ -87,7 +86,8 @@ struct LookLanes {
 
  private:
   static float* lane_of(const PoseView& pose, int bone) {
-    return pose.packet(bone / packet_bones) + bone % packet_bones;
+    const auto place = static_cast<unsigned>(bone);
+    return pose.packet(static_cast<int>(place / packet_bones)) + place % packet_bones;
   }
   void load_pose(const JointChain& chain, const PoseView& pose, int lane) {
     for (int joint = 0; joint < chain.count; ++joint) {

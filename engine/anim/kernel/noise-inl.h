@@ -11,11 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// A bijective mix of 32 bits, the first round of Wellons' lowbias32: keys and spread bones are mixed already, and the
-/// values of no two bones or axes correlate by more than a tenth.
-template <class DU, class VU>
-HWY_INLINE VU mixed_bits(DU d, VU bits) {
-  bits = hn::Mul(hn::Xor(bits, hn::ShiftRight<16>(bits)), hn::Set(d, 0x7FEB352DU));
+template <class VU>
+HWY_INLINE VU folded(VU bits) {
   return hn::Xor(bits, hn::ShiftRight<16>(bits));
 }
 
@@ -25,24 +22,26 @@ HWY_INLINE V value_in_bits(D d, hn::Vec<hn::RebindToSigned<D>> bits) {
   return hn::ConvertTo(d, hn::ShiftLeft<from_top>(bits));
 }
 
-/// The values, -1 to 1, of consecutive bones between three lattice points, one an axis, times `scale`.
+/// The values, -2^31 to 2^31, of consecutive bones between three lattice points, one an axis. Each comes from a
+/// bijective mix of 32 bits, the first round of Wellons' lowbias32: keys and spread bones are mixed already, and the
+/// values of no two bones or axes correlate by more than a tenth.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Vectors<V> noise_values(D d, const NoiseMoment& moment, int first_bone, V scale) {
+HWY_INLINE Vectors<V> noise_values(D d, const NoiseMoment& moment, int first_bone) {
   const hn::RebindToUnsigned<D> unsigned_lanes;
   const hn::RebindToSigned<D> signed_lanes;
   // Counted from 0, which is a constant; counted from elsewhere Highway goes through memory.
   const auto bones =
       hn::Add(hn::Iota(unsigned_lanes, 0U), hn::Set(unsigned_lanes, static_cast<std::uint32_t>(first_bone)));
-  const auto spread = hn::Mul(bones, hn::Set(unsigned_lanes, 0x9E3779B9U));
+  const auto spread = folded(hn::Mul(bones, hn::Set(unsigned_lanes, 0x9E3779B9U)));
   Vectors<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   for (std::size_t point = 0; point < 3; ++point) {
-    const auto key = hn::Set(unsigned_lanes, moment.keys.data()[point]);
-    const auto bits = hn::BitCast(signed_lanes, mixed_bits(unsigned_lanes, hn::Xor(spread, key)));
-    const V share = hn::Set(d, moment.shares.data()[point] * 0x1p-31F);
+    const auto keyed = hn::Xor(spread, hn::Set(unsigned_lanes, moment.keys.data()[point]));
+    const auto bits = hn::BitCast(signed_lanes, folded(hn::Mul(keyed, hn::Set(unsigned_lanes, 0x7FEB352DU))));
+    const V share = hn::Set(d, moment.shares.data()[point]);
     sum = {hn::MulAdd(value_in_bits<0>(d, bits), share, sum.x), hn::MulAdd(value_in_bits<10>(d, bits), share, sum.y),
            hn::MulAdd(value_in_bits<20>(d, bits), share, sum.z)};
   }
-  return scaled(sum, scale);
+  return sum;
 }
 
 /// Radians up to which a polynomial makes turns unit, to 1e-7.
@@ -65,7 +64,7 @@ HWY_INLINE Quaternions<V> turned_by(D d, const Quaternions<V>& from, const Vecto
   return scaled(turned, factor);
 }
 
-/// [bones from `bone` on], 0 at and above the bone count.
+/// Of the bones from `bone` on; 0 at and above the bone count.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V amplitudes_of(D d, const NoiseJob& job, int bone) {
   const V even = hn::Set(d, job.amplitude);
@@ -75,19 +74,28 @@ HWY_INLINE V amplitudes_of(D d, const NoiseJob& job, int bone) {
 }
 
 template <bool small, class D, class V = hn::Vec<D>>
-HWY_INLINE void noise_lanes(D d, const NoiseJob& job, int bone) {
+HWY_INLINE Quaternions<V> shaken(D d, const NoiseJob& job, const Quaternions<V>& from, int bone, V amplitude) {
   constexpr float half_axis_share = 0.288675135F;  // 1 / sqrt(12): three axes at their ends make half of the amplitude
-  const V amplitude = amplitudes_of(d, job, bone);
-  const V scale = hn::Mul(amplitude, hn::Set(d, half_axis_share));
-  const auto values = noise_values(d, job.moment, job.packet * packet_bones + bone, scale);
+  const auto values = noise_values(d, *job.moment, job.packet * packet_bones + bone);
+  return turned_by<small>(d, from, scaled(values, hn::Mul(amplitude, hn::Set(d, half_axis_share * 0x1p-31F))));
+}
+
+template <bool small, class D, class V = hn::Vec<D>>
+HWY_INLINE void noise_lanes(D d, const NoiseJob& job, int bone) {
   const auto from = load_quaternions(d, job.from + bone, packet_bones);
-  const auto turned = turned_by<small>(d, from, values);
-  store(d, choose(hn::Eq(amplitude, hn::Zero(d)), from, turned), job.out + bone, packet_bones);
+  const bool everywhere = job.bone_weights == nullptr && job.amplitude > 0.0F &&
+                          job.packet * packet_bones + bone + lane_count<D> <= job.bone_count;
+  if (everywhere) {
+    store(d, shaken<small>(d, job, from, bone, hn::Set(d, job.amplitude)), job.out + bone, packet_bones);
+  } else {
+    const V amplitude = amplitudes_of(d, job, bone);
+    const auto turned = shaken<small>(d, job, from, bone, amplitude);
+    store(d, choose(hn::Eq(amplitude, hn::Zero(d)), from, turned), job.out + bone, packet_bones);
+  }
   if (job.out != job.from) copy_components(d, job.from + bone, job.out + bone, 4, job.components);
 }
 
-inline void noise(const NoiseJob& shared) {
-  const NoiseJob job = shared;  // or it would be read again after every store
+inline void noise(const NoiseJob& job) {
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
     if (job.amplitude <= small_amplitude) {
       noise_lanes<true>(BoneLanes(), job, bone);

@@ -18,11 +18,14 @@ struct NoisePoint {
 /// exact after years as it is at first. Negative times are as good as others.
 NoisePoint noise_at(Ticks time, float frequency);
 
+/// The upper half of the bits mixed into the lower one; of an exclusive or it is that of both.
+constexpr std::uint32_t folded(std::uint32_t bits) { return bits ^ (bits >> 16); }
+
 /// What all bones of a character have in common at one time: three lattice points, and the share of each in a uniform
 /// quadratic B-spline.
 struct NoiseMoment {
-  std::array<std::uint32_t, 3> keys{};
-  std::array<float, 3> shares{};  ///< their sum is 1
+  std::array<std::uint32_t, 3> keys{};  ///< folded
+  std::array<float, 3> shares{};        ///< their sum is 1
 };
 NoiseMoment noise_moment(std::uint64_t seed, const NoisePoint& point);
 
@@ -34,7 +37,7 @@ struct NoiseJob {
   const float* from = nullptr;          ///< [components][16]
   float amplitude = 0.0F;               ///< rad, 0 to pi: no turn is ever larger
   const float* bone_weights = nullptr;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
-  NoiseMoment moment;
+  const NoiseMoment* moment = nullptr;
   int packet = 0;      ///< which 16 bones these are
   int bone_count = 0;  ///< of the whole pose: what lies at and above it keeps its bits
   int components = rigid_components;

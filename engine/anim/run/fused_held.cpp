@@ -33,16 +33,11 @@ PoseView FusedTasks::held_pose(const Characters& characters, std::size_t charact
           characters.context->assets.components, characters.context->bones(characters.work.front().level)};
 }
 
-/// The held packets of one character before the tail of its program, or up to its clips where these are part of the
-/// tail: entity after entity, over clips that are there already.
+/// The held packets of one character before the tail of its program: entity after entity, over clips that are there
+/// already.
 void FusedTasks::compose_head(const Characters& characters, Composed& composed) const {
   const PoseProgram& program = *characters.work[composed.character].program;
-  const bool has_base = composed.base != Composed::no_base;
-  const std::size_t last = std::max(program.tail - std::size_t{1}, has_base ? composed.base : 0);
-  if (has_base && composed.base == last) {
-    for_each_own(*characters.context, program, composed.next, last + 1, [](auto&&...) {});
-    return;
-  }
+  const std::size_t last = program.tail - std::size_t{1};
   const PoseView held = held_pose(characters, composed.character);
   const auto view = [&](float* first) {
     return PoseView{first, characters.context->packet_floats(), held.components, held.bone_count};
@@ -52,7 +47,7 @@ void FusedTasks::compose_head(const Characters& characters, Composed& composed) 
   for_each_shared(program, [&](std::size_t i, const PoseStep& step) {
     poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.entity))));
   });
-  if (has_base) poses.left[composed.base] = held;
+  if (composed.base != Composed::no_base) poses.left[composed.base] = held;
   for_each_own(*characters.context, program, composed.next, last + 1,
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
                  if (!composed.poses(i)) return;
@@ -83,19 +78,6 @@ void FusedTasks::pose_tails(const Characters& characters) {
   }
 }
 
-/// The steps after the last one that needed whole poses, while the packet is on its way to the palettes.
-void FusedTasks::finish_packet(const Characters& characters, int packet) const {
-  for (const Composed& composed : std::span(composed_).first(composed_count_)) {
-    const PoseProgram& program = *characters.work[composed.character].program;
-    StepPlace place = composed.next;
-    float* const pose = held_pose(characters, composed.character).packet(packet);
-    for_each_own(*characters.context, program, place, program.steps.size(),
-                 [&](std::size_t, const PoseStep&, const EntityInStore& entity) {
-                   entity.layout->kind->pose_packet(entity, {.packet = packet, .sources = &pose, .out = pose});
-                 });
-  }
-}
-
 void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) {
   const EntityAssets& assets = characters.context->assets;
   const std::size_t stride = held_stride(characters);
@@ -104,13 +86,16 @@ void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) 
     assets.kernels->pose_clips(clips_.job(packet, assets.components, true, held_packet(packet)));
   }
   for (Composed& composed : std::span(composed_).first(composed_count_)) {
-    compose_head(characters, composed);
+    if (!composed.over_clips) compose_head(characters, composed);
     engine.advance();
   }
   for (std::size_t i = composed_count_; i < characters.work.size(); ++i) engine.advance();
   pose_tails(characters);
   for (int packet = 0; packet < characters.held_packets; ++packet) {
-    finish_packet(characters, packet);
+    for (const Composed& composed : std::span(composed_).first(composed_count_)) {
+      float* const pose = held_pose(characters, composed.character).packet(packet);
+      compose_in_place(characters, composed.character, composed.next, packet, pose);
+    }
     model_palette_packet(*characters.context, scratch_.model, held_packet(packet), characters.work,
                          {.width = characters.width,
                           .packet = packet,

@@ -135,6 +135,9 @@ void FusedTasks::advance_alike(const Characters& characters, Alike alike, StepPl
 /// The last step that shows clips which others, that do not, read.
 std::size_t FusedTasks::base_of(const PoseProgram& program, std::size_t character) {
   const auto shows_clips = [&](std::size_t i) { return shown(i, character).count > 0; };
+  for (std::size_t i = program.steps.size(); i-- >= program.tail;) {
+    if (shows_clips(i)) return i;
+  }
   const std::uint64_t wanted = steps_over(program, Composed::no_base, shows_clips);
   for (std::size_t i = program.steps.size(); i-- > 0;) {
     if ((wanted >> i & 1U) != 0 && shows_clips(i)) return i;
@@ -156,16 +159,30 @@ bool FusedTasks::is_displaced(const Characters& characters, int packet) const {
   return composed_displaces_ || characters.context->assets.components == general_components || clips_.displaced(packet);
 }
 
+/// Where nothing follows the clips but steps that change their pose in place, these are the first.
+void FusedTasks::go_on_over_clips(const Characters& characters, Composed& composed) {
+  const PoseProgram& program = *characters.work[composed.character].program;
+  composed.over_clips = composed.base != Composed::no_base && composed.base + 1 >= program.tail;
+  if (!composed.over_clips) return;
+  composed.first = composed.first.at_tail(program);
+  for_each_own(*characters.context, program, composed.first, composed.base + 1, [](auto&&...) {});
+  composed.next = composed.first;
+}
+
 /// Whether the pose of a character is clips, or at least begins with some.
 void FusedTasks::sort_out(const Characters& characters, std::size_t character, const StepPlace& place) {
   const PoseProgram& program = *characters.work[character].program;
   const ShownClips& root = shown(program.steps.size() - 1, character);
   if (root.count > 0) return clips_.add(static_cast<int>(character), root);
   Composed& composed = composed_[composed_count_++];
-  composed = {.character = character, .first = place, .next = place, .base = base_of(program, character)};
+  composed.character = character;
+  composed.first = place;
+  composed.next = place;
+  composed.base = base_of(program, character);
   if (composed.base != Composed::no_base) clips_.add(static_cast<int>(character), shown(composed.base, character));
   composed.wanted = steps_over(program, composed.base, [](std::size_t) { return false; });
   composed_displaces_ = composed_displaces_ || displaces(*characters.context->pools, program, composed);
+  go_on_over_clips(characters, composed);
 }
 
 void FusedTasks::advance_entities(const Characters& characters) {
@@ -187,12 +204,26 @@ void FusedTasks::advance_entities(const Characters& characters) {
   }
 }
 
+/// The steps from `first` on, which read the one before and nothing else.
+void FusedTasks::compose_in_place(const Characters& characters, std::size_t character, const StepPlace& first,
+                                  int packet, float* pose) {
+  const PoseProgram& program = *characters.work[character].program;
+  StepPlace place = first;
+  for_each_own(*characters.context, program, place, program.steps.size(),
+               [&](std::size_t, const PoseStep&, const EntityInStore& entity) {
+                 const EntityKind& kind = *entity.layout->kind;
+                 if (kind.whole_pose()) return;  // whose bones all lie in held packets
+                 kind.pose_packet(entity, {.packet = packet, .sources = &pose, .out = pose});
+               });
+}
+
 /// Entity after entity, over clips that are there already.
 void FusedTasks::compose_packet(const Characters& characters, const Composed& composed, int packet) const {
   const AgentWork& work = characters.work[composed.character];
   const std::size_t floats = characters.context->packet_floats();
   const std::size_t offset = static_cast<std::size_t>(packet) * floats;
   float* const local = &scratch_.model.local[composed.character * floats];
+  if (composed.over_clips) return compose_in_place(characters, composed.character, composed.first, packet, local);
   StepPlace place = composed.first;
   LeftBySteps<const float*> poses;
   std::array<const float*, max_sources> sources;

@@ -70,9 +70,10 @@ class FusedTasks {
     static constexpr std::size_t no_base = PoseProgram::max_steps;
 
     std::size_t character = 0;
-    StepPlace first;             ///< its first step
+    StepPlace first;             ///< its first step; over clips the first above them
     StepPlace next;              ///< of a held tile: the first that is not posed yet
     std::size_t base = no_base;  ///< step that the kernel for clips poses
+    bool over_clips = false;     ///< all steps above the base change its pose where it lies
     std::uint64_t wanted = 0;    ///< bit i: step i is posed, or is the base
 
     bool poses(std::size_t step) const { return step != base && (wanted >> step & 1U) != 0; }
@@ -89,6 +90,9 @@ class FusedTasks {
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;
   void compute_held(const Characters& characters, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
+  static void go_on_over_clips(const Characters& characters, Composed& composed);
+  static void compose_in_place(const Characters& characters, std::size_t character, const StepPlace& first, int packet,
+                               float* pose);
   bool stream_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program, std::size_t character);
   static bool displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed);
@@ -97,7 +101,6 @@ class FusedTasks {
   PoseView held_pose(const Characters& characters, std::size_t character) const;
   void compose_head(const Characters& characters, Composed& composed) const;
   void pose_tails(const Characters& characters);
-  void finish_packet(const Characters& characters, int packet) const;
 
   std::span<const UpdateContext> contexts_;
   std::span<const AgentWork> work_;

@@ -132,6 +132,14 @@ void find_tails(std::span<const PoseStep> steps, const EntityPools& pools, PoseP
   while (packet_tail > tail && !pools.kind(steps[packet_tail - 1].entity).whole_pose()) --packet_tail;
   program.tail = static_cast<std::uint8_t>(tail);
   program.packet_tail = static_cast<std::uint8_t>(packet_tail);
+  program.blocks_before_tail = 0;
+  program.prepared_before_tail = 0;
+  for (const PoseStep& step : steps.first(tail)) {
+    if (step.shared) continue;
+    const EntityLayout& layout = pools.layout(step.entity);
+    program.blocks_before_tail += layout.total_size;
+    program.prepared_before_tail += static_cast<std::uint32_t>(layout.kind->prepared_bytes);
+  }
 }
 
 std::uint8_t packets_for_bones(int bones) {

@@ -54,7 +54,9 @@ struct PoseProgram {
   /// From here on each step reads the one before it and nothing else, and nobody else reads that one: a pose is changed
   /// where it lies. Never the first step.
   std::uint8_t tail = 1;
-  std::uint8_t packet_tail = 1;  ///< from here on, none below `tail`, they do so packet by packet
+  std::uint8_t packet_tail = 1;            ///< from here on, none below `tail`, they do so packet by packet
+  std::uint32_t blocks_before_tail = 0;    ///< bytes of its own blocks
+  std::uint32_t prepared_before_tail = 0;  ///< and of what is prepared for them
   StoreNeeds needs;
   ProgramParts parts;  ///< of its own; shared ones are paid for once a frame
 

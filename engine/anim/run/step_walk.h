@@ -44,6 +44,12 @@ struct StepPlace {
     block += layout.total_size;
     prepared += layout.kind->prepared_bytes;
   }
+  /// From the first step.
+  StepPlace at_tail(const PoseProgram& program) const {
+    return {.step = program.tail,
+            .block = block + program.blocks_before_tail,
+            .prepared = prepared + program.prepared_before_tail};
+  }
 };
 
 /// Calls visit(step index, step, entity) for each entity before the step `end` that the character owns, sources first,

@@ -39,10 +39,11 @@ void add_noise(const Kernels& kernels, const Packet& from, const Noise& noise, P
                int components = general_components) {
   Amplitudes shares{};
   for (int bone = 0; bone < packet_bones; ++bone) shares.of[bone] = noise.amplitudes.of[bone] / noise.largest_amplitude;
+  const NoiseMoment moment = noise_moment(noise.seed, noise.point);
   kernels.noise({.from = from.data(),
                  .amplitude = noise.largest_amplitude,
                  .bone_weights = shares.of,
-                 .moment = noise_moment(noise.seed, noise.point),
+                 .moment = &moment,
                  .packet = noise.packet,
                  .bone_count = noise.bone_count,
                  .components = components,
@@ -214,11 +215,12 @@ TEST(Noise, KeepsTheBitsOfABoneWithoutAmplitude) {
 
 TEST(Noise, TurnsEveryBoneByTheSameAmplitudeWithoutWeightsAndNoneAboveTheBoneCount) {
   const Amplitudes whole = even_amplitudes(1.0F);
+  const NoiseMoment moment = noise_moment(17, {5, 0.3F});
   for (const Kernels& kernels : runnable_kernels()) {
     const Packet from = random_packet(3);
     NoiseJob job{.from = from.data(),
                  .amplitude = 0.2F,
-                 .moment = noise_moment(17, {5, 0.3F}),
+                 .moment = &moment,
                  .packet = 2,
                  .bone_count = 2 * packet_bones + 5,
                  .components = general_components};

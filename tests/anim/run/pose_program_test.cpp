@@ -149,6 +149,17 @@ TEST(PoseProgram, NeedsNoRegisterForABlockThatKeepsItsTransforms) {
   EXPECT_EQ(program.needs.registers, 1U);
 }
 
+TEST(PoseProgram, KnowsHowMuchOfItsOwnLiesBeforeTheTailThatChangesThePoseInPlace) {
+  Graph graph;
+  const Handle player = graph.player();
+  const Handle blender = graph.blend(player, graph.shared_player());
+  const PoseProgram program = graph.compiled(graph.shaken(graph.shaken(blender)));
+  const EntityLayout& of_player = graph.pools.layout(player);
+  EXPECT_EQ(program.tail, 3);
+  EXPECT_EQ(program.blocks_before_tail, of_player.total_size + graph.pools.layout(blender).total_size);
+  EXPECT_EQ(program.prepared_before_tail, of_player.kind->prepared_bytes);
+}
+
 TEST(PoseProgram, ReadsASharedEntityAndNothingBelowIt) {
   Graph graph;
   const Handle shared = graph.shared_player();

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bone_lod.h"
+#include "app/byte_hash.h"
 #include "app/settings.h"
 #include "app/statistics.h"
 #include "engine/anim/base/hash.h"
@@ -18,8 +19,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::uint64_t chained(std::uint64_t hash, std::string_view text) {
-  for (const char letter : text) hash = anim::chain_hash(hash, static_cast<unsigned char>(letter));
-  return anim::chain_hash(hash, text.size());
+  ByteHash bytes;
+  bytes.add(text);
+  return anim::chain_hash(hash, bytes.value());
 }
 
 // A sum of hashes, so that the order does not matter.

@@ -20,13 +20,13 @@ std::vector<double> stops_of(SweptValue value, int threads) {
       return stops;
     }
     case SweptValue::local_store:
-      return {16, 32, 64, 128, 256, 512, 1024};
+      return {local_store_stops.begin(), local_store_stops.end()};
     case SweptValue::tile:
-      return {1, 2, 4, 8, 16};
+      return {tile_stops.begin(), tile_stops.end()};
     case SweptValue::grain:
       break;
   }
-  return {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
+  return {grain_stops.begin(), grain_stops.end()};
 }
 
 template <typename Figure>

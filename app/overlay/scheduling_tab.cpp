@@ -7,20 +7,27 @@
 #include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
+#include "app/tuning_sweep.h"
 
 namespace throng::app {
 namespace {
 
-constexpr std::array<int, 8> local_store_stops = {0, 16, 32, 64, 128, 256, 512, 1024};
-constexpr std::array<int, 11> grain_stops = {0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
-constexpr std::array<int, 6> tile_stops = {0, 1, 2, 4, 8, 16};
+template <std::size_t count>
+constexpr std::array<int, count + 1> zero_and(const std::array<int, count>& stops) {
+  std::array<int, count + 1> all{};
+  std::ranges::copy(stops, all.begin() + 1);
+  return all;
+}
+constexpr auto local_store_choices = zero_and(local_store_stops);
+constexpr auto tile_choices = zero_and(tile_stops);
+constexpr auto grain_choices = zero_and(grain_stops);
 
 void show_grain(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
   auto microseconds = static_cast<float>(swept_value(SweptValue::grain, tuning));
   if (widgets.number(
           "Grain", microseconds, static_cast<float>(swept_value(SweptValue::grain, standard)),
-          {.highest = 1000, .zero_word = "any", .suffix = " \xC2\xB5s", .stops = grain_stops},
+          {.highest = 1000, .zero_word = "any", .suffix = " \xC2\xB5s", .stops = grain_choices},
           {.what = "Work that is worth another PU: no more of them are woken than have so much to do each. What a PU "
                    "then takes at a time is a tile.",
            .unit = "microseconds of one PU, predicted; any: all PUs are woken, whatever there is to do",
@@ -40,13 +47,13 @@ void show_machine(const TabContext& context) {
        .cost = "More than the machine has only take turns."});
   widgets.number(
       "Local store", tuning.local_store_kib, standard.local_store_kib,
-      {.highest = 1024, .zero_word = "auto", .suffix = " KiB", .stops = local_store_stops},
+      {.highest = 1024, .zero_word = "auto", .suffix = " KiB", .stops = local_store_choices},
       {.what = "A PU's own memory: entities are copied in, updated there and copied out. Its size decides how "
                "many characters fit into a tile. Too small for this skeleton is refused, with a line that says "
                "what is needed.",
        .unit = "KiB; auto: 64, or what one character needs",
        .cost = "Small: narrow tiles. Large: out of the processor's own cache."});
-  widgets.number("Tile", tuning.tile, standard.tile, {.highest = 16, .zero_word = "auto", .stops = tile_stops},
+  widgets.number("Tile", tuning.tile, standard.tile, {.highest = 16, .zero_word = "auto", .stops = tile_choices},
                  {.what = "Characters that are handed to a PU at a time.",
                   .unit = "characters; auto: as many as fit",
                   .cost = "Narrow tiles leave vector lanes idle."});

@@ -22,9 +22,6 @@ void reorder_lanes(std::span<const int> places, int components, float* pose) {
   }
 }
 
-}  // namespace
-namespace {
-
 constexpr std::size_t usual_steps = 6;      // a fade that was interrupted, and feet
 constexpr std::size_t usual_processes = 2;  // feet and a rag-doll
 

@@ -84,7 +84,7 @@ void show_events(const TabContext& context, const SelectionReport& selected) {
 }
 
 std::string hex_line(std::span<const std::uint8_t> block, std::size_t first) {
-  std::array<char, 8> text{};
+  std::array<char, 24> text{};  // room for any number
   std::snprintf(text.data(), text.size(), "%04zx ", first);
   std::string line = text.data();
   for (std::size_t i = first; i < std::min(block.size(), first + bytes_a_line); ++i) {

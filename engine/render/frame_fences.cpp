@@ -1,5 +1,6 @@
 #include "engine/render/frame_fences.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace throng::render {
@@ -16,7 +17,12 @@ FrameFences::~FrameFences() {
 }
 
 void FrameFences::insert(std::uint64_t frame) {
-  assert(frame > completed_ && (pending_.empty() || frame > pending_.back().frame));
+  assert(frame > 0 && frame >= completed_ && (pending_.empty() || frame >= pending_.back().frame));
+  completed_ = std::min(completed_, frame - 1);
+  if (!pending_.empty() && pending_.back().frame == frame) {
+    glDeleteSync(pending_.back().sync);
+    pending_.pop_back();
+  }
   pending_.push_back({frame, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)});
 }
 

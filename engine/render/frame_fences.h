@@ -16,7 +16,7 @@ class FrameFences {
   FrameFences& operator=(const FrameFences&) = delete;
   ~FrameFences();
 
-  /// After the last draw of `frame`.
+  /// After the last draw of `frame`, from 1. A frame may be drawn again: it is completed when that is.
   void insert(std::uint64_t frame);
 
   /// The newest completed frame, 0 when none is; never waits.

@@ -45,5 +45,21 @@ TEST_F(Fences, CompleteFramesInOrderAndForgetThem) {
   EXPECT_EQ(fences.frames_in_flight(), 0U);
 }
 
+TEST_F(Fences, CompleteAFrameThatIsDrawnAgainWhenItsLastDrawIs) {
+  FrameFences fences;
+  fences.insert(1);
+  fences.insert(2);
+  fences.insert(2);
+  EXPECT_EQ(fences.frames_in_flight(), 2U);
+  fences.wait(2);
+  EXPECT_EQ(fences.poll(), 2U);
+  fences.insert(2);
+  EXPECT_EQ(fences.frames_in_flight(), 1U);
+  fences.wait(1);
+  EXPECT_EQ(fences.frames_in_flight(), 1U) << "the frame before was done";
+  fences.wait(2);
+  EXPECT_EQ(fences.poll(), 2U);
+}
+
 }  // namespace
 }  // namespace throng::render::test

@@ -32,6 +32,25 @@ void prefetch_programs(std::span<const AgentWork> later) {
   for (const AgentWork& work : later) __builtin_prefetch(work.program);
 }
 
+/// Calls visit(step index, run, row without its blocks) for each step whose blocks the characters of a tile own; run by
+/// run, since blocks of one step come from one pool.
+template <typename Visit>
+void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork> tile, std::byte* local,
+                            Visit&& visit) {
+  for_each_alike(tile, [&](const AlikeRun& run) {
+    const std::size_t stride = run.program->needs.fetch_bytes;
+    std::byte* block = local;
+    for (std::size_t i = 0; i < run.program->steps.size(); ++i) {
+      const PoseStep& step = run.program->steps[i];
+      if (step.shared) continue;
+      const std::size_t size = pools.layout(step.entity).total_size;
+      visit(i, run, BlockRow{.local = block, .stride = stride, .size = size});
+      block += size;
+    }
+    local += stride * run.size();
+  });
+}
+
 std::size_t own_bytes(std::span<const AgentWork> tile) {
   std::size_t bytes = 0;
   for (const AgentWork& work : tile) bytes += work.program->needs.fetch_bytes;
@@ -56,19 +75,20 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
   prefetch_programs(agents_behind(task, 2));
   const EntityPools& pools = *context(task).pools;
   std::byte* local = store_->fetch_buffer(buffer).data();
-  Home* home = homes_[static_cast<std::size_t>(buffer)].data();
-  for (const AgentWork& work : agents(task)) {
-    for (const PoseStep& step : work.program->steps) {
-      if (step.shared) continue;
-      const std::size_t size = pools.layout(step.entity).total_size;
-      *home = {pools.block(step.entity), size};
-      engine.fetch(home->block, local, size);
-      ++home;
-      local += size;
-    }
-  }
+  const std::span<const AgentWork> tile = agents(task);
+  homes_[static_cast<std::size_t>(buffer)] = next_homes_;
+  std::span<std::byte*> homes = notes_->homes[next_homes_];
+  next_homes_ = (next_homes_ + 1) % notes_->homes.size();
+  for_each_row_of_blocks(pools, tile, local, [&](std::size_t step, const AlikeRun& run, BlockRow row) {
+    const Pool& pool = pools.pool_of(run.program->steps[step].entity);
+    for (std::size_t i = 0; i < run.size(); ++i) homes[i] = pool.block(tile[run.first + i].program->steps[step].entity);
+    row.blocks = homes.first(run.size());
+    homes = homes.subspan(run.size());
+    engine.fetch(row);
+  });
   if (tiles_[static_cast<std::size_t>(task)].needs.shared == 0) return;
-  const SharedSources shared(agents(task));
+  local += own_bytes(tile);
+  const SharedSources shared(tile);
   for (const Handle source : shared.all()) {
     const std::size_t size = pools.layout(source).source_bytes();
     engine.fetch(pools.block(source), local, size);
@@ -78,11 +98,13 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
 
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
   if (changes_ == BlockChanges::dropped) return;
-  const std::byte* local = store_->fetch_buffer(buffer).data();
-  const std::byte* const end = local + own_bytes(agents(task));
-  for (const Home* home = homes_[static_cast<std::size_t>(buffer)].data(); local < end; local += home++->size) {
-    engine.write_back(local + identity_bytes, home->block + identity_bytes, home->size - identity_bytes);
-  }
+  std::span<std::byte* const> homes = notes_->homes[homes_[static_cast<std::size_t>(buffer)]];
+  for_each_row_of_blocks(*context(task).pools, agents(task), store_->fetch_buffer(buffer).data(),
+                         [&](std::size_t, const AlikeRun& run, BlockRow row) {
+                           row.blocks = homes.first(run.size());
+                           homes = homes.subspan(run.size());
+                           engine.write_back(row, identity_bytes);
+                         });
 }
 
 int FusedTasks::copy_points(int task) const {
@@ -91,12 +113,12 @@ int FusedTasks::copy_points(int task) const {
 }
 
 /// Moves their entities, step by step, and notes which clips each shows.
-void FusedTasks::advance_alike(const Characters& characters, Alike alike, StepPlace place) {
+void FusedTasks::advance_alike(const Characters& characters, AlikeRun alike, StepPlace place) {
   struct States {
     const std::byte* first;
     std::size_t stride;  // from one character's to the next one's
   };
-  const PoseProgram& program = *characters.work[alike.first].program;
+  const PoseProgram& program = *alike.program;
   LeftBySteps<States> states;
   std::array<States, max_sources> sources;
   std::array<const AnimationStateHeader*, max_sources> source_states;
@@ -190,18 +212,14 @@ void FusedTasks::advance_entities(const Characters& characters) {
   composed_count_ = 0;
   composed_displaces_ = false;
   StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
-  for (Alike alike{0, 0}; alike.first < characters.work.size(); alike.first = alike.end) {
-    const PoseProgram& program = *characters.work[alike.first].program;
-    for (alike.end = alike.first + 1; alike.end < characters.work.size(); ++alike.end) {
-      if (!are_alike(program, *characters.work[alike.end].program)) break;
-    }
+  for_each_alike(characters.work, [&](const AlikeRun& alike) {
     advance_alike(characters, alike, place);
     for (std::size_t c = alike.first; c < alike.end; ++c) {
       sort_out(characters, c, place);
-      place.block += program.needs.fetch_bytes;
-      place.prepared += program.needs.prepared_bytes;
+      place.block += alike.program->needs.fetch_bytes;
+      place.prepared += alike.program->needs.prepared_bytes;
     }
-  }
+  });
 }
 
 /// The steps from `first` on, which read the one before and nothing else.

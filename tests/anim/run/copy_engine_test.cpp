@@ -1,3 +1,5 @@
+#include "engine/anim/run/copy_engine.h"
+
 #include <cstring>
 #include <numeric>
 #include <vector>

@@ -44,12 +44,13 @@ void CopyEngine::move(std::size_t due) {
   while (entry_ < queue_.size() && moved_bytes_ < due) {
     const Entry& entry = queue_[entry_];
     const std::size_t size = entry.moved_size();
-    const std::size_t wanted = (due - moved_bytes_ - 1) / size + 1;
-    const std::size_t end = std::min(moved_blocks_ + wanted, entry.blocks().size());
-    move_blocks(entry, moved_blocks_, end);
-    moved_bytes_ += (end - moved_blocks_) * size;
-    moved_blocks_ = end;
-    if (end < entry.blocks().size()) return;
+    const std::size_t left = entry.blocks().size() - moved_blocks_;
+    const std::size_t wanted = due - moved_bytes_;
+    const std::size_t count = left * size <= wanted ? left : (wanted + size - 1) / size;
+    move_blocks(entry, moved_blocks_, moved_blocks_ + count);
+    moved_bytes_ += count * size;
+    moved_blocks_ += count;
+    if (count < left) return;
     ++entry_;
     moved_blocks_ = 0;
   }

@@ -119,6 +119,8 @@ void FusedTasks::advance_alike(const Characters& characters, AlikeRun alike, Ste
     std::size_t stride;  // from one character's to the next one's
   };
   const PoseProgram& program = *alike.program;
+  const std::size_t stride = program.needs.fetch_bytes;
+  const std::size_t prepared_stride = program.needs.prepared_bytes;
   LeftBySteps<States> states;
   std::array<States, max_sources> sources;
   std::array<const AnimationStateHeader*, max_sources> source_states;
@@ -133,23 +135,26 @@ void FusedTasks::advance_alike(const Characters& characters, AlikeRun alike, Ste
                  const bool shows_clips = kind.shown_clips != nullptr && !is_resident(*entity.layout);
                  const std::size_t count = step.source_count;
                  states.sources(step, sources);
-                 states.left[i] = {entity.block, program.needs.fetch_bytes};
-                 for (std::size_t c = alike.first; c < alike.end; ++c) {
+                 states.left[i] = {entity.block, stride};
+                 ShownClips* shows = &shown(i, alike.first);
+                 for (std::size_t k = 0; k < count; ++k) source_clips[k] = &shown(step.sources[k], alike.first);
+                 for (const AgentWork& work : characters.work.subspan(alike.first, alike.size())) {
                    for (std::size_t k = 0; k < count; ++k) {
                      source_states[k] = reinterpret_cast<const AnimationStateHeader*>(sources[k].first);
-                     source_clips[k] = &shown(step.sources[k], c);
                      sources[k].first += sources[k].stride;
                    }
-                   entity.as<AnimationStateHeader>().delta_time += characters.work[c].delta;
+                   entity.as<AnimationStateHeader>().delta_time += work.delta;
                    kind.advance(entity, {source_states.data(), count});
                    // Made in its place: a copy would wait for the parts that were just written.
                    if (shows_clips) {
-                     ::new (&shown(i, c)) ShownClips(kind.shown_clips(entity, {source_clips.data(), count}));
+                     ::new (shows) ShownClips(kind.shown_clips(entity, {source_clips.data(), count}));
                    } else {
-                     shown(i, c).count = 0;
+                     shows->count = 0;
                    }
-                   entity.block += program.needs.fetch_bytes;
-                   entity.prepared += program.needs.prepared_bytes;
+                   ++shows;
+                   for (std::size_t k = 0; k < count; ++k) ++source_clips[k];
+                   entity.block += stride;
+                   entity.prepared += prepared_stride;
                  }
                });
 }
@@ -191,11 +196,9 @@ void FusedTasks::go_on_over_clips(const Characters& characters, Composed& compos
   composed.next = composed.first;
 }
 
-/// Whether the pose of a character is clips, or at least begins with some.
-void FusedTasks::sort_out(const Characters& characters, std::size_t character, const StepPlace& place) {
+/// A character whose pose is not clips alone, but may begin with some.
+void FusedTasks::begin_composed(const Characters& characters, std::size_t character, const StepPlace& place) {
   const PoseProgram& program = *characters.work[character].program;
-  const ShownClips& root = shown(program.steps.size() - 1, character);
-  if (root.count > 0) return clips_.add(static_cast<int>(character), root);
   Composed& composed = composed_[composed_count_++];
   composed.character = character;
   composed.first = place;
@@ -214,8 +217,14 @@ void FusedTasks::advance_entities(const Characters& characters) {
   StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
   for_each_alike(characters.work, [&](const AlikeRun& alike) {
     advance_alike(characters, alike, place);
+    const std::size_t root = alike.program->steps.size() - 1;
     for (std::size_t c = alike.first; c < alike.end; ++c) {
-      sort_out(characters, c, place);
+      const ShownClips& pose = shown(root, c);
+      if (pose.count > 0) {
+        clips_.add(static_cast<int>(c), pose);
+      } else {
+        begin_composed(characters, c, place);
+      }
       place.block += alike.program->needs.fetch_bytes;
       place.prepared += alike.program->needs.prepared_bytes;
     }

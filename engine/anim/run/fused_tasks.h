@@ -78,7 +78,7 @@ class FusedTasks {
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   void advance_entities(const Characters& characters);
   void advance_alike(const Characters& characters, AlikeRun alike, StepPlace place);
-  void sort_out(const Characters& characters, std::size_t character, const StepPlace& place);
+  void begin_composed(const Characters& characters, std::size_t character, const StepPlace& place);
   ShownClips& shown(std::size_t step, std::size_t character) { return notes_->shown[step * widest_tile + character]; }
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;
   void compute_held(const Characters& characters, CopyEngine& engine);

@@ -296,7 +296,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   Characters characters{.context = &about,
                         .work = tile,
                         .blocks = store_->fetch_buffer(buffer).data(),
-                        .shared = needs.shared > 0 ? SharedSources(tile) : SharedSources(),
+                        .shared = std::nullopt,
                         .shared_blocks = nullptr,
                         .width = static_cast<int>(std::bit_ceil(tile.size())),
                         .packets = about.packets(tile.front().level),
@@ -307,7 +307,10 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   if (tile.size() < static_cast<std::size_t>(characters.width)) {
     std::ranges::fill(needs.held ? scratch_.held : scratch_.model.local, 0.0F);
   }
-  if (needs.shared > 0) characters.shared_blocks = characters.blocks + own_bytes(tile);
+  if (needs.shared > 0) {
+    characters.shared.emplace(tile);
+    characters.shared_blocks = characters.blocks + own_bytes(tile);
+  }
   advance_entities(characters);
   begin_palettes(scratch_.model, tile, palettes_.unseen);
   if (needs.held) compute_held(characters, engine);

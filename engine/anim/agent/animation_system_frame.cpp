@@ -93,10 +93,12 @@ std::uint16_t AnimationSystem::predicted_cost(const PoseProgram& program, std::u
 
 void AnimationSystem::report_work() {
   std::array<std::array<std::uint64_t, max_bone_levels>, most_skeletons> agents_by_level{};
+  std::uint64_t cost_steps = 0;
   for (const AgentWork& work : work_) {
     ++agents_by_level[work.skeleton][work.level];
-    report_.predicted_nanoseconds += work.cost * cost_step;
+    cost_steps += work.cost;
   }
+  report_.predicted_nanoseconds = static_cast<double>(cost_steps) * cost_step;
   report_.agents_updated = static_cast<std::uint32_t>(work_.size());
   for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
     const Skeleton& skeleton = casts_[cast]->skeleton();

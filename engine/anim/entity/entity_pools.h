@@ -60,6 +60,9 @@ class EntityPools {
   /// Of an agent's own entities of a kind.
   const EntityLayout& layout(Kind kind) const { return layouts_[kind]; }
 
+  const Pool& pool_of(Handle handle) const {
+    return is_shared(handle) ? shared_[handle.pool() - first_shared] : own_[handle.pool()];
+  }
   Pool& pool(Kind kind) { return own_[kind]; }
   const Pool& pool(Kind kind) const { return own_[kind]; }
   Pool& shared_pool(Kind kind) { return shared_[kind]; }
@@ -75,9 +78,6 @@ class EntityPools {
  private:
   static constexpr std::uint32_t first_shared = 16;
 
-  const Pool& pool_of(Handle handle) const {
-    return is_shared(handle) ? shared_[handle.pool() - first_shared] : own_[handle.pool()];
-  }
   Pool& pool_of(Handle handle) { return const_cast<Pool&>(std::as_const(*this).pool_of(handle)); }
 
   int bone_count_;

@@ -44,9 +44,8 @@ void set_velocity(AnimationStateHeader& state, const RootVelocity& velocity, dou
   }
 }
 
-}  // namespace
-
-void advance_player(Player& player, const ClipStreams& clip) {
+// In the frame's innermost loop, where a call would cost as much as what it does.
+inline void move_player(Player& player, const ClipStreams& clip) {
   player.position += player.state.delta_time * player.speed;
   player.state.delta_time = 0;
   keep_in_clip(player, clip.duration * fine_ticks_per_tick);
@@ -58,6 +57,10 @@ void advance_player(Player& player, const ClipStreams& clip) {
                  static_cast<double>(player.speed) / 65536.0);
   }
 }
+
+}  // namespace
+
+void advance_player(Player& player, const ClipStreams& clip) { move_player(player, clip); }
 
 void seek_player(Player& player, FineTicks position, Ticks duration) {
   player.position = position;
@@ -113,7 +116,7 @@ void advance_sampled(const EntityInStore& entity, std::span<const AnimationState
   static_assert(sizeof(PlayerPose) <= prepared_pose_bytes);
   auto& player = entity.as<Player>();
   const ClipStreams& clip = entity.assets->clips[player.clip];
-  advance_player(player, clip);
+  move_player(player, clip);
   auto& pose = *::new (entity.prepared) PlayerPose(sampled_pose(player, clip));
   if (entity.assets->prefetch) prefetch_rows(*clip.sampled, pose.point);
   pose.bones = selection_of(player, *entity.assets);

@@ -18,6 +18,7 @@
 
 #include "engine/anim/kernel/add-inl.h"
 #include "engine/anim/kernel/blend-inl.h"
+#include "engine/anim/kernel/copy_blocks-inl.h"
 #include "engine/anim/kernel/general_palette-inl.h"
 #include "engine/anim/kernel/look_at-inl.h"
 #include "engine/anim/kernel/mix-inl.h"
@@ -83,6 +84,7 @@ Kernels kernel_set() {
           .look_at = &look_at,
           .model_palette = &model_palette,
           .write_lines = &write_lines,
+          .copy_blocks = &copy_blocks,
           .fence_stores = &fence_stores};
 }
 

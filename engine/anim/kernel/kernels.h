@@ -136,6 +136,20 @@ struct WriteLinesJob {
   StorePolicy stores = StorePolicy::plain;
 };
 
+/// Copies blocks between anywhere and places in a row, and prefetches others meanwhile. Sizes, in bytes, are multiples
+/// of
+/// 64. Guarded memory may be copied (base/guard.h).
+struct CopyBlocksJob {
+  std::span<std::byte* const> blocks;  ///< anywhere
+  std::byte* local = nullptr;          ///< in a row: the first
+  std::size_t stride = 0;              ///< from one to the next in the row
+  std::size_t offset = 0;              ///< into each of `blocks`
+  std::size_t size = 0;                ///< from there on
+  bool inward = true;                  ///< to the row
+  std::span<std::byte* const> soon{};  ///< will be copied next
+  std::size_t soon_size = 0;
+};
+
 /// One SIMD target's set.
 struct Kernels {
   const char* target;  ///< as Highway names it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
@@ -152,6 +166,7 @@ struct Kernels {
   void (*look_at)(std::span<LookAtJob> jobs);  ///< at most widest_tile, all of one rig; see look_at.h
   void (*model_palette)(const ModelPaletteJob& job);
   void (*write_lines)(const WriteLinesJob& job);
+  void (*copy_blocks)(const CopyBlocksJob& job);
   void (*fence_stores)();  ///< what was streamed is visible to whoever learns of it from now on
 };
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/anim/run/local_store.h"
+#include "engine/anim/run/copy_engine.h"
 #include "engine/anim/run/trace.h"
 
 namespace throng::anim {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "engine/anim/run/fused_tasks.h"
@@ -12,14 +13,14 @@ struct FusedTasks::Characters {
   const UpdateContext* context;
   std::span<const AgentWork> work;
   std::byte* blocks;
-  SharedSources shared;
+  std::optional<SharedSources> shared;  ///< where they read any
   const std::byte* shared_blocks;
   int width;
   int packets;
   int held_packets;  ///< the first ones, kept until they are whole; 0: streaming
 
   const AnimationStateHeader& shared_state(Handle entity) const {
-    return *reinterpret_cast<const AnimationStateHeader*>(shared.block(*context->pools, entity, shared_blocks));
+    return *reinterpret_cast<const AnimationStateHeader*>(shared->block(*context->pools, entity, shared_blocks));
   }
 };
 

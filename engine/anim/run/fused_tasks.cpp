@@ -32,6 +32,25 @@ void prefetch_programs(std::span<const AgentWork> later) {
   for (const AgentWork& work : later) __builtin_prefetch(work.program);
 }
 
+/// Calls visit(step index, run, row without its blocks) for each step whose blocks the characters of a tile own; run by
+/// run, since blocks of one step come from one pool.
+template <typename Visit>
+void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork> tile, std::byte* local,
+                            Visit&& visit) {
+  for_each_alike(tile, [&](const AlikeRun& run) {
+    const std::size_t stride = run.program->needs.fetch_bytes;
+    std::byte* block = local;
+    for (std::size_t i = 0; i < run.program->steps.size(); ++i) {
+      const PoseStep& step = run.program->steps[i];
+      if (step.shared) continue;
+      const std::size_t size = pools.layout(step.entity).total_size;
+      visit(i, run, BlockRow{.local = block, .stride = stride, .size = size});
+      block += size;
+    }
+    local += stride * run.size();
+  });
+}
+
 std::size_t own_bytes(std::span<const AgentWork> tile) {
   std::size_t bytes = 0;
   for (const AgentWork& work : tile) bytes += work.program->needs.fetch_bytes;
@@ -56,19 +75,20 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
   prefetch_programs(agents_behind(task, 2));
   const EntityPools& pools = *context(task).pools;
   std::byte* local = store_->fetch_buffer(buffer).data();
-  Home* home = homes_[static_cast<std::size_t>(buffer)].data();
-  for (const AgentWork& work : agents(task)) {
-    for (const PoseStep& step : work.program->steps) {
-      if (step.shared) continue;
-      const std::size_t size = pools.layout(step.entity).total_size;
-      *home = {pools.block(step.entity), size};
-      engine.fetch(home->block, local, size);
-      ++home;
-      local += size;
-    }
-  }
+  const std::span<const AgentWork> tile = agents(task);
+  homes_[static_cast<std::size_t>(buffer)] = next_homes_;
+  std::span<std::byte*> homes = notes_->homes[next_homes_];
+  next_homes_ = (next_homes_ + 1) % notes_->homes.size();
+  for_each_row_of_blocks(pools, tile, local, [&](std::size_t step, const AlikeRun& run, BlockRow row) {
+    const Pool& pool = pools.pool_of(run.program->steps[step].entity);
+    for (std::size_t i = 0; i < run.size(); ++i) homes[i] = pool.block(tile[run.first + i].program->steps[step].entity);
+    row.blocks = homes.first(run.size());
+    homes = homes.subspan(run.size());
+    engine.fetch(row);
+  });
   if (tiles_[static_cast<std::size_t>(task)].needs.shared == 0) return;
-  const SharedSources shared(agents(task));
+  local += own_bytes(tile);
+  const SharedSources shared(tile);
   for (const Handle source : shared.all()) {
     const std::size_t size = pools.layout(source).source_bytes();
     engine.fetch(pools.block(source), local, size);
@@ -78,11 +98,13 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
 
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
   if (changes_ == BlockChanges::dropped) return;
-  const std::byte* local = store_->fetch_buffer(buffer).data();
-  const std::byte* const end = local + own_bytes(agents(task));
-  for (const Home* home = homes_[static_cast<std::size_t>(buffer)].data(); local < end; local += home++->size) {
-    engine.write_back(local + identity_bytes, home->block + identity_bytes, home->size - identity_bytes);
-  }
+  std::span<std::byte* const> homes = notes_->homes[homes_[static_cast<std::size_t>(buffer)]];
+  for_each_row_of_blocks(*context(task).pools, agents(task), store_->fetch_buffer(buffer).data(),
+                         [&](std::size_t, const AlikeRun& run, BlockRow row) {
+                           row.blocks = homes.first(run.size());
+                           homes = homes.subspan(run.size());
+                           engine.write_back(row, identity_bytes);
+                         });
 }
 
 int FusedTasks::copy_points(int task) const {
@@ -91,12 +113,14 @@ int FusedTasks::copy_points(int task) const {
 }
 
 /// Moves their entities, step by step, and notes which clips each shows.
-void FusedTasks::advance_alike(const Characters& characters, Alike alike, StepPlace place) {
+void FusedTasks::advance_alike(const Characters& characters, AlikeRun alike, StepPlace place) {
   struct States {
     const std::byte* first;
     std::size_t stride;  // from one character's to the next one's
   };
-  const PoseProgram& program = *characters.work[alike.first].program;
+  const PoseProgram& program = *alike.program;
+  const std::size_t stride = program.needs.fetch_bytes;
+  const std::size_t prepared_stride = program.needs.prepared_bytes;
   LeftBySteps<States> states;
   std::array<States, max_sources> sources;
   std::array<const AnimationStateHeader*, max_sources> source_states;
@@ -111,23 +135,26 @@ void FusedTasks::advance_alike(const Characters& characters, Alike alike, StepPl
                  const bool shows_clips = kind.shown_clips != nullptr && !is_resident(*entity.layout);
                  const std::size_t count = step.source_count;
                  states.sources(step, sources);
-                 states.left[i] = {entity.block, program.needs.fetch_bytes};
-                 for (std::size_t c = alike.first; c < alike.end; ++c) {
+                 states.left[i] = {entity.block, stride};
+                 ShownClips* shows = &shown(i, alike.first);
+                 for (std::size_t k = 0; k < count; ++k) source_clips[k] = &shown(step.sources[k], alike.first);
+                 for (const AgentWork& work : characters.work.subspan(alike.first, alike.size())) {
                    for (std::size_t k = 0; k < count; ++k) {
                      source_states[k] = reinterpret_cast<const AnimationStateHeader*>(sources[k].first);
-                     source_clips[k] = &shown(step.sources[k], c);
                      sources[k].first += sources[k].stride;
                    }
-                   entity.as<AnimationStateHeader>().delta_time += characters.work[c].delta;
+                   entity.as<AnimationStateHeader>().delta_time += work.delta;
                    kind.advance(entity, {source_states.data(), count});
                    // Made in its place: a copy would wait for the parts that were just written.
                    if (shows_clips) {
-                     ::new (&shown(i, c)) ShownClips(kind.shown_clips(entity, {source_clips.data(), count}));
+                     ::new (shows) ShownClips(kind.shown_clips(entity, {source_clips.data(), count}));
                    } else {
-                     shown(i, c).count = 0;
+                     shows->count = 0;
                    }
-                   entity.block += program.needs.fetch_bytes;
-                   entity.prepared += program.needs.prepared_bytes;
+                   ++shows;
+                   for (std::size_t k = 0; k < count; ++k) ++source_clips[k];
+                   entity.block += stride;
+                   entity.prepared += prepared_stride;
                  }
                });
 }
@@ -169,11 +196,9 @@ void FusedTasks::go_on_over_clips(const Characters& characters, Composed& compos
   composed.next = composed.first;
 }
 
-/// Whether the pose of a character is clips, or at least begins with some.
-void FusedTasks::sort_out(const Characters& characters, std::size_t character, const StepPlace& place) {
+/// A character whose pose is not clips alone, but may begin with some.
+void FusedTasks::begin_composed(const Characters& characters, std::size_t character, const StepPlace& place) {
   const PoseProgram& program = *characters.work[character].program;
-  const ShownClips& root = shown(program.steps.size() - 1, character);
-  if (root.count > 0) return clips_.add(static_cast<int>(character), root);
   Composed& composed = composed_[composed_count_++];
   composed.character = character;
   composed.first = place;
@@ -190,18 +215,20 @@ void FusedTasks::advance_entities(const Characters& characters) {
   composed_count_ = 0;
   composed_displaces_ = false;
   StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
-  for (Alike alike{0, 0}; alike.first < characters.work.size(); alike.first = alike.end) {
-    const PoseProgram& program = *characters.work[alike.first].program;
-    for (alike.end = alike.first + 1; alike.end < characters.work.size(); ++alike.end) {
-      if (!are_alike(program, *characters.work[alike.end].program)) break;
-    }
+  for_each_alike(characters.work, [&](const AlikeRun& alike) {
     advance_alike(characters, alike, place);
+    const std::size_t root = alike.program->steps.size() - 1;
     for (std::size_t c = alike.first; c < alike.end; ++c) {
-      sort_out(characters, c, place);
-      place.block += program.needs.fetch_bytes;
-      place.prepared += program.needs.prepared_bytes;
+      const ShownClips& pose = shown(root, c);
+      if (pose.count > 0) {
+        clips_.add(static_cast<int>(c), pose);
+      } else {
+        begin_composed(characters, c, place);
+      }
+      place.block += alike.program->needs.fetch_bytes;
+      place.prepared += alike.program->needs.prepared_bytes;
     }
-  }
+  });
 }
 
 /// The steps from `first` on, which read the one before and nothing else.
@@ -269,7 +296,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   Characters characters{.context = &about,
                         .work = tile,
                         .blocks = store_->fetch_buffer(buffer).data(),
-                        .shared = needs.shared > 0 ? SharedSources(tile) : SharedSources(),
+                        .shared = std::nullopt,
                         .shared_blocks = nullptr,
                         .width = static_cast<int>(std::bit_ceil(tile.size())),
                         .packets = about.packets(tile.front().level),
@@ -280,7 +307,10 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   if (tile.size() < static_cast<std::size_t>(characters.width)) {
     std::ranges::fill(needs.held ? scratch_.held : scratch_.model.local, 0.0F);
   }
-  if (needs.shared > 0) characters.shared_blocks = characters.blocks + own_bytes(tile);
+  if (needs.shared > 0) {
+    characters.shared.emplace(tile);
+    characters.shared_blocks = characters.blocks + own_bytes(tile);
+  }
   advance_entities(characters);
   begin_palettes(scratch_.model, tile, palettes_.unseen);
   if (needs.held) compute_held(characters, engine);

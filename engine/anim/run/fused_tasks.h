@@ -3,8 +3,10 @@
 #include <array>
 #include <span>
 
-#include "engine/anim/run/agent_work.h"
+#include "engine/anim/run/alike_run.h"
 #include "engine/anim/run/clip_tile.h"
+#include "engine/anim/run/copy_engine.h"
+#include "engine/anim/run/fused_notes.h"
 #include "engine/anim/run/fused_scratch.h"
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/step_walk.h"
@@ -32,7 +34,7 @@ enum class BlockChanges : std::uint8_t {
 class FusedTasks {
  public:
   FusedTasks(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, std::span<const Tile> tiles,
-             TaskQueue::Taker queue, const LocalStore& store, const PaletteStores& palettes,
+             TaskQueue::Taker queue, const LocalStore& store, FusedNotes& notes, const PaletteStores& palettes,
              BlockChanges changes = BlockChanges::written_back)
       : contexts_(contexts),
         work_(work),
@@ -40,7 +42,8 @@ class FusedTasks {
         queue_(queue),
         store_(&store),
         palettes_(palettes),
-        changes_(changes) {}
+        changes_(changes),
+        notes_(&notes) {}
 
   std::optional<int> next() { return queue_.take(); }
   void fetch(int task, int buffer, CopyEngine& engine);
@@ -55,16 +58,6 @@ class FusedTasks {
 
  private:
   struct Characters;
-  /// Characters of a tile that follow each other and whose programs are alike.
-  struct Alike {
-    std::size_t first;
-    std::size_t end;
-  };
-  /// Where in main memory a block belongs that lies in a fetch buffer.
-  struct Home {
-    std::byte* block;
-    std::size_t size;
-  };
   /// One whose pose is not clips alone, but may begin with some.
   struct Composed {
     static constexpr std::size_t no_base = PoseProgram::max_steps;
@@ -84,9 +77,9 @@ class FusedTasks {
   std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   void advance_entities(const Characters& characters);
-  void advance_alike(const Characters& characters, Alike alike, StepPlace place);
-  void sort_out(const Characters& characters, std::size_t character, const StepPlace& place);
-  ShownClips& shown(std::size_t step, std::size_t character) { return shown_[step * widest_tile + character]; }
+  void advance_alike(const Characters& characters, AlikeRun alike, StepPlace place);
+  void begin_composed(const Characters& characters, std::size_t character, const StepPlace& place);
+  ShownClips& shown(std::size_t step, std::size_t character) { return notes_->shown[step * widest_tile + character]; }
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;
   void compute_held(const Characters& characters, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
@@ -110,11 +103,11 @@ class FusedTasks {
   PaletteStores palettes_;
   BlockChanges changes_;
   FusedScratch scratch_;
-  static constexpr std::size_t most_blocks = PoseProgram::max_steps * widest_tile;
-  std::array<std::array<Home, most_blocks>, 2> homes_;  // [fetch buffer] of the blocks in it
-  std::array<ShownClips, most_blocks> shown_;           // [step][character]
-  ClipTile clips_;                                      // the characters that show clips
-  std::array<Composed, widest_tile> composed_{};        // and the others
+  FusedNotes* notes_;
+  std::array<std::size_t, 2> homes_{};  // [fetch buffer] which of the lists of homes is that of its tile
+  std::size_t next_homes_ = 0;
+  ClipTile clips_;                                // the characters that show clips
+  std::array<Composed, widest_tile> composed_{};  // and the others
   std::size_t composed_count_ = 0;
   bool composed_displaces_ = false;  // positions of some of them come from more than clips
   std::uint32_t tiles_done_ = 0;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/anim/run/agent_work.h"
+#include "engine/anim/run/copy_engine.h"
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/task_content.h"
 #include "engine/anim/run/task_queue.h"

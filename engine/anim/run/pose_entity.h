@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/anim/entity/entity_kind.h"
-#include "engine/anim/run/local_store.h"
+#include "engine/anim/run/copy_engine.h"
 
 namespace throng::anim {
 

@@ -1,6 +1,7 @@
 #include "engine/anim/run/pose_program.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 namespace throng::anim {
@@ -156,7 +157,36 @@ void count_part(const EntityKind& kind, ProgramParts& parts) {
   }
 }
 
+/// See PoseProgram::shape. A source is written in as many bits as the steps before its reader need.
+std::uint64_t shape_of(std::span<const PoseStep> steps) {
+  constexpr int pool_bits = 4, count_bits = 4;
+  static_assert(EntityPools::most_kinds <= 1U << pool_bits && max_sources < 1U << count_bits);
+  std::uint64_t shape = 1;  // so that leading zeros count
+  int bits = 1;
+  const auto write = [&](std::uint64_t value, int width) {
+    shape = shape << width | value;
+    bits += width;
+  };
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i].shared) return 0;
+    const auto source_bits = static_cast<int>(std::bit_width(i));
+    write(steps[i].entity.pool(), pool_bits);
+    write(steps[i].source_count, count_bits);
+    for (std::size_t k = 0; k < steps[i].source_count; ++k) write(steps[i].sources[k], source_bits);
+  }
+  return bits > 64 ? 0 : shape;
+}
+
+bool are_alike(const PoseStep& a, const PoseStep& b) {
+  if (a.shared || b.shared) return a.entity == b.entity;
+  return a.entity.pool() == b.entity.pool() && a.source_count == b.source_count && a.sources == b.sources;
+}
+
 }  // namespace
+
+bool are_alike_step_by_step(const PoseProgram& a, const PoseProgram& b) {
+  return std::ranges::equal(a.steps, b.steps, [](const auto& one, const auto& other) { return are_alike(one, other); });
+}
 
 void StoreNeeds::hold(std::uint8_t packets) {
   held = true;
@@ -200,6 +230,7 @@ Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, Pos
     count_part(*layout.kind, program.parts);
     pools.state(step.entity).priority = static_cast<std::int16_t>(highest_priority - step.below_highest);
   }
+  program.shape = shape_of(steps);
   program.steps.assign(steps.begin(), steps.end());
   return Done{};
 }

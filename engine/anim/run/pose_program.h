@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -59,20 +57,20 @@ struct PoseProgram {
   std::uint32_t prepared_before_tail = 0;  ///< and of what is prepared for them
   StoreNeeds needs;
   ProgramParts parts;  ///< of its own; shared ones are paid for once a frame
+  /// Pools and sources of all steps, written out in bits: no other steps have the same. 0: they take more than 64, as
+  /// those of seven entities do, or some step is shared.
+  std::uint64_t shape = 0;
 
   /// Steps that are not shared.
   std::size_t own_count() const { return steps.size() - needs.shared; }
   Handle root() const { return steps.back().entity; }
 };
 
-/// Programs are alike that differ in nothing but their own entities: kinds, sources and registers are the same.
-inline bool are_alike(const PoseStep& a, const PoseStep& b) {
-  using Sources = std::uint64_t;  // compared at once: as an array they would be handed to memcmp
-  return (a.shared ? a.entity == b.entity : a.entity.pool() == b.entity.pool()) && a.target == b.target &&
-         a.source_count == b.source_count && std::bit_cast<Sources>(a.sources) == std::bit_cast<Sources>(b.sources);
-}
+/// Programs of one skeleton are alike that differ in nothing but their own entities: all else follows from the pools
+/// and sources of their steps.
+bool are_alike_step_by_step(const PoseProgram& a, const PoseProgram& b);
 inline bool are_alike(const PoseProgram& a, const PoseProgram& b) {
-  return std::ranges::equal(a.steps, b.steps, [](const auto& one, const auto& other) { return are_alike(one, other); });
+  return a.shape == b.shape && (a.shape != 0 || are_alike_step_by_step(a, b));
 }
 
 /// Owners of graphs of shared entities have this bit; others are agents.

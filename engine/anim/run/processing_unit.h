@@ -2,8 +2,10 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 
 #include "engine/anim/run/double_buffer.h"
+#include "engine/anim/run/fused_notes.h"
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/local_store_plan.h"
 #include "engine/anim/run/trace.h"
@@ -34,6 +36,7 @@ class alignas(block_alignment) ProcessingUnit {
 
   LocalStore& store() { return store_; }
   const LocalStore& store() const { return store_; }
+  FusedNotes& fused_notes() { return *fused_notes_; }
   PaletteMatrix* unseen() const { return reinterpret_cast<PaletteMatrix*>(unseen_.get()); }
 
   /// `task_ns`: what one is predicted to take.
@@ -60,6 +63,7 @@ class alignas(block_alignment) ProcessingUnit {
  private:
   LocalStore store_;
   AlignedBytes unseen_;
+  std::unique_ptr<FusedNotes> fused_notes_ = std::make_unique_for_overwrite<FusedNotes>();
   CopyEngine engine_;
   PuActivity activity_;
   Trace trace_;

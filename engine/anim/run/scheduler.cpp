@@ -99,8 +99,8 @@ void Scheduler::on_units(Executor& executor, RunUnit&& run_unit) {
 void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, double task_ns,
                           Executor& executor) {
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), {.unseen = unit.unseen(), .policy = options_.stores},
-                     options_.block_changes);
+    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.fused_notes(),
+                     {.unseen = unit.unseen(), .policy = options_.stores}, options_.block_changes);
     unit.run(tasks, options_.double_buffering, task_ns);
     contexts.front().assets.kernels->fence_stores();
     unit.activity().tasks += tasks.tiles_done();

@@ -50,9 +50,14 @@ inline TaskContent content_of(std::uint32_t agent, std::uint8_t bone_level) {
 
 /// Of a tile.
 inline TaskContent content_of(std::span<const AgentWork> tile) {
-  const auto [first, last] = std::ranges::minmax(tile, {}, &AgentWork::agent);
-  return {.first_agent = first.agent,
-          .last_agent = last.agent,
+  std::uint32_t first = tile.front().agent;
+  std::uint32_t last = first;
+  for (const AgentWork& work : tile) {
+    first = std::min(first, work.agent);
+    last = std::max(last, work.agent);
+  }
+  return {.first_agent = first,
+          .last_agent = last,
           .agents = static_cast<std::uint16_t>(tile.size()),
           .bone_level = tile.front().level};
 }

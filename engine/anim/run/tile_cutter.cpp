@@ -63,7 +63,6 @@ bool is_one_class(std::span<const AgentWork> work) {
 
 /// Room for `needs` is room for `other`, too.
 bool hold(const StoreNeeds& needs, const StoreNeeds& other) {
-  if (other == needs) return true;  // as nearly always
   StoreNeeds wider = needs;
   wider.widen(other);
   return wider == needs;
@@ -109,8 +108,9 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, std::sp
   for (std::uint32_t i = 0; i < work.size(); ++i) {
     const UpdateContext& context = contexts[work[i].skeleton];
     const PoseProgram& program = *work[i].program;
-    const bool joins = !tiles_.empty() && share_a_tile(work[tiles_.back().first], work[i]);
-    if (joins && program.needs.shared == 0 && hold(needs, program.needs)) {
+    const bool joins = i > 0 && share_a_tile(work[i - 1], work[i]);
+    const bool as_before = joins && are_alike(*work[i - 1].program, program);  // as nearly always
+    if (joins && program.needs.shared == 0 && (as_before || hold(needs, program.needs))) {
       if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({.first = i, .needs = needs});
       ++tiles_.back().count;
       continue;
@@ -139,10 +139,11 @@ double TileCutter::add_costs(std::span<const UpdateContext> contexts, std::span<
                              const CostModel& cost) {
   double total = 0;
   for (Tile& tile : tiles_) {
-    double agents = 0;
-    for (const AgentWork& agent : work.subspan(tile.first, tile.count)) agents += agent.cost;
+    std::uint64_t steps = 0;
+    for (const AgentWork& agent : work.subspan(tile.first, tile.count)) steps += agent.cost;
+    const double agents = static_cast<double>(steps) * cost_step;
     const AgentWork& first = work[tile.first];
-    tile.cost = static_cast<float>(cost.of_tile(contexts[first.skeleton].packets(first.level)) + agents * cost_step);
+    tile.cost = static_cast<float>(cost.of_tile(contexts[first.skeleton].packets(first.level)) + agents);
     total += static_cast<double>(tile.cost);
   }
   return total;

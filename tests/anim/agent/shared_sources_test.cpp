@@ -70,7 +70,8 @@ TEST(SharedSources, ATreeFiveDeepFetchesEachOnceATileAndWritesNoneBack) {
   LocalStore store(256 * kib);
   store.divide(64 * kib, 2, 64 * kib);
   const AlignedBytes unseen = allocate_aligned(64 * kib);
-  FusedTasks tasks({&context, 1}, work, tiles, {queue, 0}, store,
+  const auto notes = std::make_unique<FusedNotes>();
+  FusedTasks tasks({&context, 1}, work, tiles, {queue, 0}, store, *notes,
                    {.unseen = reinterpret_cast<PaletteMatrix*>(unseen.get())});
   CopyEngine engine;
   for (int tile = 0; tile < 2; ++tile) {

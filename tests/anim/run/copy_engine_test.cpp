@@ -1,3 +1,6 @@
+#include "engine/anim/run/copy_engine.h"
+
+#include <array>
 #include <cstring>
 #include <numeric>
 #include <vector>
@@ -39,6 +42,38 @@ TEST(CopyEngine, SlicesMoveTheSameBytesInTheSameOrder) {
   for (int slice = 0; slice < 3; ++slice) engine.advance();
   EXPECT_EQ(std::memcmp(store.fetch_buffer(0).data(), first.bytes.get(), 192), 0);
   EXPECT_EQ(std::memcmp(store.fetch_buffer(0).data() + 192, second.bytes.get(), 320), 0);
+}
+
+TEST(CopyEngine, MovesRowsOfScatteredBlocksAndBack) {
+  constexpr std::size_t size = 128, kept = 64, stride = 192;
+  for (const int slices : {0, 1, 2, 5}) {
+    const Memory before(3 * size);
+    Memory main_memory(3 * size);
+    const std::array<std::byte*, 3> blocks{main_memory.bytes.get() + 2 * size, main_memory.bytes.get(),
+                                           main_memory.bytes.get() + size};
+    LocalStore store(3 * stride);
+    store.divide(3 * stride, 1, 0);
+    const BlockRow row{.blocks = blocks, .local = store.fetch_buffer(0).data(), .stride = stride, .size = size};
+    const auto move_all = [&](CopyEngine& engine) {
+      engine.spread_over(slices);
+      for (int i = 0; i < slices; ++i) engine.advance();
+      return engine.finish();
+    };
+    CopyEngine engine;
+    engine.fetch(row);
+    EXPECT_EQ(move_all(engine).bytes_in, 3 * size);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(std::memcmp(row.local + i * stride, blocks[i], size), 0);
+      std::memset(row.local + i * stride, 0, size);
+    }
+    engine.write_back(row, kept);
+    const CopyCounts back = move_all(engine);
+    EXPECT_EQ(back.bytes_out, 3 * (size - kept));
+    EXPECT_EQ(back.transfers, 3U);
+    for (std::size_t i = 0; i < 3 * size; ++i) {
+      EXPECT_EQ(main_memory.bytes[i], i % size < kept ? before.bytes[i] : std::byte{0}) << "byte " << i;
+    }
+  }
 }
 
 TEST(CopyEngine, CountsBytesAndTransfersOnceAndAlikeInAnyMode) {

@@ -249,5 +249,42 @@ TEST(PoseProgram, IsAsItWasWhenAGraphIsRefused) {
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(program.steps[i].entity, before[i].entity);
 }
 
+TEST(PoseProgram, IsAlikeToOneThatDiffersInItsEntitiesAlone) {
+  Graph graph;
+  const auto fade = [&] { return graph.compiled(graph.blend(graph.player(), graph.player())); };
+  EXPECT_TRUE(are_alike(fade(), fade()));
+  EXPECT_FALSE(are_alike(fade(), graph.compiled(graph.player())));
+  EXPECT_FALSE(are_alike(fade(), graph.compiled(graph.mix({graph.player(), graph.player()})))) << "another kind";
+  const Handle only = graph.player();
+  EXPECT_FALSE(are_alike(fade(), graph.compiled(graph.blend(only, only)))) << "fewer steps";
+  const auto mix_of_three = [&](std::size_t first, std::size_t second, std::size_t third) {
+    const std::array players{graph.player(), graph.player()};
+    return graph.compiled(graph.mix({players[first], players[second], players[third]}));
+  };
+  EXPECT_TRUE(are_alike(mix_of_three(0, 1, 0), mix_of_three(0, 1, 0)));
+  EXPECT_FALSE(are_alike(mix_of_three(0, 1, 0), mix_of_three(0, 1, 1))) << "other sources";
+}
+
+TEST(PoseProgram, OfManyEntitiesIsAlikeToOneOfTheSameSteps) {
+  Graph graph;
+  const auto shaken_often = [&](int times, Handle state) {
+    for (int i = 0; i < times; ++i) state = graph.shaken(state);
+    return graph.compiled(state);
+  };
+  const PoseProgram program = shaken_often(20, graph.player());
+  EXPECT_EQ(program.shape, 0U) << "too long to be written out";
+  EXPECT_TRUE(are_alike(program, shaken_often(20, graph.player())));
+  EXPECT_FALSE(are_alike(program, shaken_often(21, graph.player())));
+  EXPECT_FALSE(are_alike(program, shaken_often(18, graph.blend(graph.player(), graph.player()))));
+}
+
+TEST(PoseProgram, IsAlikeToOneThatReadsTheSameSharedEntities) {
+  Graph graph;
+  const Handle one = graph.shared_player(), other = graph.shared_player();
+  const auto over = [&](Handle shared) { return graph.compiled(graph.blend(shared, graph.player())); };
+  EXPECT_TRUE(are_alike(over(one), over(one)));
+  EXPECT_FALSE(are_alike(over(one), over(other)));
+}
+
 }  // namespace
 }  // namespace throng::anim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "engine/anim/run/agent_work.h"
+
+namespace throng::anim {
+
+/// Characters of a tile that follow each other and whose programs are alike.
+struct AlikeRun {
+  std::size_t first;
+  std::size_t end;
+  const PoseProgram* program;  ///< of the first
+
+  std::size_t size() const { return end - first; }
+};
+
+/// Calls visit(AlikeRun) for each, in order; none can be made longer.
+template <typename Visit>
+void for_each_alike(std::span<const AgentWork> tile, Visit&& visit) {
+  for (std::size_t first = 0, end = 0; first < tile.size(); first = end) {
+    const PoseProgram* const program = tile[first].program;
+    for (end = first + 1; end < tile.size() && are_alike(*program, *tile[end].program);) ++end;
+    visit(AlikeRun{first, end, program});
+  }
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/anim/base/aligned_bytes.h"
+#include "engine/anim/base/guard.h"
+#include "engine/anim/kernel/kernels.h"
+#include "engine/anim/run/trace.h"
+
+namespace throng::anim {
+
+/// Blocks of one size, one of each of some characters: anywhere in main memory, evenly spaced in the local store.
+/// Addresses and sizes are multiples of 64 bytes.
+struct BlockRow {
+  std::span<std::byte* const> blocks{};  ///< in main memory; the list stays as it is until it is moved
+  std::byte* local = nullptr;            ///< of the first
+  std::size_t stride = 0;                ///< from one to the next in the local store
+  std::size_t size = 0;
+};
+
+/// The DMA controller's part (paper footnote 7), played by the PU's own thread: a list of transfers between main memory
+/// and the local store, moved at once by finish() or, some at a time, by advance(), which kernels call between packets
+/// of bones. The only code that touches guarded pool memory (see base/guard.h).
+class CopyEngine {
+ public:
+  /// Room for `transfers` queued at once, so that queueing never allocates in the frame.
+  void reserve(std::size_t transfers) { queue_.reserve(transfers); }
+
+  /// Queue, each block a transfer. A fetch closes its destinations until their bytes have arrived; of what is written
+  /// back, the first `kept` bytes of each block stay as they are in main memory.
+  void fetch(const BlockRow& row) { push({.row = row, .inward = true}); }
+  void write_back(const BlockRow& row, std::size_t kept) { push({.row = row, .kept = kept}); }
+  /// The same for one block.
+  void fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
+    push({.row = {.local = local, .size = size}, .only = const_cast<std::byte*>(main_memory), .inward = true});
+  }
+  void write_back(const std::byte* local, std::byte* main_memory, std::size_t size) {
+    push({.row = {.local = const_cast<std::byte*>(local), .size = size}, .only = main_memory});
+  }
+
+  /// Cuts what is queued into `slices` about equal parts of whole transfers, one for each advance(). Of some tasks the
+  /// trace is told of each.
+  void spread_over(int slices, Trace* trace = nullptr);
+  void advance();
+  /// Moves all that is left; returns what was queued since the last finish().
+  CopyCounts finish();
+
+  /// Since it was last asked.
+  CopyCounts take_counts();
+
+  struct Transfer {
+    const std::byte* from;
+    std::byte* to;
+    std::size_t size;
+    bool inward;  ///< to the local store
+  };
+  /// Since the last finish(). To look at: allocates.
+  std::vector<Transfer> queued() const;
+
+ private:
+  struct Entry {
+    BlockRow row;
+    std::byte* only = nullptr;  // block of a row of one; null: row.blocks has them
+    std::size_t kept = 0;
+    bool inward = false;
+
+    std::span<std::byte* const> blocks() const { return only == nullptr ? row.blocks : std::span(&only, 1); }
+    std::byte* local(std::size_t i) const { return row.local + i * row.stride; }
+    std::size_t moved_size() const { return row.size - kept; }
+  };
+
+  void push(const Entry& entry);
+  void move(std::size_t due);
+  void move_blocks(const Entry& entry, std::size_t first, std::size_t end) const;
+
+  const Kernels* kernels_ = &best_kernels();
+  std::vector<Entry> queue_;
+  std::size_t entry_ = 0;         // that is moved next
+  std::size_t moved_blocks_ = 0;  // of it
+  std::size_t moved_bytes_ = 0;
+  std::size_t due_bytes_ = 0;  // that are to be moved by the end of this slice
+  std::size_t slice_bytes_ = 0;
+  CopyCounts queued_;  // since the last finish()
+  CopyCounts counts_;  // of what is finished
+  Trace* slices_to_ = nullptr;
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "engine/anim/entity/entity_kind.h"
+#include "engine/anim/run/pose_program.h"
+
+namespace throng::anim {
+
+/// What a PU notes of the blocks in its store while it runs FusedTasks. 64 KB, so not on the stack: a host's jobs may
+/// have small ones.
+struct FusedNotes {
+  static constexpr std::size_t most_blocks = PoseProgram::max_steps * widest_tile;
+
+  /// Where in main memory the blocks of a tile belong, row by row: of the tile on its way out, of the one that is
+  /// computed, and of the one on its way in.
+  std::array<std::array<std::byte*, most_blocks>, 3> homes;
+  std::array<ShownClips, most_blocks> shown;  ///< [step][character]
+};
+
+}  // namespace throng::anim

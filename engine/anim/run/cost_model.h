@@ -14,7 +14,7 @@ struct ProgramParts {
 
 /// Paper 3.2: "never treat tasks as equal units". What a task takes, nanoseconds of one PU, from bones (as packets of
 /// 16), sources and post processes. Orders tasks and says where tiles are cut; poses do not depend on it, so a coarse
-/// one only costs time. Measured by `throng bench --sweep cost` on one core with AVX-512, within 9% on average; what
+/// one only costs time. Measured by `throng bench --sweep cost` on one core with AVX-512, within 12% on average; what
 /// counts is the proportion of the coefficients.
 struct CostModel {
   double tile = 105;           ///< handing a tile out, and its scratch

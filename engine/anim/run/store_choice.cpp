@@ -13,7 +13,7 @@ namespace {
 /// The least time of some rounds, since all that disturbs it makes it longer; so many that the first ones have brought
 /// the lines to where that many of them stay.
 double seconds_to_write(std::span<float> lines, StorePolicy stores) {
-  const int rounds = static_cast<int>(std::max<std::size_t>(4, most_cached_bytes / lines.size_bytes()));
+  const int rounds = static_cast<int>(std::max<std::size_t>(8, most_cached_bytes / lines.size_bytes()));
   const Kernels& kernels = best_kernels();
   double least = std::numeric_limits<double>::max();
   for (int round = 0; round < rounds; ++round) {

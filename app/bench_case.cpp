@@ -86,20 +86,19 @@ void CaseBench::add_write_floors() {
   for (const auto& [key, policy] : store_policies) {
     rounds_.add({key, [this, policy = policy] {
                    anim::best_kernels().write_lines({.lines = floor_palettes_->floats(), .stores = policy});
+                   anim::best_kernels().fence_stores();
                  }});
   }
 }
 
 void CaseBench::add_kernels() {
   if (!all_sampled(*character_)) return;
-  const anim::StorePolicy stores = system().schedule().stores;
-  kernels_ = std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *palettes_, stores);
-  scalar_ = std::make_unique<KernelSubject>(*character_, anim::scalar_kernels(), agents_, *palettes_, stores);
+  kernels_ = std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *palettes_);
+  scalar_ = std::make_unique<KernelSubject>(*character_, anim::scalar_kernels(), agents_, *palettes_);
   rounds_.add({"scalar", [this] { scalar_->run(); }});
   rounds_.add({"kernels", [this] { kernels_->run(); }});
   if (packed_palettes_ == nullptr) return;
-  packed_kernels_ =
-      std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *packed_palettes_, stores);
+  packed_kernels_ = std::make_unique<KernelSubject>(*character_, anim::best_kernels(), agents_, *packed_palettes_);
   rounds_.add({"packed kernels", [this] { packed_kernels_->run(); }});
 }
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <random>
 
+#include "engine/anim/run/store_choice.h"
+
 namespace throng::app {
 namespace {
 
@@ -76,9 +78,12 @@ void SystemSubject::configure(const anim::SystemOptions& options) {
 }
 
 KernelSubject::KernelSubject(const anim::Character& character, const anim::Kernels& kernels,
-                             std::span<const BenchAgent> agents, const BenchPalettes& palettes,
-                             anim::StorePolicy stores)
-    : character_(&character), kernels_(&kernels), agents_(agents), palettes_(&palettes), stores_(stores) {
+                             std::span<const BenchAgent> agents, const BenchPalettes& palettes)
+    : character_(&character),
+      kernels_(&kernels),
+      agents_(agents),
+      palettes_(&palettes),
+      stores_(anim::store_policy_for(palettes.floats().size_bytes())) {
   const std::size_t lanes = anim::widest_tile;
   const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count + 1);
   const std::size_t floats = packet_floats(character) * lanes + slots * anim::branch_slot_floats * lanes;

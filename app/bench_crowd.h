@@ -65,7 +65,7 @@ class SystemSubject {
 class KernelSubject {
  public:
   KernelSubject(const anim::Character& character, const anim::Kernels& kernels, std::span<const BenchAgent> agents,
-                const BenchPalettes& palettes, anim::StorePolicy stores);
+                const BenchPalettes& palettes);
   void run();
 
  private:

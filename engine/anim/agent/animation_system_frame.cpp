@@ -72,6 +72,7 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
     const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
     Ticks time = clock_ + look_ahead;
     if (time < posed_at_[update.agent] && !can_wind_back(update.agent)) time = posed_at_[update.agent];
+    assert(update.level < max_bone_levels && update.fade_level < max_bone_levels && update.fade_halves <= 2);
     assert(!program.steps.empty() && "an agent must play something before it is updated");
     work_.push_back({.program = &program,
                      .delta = time - posed_at_[update.agent],

@@ -137,8 +137,7 @@ struct WriteLinesJob {
 };
 
 /// Copies blocks between anywhere and places in a row, and prefetches others meanwhile. Sizes, in bytes, are multiples
-/// of
-/// 64. Guarded memory may be copied (base/guard.h).
+/// of 64. Guarded memory may be copied (base/guard.h).
 struct CopyBlocksJob {
   std::span<std::byte* const> blocks;  ///< anywhere
   std::byte* local = nullptr;          ///< in a row: the first

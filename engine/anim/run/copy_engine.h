@@ -29,6 +29,8 @@ class CopyEngine {
  public:
   /// Room for `transfers` queued at once, so that queueing never allocates in the frame.
   void reserve(std::size_t transfers) { queue_.reserve(transfers); }
+  /// Whose copy_blocks moves; the best that this machine runs unless said.
+  void use(const Kernels& kernels) { kernels_ = &kernels; }
 
   /// Queue, each block a transfer. A fetch closes its destinations until their bytes have arrived; of what is written
   /// back, the first `kept` bytes of each block stay as they are in main memory.

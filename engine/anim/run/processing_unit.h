@@ -51,7 +51,8 @@ class alignas(block_alignment) ProcessingUnit {
     activity_.copies += engine_.take_counts();
   }
 
-  void begin_update(std::uint64_t tick) {
+  void begin_update(std::uint64_t tick, const Kernels& kernels) {
+    engine_.use(kernels);
     activity_ = {};
     trace_.begin(tick);
   }

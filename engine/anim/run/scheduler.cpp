@@ -50,7 +50,7 @@ void Scheduler::reserve(std::size_t agents) {
 void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared,
                        std::span<const AgentWork> agents, Executor& executor) {
   time_.begin();
-  for (ProcessingUnit& unit : units_) unit.begin_update(time_.first_tick);
+  for (ProcessingUnit& unit : units_) unit.begin_update(time_.first_tick, *contexts.front().assets.kernels);
   for (const UpdateContext& context : contexts) context.pools->guard_blocks();
   if (!shared.empty()) run_entities(contexts, shared, executor);
   if (!agents.empty()) {

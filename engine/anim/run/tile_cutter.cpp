@@ -84,7 +84,7 @@ void TileCutter::reserve(std::size_t agents) {
 
 // A stable counting sort. A crowd of one class, which is common, stays where it is.
 std::span<const AgentWork> TileCutter::sorted(std::span<const AgentWork> work) {
-  if (is_one_class(work)) return work;
+  if (work.empty() || is_one_class(work)) return work;
   ClassStarts places{};
   std::array<std::uint64_t, groups> costs{};
   std::array<std::uint32_t, groups> counts{};

@@ -12,8 +12,8 @@ namespace {
 
 using Steps = std::vector<anim::PoseStep>;
 
-std::size_t place_of(const Steps& steps, anim::Handle entity) {
-  return static_cast<std::size_t>(std::ranges::find(steps, entity, &anim::PoseStep::entity) - steps.begin());
+std::size_t place_of(const anim::PoseGraph& graph, anim::Handle entity) {
+  return static_cast<std::size_t>(std::ranges::find(graph.entities, entity) - graph.entities.begin());
 }
 
 // What the step reads, and it; sources first. Those that have been claimed are somebody else's.
@@ -25,11 +25,12 @@ void claim(const Steps& steps, std::size_t step, std::vector<bool>& claimed, std
 }
 
 /// Lays a channel over those before it; null for the first, and for one that plays nothing.
-const anim::EaseBlender* blender_over(const anim::EntityPools& pools, const Steps& steps, std::size_t state,
+const anim::EaseBlender* blender_over(const anim::EntityPools& pools, const anim::PoseGraph& graph, std::size_t state,
                                       std::vector<bool>& claimed) {
+  const Steps& steps = graph.program->steps;
   for (std::size_t step = 0; step < steps.size(); ++step) {
     const bool reads_it = steps[step].source_count == 2 && steps[step].sources[1] == state;
-    const auto& blender = pools.as<anim::EaseBlender>(steps[step].entity);
+    const auto& blender = pools.as<anim::EaseBlender>(graph.entities[step]);
     if (claimed[step] || !reads_it || blender.state.type != anim::EntityType::ease_blender) continue;
     claimed[step] = true;
     return &blender;
@@ -59,16 +60,17 @@ float applied_weight(const anim::EntityPools& pools, anim::Handle entity, float 
 }  // namespace
 
 std::vector<LayerRow> agent_layers(const anim::AnimationSystem& system, std::uint32_t agent) {
-  const Steps& steps = system.program(agent).steps;
+  const anim::PoseGraph& graph = system.graph(agent);
+  const Steps& steps = graph.program->steps;
   const anim::EntityPools& pools = system.pools(agent);
   std::vector<LayerRow> layers;
   std::vector<bool> claimed(steps.size());
   for (std::size_t channel = 0; channel < system.channel_count(agent); ++channel) {
-    const std::size_t state = place_of(steps, system.channel(agent, channel).state());
+    const std::size_t state = place_of(graph, system.channel(agent, channel).state());
     LayerRow& layer = layers.emplace_back(LayerRow{.name = "Channel " + std::to_string(channel), .entities = {}});
     claim(steps, state, claimed, layer.entities);
     if (channel == 0 || state == steps.size()) continue;
-    const anim::EaseBlender* const blender = blender_over(pools, steps, state, claimed);
+    const anim::EaseBlender* const blender = blender_over(pools, graph, state, claimed);
     if (blender == nullptr) continue;
     layer.weight = blender->fraction;
     layer.is_masked = blender->mask != anim::EaseBlender::no_mask;
@@ -76,8 +78,8 @@ std::vector<LayerRow> agent_layers(const anim::AnimationSystem& system, std::uin
   const anim::PoseWeights in_pose = system.motion(agent).weights(system.clock());
   for (std::size_t step = 0; step < steps.size(); ++step) {
     if (claimed[step]) continue;
-    layers.push_back({.name = pools.layout(steps[step].entity).kind->name,
-                      .weight = applied_weight(pools, steps[step].entity, in_pose[step]),
+    layers.push_back({.name = pools.kind(graph.entities[step]).name,
+                      .weight = applied_weight(pools, graph.entities[step], in_pose[step]),
                       .is_channel = false,
                       .entities = {step}});
   }

@@ -28,23 +28,24 @@ bool is_player(anim::Handle entity) {
   return pool == anim::EntityPools::sampled_players || pool == anim::EntityPools::keyframe_players;
 }
 
-EntityRow row_of(const anim::PoseStep& step, const anim::EntityPools& pools, const anim::Character& character) {
-  const anim::EntityLayout& layout = pools.layout(step.entity);
+EntityRow row_of(anim::Handle entity, const anim::EntityPools& pools, const anim::Character& character) {
+  const anim::EntityLayout& layout = pools.layout(entity);
+  const anim::AnimationStateHeader& state = pools.state(entity);
   EntityRow row{.kind = layout.kind->name,
                 .clip = {},
                 .bytes = layout.total_size,
-                .pool = step.entity.pool(),
-                .generation = step.entity.generation(),
-                .index = step.entity.index(),
-                .priority = -static_cast<int>(step.below_highest),
+                .pool = entity.pool(),
+                .generation = entity.generation(),
+                .index = entity.index(),
+                .priority = state.priority - anim::highest_priority,
                 .resident = layout.transforms_offset != 0,
-                .shared = step.shared};
-  const std::byte* const block = pools.block(step.entity);
+                .shared = anim::EntityPools::is_shared(entity)};
+  const std::byte* const block = pools.block(entity);
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(block);
   row.block.assign(bytes, bytes + row.bytes);
-  row.fields = block_fields(*reinterpret_cast<const anim::AnimationStateHeader*>(block));
-  if (!is_player(step.entity)) return row;
-  const auto& player = pools.as<anim::Player>(step.entity);
+  row.fields = block_fields(state);
+  if (!is_player(entity)) return row;
+  const auto& player = pools.as<anim::Player>(entity);
   const anim::BakedClip& clip = character.clips[player.clip];
   row.clip = clip.name;
   row.position_seconds = static_cast<float>(anim::to_seconds(player.position / anim::fine_ticks_per_tick));
@@ -53,10 +54,10 @@ EntityRow row_of(const anim::PoseStep& step, const anim::EntityPools& pools, con
 }
 
 void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
-  const anim::PoseProgram& program = system.program(report.agent);
+  const std::vector<anim::Handle>& entities = system.graph(report.agent).entities;
   const anim::PoseWeights weights = system.motion(report.agent).weights(system.clock());
-  for (std::size_t i = 0; i < program.steps.size(); ++i) {
-    report.entities.push_back(row_of(program.steps[i], system.pools(report.agent), system.character(report.agent)));
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    report.entities.push_back(row_of(entities[i], system.pools(report.agent), system.character(report.agent)));
     report.entities.back().weight = weights[i];
     report.bytes += report.entities.back().bytes;
   }

@@ -33,7 +33,7 @@ struct LayeredAgent : testing::Test {
   }
   std::vector<LayerRow> layers() { return agent_layers(*system, 0); }
   std::string kind_of(std::size_t step) {
-    return system->pools(0).layout(system->program(0).steps[step].entity).kind->name;
+    return system->pools(0).kind(system->graph(0).entities[step]).name;
   }
 
   CharacterSource source;

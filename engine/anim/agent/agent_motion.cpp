@@ -17,15 +17,15 @@ float fraction_at(const EaseBlender& blender, Ticks since_posed) {
 }
 
 // How the weight of a step is shared out among its sources. What a mask lays over some bones moves nothing.
-void share(const EntityPools& pools, const PoseStep& step, Ticks since_posed, float weight, PoseWeights& weights) {
+void share(const EntityPools& pools, const PoseStep& step, Handle entity, Ticks since_posed, float weight, PoseWeights& weights) {
   if (step.source_count == 0) return;
-  if (step.entity.pool() == EntityPools::ease_blenders) {
-    const auto& blender = pools.as<EaseBlender>(step.entity);
+  if (entity.pool() == EntityPools::ease_blenders) {
+    const auto& blender = pools.as<EaseBlender>(entity);
     const float to = blender.mask == EaseBlender::no_mask ? fraction_at(blender, since_posed) : 0.0F;
     weights[step.sources[0]] += weight * (1.0F - to);
     weights[step.sources[1]] += weight * to;
-  } else if (step.entity.pool() == EntityPools::mixers) {
-    const MixerSources& mixed = mixer_sources(pools.block(step.entity), pools.layout(step.entity));
+  } else if (entity.pool() == EntityPools::mixers) {
+    const MixerSources& mixed = mixer_sources(pools.block(entity), pools.layout(entity));
     float sum = 0.0F;
     for (std::size_t i = 0; i < step.source_count; ++i) sum += mixed.weights[i];
     for (std::size_t i = 0; i < step.source_count && sum > 0.0F; ++i) {
@@ -44,20 +44,21 @@ bool is_player(Handle entity) {
 
 PoseWeights AgentMotion::weights(Ticks at) const {
   PoseWeights weights{};
-  const std::vector<PoseStep>& steps = program_->steps;
-  if (steps.empty()) return weights;
+  if (graph_->empty()) return weights;
+  const std::vector<PoseStep>& steps = graph_->program->steps;
   weights[steps.size() - 1] = 1.0F;
-  for (std::size_t i = steps.size(); i-- > 0;) share(*pools_, steps[i], at - posed_at_, weights[i], weights);
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    share(*pools_, steps[i], graph_->entities[i], at - posed_at_, weights[i], weights);
+  }
   return weights;
 }
 
 template <typename Visit>
 void AgentMotion::for_each_player(Ticks at, Visit&& visit) const {
-  const std::vector<PoseStep>& steps = program_->steps;
   const PoseWeights shares = weights(at);
-  for (std::size_t i = steps.size(); i-- > 0;) {
-    if (!is_player(steps[i].entity)) continue;
-    const auto& player = pools_->as<Player>(steps[i].entity);
+  for (std::size_t i = graph_->entities.size(); i-- > 0;) {
+    if (!is_player(graph_->entities[i])) continue;
+    const auto& player = pools_->as<Player>(graph_->entities[i]);
     visit(player, clips_[player.clip], shares[i]);
   }
 }

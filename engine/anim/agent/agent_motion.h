@@ -38,8 +38,8 @@ using PoseWeights = std::array<float, PoseProgram::max_steps>;
 class AgentMotion {
  public:
   /// `posed_at`: where the agent's entities stand.
-  AgentMotion(const EntityPools& pools, std::span<const ClipStreams> clips, const PoseProgram& program, Ticks posed_at)
-      : pools_(&pools), clips_(clips), program_(&program), posed_at_(posed_at) {}
+  AgentMotion(const EntityPools& pools, std::span<const ClipStreams> clips, const PoseGraph& graph, Ticks posed_at)
+      : pools_(&pools), clips_(clips), graph_(&graph), posed_at_(posed_at) {}
 
   /// How much of each step's state is in the agent's pose at `at`, 0 to 1: all of the root, of the others as blenders
   /// and mixers share it out. What a mask or an additive layer lays over a pose has no share in it.
@@ -63,7 +63,7 @@ class AgentMotion {
 
   const EntityPools* pools_;
   std::span<const ClipStreams> clips_;
-  const PoseProgram* program_;
+  const PoseGraph* graph_;
   Ticks posed_at_;
 };
 

@@ -31,8 +31,9 @@ void Agents::resize(std::uint32_t count) {
   for (std::size_t i = count; i < agents_.size(); ++i) destroy(agents_[i]);
   const std::size_t before = agents_.size();
   agents_.resize(count);
+  graphs_.resize(count);
   for (std::size_t i = before; i < agents_.size(); ++i) {
-    agents_[i].program.steps.reserve(usual_steps);
+    graphs_[i].entities.reserve(usual_steps);
     agents_[i].processes.reserve(usual_processes);
   }
   next_updates_.resize(count, never);
@@ -92,7 +93,7 @@ void Agents::set_weight(std::uint32_t agent, std::size_t channel, float weight) 
 }
 
 Status Agents::update(const EntityBuilder& build, std::uint32_t agent) {
-  bool changed = agents_[agent].program.steps.empty();
+  bool changed = graphs_[agent].empty();
   for (const Layer& layer : agents_[agent].layers) changed = layer.channel->update(build) || changed;
   for (const auto& process : agents_[agent].processes) changed = process->update(build) || changed;
   if (changed) return rebuild(build, agent);
@@ -133,24 +134,26 @@ Status Agents::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
   find_next_update(agent_index);
   for (Layer& layer : agent.layers) root = lay(build, layer, root);
   if (!root.valid()) {
-    agent.program.steps.clear();
+    graphs_[agent_index].clear();
     return Done{};
   }
   for (const auto& process : agent.processes) root = process->attach(build, root);
-  Status compiled = compile_program(*pools_, root, owners_ | agent_index, agent.program);
-  if (!compiled && !all_alive(agent.program)) agent.program.steps.clear();
+  PoseGraph& graph = graphs_[agent_index];
+  Status compiled = compile_graph(*pools_, root, owners_ | agent_index, *programs_, graph);
+  if (!compiled && !all_alive(graph)) graph.clear();
   return compiled;
 }
 
-bool Agents::all_alive(const PoseProgram& program) const {
-  return std::ranges::all_of(program.steps, [&](const PoseStep& step) { return pools_->alive(step.entity); });
+bool Agents::all_alive(const PoseGraph& graph) const {
+  return std::ranges::all_of(graph.entities, [&](Handle entity) { return pools_->alive(entity); });
 }
 
 void Agents::recompile() {
   for (std::uint32_t agent = 0; agent < count(); ++agent) {
-    if (agents_[agent].program.steps.empty()) continue;
+    PoseGraph& graph = graphs_[agent];
+    if (graph.empty()) continue;
     [[maybe_unused]] const Status compiled =
-        compile_program(*pools_, agents_[agent].program.root(), owners_ | agent, agents_[agent].program);
+        compile_graph(*pools_, graph.root(), owners_ | agent, *programs_, graph);
     assert(compiled && "it did before");
   }
 }
@@ -208,23 +211,23 @@ void Agents::restream(const EntityBuilder& build, std::uint32_t agent_index) {
   visit_handles(agent, [&](Handle& handle) {
     for (Handle& source : pools_->sources(handle)) rename(source);
   });
-  for (PoseStep& step : agent.program.steps) rename(step.entity);
+  for (Handle& entity : graphs_[agent_index].entities) rename(entity);
   for (const auto& [from, to] : renamed) build.destroy(from);
 }
 
 StoreNeeds Agents::largest_needs() const {
   StoreNeeds needs;
-  for (const Agent& agent : agents_) needs.widen(agent.program.needs);
+  for (const PoseGraph& graph : graphs_) needs.widen(graph.program->needs);
   return needs;
 }
 
 Agents Agents::clone() const {
-  Agents copy(*pools_, owners_);
+  Agents copy(*pools_, *programs_, owners_);
   copy.next_updates_ = next_updates_;
+  copy.graphs_ = graphs_;
   copy.agents_.reserve(agents_.size());
   for (const Agent& agent : agents_) {
     Agent& other = copy.agents_.emplace_back();
-    other.program = agent.program;
     for (const Layer& layer : agent.layers) {
       other.layers.push_back({.channel = layer.channel->clone(), .settings = layer.settings, .blender = layer.blender});
     }
@@ -234,11 +237,12 @@ Agents Agents::clone() const {
 }
 
 std::size_t Agents::bytes() const {
-  std::size_t bytes = agents_.capacity() * sizeof(Agent) + next_updates_.capacity() * sizeof(Ticks);
+  std::size_t bytes = agents_.capacity() * sizeof(Agent) + graphs_.capacity() * sizeof(PoseGraph) +
+                      next_updates_.capacity() * sizeof(Ticks);
   for (const Agent& agent : agents_) {
-    bytes += agent.layers.capacity() * sizeof(Layer) + agent.processes.capacity() * sizeof(void*) +
-             agent.program.steps.capacity() * sizeof(PoseStep);
+    bytes += agent.layers.capacity() * sizeof(Layer) + agent.processes.capacity() * sizeof(void*);
   }
+  for (const PoseGraph& graph : graphs_) bytes += graph.entities.capacity() * sizeof(Handle);
   return bytes;
 }
 

@@ -8,7 +8,7 @@
 #include "engine/anim/agent/channel.h"
 #include "engine/anim/agent/post_process.h"
 #include "engine/anim/base/result.h"
-#include "engine/anim/run/pose_program.h"
+#include "engine/anim/run/program_table.h"
 
 namespace throng::anim {
 
@@ -19,7 +19,7 @@ struct LayerSettings {
 };
 
 /// Paper 2.1.2: the agents of one skeleton. Each has channels, the later laid over the earlier, and post processes on
-/// top; what these make is one graph of entities, flattened to a program whenever it changes:
+/// top; what these make is one graph of entities, compiled whenever it changes:
 ///
 ///     channel 0 ──┐
 ///     channel 1 ──┴ blender ──┐
@@ -27,18 +27,21 @@ struct LayerSettings {
 class Agents {
  public:
   /// `owners`: shared_owner for graphs whose entities agents read (pose_program.h), which are "agents" here too.
-  explicit Agents(EntityPools& pools, std::uint32_t owners = 0) : pools_(&pools), owners_(owners) {}
+  /// `programs`: where graphs that look alike find the same program; outlives this.
+  Agents(EntityPools& pools, ProgramTable& programs, std::uint32_t owners = 0)
+      : pools_(&pools), programs_(&programs), owners_(owners) {}
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(agents_.size()); }
   void resize(std::uint32_t count);
 
-  const PoseProgram& program(std::uint32_t agent) const { return agents_[agent].program; }
+  const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
+  const PoseProgram& program(std::uint32_t agent) const { return *graphs_[agent].program; }
   Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
 
   std::size_t channel_count(std::uint32_t agent) const { return agents_[agent].layers.size(); }
   Channel& channel(std::uint32_t agent, std::size_t index) const { return *agents_[agent].layers[index].channel; }
 
-  /// On error the channel is there until remove_channel(); the agent goes on with the program that it had.
+  /// On error the channel is there until remove_channel(); the agent goes on with the graph that it had.
   Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
                      const LayerSettings& settings);
   void remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
@@ -54,7 +57,7 @@ class Agents {
   void set_weight(std::uint32_t agent, std::size_t channel, float weight);
 
   /// Updates every channel and post process and rebuilds the graph if one of them changed. On error (a channel made a
-  /// graph with a cycle) the agent goes on with the program that it had if all its entities still live, else it has
+  /// graph with a cycle) the agent goes on with the graph that it had if all its entities still live, else it has
   /// none.
   Status update(const EntityBuilder& build, std::uint32_t agent);
   /// After a channel was changed from outside.
@@ -85,18 +88,19 @@ class Agents {
   struct Agent {
     std::vector<Layer> layers;
     std::vector<std::unique_ptr<PostProcess>> processes;
-    PoseProgram program;
   };
 
   Handle lay(const EntityBuilder& build, Layer& layer, Handle below) const;
   void find_next_update(std::uint32_t agent);
   void visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const;
   void destroy(Agent& agent) const;
-  bool all_alive(const PoseProgram& program) const;
+  bool all_alive(const PoseGraph& graph) const;
 
   EntityPools* pools_;
+  ProgramTable* programs_;
   std::uint32_t owners_;
   std::vector<Agent> agents_;
+  std::vector<PoseGraph> graphs_;  // [agent], beside each other: the part that every frame reads
   std::vector<Ticks> next_updates_;
 };
 

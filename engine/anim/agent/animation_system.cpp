@@ -311,13 +311,13 @@ Result<Handle> AnimationSystem::add_shared(std::unique_ptr<Channel> channel, std
   const std::uint32_t graph = cast.shared.count();
   cast.shared.resize(graph + 1);
   Status added = cast.shared.add_channel(shared_builder(cast, graph), graph, std::move(channel), {});
-  if (added && cast.shared.program(graph).steps.empty()) added = Error{"a shared channel must play something"};
+  if (added && cast.shared.graph(graph).empty()) added = Error{"a shared channel must play something"};
   if (added) added = fit_stores(demand(options_));
   if (!added) {
     cast.shared.resize(graph);
     return added.error();
   }
-  return cast.shared.program(graph).root();
+  return cast.shared.graph(graph).root();
 }
 
 double AnimationSystem::bytes_per_agent() const {
@@ -341,7 +341,7 @@ std::vector<KindMemory> AnimationSystem::memory() const {
 }
 
 std::span<const float> AnimationSystem::pose(std::uint32_t agent) const {
-  const auto& state = pools(agent).as<AnimationStateHeader>(program(agent).root());
+  const auto& state = pools(agent).as<AnimationStateHeader>(graph(agent).root());
   return {transforms_of(state), pose_bytes(state.bone_count, state.components) / sizeof(float)};
 }
 

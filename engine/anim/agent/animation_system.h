@@ -201,7 +201,7 @@ class AnimationSystem {
   /// Root motion, data keys and absolute root of an agent, at a frame boundary: after advance(), ask for the interval
   /// from the clock before to the clock now, before any request.
   AgentMotion motion(std::uint32_t agent) const {
-    return {pools(agent), cast(agent).clips, program(agent), posed_at_[agent]};
+    return {pools(agent), cast(agent).clips, graph(agent), posed_at_[agent]};
   }
 
   /// Block copies of everything that changes: a crowd that is restored goes on to the same poses, bit for bit. Reuses
@@ -232,7 +232,8 @@ class AnimationSystem {
   /// Of the agent; the one of create() if there is no agent yet.
   const Character& character(std::uint32_t agent = 0) const { return *cast(agent).character; }
   const EntityPools& pools(std::uint32_t agent = 0) const { return cast(agent).pools; }
-  const PoseProgram& program(std::uint32_t agent) const { return cast(agent).agents.program(local(agent)); }
+  const PoseGraph& graph(std::uint32_t agent) const { return cast(agent).agents.graph(local(agent)); }
+  const PoseProgram& program(std::uint32_t agent) const { return *graph(agent).program; }
   /// Over the palettes of all updates so far: an agent's is seeded by agent and frame, summed over agents, chained.
   std::uint64_t pose_hash() const { return pose_hash_; }
   /// [agent] of its last update: what pose_hash() sums up.

@@ -26,12 +26,12 @@ bool holds_feet_of(const FootPlacementEntity& feet, Ticks ahead) {
 
 bool AnimationSystem::can_pose_exactly(std::uint32_t agent) const {
   const Ticks ahead = posed_at_[agent] - clock_;
-  return ahead <= 0 || std::ranges::none_of(program(agent).steps, [&](const PoseStep& step) {
-           switch (pools(agent).state(step.entity).type) {
+  return ahead <= 0 || std::ranges::none_of(graph(agent).entities, [&](Handle entity) {
+           switch (pools(agent).state(entity).type) {
              case EntityType::inertialiser:
-               return has_no_offset_of(pools(agent).as<Inertialiser>(step.entity), ahead);
+               return has_no_offset_of(pools(agent).as<Inertialiser>(entity), ahead);
              case EntityType::foot_placement:
-               return holds_feet_of(pools(agent).as<FootPlacementEntity>(step.entity), ahead);
+               return holds_feet_of(pools(agent).as<FootPlacementEntity>(entity), ahead);
              default:
                return false;
            }
@@ -40,17 +40,17 @@ bool AnimationSystem::can_pose_exactly(std::uint32_t agent) const {
 
 bool AnimationSystem::can_wind_back(std::uint32_t agent) const {
   const Ticks ahead = posed_at_[agent] - clock_;
-  return ahead <= 0 || std::ranges::none_of(program(agent).steps, [&](const PoseStep& step) {
-           switch (pools(agent).state(step.entity).type) {
+  return ahead <= 0 || std::ranges::none_of(graph(agent).entities, [&](Handle entity) {
+           switch (pools(agent).state(entity).type) {
              case EntityType::foot_placement:
-               return holds_feet_of(pools(agent).as<FootPlacementEntity>(step.entity), ahead);
+               return holds_feet_of(pools(agent).as<FootPlacementEntity>(entity), ahead);
              case EntityType::look_at:
              case EntityType::two_bone_ik:
              case EntityType::ragdoll:
              case EntityType::user:
                return true;
              default:
-               return step.shared;
+               return EntityPools::is_shared(entity);
            }
          });
 }
@@ -59,15 +59,16 @@ void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
   exact_work_.clear();
   for (const ExactPose& exact : agents) {
     const Member member = members_[exact.agent];
-    const PoseProgram& program = casts_[member.cast]->agents.program(member.local);
-    assert(!program.steps.empty() && "an agent must have been updated before");
-    exact_work_.push_back({.program = &program,
+    const PoseGraph& graph = casts_[member.cast]->agents.graph(member.local);
+    assert(!graph.empty() && "an agent must have been updated before");
+    exact_work_.push_back({.program = graph.program,
+                           .entities = graph.entities.data(),
                            .delta = clock_ - posed_at_[exact.agent],
                            .palette = exact.palette,
                            .agent = exact.agent,
-                           .cost = predicted_cost(program, member.cast, 0),
+                           .cost = predicted_cost(*graph.program, member.cast, 0),
                            .skeleton = static_cast<std::uint8_t>(member.cast),
-                           .held = program.needs.held});
+                           .held = graph.program->needs.held});
   }
   exact_contexts_ = contexts_;
   for (UpdateContext& context : exact_contexts_) {

@@ -29,9 +29,9 @@ bool AnimationSystem::update_shared(Cast& cast) {
   bool changed = false;
   for (std::uint32_t graph = 0; graph < cast.shared.count(); ++graph) {
     if (cast.shared.next_update(graph) > clock_) continue;
-    [[maybe_unused]] const Handle root = cast.shared.program(graph).root();
+    [[maybe_unused]] const Handle root = cast.shared.graph(graph).root();
     [[maybe_unused]] const Status updated = cast.shared.update(shared_builder(cast, graph), graph);
-    assert(updated && cast.shared.program(graph).root() == root && "a shared channel changed to another state");
+    assert(updated && cast.shared.graph(graph).root() == root && "a shared channel changed to another state");
     changed = true;
   }
   if (changed) cast.shared.recompile();  // later graphs may read earlier ones, whose depth may have changed
@@ -47,7 +47,8 @@ void AnimationSystem::begin_shared_work() {
   for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
     const Agents& shared = casts_[cast]->shared;
     for (std::uint32_t graph = 0; graph < shared.count(); ++graph) {
-      shared_work_.push_back({.program = &shared.program(graph),
+      shared_work_.push_back({.program = shared.graph(graph).program,
+                              .entities = shared.graph(graph).entities.data(),
                               .delta = clock_ - shared_posed_at_,
                               .agent = shared_owner | graph,
                               .skeleton = static_cast<std::uint8_t>(cast)});
@@ -63,18 +64,20 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   work_.clear();
   for (std::size_t i = 0; i < agents.size(); ++i) {
     if (i + soon < agents.size())
-      __builtin_prefetch(&cast(agents[i + soon].agent).agents.program(local(agents[i + soon].agent)));
+      __builtin_prefetch(&cast(agents[i + soon].agent).agents.graph(local(agents[i + soon].agent)));
     const AgentUpdate& update = agents[i];
     const Member member = members_[update.agent];
     const Agents& cast = casts_[member.cast]->agents;
     if (cast.next_update(member.local) <= clock_) update_channels(update.agent);
-    const PoseProgram& program = cast.program(member.local);
+    const PoseGraph& graph = cast.graph(member.local);
+    const PoseProgram& program = *graph.program;
     const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
     Ticks time = clock_ + look_ahead;
     if (time < posed_at_[update.agent] && !can_wind_back(update.agent)) time = posed_at_[update.agent];
     assert(update.level < max_bone_levels && update.fade_level < max_bone_levels && update.fade_halves <= 2);
     assert(!program.steps.empty() && "an agent must play something before it is updated");
-    work_.push_back({.program = &program,
+    work_.push_back({.program = graph.program,
+                     .entities = graph.entities.data(),
                      .delta = time - posed_at_[update.agent],
                      .palette = update.palette,
                      .agent = update.agent,

@@ -46,8 +46,8 @@ Cast::Cast(std::shared_ptr<const Character> played)
       still_pose(anim::still_pose(character->skeleton)),
       clips(all_streams_of(*character)),
       pools(skeleton().bone_count(), skeleton().components(), Residency::transient),
-      agents(pools),
-      shared(pools, shared_owner) {}
+      agents(pools, programs),
+      shared(pools, programs, shared_owner) {}
 
 std::shared_ptr<const Character> Cast::replace_character(std::shared_ptr<const Character> reordered) {
   assert(reordered->skeleton.bone_count() == skeleton().bone_count() && "another character");
@@ -140,7 +140,8 @@ Compaction Cast::compact() {
   std::vector<Handle> order;
   for (const Agents* graphs : {&shared, &agents}) {
     for (std::uint32_t agent = 0; agent < graphs->count(); ++agent) {
-      for (const PoseStep& step : graphs->program(agent).steps) order.push_back(step.entity);
+      const std::vector<Handle>& entities = graphs->graph(agent).entities;
+      order.insert(order.end(), entities.begin(), entities.end());
     }
   }
   Compaction all{.complete = true};

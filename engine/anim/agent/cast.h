@@ -76,6 +76,7 @@ struct Cast {
   std::vector<const float*> mask_weights;  // of masks, as the context lists them
   std::vector<BoneSelection> selections;
   EntityPools pools;
+  ProgramTable programs;  // of all graphs
   Agents agents;
   Agents shared;
 };

@@ -18,7 +18,8 @@ inline constexpr std::size_t most_skeletons = 32;  ///< in one update
 /// One agent to be posed in this frame. Read-only while PUs run; small, since it is sorted, and without bit fields,
 /// whose bytes would have to be read back before they can be copied.
 struct AgentWork {
-  const PoseProgram* program = nullptr;  ///< stays where it is until the update is over
+  const PoseProgram* program = nullptr;
+  const Handle* entities = nullptr;      ///< [step of the program], stay where they are until the update is over
   Ticks delta = 0;                       ///< since its last update
   PaletteDestination palette = {};       ///< written once; null: posed, but nobody draws it
   std::uint32_t agent = 0;
@@ -29,7 +30,7 @@ struct AgentWork {
   std::uint8_t fade_halves = 0;  ///< ... are so far on their way to where they stand still, 0 to 2
   bool held = false;             ///< of the program
 };
-static_assert(sizeof(AgentWork) == 40);
+static_assert(sizeof(AgentWork) == 48);
 
 /// All that PUs share for the length of an update about one skeleton: read-only, but for the pools' blocks, which only
 /// copies reach.

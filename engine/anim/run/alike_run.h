@@ -7,11 +7,11 @@
 
 namespace throng::anim {
 
-/// Characters of a tile that follow each other and whose programs are alike.
+/// Characters of a tile that follow each other and whose graphs look alike.
 struct AlikeRun {
   std::size_t first;
   std::size_t end;
-  const PoseProgram* program;  ///< of the first
+  const PoseProgram* program;
 
   std::size_t size() const { return end - first; }
 };
@@ -21,7 +21,7 @@ template <typename Visit>
 void for_each_alike(std::span<const AgentWork> tile, Visit&& visit) {
   for (std::size_t first = 0, end = 0; first < tile.size(); first = end) {
     const PoseProgram* const program = tile[first].program;
-    for (end = first + 1; end < tile.size() && are_alike(*program, *tile[end].program);) ++end;
+    for (end = first + 1; end < tile.size() && tile[end].program == program;) ++end;
     visit(AlikeRun{first, end, program});
   }
 }

@@ -10,6 +10,8 @@ struct ProgramParts {
   std::uint8_t players = 0;           ///< read a stream
   std::uint8_t blenders = 0;          ///< whatever else makes packets: blenders, mixers, layers, noise
   std::uint16_t whole_pose_work = 0;  ///< of what needs the whole pose (EntityKind::whole_pose_work)
+
+  friend bool operator==(const ProgramParts&, const ProgramParts&) = default;
 };
 
 /// Paper 3.2: "never treat tasks as equal units". What a task takes, nanoseconds of one PU, from bones (as packets of

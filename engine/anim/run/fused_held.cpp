@@ -45,7 +45,7 @@ void FusedTasks::compose_head(const Characters& characters, Composed& composed) 
   LeftBySteps<PoseView> poses;
   std::array<PoseView, max_sources> source_poses;
   for_each_shared(program, [&](std::size_t i, const PoseStep& step) {
-    poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.entity))));
+    poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.shared))));
   });
   if (composed.base != Composed::no_base) poses.left[composed.base] = held;
   for_each_own(*characters.context, program, composed.next, last + 1,
@@ -66,7 +66,7 @@ void FusedTasks::pose_tails(const Characters& characters) {
     for (Composed& composed : std::span(composed_).first(composed_count_)) {
       const PoseProgram& program = *characters.work[composed.character].program;
       if (composed.next.step >= program.packet_tail) continue;
-      const EntityLayout& layout = characters.context->pools->layout(program.steps[composed.next.step].entity);
+      const EntityLayout& layout = program.steps[composed.next.step].layout(*characters.context->pools);
       if (side.kind == nullptr) side.kind = layout.kind;
       if (layout.kind != side.kind) continue;
       side.entities[side.count++] = {composed.next.entity(*characters.context, layout),

@@ -24,12 +24,9 @@ std::uint64_t steps_over(const PoseProgram& program, std::size_t base, IsPosed&&
   return wanted;
 }
 
-/// Hints: programs lie scattered, and are read once an update.
-void prefetch_steps(std::span<const AgentWork> soon) {
-  for (const AgentWork& work : soon) __builtin_prefetch(work.program->steps.data());
-}
-void prefetch_programs(std::span<const AgentWork> later) {
-  for (const AgentWork& work : later) __builtin_prefetch(work.program);
+/// A hint: they lie scattered, and are read once an update.
+void prefetch_entities(std::span<const AgentWork> soon) {
+  for (const AgentWork& work : soon) __builtin_prefetch(work.entities);
 }
 
 /// Calls visit(step index, run, row without its blocks) for each step whose blocks the characters of a tile own; run by
@@ -42,8 +39,8 @@ void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork>
     std::byte* block = local;
     for (std::size_t i = 0; i < run.program->steps.size(); ++i) {
       const PoseStep& step = run.program->steps[i];
-      if (step.shared) continue;
-      const std::size_t size = pools.layout(step.entity).total_size;
+      if (step.is_shared()) continue;
+      const std::size_t size = step.layout(pools).total_size;
       visit(i, run, BlockRow{.local = block, .stride = stride, .size = size});
       block += size;
     }
@@ -71,8 +68,7 @@ std::span<const AgentWork> FusedTasks::agents_behind(int task, std::uint32_t til
 }
 
 void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
-  prefetch_steps(agents_behind(task, 1));
-  prefetch_programs(agents_behind(task, 2));
+  prefetch_entities(agents_behind(task, 1));
   const EntityPools& pools = *context(task).pools;
   std::byte* local = store_->fetch_buffer(buffer).data();
   const std::span<const AgentWork> tile = agents(task);
@@ -80,8 +76,8 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
   std::span<std::byte*> homes = notes_->homes[next_homes_];
   next_homes_ = (next_homes_ + 1) % notes_->homes.size();
   for_each_row_of_blocks(pools, tile, local, [&](std::size_t step, const AlikeRun& run, BlockRow row) {
-    const Pool& pool = pools.pool_of(run.program->steps[step].entity);
-    for (std::size_t i = 0; i < run.size(); ++i) homes[i] = pool.block(tile[run.first + i].program->steps[step].entity);
+    const Pool& pool = pools.pool(EntityPools::Kind{run.program->steps[step].kind});
+    for (std::size_t i = 0; i < run.size(); ++i) homes[i] = pool.block(tile[run.first + i].entities[step]);
     row.blocks = homes.first(run.size());
     homes = homes.subspan(run.size());
     engine.fetch(row);
@@ -126,7 +122,7 @@ void FusedTasks::advance_alike(const Characters& characters, AlikeRun alike, Ste
   std::array<const AnimationStateHeader*, max_sources> source_states;
   std::array<const ShownClips*, max_sources> source_clips;
   for_each_shared(program, [&](std::size_t i, const PoseStep& step) {
-    states.left[i] = {reinterpret_cast<const std::byte*>(&characters.shared_state(step.entity)), 0};
+    states.left[i] = {reinterpret_cast<const std::byte*>(&characters.shared_state(step.shared)), 0};
     for (std::size_t c = alike.first; c < alike.end; ++c) shown(i, c).count = 0;
   });
   for_each_own(*characters.context, program, place, program.steps.size(),
@@ -177,7 +173,7 @@ bool FusedTasks::displaces(const EntityPools& pools, const PoseProgram& program,
   if (composed.base == Composed::no_base) return true;
   for (std::size_t i = 0; i < program.steps.size(); ++i) {
     const PoseStep& step = program.steps[i];
-    if (composed.poses(i) && (step.shared || pools.kind(step.entity).displaces)) return true;
+    if (composed.poses(i) && (step.is_shared() || step.layout(pools).kind->displaces)) return true;
   }
   return false;
 }
@@ -256,7 +252,7 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
   std::array<const float*, max_sources> sources;
   const std::size_t root = work.program->steps.size() - 1;
   for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
-    poses.left[i] = transforms_of(characters.shared_state(step.entity)) + offset;
+    poses.left[i] = transforms_of(characters.shared_state(step.shared)) + offset;
   });
   if (composed.base != Composed::no_base) poses.left[composed.base] = local;
   for_each_own(*characters.context, *work.program, place, root + 1,

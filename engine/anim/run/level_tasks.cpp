@@ -15,16 +15,15 @@ void EntityTasks::fetch(int task, int buffer, CopyEngine& engine) const {
     engine.fetch(pools.block(block), local, size);
     local += size;
   };
-  fetch_block(entity.entity().entity, pools.layout(entity.entity().entity).total_size);
-  for (const std::uint8_t source : entity.sources()) {
-    const Handle block = entity.program().steps[source].entity;
-    fetch_block(block, pools.layout(block).source_bytes());
+  fetch_block(entity.entity(), pools.layout(entity.entity()).total_size);
+  for (std::size_t i = 0; i < entity.source_count(); ++i) {
+    fetch_block(entity.source(i), pools.layout(entity.source(i)).source_bytes());
   }
 }
 
 void EntityTasks::write_back(int task, int buffer, CopyEngine& engine) const {
   const EntityPools& pools = *context(task).pools;
-  const Handle entity = update(task).entity().entity;
+  const Handle entity = update(task).entity();
   engine.write_back(store_->fetch_buffer(buffer).data(), pools.block(entity), pools.layout(entity).total_size);
 }
 
@@ -38,21 +37,21 @@ void EntityTasks::compute(int task, int buffer, CopyEngine& engine) {
   };
   const EntityInStore entity{.block = store_->fetch_buffer(buffer).data(),
                              .prepared = store_->scratch().data(),
-                             .layout = &about.pools->layout(work.entity().entity),
+                             .layout = &about.pools->layout(work.entity()),
                              .assets = &about.assets};
   std::array<const AnimationStateHeader*, max_sources> states;
   std::array<PoseView, max_sources> poses;
   std::byte* source = entity.block + entity.layout->total_size;
-  for (std::size_t i = 0; i < work.sources().size(); ++i) {
+  for (std::size_t i = 0; i < work.source_count(); ++i) {
     auto& state = *reinterpret_cast<AnimationStateHeader*>(source);
     states[i] = &state;
     poses[i] = view(state);
-    source += about.pools->layout(work.program().steps[work.sources()[i]].entity).source_bytes();
+    source += about.pools->layout(work.source(i)).source_bytes();
   }
   auto& state = entity.as<AnimationStateHeader>();
   state.delta_time += work.agent->delta;
-  entity.layout->kind->advance(entity, {states.data(), work.sources().size()});
-  pose_entity(entity, {poses.data(), work.sources().size()}, view(state), about.packets(work.agent->level), &engine);
+  entity.layout->kind->advance(entity, {states.data(), work.source_count()});
+  pose_entity(entity, {poses.data(), work.source_count()}, view(state), about.packets(work.agent->level), &engine);
 }
 
 std::size_t PaletteTasks::fetch_bytes(const UpdateContext& context, int width) {
@@ -86,7 +85,7 @@ void PaletteTasks::fetch(const Task& task, int buffer, CopyEngine& engine) const
   const std::size_t size = packet_bytes(context(task).assets.components);
   std::byte* local = store_->fetch_buffer(buffer).data();
   for (const AgentWork& work : agents(task)) {
-    const Handle root = work.program->root();
+    const Handle root = work.entities[work.program->steps.size() - 1];
     const std::size_t offset = pools.layout(root).transforms_offset + static_cast<std::size_t>(task.packet) * size;
     engine.fetch(pools.block(root) + offset, local, size);
     local += size;

@@ -19,8 +19,9 @@ struct EntityUpdate {
   std::uint8_t step = 0;             ///< of the program
 
   const PoseProgram& program() const { return *agent->program; }
-  const PoseStep& entity() const { return program().steps[step]; }
-  std::span<const std::uint8_t> sources() const { return {entity().sources.data(), entity().source_count}; }
+  Handle entity() const { return agent->entities[step]; }
+  std::size_t source_count() const { return program().steps[step].source_count; }
+  Handle source(std::size_t index) const { return agent->entities[program().steps[step].sources[index]]; }
 };
 static_assert(sizeof(EntityUpdate) == 16);
 

@@ -1,8 +1,9 @@
 #include "engine/anim/run/pose_program.h"
 
 #include <algorithm>
-#include <bit>
 #include <string>
+
+#include "engine/anim/run/program_table.h"
 
 namespace throng::anim {
 namespace {
@@ -40,10 +41,11 @@ class Flattening {
   }
 
   std::span<PoseStep> steps() { return {steps_.data(), count_}; }
+  std::span<const Handle> entities() const { return {entities_.data(), count_}; }
 
  private:
   Status push_after_sources(Handle entity) {
-    PoseStep step{.entity = entity};
+    PoseStep step{.kind = static_cast<std::uint8_t>(entity.pool())};
     const std::span<const Handle> sources = pools_->sources(entity);
     if (sources.size() > max_sources) {
       return Error{"the " + named(*pools_, entity) + " reads more than " + std::to_string(max_sources) + " sources"};
@@ -55,20 +57,21 @@ class Flattening {
       const auto below = static_cast<std::uint8_t>(steps_[at].below_highest + 1);
       step.below_highest = std::max(step.below_highest, below);
     }
-    return push(step);
+    return push(entity, step);
   }
 
   Status push_shared(Handle entity) {
     const int below = highest_priority - pools_->state(entity).priority;
-    return push({.entity = entity, .below_highest = static_cast<std::uint8_t>(below), .shared = true});
+    return push(entity, {.shared = entity, .below_highest = static_cast<std::uint8_t>(below)});
   }
 
-  Status push(const PoseStep& step) {
+  Status push(Handle entity, const PoseStep& step) {
     if (count_ == steps_.size()) return too_large();
     if (step.below_highest >= PoseProgram::max_depth) {
-      return Error{"the " + named(*pools_, step.entity) + " has more than " + std::to_string(PoseProgram::max_depth) +
+      return Error{"the " + named(*pools_, entity) + " has more than " + std::to_string(PoseProgram::max_depth) +
                    " entities below it"};
     }
+    entities_[count_] = entity;
     steps_[count_++] = step;
     return Done{};
   }
@@ -79,10 +82,8 @@ class Flattening {
   }
 
   std::uint8_t find(Handle entity) const {
-    const auto* const end = steps_.data() + count_;
-    const auto* const at =
-        std::find_if(steps_.data(), end, [&](const PoseStep& step) { return step.entity == entity; });
-    return at == end ? no_step : static_cast<std::uint8_t>(at - steps_.data());
+    const auto at = std::ranges::find(entities(), entity);
+    return at == entities().end() ? no_step : static_cast<std::uint8_t>(at - entities().begin());
   }
   std::string reader() const {
     return depth_ == 0 ? "an agent" : "the " + named(*pools_, path_[static_cast<std::size_t>(depth_ - 1)]);
@@ -91,6 +92,7 @@ class Flattening {
   EntityPools* pools_;
   std::uint32_t owner_;
   std::array<PoseStep, PoseProgram::max_steps> steps_;
+  std::array<Handle, PoseProgram::max_steps> entities_;
   std::size_t count_ = 0;
   std::array<Handle, PoseProgram::max_steps> path_;  // from the root to where we are
   std::ptrdiff_t depth_ = 0;
@@ -108,11 +110,11 @@ std::uint8_t assign_registers(std::span<PoseStep> steps, const EntityPools& pool
   for (std::size_t i = 0; i < steps.size(); ++i) {
     for (std::size_t k = 0; k < steps[i].source_count; ++k) {
       const PoseStep& source = steps[steps[i].sources[k]];
-      if (last_reader[steps[i].sources[k]] == i && pools.layout(source.entity).transforms_offset == 0) {
+      if (last_reader[steps[i].sources[k]] == i && source.layout(pools).transforms_offset == 0) {
         taken[source.target] = false;
       }
     }
-    if (pools.layout(steps[i].entity).transforms_offset != 0) continue;
+    if (steps[i].layout(pools).transforms_offset != 0) continue;
     const auto free = static_cast<std::size_t>(std::ranges::find(taken, false) - taken.begin());
     taken[free] = true;
     steps[i].target = static_cast<std::uint8_t>(free);
@@ -124,20 +126,20 @@ std::uint8_t assign_registers(std::span<PoseStep> steps, const EntityPools& pool
 void find_tails(std::span<const PoseStep> steps, const EntityPools& pools, PoseProgram& program) {
   const auto changes_in_place = [&](std::size_t i) {
     const PoseStep& step = steps[i];
-    return !step.shared && step.source_count == 1 && step.sources[0] == i - 1 &&
-           pools.layout(step.entity).transforms_offset == 0;
+    return !step.is_shared() && step.source_count == 1 && step.sources[0] == i - 1 &&
+           step.layout(pools).transforms_offset == 0;
   };
   std::size_t tail = steps.size();
   while (tail > 1 && changes_in_place(tail - 1)) --tail;
   std::size_t packet_tail = steps.size();
-  while (packet_tail > tail && !pools.kind(steps[packet_tail - 1].entity).whole_pose()) --packet_tail;
+  while (packet_tail > tail && !steps[packet_tail - 1].layout(pools).kind->whole_pose()) --packet_tail;
   program.tail = static_cast<std::uint8_t>(tail);
   program.packet_tail = static_cast<std::uint8_t>(packet_tail);
   program.blocks_before_tail = 0;
   program.prepared_before_tail = 0;
   for (const PoseStep& step : steps.first(tail)) {
-    if (step.shared) continue;
-    const EntityLayout& layout = pools.layout(step.entity);
+    if (step.is_shared()) continue;
+    const EntityLayout& layout = step.layout(pools);
     program.blocks_before_tail += layout.total_size;
     program.prepared_before_tail += static_cast<std::uint32_t>(layout.kind->prepared_bytes);
   }
@@ -157,36 +159,29 @@ void count_part(const EntityKind& kind, ProgramParts& parts) {
   }
 }
 
-/// See PoseProgram::shape. A source is written in as many bits as the steps before its reader need.
-std::uint64_t shape_of(std::span<const PoseStep> steps) {
-  constexpr int pool_bits = 4, count_bits = 4;
-  static_assert(EntityPools::most_kinds <= 1U << pool_bits && max_sources < 1U << count_bits);
-  std::uint64_t shape = 1;  // so that leading zeros count
-  int bits = 1;
-  const auto write = [&](std::uint64_t value, int width) {
-    shape = shape << width | value;
-    bits += width;
-  };
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i].shared) return 0;
-    const auto source_bits = static_cast<int>(std::bit_width(i));
-    write(steps[i].entity.pool(), pool_bits);
-    write(steps[i].source_count, count_bits);
-    for (std::size_t k = 0; k < steps[i].source_count; ++k) write(steps[i].sources[k], source_bits);
+void count_step(std::span<const PoseStep> steps, std::size_t index, const EntityPools& pools, PoseProgram& program) {
+  const PoseStep& step = steps[index];
+  const EntityLayout& layout = step.layout(pools);
+  StoreNeeds& needs = program.needs;
+  if (step.is_shared()) {
+    needs.shared_bytes += layout.source_bytes();
+    ++needs.shared;
+    return;
   }
-  return bits > 64 ? 0 : shape;
-}
-
-bool are_alike(const PoseStep& a, const PoseStep& b) {
-  if (a.shared || b.shared) return a.entity == b.entity;
-  return a.entity.pool() == b.entity.pool() && a.source_count == b.source_count && a.sources == b.sources;
+  needs.fetch_bytes += layout.total_size;
+  std::uint32_t entity_bytes = layout.total_size;
+  for (std::size_t k = 0; k < step.source_count; ++k) {
+    entity_bytes += steps[step.sources[k]].layout(pools).source_bytes();
+  }
+  needs.entity_bytes = std::max(needs.entity_bytes, entity_bytes);
+  needs.prepared_bytes += static_cast<std::uint32_t>(layout.kind->prepared_bytes);
+  if (layout.kind->whole_pose()) needs.hold(packets_for_bones(layout.kind->whole_bones));
+  count_part(*layout.kind, program.parts);
 }
 
 }  // namespace
 
-bool are_alike_step_by_step(const PoseProgram& a, const PoseProgram& b) {
-  return std::ranges::equal(a.steps, b.steps, [](const auto& one, const auto& other) { return are_alike(one, other); });
-}
+const PoseProgram no_program;
 
 void StoreNeeds::hold(std::uint8_t packets) {
   held = true;
@@ -204,34 +199,23 @@ void StoreNeeds::widen(const StoreNeeds& other) {
   held_packets = std::max(held_packets, other.held_packets);
 }
 
-Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, PoseProgram& program) {
+Status compile_graph(EntityPools& pools, Handle root, std::uint32_t owner, ProgramTable& programs, PoseGraph& graph) {
   Flattening flattening(pools, owner);
   std::uint8_t root_step = 0;
   if (Status visited = flattening.visit(root, root_step); !visited) return visited;
   const std::span<PoseStep> steps = flattening.steps();
+  PoseProgram& program = programs.draft();
   program.needs = {.registers = assign_registers(steps, pools)};
-  find_tails(steps, pools, program);
   program.parts = {};
-  for (const PoseStep& step : steps) {
-    const EntityLayout& layout = pools.layout(step.entity);
-    if (step.shared) {
-      program.needs.shared_bytes += layout.source_bytes();
-      ++program.needs.shared;
-      continue;
-    }
-    program.needs.fetch_bytes += layout.total_size;
-    std::uint32_t entity_bytes = layout.total_size;
-    for (std::size_t k = 0; k < step.source_count; ++k) {
-      entity_bytes += pools.layout(steps[step.sources[k]].entity).source_bytes();
-    }
-    program.needs.entity_bytes = std::max(program.needs.entity_bytes, entity_bytes);
-    program.needs.prepared_bytes += static_cast<std::uint32_t>(layout.kind->prepared_bytes);
-    if (layout.kind->whole_pose()) program.needs.hold(packets_for_bones(layout.kind->whole_bones));
-    count_part(*layout.kind, program.parts);
-    pools.state(step.entity).priority = static_cast<std::int16_t>(highest_priority - step.below_highest);
-  }
-  program.shape = shape_of(steps);
+  find_tails(steps, pools, program);
+  for (std::size_t i = 0; i < steps.size(); ++i) count_step(steps, i, pools, program);
   program.steps.assign(steps.begin(), steps.end());
+  graph.program = &programs.same_as_draft();
+  graph.entities.assign(flattening.entities().begin(), flattening.entities().end());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i].is_shared()) continue;
+    pools.state(graph.entities[i]).priority = static_cast<std::int16_t>(highest_priority - steps[i].below_highest);
+  }
   return Done{};
 }
 

@@ -13,15 +13,21 @@ namespace throng::anim {
 
 /// One entity of a graph.
 ///
-///      0        4          5         6          7        8
-///     | entity | priority | target | sources  | shared | which steps its sources are, 8 |   16 bytes
+///      0        4      5          6        7         8
+///     | shared | kind | priority | target | sources | which steps its sources are, 8 |   16 bytes
 struct PoseStep {
-  Handle entity;
+  Handle shared{};                 ///< of another owner, read-only here: updated before all agents; invalid: its own
+  std::uint8_t kind = 0;           ///< EntityPools::Kind of its own entity
   std::uint8_t below_highest = 0;  ///< highest_priority - the entity's priority: 0 for players (paper 2.2.5)
   std::uint8_t target = 0;         ///< pose register that it writes, if its block has no transforms
   std::uint8_t source_count = 0;
-  bool shared = false;                              ///< of another owner, read-only here: updated before all agents
   std::array<std::uint8_t, max_sources> sources{};  ///< steps before this one
+
+  bool is_shared() const { return shared.valid(); }
+  const EntityLayout& layout(const EntityPools& pools) const {
+    return is_shared() ? pools.layout(shared) : pools.layout(EntityPools::Kind{kind});
+  }
+  friend bool operator==(const PoseStep&, const PoseStep&) = default;
 };
 static_assert(sizeof(PoseStep) == 16);
 
@@ -41,8 +47,9 @@ struct StoreNeeds {
   friend bool operator==(const StoreNeeds&, const StoreNeeds&) = default;
 };
 
-/// An agent's graph of entities, flattened: each entity once, after its sources, the root last, so that a source that
-/// several entities read is evaluated once. Any shape and depth without cycles.
+/// A graph of entities, flattened: each entity once, after its sources, the root last, so that a source that several
+/// entities read is evaluated once. Any shape and depth without cycles. Whose entities they are it does not say: all
+/// agents of a skeleton whose graphs look alike run one program (program_table.h).
 struct PoseProgram {
   static constexpr std::size_t max_steps = 64;
   /// Steps below the highest priority, by way of shared entities too.
@@ -57,29 +64,38 @@ struct PoseProgram {
   std::uint32_t prepared_before_tail = 0;  ///< and of what is prepared for them
   StoreNeeds needs;
   ProgramParts parts;  ///< of its own; shared ones are paid for once a frame
-  /// Pools and sources of all steps, written out in bits: no other steps have the same. 0: they take more than 64, as
-  /// those of seven entities do, or some step is shared.
-  std::uint64_t shape = 0;
 
   /// Steps that are not shared.
   std::size_t own_count() const { return steps.size() - needs.shared; }
-  Handle root() const { return steps.back().entity; }
+  friend bool operator==(const PoseProgram&, const PoseProgram&) = default;
 };
 
-/// Programs of one skeleton are alike that differ in nothing but their own entities: all else follows from the pools
-/// and sources of their steps.
-bool are_alike_step_by_step(const PoseProgram& a, const PoseProgram& b);
-inline bool are_alike(const PoseProgram& a, const PoseProgram& b) {
-  return a.shape == b.shape && (a.shape != 0 || are_alike_step_by_step(a, b));
-}
+/// The program of those that play nothing.
+extern const PoseProgram no_program;
+
+class ProgramTable;
+
+/// An agent's graph: a program and the entities that it runs over.
+struct PoseGraph {
+  const PoseProgram* program = &no_program;  ///< never null; of the table, which outlives the graph
+  std::vector<Handle> entities;              ///< [step]
+
+  Handle root() const { return entities.back(); }
+  bool empty() const { return entities.empty(); }
+  void clear() {
+    program = &no_program;
+    entities.clear();
+  }
+};
+static_assert(sizeof(PoseGraph) == 32, "what a frame reads of every agent");
 
 /// Owners of graphs of shared entities have this bit; others are agents.
 inline constexpr std::uint32_t shared_owner = 1U << 31;
 
 /// Flattens what `root` reads and gives each entity of `owner` its priority: the lowest of its sources' minus one,
-/// players highest. Shared entities of another owner are read as they are. Reuses the program's memory. Errors, and
-/// then the program is as it was: a handle to nothing, a cycle, an entity of another owner that is not shared, one
+/// players highest. Shared entities of another owner are read as they are. Reuses the graph's memory. Errors, and
+/// then the graph is as it was: a handle to nothing, a cycle, an entity of another owner that is not shared, one
 /// that reads more than max_sources, more than max_steps entities or max_depth below each other.
-Status compile_program(EntityPools& pools, Handle root, std::uint32_t owner, PoseProgram& program);
+Status compile_graph(EntityPools& pools, Handle root, std::uint32_t owner, ProgramTable& programs, PoseGraph& graph);
 
 }  // namespace throng::anim

@@ -165,11 +165,11 @@ void Scheduler::collect_entities(std::span<const UpdateContext> contexts, std::s
     const UpdateContext& context = contexts[agent.skeleton];
     const std::vector<PoseStep>& steps = agent.program->steps;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      if (steps[i].shared) continue;
+      if (steps[i].is_shared()) continue;
       priorities_[steps[i].below_highest].push_back(
           {.agent = &agent,
            .cost = cost_in_steps(
-               cost_of(*context.pools->layout(steps[i].entity).kind, context.packets(agent.level), options_.cost)),
+               cost_of(*steps[i].layout(*context.pools).kind, context.packets(agent.level), options_.cost)),
            .step = static_cast<std::uint8_t>(i)});
     }
   }

@@ -23,9 +23,9 @@ class SharedSources {
   bool add(const PoseProgram& program) {
     if (program.needs.shared == 0) return true;
     for (const PoseStep& step : program.steps) {
-      if (!step.shared || std::ranges::find(all(), step.entity) != all().end()) continue;
+      if (!step.is_shared() || std::ranges::find(all(), step.shared) != all().end()) continue;
       if (count_ == most) return false;
-      entities_[count_++] = step.entity;
+      entities_[count_++] = step.shared;
     }
     return true;
   }

@@ -26,7 +26,7 @@ template <typename Visit>
 void for_each_shared(const PoseProgram& program, Visit&& visit) {
   if (program.needs.shared == 0) return;
   for (std::size_t i = 0; i < program.steps.size(); ++i) {
-    if (program.steps[i].shared) visit(i, program.steps[i]);
+    if (program.steps[i].is_shared()) visit(i, program.steps[i]);
   }
 }
 
@@ -59,11 +59,11 @@ void for_each_own(const UpdateContext& context, const PoseProgram& program, Step
                   Visit&& visit) {
   while (place.step < end) {
     const PoseStep& step = program.steps[place.step];
-    if (step.shared) {
+    if (step.is_shared()) {
       ++place.step;
       continue;
     }
-    const EntityLayout& layout = context.pools->layout(step.entity);
+    const EntityLayout& layout = step.layout(*context.pools);
     visit(place.step, step, place.entity(context, layout));
     place.pass(layout);
   }

@@ -20,11 +20,12 @@ std::uint64_t of_keys(const KeyframeStream& stream, Ticks passed, Ticks duration
 
 std::uint64_t stream_bytes_read(const UpdateContext& context, const AgentWork& work) {
   std::uint64_t bytes = 0;
-  for (const PoseStep& step : work.program->steps) {
-    if (step.shared || step.source_count > 0) continue;
-    const EntityType type = context.pools->layout(step.entity).kind->type;
+  for (std::size_t i = 0; i < work.program->steps.size(); ++i) {
+    const PoseStep& step = work.program->steps[i];
+    if (step.is_shared() || step.source_count > 0) continue;
+    const EntityType type = step.layout(*context.pools).kind->type;
     if (type != EntityType::sampled_player && type != EntityType::keyframe_player) continue;
-    const auto& player = context.pools->as<Player>(step.entity);
+    const auto& player = context.pools->as<Player>(work.entities[i]);
     const ClipStreams& clip = context.assets.clips[player.clip];
     if (type == EntityType::sampled_player) {
       bytes += of_rows(*clip.sampled, context.packets(work.level));

@@ -109,7 +109,7 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, std::sp
     const UpdateContext& context = contexts[work[i].skeleton];
     const PoseProgram& program = *work[i].program;
     const bool joins = i > 0 && share_a_tile(work[i - 1], work[i]);
-    const bool as_before = joins && are_alike(*work[i - 1].program, program);  // as nearly always
+    const bool as_before = joins && work[i - 1].program == &program;  // as nearly always
     if (joins && program.needs.shared == 0 && (as_before || hold(needs, program.needs))) {
       if (tiles_.back().count == static_cast<std::uint32_t>(limit)) tiles_.push_back({.first = i, .needs = needs});
       ++tiles_.back().count;

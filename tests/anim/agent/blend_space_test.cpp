@@ -32,9 +32,9 @@ struct Runner {
   /// Where each player is in its cycle, 0 to 1.
   std::vector<double> phases() const {
     std::vector<double> phases;
-    for (const PoseStep& step : crowd->program(0).steps) {
-      if (crowd->pools().state(step.entity).type != EntityType::sampled_player) continue;
-      const auto& player = crowd->pools().as<Player>(step.entity);
+    for (const Handle entity : crowd->graph(0).entities) {
+      if (crowd->pools().state(entity).type != EntityType::sampled_player) continue;
+      const auto& player = crowd->pools().as<Player>(entity);
       const auto duration = static_cast<double>(test_character()->clips[player.clip].duration);
       phases.push_back(static_cast<double>(player.position) / static_cast<double>(fine_ticks_per_tick) / duration);
     }
@@ -63,7 +63,7 @@ TEST(BlendSpace, BetweenTwoPointsBlendsThem) {
   Runner runner(2.0F);
   runner.crowd.step(20);
   EXPECT_EQ(runner.crowd.entities(), 3U);
-  const auto& blender = runner.crowd->pools().as<EaseBlender>(runner.crowd->program(0).root());
+  const auto& blender = runner.crowd->pools().as<EaseBlender>(runner.crowd->graph(0).root());
   EXPECT_NEAR(blender.fraction, 0.5F, 1e-6F);
 }
 
@@ -71,7 +71,7 @@ TEST(BlendSpace, OutsideItsPointsPlaysTheNearestAtThePaceOfTheSpeed) {
   Runner slow(0.7F);
   slow.crowd.step(1);
   EXPECT_EQ(slow.crowd.entities(), 1U);
-  const auto& player = slow.crowd->pools().as<Player>(slow.crowd->program(0).root());
+  const auto& player = slow.crowd->pools().as<Player>(slow.crowd->graph(0).root());
   EXPECT_NEAR(player.speed / 65536.0, 0.5, 1e-4) << "half as fast as the walk was made";
 }
 

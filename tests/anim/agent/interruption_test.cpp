@@ -105,8 +105,8 @@ TEST(Interruption, EndsInTheClipThatWasAskedForLast) {
 std::map<std::uint32_t, float> shares_of_clips(const AnimationSystem& system) {
   std::map<std::uint32_t, float> shares;
   const PoseWeights weights = system.motion(0).weights(system.clock());
-  for (std::size_t i = 0; i < system.program(0).steps.size(); ++i) {
-    const Handle entity = system.program(0).steps[i].entity;
+  for (std::size_t i = 0; i < system.graph(0).entities.size(); ++i) {
+    const Handle entity = system.graph(0).entities[i];
     if (entity.pool() != EntityPools::sampled_players || weights[i] == 0.0F) continue;
     shares[system.pools().as<Player>(entity).clip] += weights[i];
   }

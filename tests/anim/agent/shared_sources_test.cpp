@@ -61,7 +61,8 @@ TEST(SharedSources, ATreeFiveDeepFetchesEachOnceATileAndWritesNoneBack) {
                               .pools = &pools};
   std::vector<AgentWork> work;
   for (std::uint32_t agent = 0; agent < 16; ++agent)
-    work.push_back({.program = &system.program(agent), .agent = agent});
+    work.push_back(
+        {.program = &system.program(agent), .entities = system.graph(agent).entities.data(), .agent = agent});
   StoreNeeds needs;
   for (const AgentWork& agent : work) needs.widen(agent.program->needs);
   const std::vector<Tile> tiles{{.first = 0, .count = 4, .needs = needs}, {.first = 4, .count = 12, .needs = needs}};

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/run/pose_entity.h"
-#include "engine/anim/run/pose_program.h"
+#include "engine/anim/run/program_table.h"
 
 namespace throng::anim {
 
@@ -60,25 +60,27 @@ std::int16_t EntityRig::mask_from(int first) {
 }
 
 void EntityRig::update(Handle root, Ticks delta, int packets) {
-  PoseProgram program;
-  const Status compiled = compile_program(pools_, root, pools_.state(root).owner, program);
+  ProgramTable programs;
+  PoseGraph graph;
+  const Status compiled = compile_graph(pools_, root, pools_.state(root).owner, programs, graph);
   ASSERT_TRUE(compiled) << compiled.error().message;
   alignas(64) std::array<std::byte, most_prepared_bytes> prepared;
-  for (const PoseStep& step : program.steps) {
-    const EntityInStore entity{.block = pools_.block(step.entity),
+  for (std::size_t i = 0; i < graph.entities.size(); ++i) {
+    const PoseStep& step = graph.program->steps[i];
+    const EntityInStore entity{.block = pools_.block(graph.entities[i]),
                                .prepared = prepared.data(),
-                               .layout = &pools_.layout(step.entity),
+                               .layout = &pools_.layout(graph.entities[i]),
                                .assets = &assets_};
     std::vector<const AnimationStateHeader*> states;
     std::vector<PoseView> poses;
-    for (std::size_t i = 0; i < step.source_count; ++i) {
-      const Handle source = program.steps[step.sources[i]].entity;
+    for (std::size_t k = 0; k < step.source_count; ++k) {
+      const Handle source = graph.entities[step.sources[k]];
       states.push_back(&pools_.state(source));
       poses.push_back(pose(source));
     }
-    pools_.state(step.entity).delta_time += delta;
+    entity.as<AnimationStateHeader>().delta_time += delta;
     entity.layout->kind->advance(entity, states);
-    pose_entity(entity, poses, pose(step.entity), packets, nullptr);
+    pose_entity(entity, poses, pose(graph.entities[i]), packets, nullptr);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/anim/entity/mixer.h"
 #include "engine/anim/entity/noise_maker.h"
+#include "engine/anim/run/program_table.h"
 #include "tests/anim/entity/entity_rig.h"
 
 namespace throng::anim {
@@ -45,20 +46,22 @@ struct Graph {
     pools.as<NoiseMaker>(entity).source = source;
     return entity;
   }
-  PoseProgram compiled(Handle root) {
-    PoseProgram program;
-    const Status status = compile_program(pools, root, 0, program);
+  PoseGraph graph_of(Handle root) {
+    PoseGraph graph;
+    const Status status = compile_graph(pools, root, 0, programs, graph);
     EXPECT_TRUE(status) << status.error().message;
-    return program;
+    return graph;
   }
+  const PoseProgram& compiled(Handle root) { return *graph_of(root).program; }
   std::string refusal(Handle root) {
-    PoseProgram program;
-    const Status status = compile_program(pools, root, 0, program);
+    PoseGraph graph;
+    const Status status = compile_graph(pools, root, 0, programs, graph);
     return status ? "" : status.error().message;
   }
   int priority(Handle entity) { return pools.state(entity).priority; }
 
   EntityPools pools;
+  ProgramTable programs;
 };
 
 /// Each register holds what a step reads until the step has read it.
@@ -79,9 +82,10 @@ void expect_registers_hold(const PoseProgram& program) {
 TEST(PoseProgram, OfAPlayerAloneIsOneStep) {
   Graph graph;
   const Handle player = graph.player();
-  const PoseProgram program = graph.compiled(player);
+  const PoseGraph made = graph.graph_of(player);
+  const PoseProgram& program = *made.program;
   ASSERT_EQ(program.steps.size(), 1U);
-  EXPECT_EQ(program.root(), player);
+  EXPECT_EQ(made.root(), player);
   EXPECT_EQ(program.needs.registers, 1U);
   EXPECT_EQ(program.own_count(), 1U);
 }
@@ -104,7 +108,7 @@ TEST(PoseProgram, EvaluatesASourceOfSeveralEntitiesOnce) {
   const Handle top = graph.player();
   const Handle left = graph.shaken(top);
   const Handle right = graph.shaken(top);
-  const PoseProgram diamond = graph.compiled(graph.blend(left, right));
+  const PoseProgram& diamond = graph.compiled(graph.blend(left, right));
   EXPECT_EQ(diamond.steps.size(), 4U);
   expect_registers_hold(diamond);
 }
@@ -113,7 +117,7 @@ TEST(PoseProgram, OfAChainOfAnyDepthTakesTwoRegisters) {
   Graph graph;
   Handle root = graph.player();
   for (int depth = 0; depth < 30; ++depth) root = graph.blend(root, graph.player());
-  const PoseProgram program = graph.compiled(root);
+  const PoseProgram& program = graph.compiled(root);
   EXPECT_EQ(program.steps.size(), 61U);
   EXPECT_EQ(program.needs.registers, 2U) << "registers are given back after their last reader";
   expect_registers_hold(program);
@@ -124,7 +128,7 @@ TEST(PoseProgram, OfABalancedTreeTakesOneRegisterALevel) {
   const auto tree = [&](const auto& self, int depth) -> Handle {
     return depth == 0 ? graph.player() : graph.blend(self(self, depth - 1), self(self, depth - 1));
   };
-  const PoseProgram program = graph.compiled(tree(tree, 5));
+  const PoseProgram& program = graph.compiled(tree(tree, 5));
   EXPECT_EQ(program.steps.size(), 63U);
   EXPECT_EQ(program.needs.registers, 6U);
   expect_registers_hold(program);
@@ -137,7 +141,7 @@ TEST(PoseProgram, OfManySourcesInAnyShapeKeepsWhatIsStillRead) {
   const Handle c = graph.player();
   const Handle ab = graph.blend(a, b);
   const Handle mixed = graph.mix({a, ab, c, graph.shaken(ab), b});
-  const PoseProgram program = graph.compiled(graph.blend(mixed, graph.blend(a, mixed)));
+  const PoseProgram& program = graph.compiled(graph.blend(mixed, graph.blend(a, mixed)));
   EXPECT_EQ(program.steps.size(), 8U);
   expect_registers_hold(program);
 }
@@ -145,7 +149,7 @@ TEST(PoseProgram, OfManySourcesInAnyShapeKeepsWhatIsStillRead) {
 TEST(PoseProgram, NeedsNoRegisterForABlockThatKeepsItsTransforms) {
   Graph graph;
   const Handle held = graph.pools.create(EntityPools::held_states);
-  const PoseProgram program = graph.compiled(graph.blend(held, graph.player()));
+  const PoseProgram& program = graph.compiled(graph.blend(held, graph.player()));
   EXPECT_EQ(program.needs.registers, 1U);
 }
 
@@ -153,7 +157,7 @@ TEST(PoseProgram, KnowsHowMuchOfItsOwnLiesBeforeTheTailThatChangesThePoseInPlace
   Graph graph;
   const Handle player = graph.player();
   const Handle blender = graph.blend(player, graph.shared_player());
-  const PoseProgram program = graph.compiled(graph.shaken(graph.shaken(blender)));
+  const PoseProgram& program = graph.compiled(graph.shaken(graph.shaken(blender)));
   const EntityLayout& of_player = graph.pools.layout(player);
   EXPECT_EQ(program.tail, 3);
   EXPECT_EQ(program.blocks_before_tail, of_player.total_size + graph.pools.layout(blender).total_size);
@@ -163,9 +167,9 @@ TEST(PoseProgram, KnowsHowMuchOfItsOwnLiesBeforeTheTailThatChangesThePoseInPlace
 TEST(PoseProgram, ReadsASharedEntityAndNothingBelowIt) {
   Graph graph;
   const Handle shared = graph.shared_player();
-  const PoseProgram program = graph.compiled(graph.blend(shared, graph.player()));
+  const PoseProgram& program = graph.compiled(graph.blend(shared, graph.player()));
   ASSERT_EQ(program.steps.size(), 3U);
-  EXPECT_TRUE(program.steps[0].shared);
+  EXPECT_TRUE(program.steps[0].is_shared());
   EXPECT_EQ(program.own_count(), 2U);
   EXPECT_EQ(program.needs.shared, 1U);
 }
@@ -222,7 +226,7 @@ TEST(PoseProgram, RefusesAnEntityOfMoreThanEightSources) {
 TEST(PoseProgram, RefusesMoreThan128EntitiesBelowEachOtherByWayOfSharedOnes) {
   Graph graph;
   Handle below = graph.shared_player();
-  PoseProgram program;
+  PoseGraph chain;
   Status status = Done{};
   for (std::uint32_t owner = shared_owner + 1; status && owner < shared_owner + 10; ++owner) {
     for (int i = 0; i < 40; ++i) {
@@ -231,59 +235,65 @@ TEST(PoseProgram, RefusesMoreThan128EntitiesBelowEachOtherByWayOfSharedOnes) {
       graph.pools.as<NoiseMaker>(above).source = below;
       below = above;
     }
-    status = compile_program(graph.pools, below, owner, program);
+    status = compile_graph(graph.pools, below, owner, graph.programs, chain);
     EXPECT_EQ(status.has_value(), owner < shared_owner + 4) << "three graphs of 40 fit, a fourth does not";
   }
   ASSERT_FALSE(status);
   EXPECT_THAT(status.error().message, HasSubstr("more than 128 entities below it"));
 }
 
-TEST(PoseProgram, IsAsItWasWhenAGraphIsRefused) {
+TEST(PoseGraph, IsAsItWasWhenAnotherIsRefused) {
   Graph graph;
-  PoseProgram program = graph.compiled(graph.blend(graph.player(), graph.player()));
-  const std::vector<PoseStep> before = program.steps;
-  const StoreNeeds needs = program.needs;
-  EXPECT_FALSE(compile_program(graph.pools, graph.shaken({}), 0, program));
-  EXPECT_EQ(program.needs, needs);
-  ASSERT_EQ(program.steps.size(), before.size());
-  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(program.steps[i].entity, before[i].entity);
+  PoseGraph fade = graph.graph_of(graph.blend(graph.player(), graph.player()));
+  const PoseGraph before = fade;
+  EXPECT_FALSE(compile_graph(graph.pools, graph.shaken({}), 0, graph.programs, fade));
+  EXPECT_EQ(fade.program, before.program);
+  EXPECT_EQ(fade.entities, before.entities);
 }
 
-TEST(PoseProgram, IsAlikeToOneThatDiffersInItsEntitiesAlone) {
+TEST(PoseGraph, RunsOneProgramWithAllThatDifferInTheirEntitiesAlone) {
   Graph graph;
-  const auto fade = [&] { return graph.compiled(graph.blend(graph.player(), graph.player())); };
-  EXPECT_TRUE(are_alike(fade(), fade()));
-  EXPECT_FALSE(are_alike(fade(), graph.compiled(graph.player())));
-  EXPECT_FALSE(are_alike(fade(), graph.compiled(graph.mix({graph.player(), graph.player()})))) << "another kind";
-  const Handle only = graph.player();
-  EXPECT_FALSE(are_alike(fade(), graph.compiled(graph.blend(only, only)))) << "fewer steps";
+  const auto fade = [&] { return graph.graph_of(graph.blend(graph.player(), graph.player())); };
+  const PoseGraph one = fade(), other = fade();
+  EXPECT_EQ(one.program, other.program);
+  EXPECT_NE(one.entities, other.entities);
+  EXPECT_EQ(graph.programs.size(), 1U);
+}
+
+TEST(PoseGraph, RunsAnotherProgramWhereKindsOrSourcesDiffer) {
+  Graph graph;
+  const auto players = [&] { return std::array{graph.player(), graph.player()}; };
+  const auto fade = [&](Handle from, Handle to) { return &graph.compiled(graph.blend(from, to)); };
   const auto mix_of_three = [&](std::size_t first, std::size_t second, std::size_t third) {
-    const std::array players{graph.player(), graph.player()};
-    return graph.compiled(graph.mix({players[first], players[second], players[third]}));
+    const std::array two = players();
+    return &graph.compiled(graph.mix({two[first], two[second], two[third]}));
   };
-  EXPECT_TRUE(are_alike(mix_of_three(0, 1, 0), mix_of_three(0, 1, 0)));
-  EXPECT_FALSE(are_alike(mix_of_three(0, 1, 0), mix_of_three(0, 1, 1))) << "other sources";
+  const PoseProgram* const usual = fade(graph.player(), graph.player());
+  EXPECT_NE(usual, &graph.compiled(graph.player()));
+  EXPECT_NE(usual, &graph.compiled(graph.mix({graph.player(), graph.player()}))) << "another kind";
+  const Handle only = graph.player();
+  EXPECT_NE(usual, fade(only, only)) << "fewer steps";
+  EXPECT_EQ(mix_of_three(0, 1, 0), mix_of_three(0, 1, 0));
+  EXPECT_NE(mix_of_three(0, 1, 0), mix_of_three(0, 1, 1)) << "other sources";
 }
 
-TEST(PoseProgram, OfManyEntitiesIsAlikeToOneOfTheSameSteps) {
-  Graph graph;
-  const auto shaken_often = [&](int times, Handle state) {
-    for (int i = 0; i < times; ++i) state = graph.shaken(state);
-    return graph.compiled(state);
-  };
-  const PoseProgram program = shaken_often(20, graph.player());
-  EXPECT_EQ(program.shape, 0U) << "too long to be written out";
-  EXPECT_TRUE(are_alike(program, shaken_often(20, graph.player())));
-  EXPECT_FALSE(are_alike(program, shaken_often(21, graph.player())));
-  EXPECT_FALSE(are_alike(program, shaken_often(18, graph.blend(graph.player(), graph.player()))));
-}
-
-TEST(PoseProgram, IsAlikeToOneThatReadsTheSameSharedEntities) {
+TEST(PoseGraph, RunsOneProgramWithAllThatReadTheSameSharedEntities) {
   Graph graph;
   const Handle one = graph.shared_player(), other = graph.shared_player();
-  const auto over = [&](Handle shared) { return graph.compiled(graph.blend(shared, graph.player())); };
-  EXPECT_TRUE(are_alike(over(one), over(one)));
-  EXPECT_FALSE(are_alike(over(one), over(other)));
+  const auto over = [&](Handle shared) { return &graph.compiled(graph.blend(shared, graph.player())); };
+  EXPECT_EQ(over(one), over(one));
+  EXPECT_NE(over(one), over(other));
+}
+
+TEST(PoseGraph, RunsAnotherProgramAfterItsBlocksChanged) {
+  Graph graph;
+  const Handle fade = graph.blend(graph.player(), graph.player());
+  const PoseProgram& transient = graph.compiled(fade);
+  graph.pools.set_residency(Residency::resident);
+  const PoseProgram& resident = graph.compiled(fade);
+  EXPECT_GT(resident.needs.fetch_bytes, transient.needs.fetch_bytes);
+  graph.pools.set_residency(Residency::transient);
+  EXPECT_EQ(&graph.compiled(fade), &transient) << "and the same one when they are as they were";
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+#include "engine/anim/run/program_table.h"
+
+#include <array>
+#include <bit>
+
+#include "engine/anim/base/hash.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr std::size_t usual_programs = 64;
+
+/// Of the steps; what else a program says nearly always follows from them.
+std::uint64_t hash_of(const PoseProgram& program) {
+  std::uint64_t hash = 0;
+  for (const PoseStep& step : program.steps) {
+    for (const std::uint64_t half : std::bit_cast<std::array<std::uint64_t, 2>>(step)) hash = chain_hash(hash, half);
+  }
+  return hash;
+}
+
+}  // namespace
+
+ProgramTable::ProgramTable() {
+  draft_.steps.reserve(PoseProgram::max_steps);
+  hashes_.reserve(usual_programs);
+  programs_.reserve(usual_programs);
+}
+
+const PoseProgram& ProgramTable::same_as_draft() {
+  const std::uint64_t hash = hash_of(draft_);
+  for (std::size_t i = 0; i < hashes_.size(); ++i) {
+    if (hashes_[i] == hash && *programs_[i] == draft_) return *programs_[i];
+  }
+  hashes_.push_back(hash);
+  programs_.push_back(std::make_unique<PoseProgram>(draft_));
+  return *programs_.back();
+}
+
+}  // namespace throng::anim

@@ -44,6 +44,7 @@ void add_packet(const EntityInStore& entity, const PacketJob& job) {
 const EntityKind additive_layer_kind = {.name = "additive layer",
                                         .type = EntityType::additive_layer,
                                         .sources = sources,
+                                        .reads_identity = false,
                                         .advance = advance_layer,
                                         .pose_packet = add_packet};
 

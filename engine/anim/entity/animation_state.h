@@ -36,8 +36,9 @@ enum class EntityType : std::uint32_t {
 ///     '-- AnimationStateHeader, 96 bytes, then 32 bytes of the derived entity --'
 ///
 /// A *resident* block has its transforms at `transforms_offset`; a *transient* one has offset 0 and lives without them:
-/// the `fused` schedule lays them out in the local store and writes back nothing but the second line. Knowing
-/// `total_size` and `transforms_offset` is enough to move a block and to use it as an animation state.
+/// the `fused` schedule lays them out in the local store, writes back nothing but the second line, and fetches the
+/// first only for kinds that read it (EntityKind::reads_identity). Knowing `total_size` and `transforms_offset` is
+/// enough to move a block and to use it as an animation state.
 struct AnimationStateHeader {
   static constexpr std::uint16_t has_absolute_root = 1;  ///< the absolute root is meant
 
@@ -61,7 +62,7 @@ struct AnimationStateHeader {
   float angular_velocity[3];  // 84  radians a second
 };
 
-inline constexpr std::size_t identity_bytes = 64;        ///< first bytes of a block, never written back
+inline constexpr std::size_t identity_bytes = 64;        ///< first bytes of a block, which no update changes
 inline constexpr std::size_t entity_header_bytes = 128;  ///< the header and the derived entity's 32 bytes
 inline constexpr std::int16_t highest_priority = INT16_MAX;
 

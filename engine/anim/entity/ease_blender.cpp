@@ -65,6 +65,7 @@ void advance_blender(EaseBlender& blender) {
 const EntityKind ease_blender_kind = {.name = "ease blender",
                                       .type = EntityType::ease_blender,
                                       .sources = sources,
+                                      .reads_identity = false,
                                       .advance = advance_entity,
                                       .pose_packet = blend_packet,
                                       .shown_clips = shown_clips};

@@ -30,6 +30,8 @@ struct EntityLayout {
   /// Bytes that a source costs to fetch: header and transforms, without the private part.
   std::uint32_t source_bytes() const { return private_offset; }
   std::uint32_t private_bytes() const { return total_size - private_offset; }
+  /// First bytes of a block that nobody reads in the local store, and that are not fetched.
+  std::size_t unread_bytes() const;
 };
 
 /// Read-only memory that entities of one skeleton may read beside their own block.
@@ -109,6 +111,9 @@ struct EntityKind {
   /// Its transforms are state of its own, kept from update to update: resident under every schedule.
   bool keeps_transforms = false;
   std::size_t prepared_bytes = 0;  ///< a multiple of 64, at most most_prepared_bytes
+  /// Of a transient block: its first line, which says what its pool says too, whose it is and where it begins. False:
+  /// no function below reads it, and it is not fetched.
+  bool reads_identity = true;
 
   void (*advance)(const EntityInStore& entity, std::span<const AnimationStateHeader* const> sources) = nullptr;
   void (*pose_packet)(const EntityInStore& entity, const PacketJob& job) = nullptr;
@@ -128,6 +133,11 @@ struct EntityKind {
 
   bool whole_pose() const { return pose_whole != nullptr; }
 };
+
+inline std::size_t EntityLayout::unread_bytes() const {
+  const bool resident = transforms_offset != 0;
+  return resident || kind->reads_identity ? 0 : identity_bytes;
+}
 
 template <typename Resource>
 const Resource& EntityInStore::resource_as() const {

@@ -53,6 +53,7 @@ EntityKind foot_placement_kind(const FootPlacementRig& rig) {
           .sources = only_source<FootPlacementEntity>,
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
+          .reads_identity = false,
           .advance = advance_feet,
           .pose_whole = place,
           .whole_pose_work = foot_placement_work,

@@ -32,6 +32,7 @@ EntityKind ik_kind(const std::vector<TwoBoneLimb>& limbs) {
           .sources = only_source<IkEntity>,
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
+          .reads_identity = false,
           .advance = advance_ik,
           .pose_whole = reach,
           .whole_pose_work = 3,

@@ -157,6 +157,7 @@ const EntityKind inertialiser_kind = {.name = "inertialiser",
                                       .sources = sources,
                                       .private_bytes = private_bytes,
                                       .prepared_bytes = 64,
+                                      .reads_identity = false,
                                       .advance = advance_inertialiser,
                                       .pose_packet = inertialise_packet};
 

@@ -49,6 +49,7 @@ EntityKind look_at_kind(const LookAtRig& rig) {
           .sources = only_source<LookAtEntity>,
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
+          .reads_identity = false,
           .advance = advance_look,
           .pose_whole = turn_to_target,
           .whole_bones = rig.chain.bones[static_cast<std::size_t>(rig.chain.tip())] + 1,

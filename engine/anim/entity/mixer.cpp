@@ -60,6 +60,7 @@ const EntityKind mixer_kind = {.name = "mixer",
                                .sources = sources,
                                .private_bytes = private_bytes,
                                .prepared_bytes = 64,
+                               .reads_identity = false,
                                .advance = advance_mixer,
                                .pose_packet = mix_packet};
 

@@ -34,6 +34,7 @@ const EntityKind noise_maker_kind = {.name = "noise maker",
                                      .type = EntityType::noise_maker,
                                      .sources = only_source<NoiseMaker>,
                                      .prepared_bytes = 64,
+                                     .reads_identity = false,
                                      .advance = advance_noise,
                                      .pose_packet = shake_packet,
                                      .displaces = false};

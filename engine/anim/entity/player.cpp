@@ -165,6 +165,7 @@ void pose_keyframe_packet(const EntityInStore& entity, const PacketJob& job) {
 const EntityKind sampled_player_kind = {.name = "sampled player",
                                         .type = EntityType::sampled_player,
                                         .prepared_bytes = prepared_pose_bytes,
+                                        .reads_identity = false,
                                         .advance = advance_sampled,
                                         .pose_packet = pose_sampled_packet,
                                         .shown_clips = shown_clips};
@@ -173,6 +174,7 @@ const EntityKind keyframe_player_kind = {.name = "keyframe player",
                                          .type = EntityType::keyframe_player,
                                          .private_bytes = interpolation_bytes,
                                          .prepared_bytes = prepared_pose_bytes,
+                                         .reads_identity = false,
                                          .advance = advance_keyframed,
                                          .pose_packet = pose_keyframe_packet};
 

@@ -118,6 +118,7 @@ EntityKind ragdoll_kind(const RagdollRig& rig) {
           .private_bytes = private_bytes,
           .keeps_transforms = true,
           .prepared_bytes = 64,
+          .reads_identity = false,
           .advance = advance_ragdoll,
           .pose_whole = pose_ragdoll,
           .whole_pose_work = 600,

@@ -49,6 +49,7 @@ EntityKind socket_kind(const SocketPlaces& places) {
   return {.name = "socket",
           .type = EntityType::socket,
           .sources = only_source<Socket>,
+          .reads_identity = false,
           .advance = advance_socket,
           .pose_whole = note_place,
           .resource = &places};

@@ -40,11 +40,12 @@ inline void copy_blocks(const CopyBlocksJob& shared) {
   const CopyBlocksJob job = shared;  // or it would be read again after every store
   std::byte* local = job.local;
   for (std::size_t i = 0; i < job.blocks.size(); ++i, local += job.stride) {
-    if (i < job.soon.size()) prefetch_lines(job.soon[i], job.soon_size);
+    if (i < job.soon.size()) prefetch_lines(job.soon[i] + job.soon_offset, job.soon_size);
     std::byte* const block = job.blocks[i] + job.offset;
     copy_lines(job.inward ? block : local, job.inward ? local : block, job.size);
   }
-  for (std::size_t i = job.blocks.size(); i < job.soon.size(); ++i) prefetch_lines(job.soon[i], job.soon_size);
+  for (std::size_t i = job.blocks.size(); i < job.soon.size(); ++i)
+    prefetch_lines(job.soon[i] + job.soon_offset, job.soon_size);
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

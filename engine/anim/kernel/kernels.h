@@ -146,6 +146,7 @@ struct CopyBlocksJob {
   std::size_t size = 0;                ///< from there on
   bool inward = true;                  ///< to the row
   std::span<std::byte* const> soon{};  ///< will be copied next
+  std::size_t soon_offset = 0;
   std::size_t soon_size = 0;
 };
 

@@ -57,18 +57,20 @@ void CopyEngine::move(std::size_t due) {
 }
 
 void CopyEngine::move_blocks(const Entry& entry, std::size_t first, std::size_t end) const {
-  for (std::size_t i = first; entry.inward && i < end; ++i) release_guard(entry.local(i), entry.row.size);
+  for (std::size_t i = first; entry.inward && i < end; ++i)
+    release_guard(entry.local(i) + entry.skipped, entry.moved_size());
   CopyBlocksJob job{.blocks = entry.blocks().subspan(first, end - first),
-                    .local = entry.local(first) + entry.kept,
+                    .local = entry.local(first) + entry.skipped,
                     .stride = entry.row.stride,
-                    .offset = entry.kept,
+                    .offset = entry.skipped,
                     .size = entry.moved_size(),
                     .inward = entry.inward};
   if (entry_ + 1 < queue_.size() && queue_[entry_ + 1].inward) {
     const std::span<std::byte* const> next = queue_[entry_ + 1].blocks();
     const std::size_t next_end = end == entry.blocks().size() ? next.size() : std::min(end, next.size());
     job.soon = next.subspan(std::min(first, next_end), next_end - std::min(first, next_end));
-    job.soon_size = queue_[entry_ + 1].row.size;
+    job.soon_offset = queue_[entry_ + 1].skipped;
+    job.soon_size = queue_[entry_ + 1].moved_size();
   }
   kernels_->copy_blocks(job);
 }
@@ -77,8 +79,8 @@ std::vector<CopyEngine::Transfer> CopyEngine::queued() const {
   std::vector<Transfer> transfers;
   for (const Entry& entry : queue_) {
     for (std::size_t i = 0; i < entry.blocks().size(); ++i) {
-      std::byte* const block = entry.blocks()[i] + entry.kept;
-      std::byte* const local = entry.local(i) + entry.kept;
+      std::byte* const block = entry.blocks()[i] + entry.skipped;
+      std::byte* const local = entry.local(i) + entry.skipped;
       transfers.push_back(entry.inward ? Transfer{block, local, entry.moved_size(), true}
                                        : Transfer{local, block, entry.moved_size(), false});
     }

@@ -32,10 +32,10 @@ class CopyEngine {
   /// Whose copy_blocks moves; the best that this machine runs unless said.
   void use(const Kernels& kernels) { kernels_ = &kernels; }
 
-  /// Queue, each block a transfer. A fetch closes its destinations until their bytes have arrived; of what is written
-  /// back, the first `kept` bytes of each block stay as they are in main memory.
-  void fetch(const BlockRow& row) { push({.row = row, .inward = true}); }
-  void write_back(const BlockRow& row, std::size_t kept) { push({.row = row, .kept = kept}); }
+  /// Queue, each block a transfer of all but its first `skipped` bytes, which stay as they are. A fetch closes its
+  /// destinations until their bytes have arrived; where none arrive, for as long as the block is there.
+  void fetch(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped, .inward = true}); }
+  void write_back(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped}); }
   /// The same for one block.
   void fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
     push({.row = {.local = local, .size = size}, .only = const_cast<std::byte*>(main_memory), .inward = true});
@@ -67,12 +67,12 @@ class CopyEngine {
   struct Entry {
     BlockRow row;
     std::byte* only = nullptr;  // block of a row of one; null: row.blocks has them
-    std::size_t kept = 0;
+    std::size_t skipped = 0;
     bool inward = false;
 
     std::span<std::byte* const> blocks() const { return only == nullptr ? row.blocks : std::span(&only, 1); }
     std::byte* local(std::size_t i) const { return row.local + i * row.stride; }
-    std::size_t moved_size() const { return row.size - kept; }
+    std::size_t moved_size() const { return row.size - skipped; }
   };
 
   void push(const Entry& entry);

@@ -29,8 +29,8 @@ void prefetch_entities(std::span<const AgentWork> soon) {
   for (const AgentWork& work : soon) __builtin_prefetch(work.entities);
 }
 
-/// Calls visit(step index, run, row without its blocks) for each step whose blocks the characters of a tile own; run by
-/// run, since blocks of one step come from one pool.
+/// Calls visit(step index, layout, run, row without its blocks) for each step whose blocks the characters of a tile
+/// own; run by run, since blocks of one step come from one pool.
 template <typename Visit>
 void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork> tile, std::byte* local,
                             Visit&& visit) {
@@ -40,9 +40,9 @@ void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork>
     for (std::size_t i = 0; i < run.program->steps.size(); ++i) {
       const PoseStep& step = run.program->steps[i];
       if (step.is_shared()) continue;
-      const std::size_t size = step.layout(pools).total_size;
-      visit(i, run, BlockRow{.local = block, .stride = stride, .size = size});
-      block += size;
+      const EntityLayout& layout = step.layout(pools);
+      visit(i, layout, run, BlockRow{.local = block, .stride = stride, .size = layout.total_size});
+      block += layout.total_size;
     }
     local += stride * run.size();
   });
@@ -75,13 +75,15 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
   homes_[static_cast<std::size_t>(buffer)] = next_homes_;
   std::span<std::byte*> homes = notes_->homes[next_homes_];
   next_homes_ = (next_homes_ + 1) % notes_->homes.size();
-  for_each_row_of_blocks(pools, tile, local, [&](std::size_t step, const AlikeRun& run, BlockRow row) {
-    const Pool& pool = pools.pool(EntityPools::Kind{run.program->steps[step].kind});
-    for (std::size_t i = 0; i < run.size(); ++i) homes[i] = pool.block(tile[run.first + i].entities[step]);
-    row.blocks = homes.first(run.size());
-    homes = homes.subspan(run.size());
-    engine.fetch(row);
-  });
+  for_each_row_of_blocks(pools, tile, local,
+                         [&](std::size_t step, const EntityLayout& layout, const AlikeRun& run, BlockRow row) {
+                           const Pool& pool = pools.pool(EntityPools::Kind{run.program->steps[step].kind});
+                           for (std::size_t i = 0; i < run.size(); ++i)
+                             homes[i] = pool.block(tile[run.first + i].entities[step]);
+                           row.blocks = homes.first(run.size());
+                           homes = homes.subspan(run.size());
+                           engine.fetch(row, layout.unread_bytes());
+                         });
   if (tiles_[static_cast<std::size_t>(task)].needs.shared == 0) return;
   local += own_bytes(tile);
   const SharedSources shared(tile);
@@ -96,7 +98,7 @@ void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
   if (changes_ == BlockChanges::dropped) return;
   std::span<std::byte* const> homes = notes_->homes[homes_[static_cast<std::size_t>(buffer)]];
   for_each_row_of_blocks(*context(task).pools, agents(task), store_->fetch_buffer(buffer).data(),
-                         [&](std::size_t, const AlikeRun& run, BlockRow row) {
+                         [&](std::size_t, const EntityLayout&, const AlikeRun& run, BlockRow row) {
                            row.blocks = homes.first(run.size());
                            homes = homes.subspan(run.size());
                            engine.write_back(row, identity_bytes);

@@ -23,8 +23,8 @@ enum class BlockChanges : std::uint8_t {
 };
 
 /// The `fused` schedule: a task runs the whole graphs of a tile's characters, players to palette, in one stay in the
-/// local store. Blocks are fetched whole, their changed bytes written back; a shared source is fetched once a tile and
-/// never written back.
+/// local store. Of a block, what updates of its kind read is fetched, and what they change is written back; a shared
+/// source is fetched once a tile and never written back.
 ///
 ///     fetch buffer   [blocks of character 0 in the order of its steps | of character 1 | ... | shared sources]
 ///

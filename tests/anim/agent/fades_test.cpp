@@ -25,7 +25,10 @@ struct Crowd {
       system->update({&update, 1});
     }
   }
-  std::uint64_t fetched_blocks() const { return system->report().copies.bytes_in / entity_header_bytes; }
+  /// Of players and blenders, whose updates read what changes and nothing else.
+  std::uint64_t fetched_blocks() const {
+    return system->report().copies.bytes_in / (entity_header_bytes - identity_bytes);
+  }
   std::size_t entities() const { return system->program(0).steps.size(); }
   std::unique_ptr<AnimationSystem> system;
 };

@@ -101,7 +101,7 @@ TEST(SharedSources, CostWhatTheirBlocksTakeOnceATile) {
   trees.crowd.step();
   const std::uint64_t block = 128 + pose_bytes(40, rigid_components);
   const CopyCounts counts = trees.crowd->report().copies;
-  EXPECT_EQ(counts.bytes_in, 6 * block + 16 * 5 * 128 + 6 * block) << "updated once, then read by one tile";
+  EXPECT_EQ(counts.bytes_in, 6 * block + 16 * 5 * 64 + 6 * block) << "updated once, then read by one tile";
   EXPECT_EQ(counts.bytes_out, 6 * block + 16 * 5 * 64);
 }
 

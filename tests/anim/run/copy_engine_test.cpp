@@ -60,7 +60,7 @@ TEST(CopyEngine, MovesRowsOfScatteredBlocksAndBack) {
       return engine.finish();
     };
     CopyEngine engine;
-    engine.fetch(row);
+    engine.fetch(row, 0);
     EXPECT_EQ(move_all(engine).bytes_in, 3 * size);
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_EQ(std::memcmp(row.local + i * stride, blocks[i], size), 0);
@@ -73,6 +73,22 @@ TEST(CopyEngine, MovesRowsOfScatteredBlocksAndBack) {
     for (std::size_t i = 0; i < 3 * size; ++i) {
       EXPECT_EQ(main_memory.bytes[i], i % size < kept ? before.bytes[i] : std::byte{0}) << "byte " << i;
     }
+  }
+}
+
+TEST(CopyEngine, FetchesNothingOfWhatIsSkipped) {
+  constexpr std::size_t size = 192, skipped = 64;
+  Memory main_memory(2 * size);
+  const std::array<std::byte*, 2> blocks{main_memory.bytes.get() + size, main_memory.bytes.get()};
+  LocalStore store(2 * size);
+  store.divide(2 * size, 1, 0);
+  CopyEngine engine;
+  const BlockRow row{.blocks = blocks, .local = store.fetch_buffer(0).data(), .stride = size, .size = size};
+  engine.fetch(row, skipped);
+  EXPECT_EQ(engine.finish().bytes_in, 2 * (size - skipped));
+  store.divide(2 * size, 1, 0);  // or nobody might look at what did not arrive
+  for (std::size_t i = 0; i < 2 * size; ++i) {
+    EXPECT_EQ(row.local[i], i % size < skipped ? std::byte{0} : blocks[i / size][i % size]) << "byte " << i;
   }
 }
 

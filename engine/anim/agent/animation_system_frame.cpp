@@ -8,6 +8,16 @@
 #include "engine/anim/base/hash.h"
 
 namespace throng::anim {
+namespace {
+
+/// What an agent costs follows from its program and level: nearly always those of the one before.
+struct KnownCost {
+  const PoseProgram* program = nullptr;
+  std::uint8_t level = 0;
+  std::uint16_t cost = 0;
+};
+
+}  // namespace
 
 void AnimationSystem::update(std::span<const AgentUpdate> agents) {
   ++frame_;
@@ -58,14 +68,11 @@ void AnimationSystem::begin_shared_work() {
 }
 
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
-  constexpr std::size_t soon = 8;
   for (UpdateContext& context : contexts_)
     context.hashes = options_.hash ? std::span(agent_hashes_) : std::span(agent_hashes_).first(0);
   work_.clear();
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    if (i + soon < agents.size())
-      __builtin_prefetch(&cast(agents[i + soon].agent).agents.graph(local(agents[i + soon].agent)));
-    const AgentUpdate& update = agents[i];
+  KnownCost known;
+  for (const AgentUpdate& update : agents) {
     const Member member = members_[update.agent];
     const Agents& cast = casts_[member.cast]->agents;
     if (cast.next_update(member.local) <= clock_) update_channels(update.agent);
@@ -76,12 +83,15 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
     if (time < posed_at_[update.agent] && !can_wind_back(update.agent)) time = posed_at_[update.agent];
     assert(update.level < max_bone_levels && update.fade_level < max_bone_levels && update.fade_halves <= 2);
     assert(!program.steps.empty() && "an agent must play something before it is updated");
+    if (known.program != &program || known.level != update.level) {
+      known = {&program, update.level, predicted_cost(program, member.cast, update.level)};
+    }
     work_.push_back({.program = graph.program,
                      .entities = graph.entities.data(),
                      .delta = time - posed_at_[update.agent],
                      .palette = update.palette,
                      .agent = update.agent,
-                     .cost = predicted_cost(program, member.cast, update.level),
+                     .cost = known.cost,
                      .skeleton = static_cast<std::uint8_t>(member.cast),
                      .level = update.level,
                      .fade_level = update.fade_level,
@@ -98,9 +108,12 @@ std::uint16_t AnimationSystem::predicted_cost(const PoseProgram& program, std::u
 void AnimationSystem::report_work() {
   std::array<std::array<std::uint64_t, max_bone_levels>, most_skeletons> agents_by_level{};
   std::uint64_t cost_steps = 0;
-  for (const AgentWork& work : work_) {
-    ++agents_by_level[work.skeleton][work.level];
-    cost_steps += work.cost;
+  for (std::size_t first = 0, end = 0; first < work_.size(); first = end) {
+    const AgentWork& like = work_[first];
+    for (; end < work_.size() && work_[end].skeleton == like.skeleton && work_[end].level == like.level; ++end) {
+      cost_steps += work_[end].cost;
+    }
+    agents_by_level[like.skeleton][like.level] += end - first;
   }
   report_.predicted_nanoseconds = static_cast<double>(cost_steps) * cost_step;
   report_.agents_updated = static_cast<std::uint32_t>(work_.size());

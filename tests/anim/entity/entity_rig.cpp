@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/anim/entity/entity_run.h"
 #include "engine/anim/run/pose_entity.h"
 #include "engine/anim/run/pose_program.h"
 
@@ -69,15 +70,15 @@ void EntityRig::update(Handle root, Ticks delta, int packets) {
                                .prepared = prepared.data(),
                                .layout = &pools_.layout(step.entity),
                                .assets = &assets_};
-    std::vector<const AnimationStateHeader*> states;
+    std::vector<SourceRow> sources;
     std::vector<PoseView> poses;
     for (std::size_t i = 0; i < step.source_count; ++i) {
       const Handle source = program.steps[step.sources[i]].entity;
-      states.push_back(&pools_.state(source));
+      sources.push_back({.first = pools_.block(source), .stride = 0, .shown = nullptr});
       poses.push_back(pose(source));
     }
     pools_.state(step.entity).delta_time += delta;
-    entity.layout->kind->advance(entity, states);
+    entity.layout->kind->advance({.first = entity, .sources = sources});
     pose_entity(entity, poses, pose(step.entity), packets, nullptr);
   }
 }

@@ -101,10 +101,10 @@ void KernelSubject::run() {
   kernels_->fence_stores();
 }
 
-anim::SamplePoint KernelSubject::point_of(int clip_index, anim::Ticks start) const {
+anim::ShownClip KernelSubject::shown(int clip_index, anim::Ticks start) const {
   const anim::BakedClip& clip = character_->clips[static_cast<std::size_t>(clip_index)];
   const anim::Ticks time = clip.duration > 0 ? (start + clock_) % clip.duration : 0;
-  return locate(*clip.sampled(), time);
+  return {.stream = clip.sampled(), .point = locate(*clip.sampled(), time)};
 }
 
 anim::ClipTile KernelSubject::clips_of(std::span<const BenchAgent> agents) const {
@@ -112,13 +112,9 @@ anim::ClipTile KernelSubject::clips_of(std::span<const BenchAgent> agents) const
   for (std::size_t i = 0; i < agents.size(); ++i) {
     const BenchAgent& agent = agents[i];
     const bool blended = agent.fraction > 0.0F && agent.to_clip >= 0;
-    const int to_clip = blended ? agent.to_clip : agent.from_clip;
-    const anim::SamplePoint from = point_of(agent.from_clip, agent.from_start);
-    const anim::SamplePoint to = blended ? point_of(to_clip, agent.to_start) : from;
-    const auto stream = [&](int clip) { return character_->clips[static_cast<std::size_t>(clip)].sampled(); };
-    clips.add(static_cast<int>(i), {.clips = {{{stream(agent.from_clip), &from}, {stream(to_clip), &to}}},
-                                    .count = blended ? 2 : 1,
-                                    .fraction = agent.fraction});
+    const anim::ShownClip from = shown(agent.from_clip, agent.from_start);
+    const anim::ShownClip to = blended ? shown(agent.to_clip, agent.to_start) : from;
+    clips.add(static_cast<int>(i), {.clip = &from, .blended = blended ? &to : nullptr, .fraction = agent.fraction});
   }
   return clips;
 }

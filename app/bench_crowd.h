@@ -70,7 +70,7 @@ class KernelSubject {
 
  private:
   void run_tile(std::span<const BenchAgent> agents, std::size_t first);
-  anim::SamplePoint point_of(int clip_index, anim::Ticks start) const;
+  anim::ShownClip shown(int clip_index, anim::Ticks start) const;
   anim::ClipTile clips_of(std::span<const BenchAgent> agents) const;
 
   const anim::Character* character_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/anim/entity/entity_run.h"
+
 namespace throng::anim {
 namespace {
 
@@ -18,10 +20,10 @@ void move_weight(AdditiveLayer& layer) {
   layer.state.delta_time = 0;
 }
 
-void advance_layer(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+void advance_layer(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& layer = entity.as<AdditiveLayer>();
   move_weight(layer);
-  take_velocity(layer.state, *states[0]);
+  take_velocity(layer.state, sources[0]);
 }
 
 void add_packet(const EntityInStore& entity, const PacketJob& job) {
@@ -45,7 +47,7 @@ const EntityKind additive_layer_kind = {.name = "additive layer",
                                         .type = EntityType::additive_layer,
                                         .sources = sources,
                                         .reads_identity = false,
-                                        .advance = advance_layer,
+                                        .advance = advance_each<advance_layer>,
                                         .pose_packet = add_packet};
 
 }  // namespace throng::anim

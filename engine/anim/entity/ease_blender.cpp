@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/anim/entity/entity_run.h"
+
 namespace throng::anim {
 namespace {
 
@@ -21,19 +23,20 @@ void blend_velocities(EaseBlender& blender, const AnimationStateHeader& from, co
   }
 }
 
-void advance_entity(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+void advance_entity(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& blender = entity.as<EaseBlender>();
   advance_blender(blender);
-  blend_velocities(blender, *states[0], *states[1]);
+  blend_velocities(blender, sources[0], sources[1]);
 }
 
-ShownClips shown_clips(const EntityInStore& entity, std::span<const ShownClips* const> sources) {
+ShownClips shown_clips(const EntityInStore& entity, const SourcesInStore& sources) {
   const auto& blender = entity.as<EaseBlender>();
-  if (entity.assets->mask(blender.mask) != nullptr || sources[0]->count == 0 || sources[1]->count == 0) return {};
-  if (blender.fraction == 0.0F) return *sources[0];
-  if (blender.fraction == 1.0F) return *sources[1];
-  if (sources[0]->count != 1 || sources[1]->count != 1) return {};
-  return {.clips = {sources[0]->clips[0], sources[1]->clips[0]}, .count = 2, .fraction = blender.fraction};
+  const ShownClips &from = sources.shown(0), &to = sources.shown(1);
+  if (entity.assets->mask(blender.mask) != nullptr || from.clip == nullptr || to.clip == nullptr) return {};
+  if (blender.fraction == 0.0F) return from;
+  if (blender.fraction == 1.0F) return to;
+  if (from.blended != nullptr || to.blended != nullptr) return {};
+  return {.clip = from.clip, .blended = to.clip, .fraction = blender.fraction};
 }
 
 void blend_packet(const EntityInStore& entity, const PacketJob& job) {
@@ -66,8 +69,7 @@ const EntityKind ease_blender_kind = {.name = "ease blender",
                                       .type = EntityType::ease_blender,
                                       .sources = sources,
                                       .reads_identity = false,
-                                      .advance = advance_entity,
-                                      .pose_packet = blend_packet,
-                                      .shown_clips = shown_clips};
+                                      .advance = advance_each<advance_entity, shown_clips>,
+                                      .pose_packet = blend_packet};
 
 }  // namespace throng::anim

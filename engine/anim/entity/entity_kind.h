@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,6 +16,7 @@ namespace throng::anim {
 
 struct ClipStreams;
 struct EntityKind;
+struct EntityRun;
 
 enum class Residency : std::uint8_t { transient, resident };
 
@@ -84,23 +84,13 @@ struct PosedEntity {
   PoseView pose;
 };
 
-/// What an entity shows where that is a clip, or a blend of two: kernels make such poses for many characters at once.
-struct ShownClip {
-  const SampledStream* stream;
-  const SamplePoint* point;
-};
-struct ShownClips {
-  std::array<ShownClip, 2> clips;
-  int count;       ///< 0: something else
-  float fraction;  ///< of the second, above 0 and below 1
-};
-
 /// Paper 2.2.6: "Following the formula we can derive various animation tasks that can result in animation states." What
 /// the scheduler must know of a kind of entity; a user's own kinds are told apart from ours by nothing.
 ///
-/// An update of an entity is one call of `advance`, then either `pose_packet` for each packet in ascending order or,
-/// for what needs bones of several packets at once, `pose_whole` with the pose of the first source in `pose`. All run
-/// on a PU, see only the local store and read-only assets, and neither allocate nor lock.
+/// An update of an entity is one call of `advance`, for a run of them at once, then either `pose_packet` for each
+/// packet in ascending order or, for what needs bones of several packets at once, `pose_whole` with the pose of the
+/// first source in `pose`. All run on a PU, see only the local store and read-only assets, and neither allocate nor
+/// lock.
 struct EntityKind {
   const char* name = "";
   EntityType type = EntityType::user;
@@ -115,7 +105,9 @@ struct EntityKind {
   /// no function below reads it, and it is not fetched.
   bool reads_identity = true;
 
-  void (*advance)(const EntityInStore& entity, std::span<const AnimationStateHeader* const> sources) = nullptr;
+  /// Each of a run as if it were alone, and what it shows (entity_run.h: advance_each). Where its pose is clips, as
+  /// those of all its sources are, neither its pose_packet is called nor theirs.
+  void (*advance)(const EntityRun& run) = nullptr;
   void (*pose_packet)(const EntityInStore& entity, const PacketJob& job) = nullptr;
   void (*pose_whole)(const EntityInStore& entity, const PoseView& pose) = nullptr;  ///< or this one
   /// pose_whole reads and changes the bones below this one alone: the others need not be there yet.
@@ -125,9 +117,6 @@ struct EntityKind {
   /// For up to widest_tile characters at once, each as pose_whole would, to the bit and whoever the others are; called
   /// where these stand side by side. Null: pose_whole is called for each.
   void (*pose_tile)(std::span<const PosedEntity> all) = nullptr;
-  /// After `advance`: the clips that pose_packet would show, where all its sources show clips too; then neither its nor
-  /// theirs is called. Null: never.
-  ShownClips (*shown_clips)(const EntityInStore& entity, std::span<const ShownClips* const> sources) = nullptr;
 
   const void* resource = nullptr;  ///< read-only data of the kind on this skeleton; outlives the pools
 

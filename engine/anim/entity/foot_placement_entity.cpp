@@ -9,8 +9,8 @@ namespace {
 
 std::size_t private_bytes(int, int) { return sizeof(FootPlacementMemory); }
 
-void advance_feet(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
-  advance_weight(entity.as<FootPlacementEntity>().weight, begin_whole_pose(entity, states).elapsed);
+void advance_feet(const EntityInStore& entity, const SourcesInStore& sources) {
+  advance_weight(entity.as<FootPlacementEntity>().weight, begin_whole_pose(entity, sources).elapsed);
 }
 
 GroundContact contact_under(const glm::vec3& ankle, const Footing& ground, const JointMotion& model_in_world) {
@@ -54,7 +54,7 @@ EntityKind foot_placement_kind(const FootPlacementRig& rig) {
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
-          .advance = advance_feet,
+          .advance = advance_each<advance_feet>,
           .pose_whole = place,
           .whole_pose_work = foot_placement_work,
           .resource = &rig};

@@ -1,11 +1,11 @@
 #include "engine/anim/entity/held_state.h"
 
+#include "engine/anim/entity/entity_run.h"
+
 namespace throng::anim {
 namespace {
 
-void use_up_time(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
-  entity.as<HeldState>().state.delta_time = 0;
-}
+void use_up_time(const EntityInStore& entity, const SourcesInStore&) { entity.as<HeldState>().state.delta_time = 0; }
 
 // The pose is where it belongs already.
 void keep_packet(const EntityInStore&, const PacketJob&) {}
@@ -15,7 +15,7 @@ void keep_packet(const EntityInStore&, const PacketJob&) {}
 const EntityKind held_state_kind = {.name = "held state",
                                     .type = EntityType::state,
                                     .keeps_transforms = true,
-                                    .advance = use_up_time,
+                                    .advance = advance_each<use_up_time>,
                                     .pose_packet = keep_packet};
 
 }  // namespace throng::anim

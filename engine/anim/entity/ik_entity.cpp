@@ -7,8 +7,8 @@ namespace {
 
 std::size_t private_bytes(int, int) { return sizeof(IkMemory); }
 
-void advance_ik(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
-  advance_weight(entity.as<IkEntity>().weight, begin_whole_pose(entity, states).elapsed);
+void advance_ik(const EntityInStore& entity, const SourcesInStore& sources) {
+  advance_weight(entity.as<IkEntity>().weight, begin_whole_pose(entity, sources).elapsed);
 }
 
 void reach(const EntityInStore& entity, const PoseView& pose) {
@@ -33,7 +33,7 @@ EntityKind ik_kind(const std::vector<TwoBoneLimb>& limbs) {
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
-          .advance = advance_ik,
+          .advance = advance_each<advance_ik>,
           .pose_whole = reach,
           .whole_pose_work = 3,
           .resource = &limbs};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/anim/entity/entity_run.h"
+
 namespace throng::anim {
 namespace {
 
@@ -49,7 +51,7 @@ Capture next_capture(const Inertialiser& inertialiser, Ticks delta) {
   return again ? Capture::first : inertialiser.capture;
 }
 
-void advance_inertialiser(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+void advance_inertialiser(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& inertialiser = entity.as<Inertialiser>();
   const Ticks delta = inertialiser.state.delta_time;
   inertialiser.state.delta_time = 0;
@@ -62,7 +64,7 @@ void advance_inertialiser(const EntityInStore& entity, std::span<const Animation
   inertialiser.settled = plan.capture == Capture::first ? 1 : 0;
   inertialiser.capture = plan.capture == Capture::first ? Capture::second : Capture::none;
   if (plan.capture == Capture::second) inertialiser.since_capture = 0;
-  take_velocity(inertialiser.state, *states[0]);
+  take_velocity(inertialiser.state, sources[0]);
 }
 
 // From here on the old offset is carried by its value alone.
@@ -158,7 +160,7 @@ const EntityKind inertialiser_kind = {.name = "inertialiser",
                                       .private_bytes = private_bytes,
                                       .prepared_bytes = 64,
                                       .reads_identity = false,
-                                      .advance = advance_inertialiser,
+                                      .advance = advance_each<advance_inertialiser>,
                                       .pose_packet = inertialise_packet};
 
 }  // namespace throng::anim

@@ -9,8 +9,8 @@ namespace {
 
 std::size_t private_bytes(int, int) { return sizeof(LookAtMemory); }
 
-void advance_look(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
-  advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, states).elapsed);
+void advance_look(const EntityInStore& entity, const SourcesInStore& sources) {
+  advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, sources).elapsed);
 }
 
 /// Part by part: a whole job would be copied, which waits for the parts that were just written.
@@ -50,7 +50,7 @@ EntityKind look_at_kind(const LookAtRig& rig) {
           .private_bytes = private_bytes,
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
-          .advance = advance_look,
+          .advance = advance_each<advance_look>,
           .pose_whole = turn_to_target,
           .whole_bones = rig.chain.bones[static_cast<std::size_t>(rig.chain.tip())] + 1,
           .displaces = false,

@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 
+#include "engine/anim/entity/entity_run.h"
+
 namespace throng::anim {
 namespace {
 
@@ -18,20 +20,20 @@ std::span<Handle> sources(std::byte* block, const EntityLayout& layout) {
   return {mixer_sources(block, layout).sources, reinterpret_cast<const Mixer*>(block)->source_count};
 }
 
-void advance_mixer(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+void advance_mixer(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& mixer = entity.as<Mixer>();
   auto& shares = entity.prepared_as<Shares>();
   const MixerSources& mixed = mixer_sources(entity.block, *entity.layout);
   mixer.state.delta_time = 0;
   float sum = 0.0F;
-  for (std::size_t i = 0; i < states.size(); ++i) sum += mixed.weights[i];
+  for (std::size_t i = 0; i < sources.size(); ++i) sum += mixed.weights[i];
   std::ranges::fill(mixer.state.linear_velocity, 0.0F);
   std::ranges::fill(mixer.state.angular_velocity, 0.0F);
-  for (std::size_t i = 0; i < states.size(); ++i) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
     shares.of[i] = sum > 0.0F ? mixed.weights[i] / sum : 0.0F;
     for (int axis = 0; axis < 3; ++axis) {
-      mixer.state.linear_velocity[axis] += states[i]->linear_velocity[axis] * shares.of[i];
-      mixer.state.angular_velocity[axis] += states[i]->angular_velocity[axis] * shares.of[i];
+      mixer.state.linear_velocity[axis] += sources[i].linear_velocity[axis] * shares.of[i];
+      mixer.state.angular_velocity[axis] += sources[i].angular_velocity[axis] * shares.of[i];
     }
   }
 }
@@ -61,7 +63,7 @@ const EntityKind mixer_kind = {.name = "mixer",
                                .private_bytes = private_bytes,
                                .prepared_bytes = 64,
                                .reads_identity = false,
-                               .advance = advance_mixer,
+                               .advance = advance_each<advance_mixer>,
                                .pose_packet = mix_packet};
 
 }  // namespace throng::anim

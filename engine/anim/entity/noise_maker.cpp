@@ -2,16 +2,18 @@
 
 #include <new>
 
+#include "engine/anim/entity/entity_run.h"
+
 namespace throng::anim {
 namespace {
 
-void advance_noise(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+void advance_noise(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& noise = entity.as<NoiseMaker>();
   noise.time += noise.state.delta_time;
   noise.state.delta_time = 0;
   // Made in its place: a copy would wait for the parts that were just written.
   ::new (entity.prepared) NoiseMoment(noise_moment(noise.seed, noise_at(noise.time, noise.frequency)));
-  take_velocity(noise.state, *states[0]);
+  take_velocity(noise.state, sources[0]);
 }
 
 void shake_packet(const EntityInStore& entity, const PacketJob& job) {
@@ -35,7 +37,7 @@ const EntityKind noise_maker_kind = {.name = "noise maker",
                                      .sources = only_source<NoiseMaker>,
                                      .prepared_bytes = 64,
                                      .reads_identity = false,
-                                     .advance = advance_noise,
+                                     .advance = advance_each<advance_noise>,
                                      .pose_packet = shake_packet,
                                      .displaces = false};
 

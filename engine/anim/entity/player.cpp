@@ -4,6 +4,7 @@
 #include <new>
 
 #include "engine/anim/asset/data_keys.h"
+#include "engine/anim/entity/entity_run.h"
 
 namespace throng::anim {
 namespace {
@@ -76,27 +77,25 @@ FineTicks unwrapped_position(const Player& player, Ticks duration) {
 
 namespace {
 
-PlayerPose sampled_pose(const Player& player, const ClipStreams& clip) {
-  const Ticks time = player.position / fine_ticks_per_tick;
-  return {.clip = &clip, .time = time, .point = locate(*clip.sampled, time), .interpolations = {}};
-}
+/// What packets of 16 bones are made from (2.2.3, second half of the update step). A player of a SampledStream keeps
+/// only its position.
+struct SampledPose {
+  ShownClip shown;
+  const BoneSelection* bones;  ///< null: every bone; packets without any are not evaluated
+};
 
-PlayerPose keyframe_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations) {
-  const Ticks time = player.position / fine_ticks_per_tick;
-  advance_keyframes(*clip.keyframe, time, player.cursor, interpolations);
-  return {.clip = &clip, .time = time, .point = {}, .interpolations = interpolations};
-}
-
-}  // namespace
-
-PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations) {
-  const bool keyframes = player.state.type == EntityType::keyframe_player;
-  return keyframes ? keyframe_pose(player, clip, interpolations) : sampled_pose(player, clip);
-}
-
-namespace {
+/// One of a KeyframeStream brings its interpolation structures along once, before its first packet.
+struct KeyframePose {
+  const KeyframeStream* stream;
+  Ticks time;
+  std::span<std::byte> interpolations;
+  const BoneSelection* bones;
+};
 
 constexpr std::size_t prepared_pose_bytes = 64;
+static_assert(sizeof(SampledPose) <= prepared_pose_bytes && sizeof(KeyframePose) <= prepared_pose_bytes);
+
+Ticks time_of(const Player& player) { return player.position / fine_ticks_per_tick; }
 
 /// Hints for both rows (paper 2.2.3, note 5): 16 bones are sampled at a time, so most of a row has long to arrive.
 void prefetch_rows(const SampledStream& stream, const SamplePoint& point) {
@@ -111,52 +110,54 @@ const BoneSelection* selection_of(const Player& player, const EntityAssets& asse
   return player.bone_selection == Player::every_bone ? nullptr : &assets.selections[player.bone_selection - 1];
 }
 
-// The pose is made in its place: a copy would wait for the parts that were just written.
-void advance_sampled(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
-  static_assert(sizeof(PlayerPose) <= prepared_pose_bytes);
+void advance_sampled(const EntityInStore& entity, const SourcesInStore&) {
   auto& player = entity.as<Player>();
   const ClipStreams& clip = entity.assets->clips[player.clip];
   move_player(player, clip);
-  auto& pose = *::new (entity.prepared) PlayerPose(sampled_pose(player, clip));
-  if (entity.assets->prefetch) prefetch_rows(*clip.sampled, pose.point);
-  pose.bones = selection_of(player, *entity.assets);
+  // Made in its place: a copy would wait for the parts that were just written.
+  const auto& pose = *::new (entity.prepared)
+                         SampledPose{.shown = {.stream = clip.sampled, .point = locate(*clip.sampled, time_of(player))},
+                                     .bones = selection_of(player, *entity.assets)};
+  if (entity.assets->prefetch) prefetch_rows(*clip.sampled, pose.shown.point);
 }
 
-void advance_keyframed(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
+void advance_keyframed(const EntityInStore& entity, const SourcesInStore&) {
   auto& player = entity.as<Player>();
   const ClipStreams& clip = entity.assets->clips[player.clip];
-  advance_player(player, clip);
-  auto& pose = *::new (entity.prepared) PlayerPose(keyframe_pose(player, clip, entity.private_part()));
-  pose.bones = selection_of(player, *entity.assets);
+  move_player(player, clip);
+  const auto& pose = *::new (entity.prepared) KeyframePose{.stream = clip.keyframe,
+                                                           .time = time_of(player),
+                                                           .interpolations = entity.private_part(),
+                                                           .bones = selection_of(player, *entity.assets)};
+  advance_keyframes(*pose.stream, pose.time, player.cursor, pose.interpolations);
 }
 
-ShownClips shown_clips(const EntityInStore& entity, std::span<const ShownClips* const>) {
-  const auto& pose = entity.prepared_as<PlayerPose>();
-  if (pose.bones != nullptr) return {};
-  return {.clips = {{{pose.clip->sampled, &pose.point}, {}}}, .count = 1, .fraction = 0.0F};
+ShownClips shown_clips(const EntityInStore& entity, const SourcesInStore&) {
+  const auto& pose = entity.prepared_as<SampledPose>();
+  return {.clip = pose.bones == nullptr ? &pose.shown : nullptr};
 }
 
 /// Packets without a selected bone are not evaluated.
 template <typename Evaluate>
-void pose_selected(const PlayerPose& pose, const PacketJob& job, Evaluate&& evaluate) {
-  if (pose.bones == nullptr) return evaluate();
-  if (pose.bones->lanes(job.packet) != 0) evaluate();
-  apply_bone_priorities(*pose.bones, job.packet, job.out);
+void pose_selected(const BoneSelection* bones, const PacketJob& job, Evaluate&& evaluate) {
+  if (bones == nullptr) return evaluate();
+  if (bones->lanes(job.packet) != 0) evaluate();
+  apply_bone_priorities(*bones, job.packet, job.out);
 }
 
 void pose_sampled_packet(const EntityInStore& entity, const PacketJob& job) {
-  const auto& pose = entity.prepared_as<PlayerPose>();
-  pose_selected(pose, job, [&] {
+  const auto& pose = entity.prepared_as<SampledPose>();
+  pose_selected(pose.bones, job, [&] {
     entity.assets->kernels->sample(
-        {.stream = pose.clip->sampled, .point = pose.point, .packet = job.packet, .pose = job.out});
+        {.stream = pose.shown.stream, .point = pose.shown.point, .packet = job.packet, .pose = job.out});
   });
 }
 
 void pose_keyframe_packet(const EntityInStore& entity, const PacketJob& job) {
-  const auto& pose = entity.prepared_as<PlayerPose>();
+  const auto& pose = entity.prepared_as<KeyframePose>();
   const std::size_t floats = packet_bytes(entity.assets->components) / sizeof(float);
-  pose_selected(pose, job, [&] {
-    evaluate_keyframes(*pose.clip->keyframe, pose.time, pose.interpolations, job.packet, {job.out, floats});
+  pose_selected(pose.bones, job, [&] {
+    evaluate_keyframes(*pose.stream, pose.time, pose.interpolations, job.packet, {job.out, floats});
   });
 }
 
@@ -166,16 +167,15 @@ const EntityKind sampled_player_kind = {.name = "sampled player",
                                         .type = EntityType::sampled_player,
                                         .prepared_bytes = prepared_pose_bytes,
                                         .reads_identity = false,
-                                        .advance = advance_sampled,
-                                        .pose_packet = pose_sampled_packet,
-                                        .shown_clips = shown_clips};
+                                        .advance = advance_each<advance_sampled, shown_clips>,
+                                        .pose_packet = pose_sampled_packet};
 
 const EntityKind keyframe_player_kind = {.name = "keyframe player",
                                          .type = EntityType::keyframe_player,
                                          .private_bytes = interpolation_bytes,
                                          .prepared_bytes = prepared_pose_bytes,
                                          .reads_identity = false,
-                                         .advance = advance_keyframed,
+                                         .advance = advance_each<advance_keyframed>,
                                          .pose_packet = pose_keyframe_packet};
 
 }  // namespace throng::anim

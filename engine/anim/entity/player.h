@@ -63,17 +63,6 @@ void seek_player(Player& player, FineTicks position, Ticks duration);
 /// form for_each_data_key and displacement take it.
 FineTicks unwrapped_position(const Player& player, Ticks duration);
 
-/// Second half: what its packets of 16 bones are made from. A player of a SampledStream keeps only its position; one of
-/// a KeyframeStream brings its interpolation structures along once, before its first packet.
-struct PlayerPose {
-  const ClipStreams* clip = nullptr;
-  Ticks time = 0;
-  SamplePoint point;                     ///< sampled
-  std::span<std::byte> interpolations;   ///< keyframe
-  const BoneSelection* bones = nullptr;  ///< null: every bone; packets without any are not evaluated
-};
-PlayerPose begin_pose(Player& player, const ClipStreams& clip, std::span<std::byte> interpolations);
-
 extern const EntityKind sampled_player_kind;
 extern const EntityKind keyframe_player_kind;
 

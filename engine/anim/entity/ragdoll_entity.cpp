@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/anim/entity/entity_run.h"
+
 namespace throng::anim {
 namespace {
 
@@ -24,15 +26,15 @@ std::span<Handle> sources(std::byte* block, const EntityLayout&) {
   return {&ragdoll.source, ragdoll.source.valid() ? 1U : 0U};
 }
 
-void advance_ragdoll(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+void advance_ragdoll(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& ragdoll = entity.as<RagdollEntity>();
   entity.prepared_as<Elapsed>() = {std::max<Ticks>(ragdoll.state.delta_time, 0)};
   ragdoll.state.delta_time = 0;
   std::ranges::fill(ragdoll.state.linear_velocity, 0.0F);
   std::ranges::fill(ragdoll.state.angular_velocity, 0.0F);
-  if (is_loose(ragdoll) || states.empty()) return;
-  std::ranges::copy(states[0]->linear_velocity, ragdoll.state.linear_velocity);
-  std::ranges::copy(states[0]->angular_velocity, ragdoll.state.angular_velocity);
+  if (is_loose(ragdoll) || sources.empty()) return;
+  std::ranges::copy(sources[0].linear_velocity, ragdoll.state.linear_velocity);
+  std::ranges::copy(sources[0].angular_velocity, ragdoll.state.angular_velocity);
 }
 
 /// The pose of the first update of letting go.
@@ -119,7 +121,7 @@ EntityKind ragdoll_kind(const RagdollRig& rig) {
           .keeps_transforms = true,
           .prepared_bytes = 64,
           .reads_identity = false,
-          .advance = advance_ragdoll,
+          .advance = advance_each<advance_ragdoll>,
           .pose_whole = pose_ragdoll,
           .whole_pose_work = 600,
           .resource = &rig};

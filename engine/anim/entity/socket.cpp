@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/anim/entity/entity_run.h"
+
 namespace throng::anim {
 namespace {
 
-void advance_socket(const EntityInStore& entity, std::span<const AnimationStateHeader* const> states) {
+void advance_socket(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& socket = entity.as<Socket>();
   socket.state.delta_time = 0;
-  take_velocity(socket.state, *states[0]);
+  take_velocity(socket.state, sources[0]);
 }
 
 void note_place(const EntityInStore& entity, const PoseView& pose) {
@@ -50,7 +52,7 @@ EntityKind socket_kind(const SocketPlaces& places) {
           .type = EntityType::socket,
           .sources = only_source<Socket>,
           .reads_identity = false,
-          .advance = advance_socket,
+          .advance = advance_each<advance_socket>,
           .pose_whole = note_place,
           .resource = &places};
 }

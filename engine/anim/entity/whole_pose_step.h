@@ -1,10 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <span>
 
 #include "engine/anim/base/units.h"
-#include "engine/anim/entity/entity_kind.h"
+#include "engine/anim/entity/entity_run.h"
 
 namespace throng::anim {
 
@@ -16,13 +15,12 @@ struct WholePoseStep {
 inline constexpr std::size_t whole_pose_prepared_bytes = 64;
 
 /// Uses up the time of an update and moves as the source does.
-inline WholePoseStep begin_whole_pose(const EntityInStore& entity,
-                                      std::span<const AnimationStateHeader* const> sources) {
+inline WholePoseStep begin_whole_pose(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& state = entity.as<AnimationStateHeader>();
   const auto elapsed = static_cast<float>(to_seconds(state.delta_time));
   const WholePoseStep step{.elapsed = elapsed, .seconds = std::max(elapsed, 0.0F)};
   state.delta_time = 0;
-  take_velocity(state, *sources[0]);
+  take_velocity(state, sources[0]);
   entity.prepared_as<WholePoseStep>() = step;
   return step;
 }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/anim/entity/entity_kind.h"
+#include "engine/anim/entity/entity_run.h"
 #include "engine/anim/kernel/kernels.h"
 
 namespace throng::anim {
@@ -18,8 +18,8 @@ class ClipTile {
     displaced_packets_ = 0;
   }
   void add(int character, const ShownClips& shown) {
-    clips_[clip_count_++] = moment(character, shown.clips[0], 0.0F);
-    if (shown.count > 1) blended_[blended_count_++] = moment(character, shown.clips[1], shown.fraction);
+    clips_[clip_count_++] = moment(character, *shown.clip, 0.0F);
+    if (shown.blended != nullptr) blended_[blended_count_++] = moment(character, *shown.blended, shown.fraction);
   }
   bool empty() const { return clip_count_ == 0; }
   std::size_t size() const { return clip_count_; }
@@ -40,7 +40,7 @@ class ClipTile {
 
   ClipMoment moment(int character, const ShownClip& shown, float fraction) {
     displaced_packets_ |= shown.stream->displaced_packets;
-    return {.stream = shown.stream, .point = *shown.point, .character = character, .fraction = fraction};
+    return {.stream = shown.stream, .point = shown.point, .character = character, .fraction = fraction};
   }
 
   Moments clips_, blended_;

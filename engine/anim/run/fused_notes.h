@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/anim/entity/entity_kind.h"
+#include "engine/anim/entity/entity_run.h"
 #include "engine/anim/run/pose_program.h"
 
 namespace throng::anim {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <new>
 
 #include "engine/anim/run/fused_characters.h"
 
@@ -105,61 +104,48 @@ void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
                          });
 }
 
+/// Room for what these characters show after a step.
+std::span<ShownClips> FusedTasks::nothing_shown(std::size_t step, const AlikeRun& alike) {
+  const std::span<ShownClips> row(&shown(step, alike.first), alike.size());
+  for (ShownClips& shows : row) shows.clip = nullptr;
+  return row;
+}
+
 int FusedTasks::copy_points(int task) const {
   const int packets = context(task).packets(agents(task).front().level);
   return agents(task).front().held ? packets + static_cast<int>(agents(task).size()) : packets;
 }
 
 /// Moves their entities, step by step, and notes which clips each shows.
-void FusedTasks::advance_alike(const Characters& characters, AlikeRun alike, StepPlace place) {
-  struct States {
-    const std::byte* first;
-    std::size_t stride;  // from one character's to the next one's
-  };
+void FusedTasks::advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place) {
   const PoseProgram& program = *alike.program;
-  const std::size_t stride = program.needs.fetch_bytes;
-  const std::size_t prepared_stride = program.needs.prepared_bytes;
-  LeftBySteps<States> states;
-  std::array<States, max_sources> sources;
-  std::array<const AnimationStateHeader*, max_sources> source_states;
-  std::array<const ShownClips*, max_sources> source_clips;
+  const std::span<const AgentWork> agents = characters.work.subspan(alike.first, alike.size());
+  LeftBySteps<SourceRow> rows;
+  std::array<SourceRow, max_sources> sources;
   for_each_shared(program, [&](std::size_t i, const PoseStep& step) {
-    states.left[i] = {reinterpret_cast<const std::byte*>(&characters.shared_state(step.shared)), 0};
-    for (std::size_t c = alike.first; c < alike.end; ++c) shown(i, c).count = 0;
+    const auto& state = characters.shared_state(step.shared);
+    rows.left[i] = {reinterpret_cast<const std::byte*>(&state), 0, nothing_shown(i, alike).data()};
   });
   for_each_own(*characters.context, program, place, program.steps.size(),
-               [&](std::size_t i, const PoseStep& step, EntityInStore entity) {
-                 const EntityKind& kind = *entity.layout->kind;
-                 const bool shows_clips = kind.shown_clips != nullptr && !is_resident(*entity.layout);
-                 const std::size_t count = step.source_count;
-                 states.sources(step, sources);
-                 states.left[i] = {entity.block, stride};
-                 ShownClips* shows = &shown(i, alike.first);
-                 for (std::size_t k = 0; k < count; ++k) source_clips[k] = &shown(step.sources[k], alike.first);
-                 for (const AgentWork& work : characters.work.subspan(alike.first, alike.size())) {
-                   for (std::size_t k = 0; k < count; ++k) {
-                     source_states[k] = reinterpret_cast<const AnimationStateHeader*>(sources[k].first);
-                     sources[k].first += sources[k].stride;
-                   }
-                   entity.as<AnimationStateHeader>().delta_time += work.delta;
-                   kind.advance(entity, {source_states.data(), count});
-                   // Made in its place: a copy would wait for the parts that were just written.
-                   if (shows_clips) {
-                     ::new (shows) ShownClips(kind.shown_clips(entity, {source_clips.data(), count}));
-                   } else {
-                     shows->count = 0;
-                   }
-                   ++shows;
-                   for (std::size_t k = 0; k < count; ++k) ++source_clips[k];
-                   entity.block += stride;
-                   entity.prepared += prepared_stride;
+               [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
+                 ShownClips* const shown = nothing_shown(i, alike).data();
+                 const EntityRun run{.first = entity,
+                                     .count = agents.size(),
+                                     .block_stride = program.needs.fetch_bytes,
+                                     .prepared_stride = program.needs.prepared_bytes,
+                                     .sources = rows.sources(step, sources),
+                                     .shown = is_resident(*entity.layout) ? nullptr : shown};
+                 for (std::size_t c = 0; c < agents.size(); ++c) {
+                   run.entity(c).as<AnimationStateHeader>().delta_time += agents[c].delta;
                  }
+                 entity.layout->kind->advance(run);
+                 rows.left[i] = {entity.block, run.block_stride, shown};
                });
 }
 
 /// The last step that shows clips which others, that do not, read.
 std::size_t FusedTasks::base_of(const PoseProgram& program, std::size_t character) {
-  const auto shows_clips = [&](std::size_t i) { return shown(i, character).count > 0; };
+  const auto shows_clips = [&](std::size_t i) { return shown(i, character).clip != nullptr; };
   for (std::size_t i = program.steps.size(); i-- >= program.tail;) {
     if (shows_clips(i)) return i;
   }
@@ -218,7 +204,7 @@ void FusedTasks::advance_entities(const Characters& characters) {
     const std::size_t root = alike.program->steps.size() - 1;
     for (std::size_t c = alike.first; c < alike.end; ++c) {
       const ShownClips& pose = shown(root, c);
-      if (pose.count > 0) {
+      if (pose.clip != nullptr) {
         clips_.add(static_cast<int>(c), pose);
       } else {
         begin_composed(characters, c, place);

@@ -77,7 +77,8 @@ class FusedTasks {
   std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   void advance_entities(const Characters& characters);
-  void advance_alike(const Characters& characters, AlikeRun alike, StepPlace place);
+  void advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place);
+  std::span<ShownClips> nothing_shown(std::size_t step, const AlikeRun& alike);
   void begin_composed(const Characters& characters, std::size_t character, const StepPlace& place);
   ShownClips& shown(std::size_t step, std::size_t character) { return notes_->shown[step * widest_tile + character]; }
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;

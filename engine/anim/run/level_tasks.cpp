@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 
+#include "engine/anim/entity/entity_run.h"
 #include "engine/anim/run/pose_entity.h"
 
 namespace throng::anim {
@@ -39,18 +40,18 @@ void EntityTasks::compute(int task, int buffer, CopyEngine& engine) {
                              .prepared = store_->scratch().data(),
                              .layout = &about.pools->layout(work.entity()),
                              .assets = &about.assets};
-  std::array<const AnimationStateHeader*, max_sources> states;
+  std::array<SourceRow, max_sources> sources;
   std::array<PoseView, max_sources> poses;
   std::byte* source = entity.block + entity.layout->total_size;
   for (std::size_t i = 0; i < work.source_count(); ++i) {
     auto& state = *reinterpret_cast<AnimationStateHeader*>(source);
-    states[i] = &state;
+    sources[i] = {.first = source, .stride = 0, .shown = nullptr};
     poses[i] = view(state);
     source += about.pools->layout(work.source(i)).source_bytes();
   }
   auto& state = entity.as<AnimationStateHeader>();
   state.delta_time += work.agent->delta;
-  entity.layout->kind->advance(entity, {states.data(), work.source_count()});
+  entity.layout->kind->advance({.first = entity, .sources = std::span(sources).first(work.source_count())});
   pose_entity(entity, {poses.data(), work.source_count()}, view(state), about.packets(work.agent->level), &engine);
 }
 

@@ -9,6 +9,7 @@
 #include "engine/anim/agent/noise_process.h"
 #include "engine/anim/agent/simple_channel.h"
 #include "engine/anim/entity/additive_layer.h"
+#include "engine/anim/entity/entity_run.h"
 #include "engine/anim/entity/held_state.h"
 #include "engine/anim/entity/mixer.h"
 
@@ -25,7 +26,7 @@ static_assert(sizeof(Drift) == entity_header_bytes);
 
 float drifted(const Drift& drift) { return static_cast<float>(std::fmod(to_seconds(drift.time), 1.0)) * 0.2F; }
 
-void advance_drift(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
+void advance_drift(const EntityInStore& entity, const SourcesInStore&) {
   auto& drift = entity.as<Drift>();
   drift.time += drift.state.delta_time;
   drift.state.delta_time = 0;
@@ -48,9 +49,9 @@ void drift_whole(const EntityInStore& entity, const PoseView& pose) {
   pose.set_rotation(pose.bone_count - 1, pose.rotation(0));
 }
 
-const EntityKind drift_kind = {.name = "drift", .advance = advance_drift, .pose_packet = drift_packet};
+const EntityKind drift_kind = {.name = "drift", .advance = advance_each<advance_drift>, .pose_packet = drift_packet};
 const EntityKind whole_drift_kind = {
-    .name = "whole drift", .sources = drift_source, .advance = advance_drift, .pose_whole = drift_whole};
+    .name = "whole drift", .sources = drift_source, .advance = advance_each<advance_drift>, .pose_whole = drift_whole};
 
 class DriftProcess final : public PostProcess {
  public:

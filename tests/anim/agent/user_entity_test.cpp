@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/asset/bone_mask.h"
+#include "engine/anim/entity/entity_run.h"
 #include "tests/anim/agent/crowd_rig.h"
 
 namespace throng::anim {
@@ -32,7 +33,7 @@ struct Turn {
 };
 
 // 2. The update, once a frame: use up the time.
-void advance_sway(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
+void advance_sway(const EntityInStore& entity, const SourcesInStore&) {
   auto& sway = entity.as<Sway>();
   sway.time += sway.state.delta_time;
   sway.state.delta_time = 0;
@@ -56,7 +57,7 @@ void sway_packet(const EntityInStore& entity, const PacketJob& job) {
 const EntityKind sway_kind = {.name = "sway",
                               .private_bytes = share_bytes,
                               .prepared_bytes = 64,
-                              .advance = advance_sway,
+                              .advance = advance_each<advance_sway>,
                               .pose_packet = sway_packet};
 
 Handle make_sway(const EntityBuilder& build, EntityPools::Kind kind) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/agent/noise_process.h"
+#include "engine/anim/entity/entity_run.h"
 #include "tests/anim/agent/crowd_rig.h"
 
 namespace throng::anim {
@@ -25,10 +26,10 @@ std::span<Handle> source_of(std::byte* block, const EntityLayout&) {
   return {&reinterpret_cast<Tilt*>(block)->source, 1};
 }
 
-void pass_on_velocity(const EntityInStore& entity, std::span<const AnimationStateHeader* const> sources) {
+void pass_on_velocity(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& state = entity.as<Tilt>().state;
   state.delta_time = 0;
-  for (int axis = 0; axis < 3; ++axis) state.linear_velocity[axis] = sources[0]->linear_velocity[axis];
+  for (int axis = 0; axis < 3; ++axis) state.linear_velocity[axis] = sources[0].linear_velocity[axis];
 }
 
 // 2. The work, in the local store, on a PU: no allocation, no lock, nothing but the block and the pose.
@@ -40,7 +41,7 @@ void tilt_bone(const EntityInStore& entity, const PoseView& pose) {
 
 // 3. The kind: what the scheduler must know.
 const EntityKind tilt_kind = {
-    .name = "tilt", .sources = source_of, .advance = pass_on_velocity, .pose_whole = tilt_bone};
+    .name = "tilt", .sources = source_of, .advance = advance_each<pass_on_velocity>, .pose_whole = tilt_bone};
 
 // 4. The post process makes the entity and says what it reads.
 class TiltProcess final : public PostProcess {

@@ -9,6 +9,7 @@
 
 #include "engine/anim/entity/ease_blender.h"
 #include "engine/anim/entity/entity_pools.h"
+#include "engine/anim/entity/entity_run.h"
 #include "engine/anim/entity/player.h"
 
 namespace throng::anim {
@@ -25,12 +26,13 @@ struct alignas(64) Tail {
 static_assert(sizeof(Tail) <= 128);
 
 std::size_t tail_links(int bone_count, int) { return static_cast<std::size_t>(bone_count) * 12; }
-void rest(const EntityInStore& entity, std::span<const AnimationStateHeader* const>) {
-  entity.as<Tail>().state.delta_time = 0;
-}
+void rest(const EntityInStore& entity, const SourcesInStore&) { entity.as<Tail>().state.delta_time = 0; }
 void keep(const EntityInStore&, const PacketJob&) {}
-const EntityKind tail_kind = {
-    .name = "tail", .private_bytes = tail_links, .keeps_transforms = true, .advance = rest, .pose_packet = keep};
+const EntityKind tail_kind = {.name = "tail",
+                              .private_bytes = tail_links,
+                              .keeps_transforms = true,
+                              .advance = advance_each<rest>,
+                              .pose_packet = keep};
 
 struct Blocks {
   Blocks() : tails(pools.add_kind(tail_kind)) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/anim/entity/entity_run.h"
 #include "engine/anim/run/pose_entity.h"
 #include "engine/anim/run/program_table.h"
 
@@ -71,15 +72,15 @@ void EntityRig::update(Handle root, Ticks delta, int packets) {
                                .prepared = prepared.data(),
                                .layout = &pools_.layout(graph.entities[i]),
                                .assets = &assets_};
-    std::vector<const AnimationStateHeader*> states;
+    std::vector<SourceRow> sources;
     std::vector<PoseView> poses;
     for (std::size_t k = 0; k < step.source_count; ++k) {
       const Handle source = graph.entities[step.sources[k]];
-      states.push_back(&pools_.state(source));
+      sources.push_back({.first = pools_.block(source), .stride = 0, .shown = nullptr});
       poses.push_back(pose(source));
     }
     entity.as<AnimationStateHeader>().delta_time += delta;
-    entity.layout->kind->advance(entity, states);
+    entity.layout->kind->advance({.first = entity, .sources = sources});
     pose_entity(entity, poses, pose(graph.entities[i]), packets, nullptr);
   }
 }

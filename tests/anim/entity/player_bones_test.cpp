@@ -1,4 +1,5 @@
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,8 @@
 
 #include "engine/anim/asset/character.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/entity/entity_pools.h"
+#include "engine/anim/entity/entity_run.h"
 #include "engine/anim/entity/player.h"
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/asset/clip_fixtures.h"
@@ -13,16 +16,38 @@
 namespace throng::anim {
 namespace {
 
-/// As a PU would, from what `advance` prepared.
-void pose_packet(const PlayerPose& pose, const Kernels& kernels, int components, int packet, float* out) {
-  alignas(64) std::byte prepared[64];
-  std::memcpy(prepared, &pose, sizeof pose);
-  const EntityAssets assets{
-      .clips = {}, .masks = {}, .selections = {}, .kernels = &kernels, .bone_count = 0, .components = components};
-  const EntityInStore entity{.block = nullptr, .prepared = prepared, .layout = nullptr, .assets = &assets};
-  const bool sampled = pose.interpolations.empty();
-  (sampled ? sampled_player_kind : keyframe_player_kind).pose_packet(entity, {.packet = packet, .out = out});
-}
+/// A player a third through a clip, posed as a PU would.
+class PlayerInStore {
+ public:
+  PlayerInStore(const Character& character, StreamKind stream, const BoneSelection* bones)
+      : pools_(character.skeleton.bone_count(), character.skeleton.components(), Residency::transient) {
+    const BakedClip& clip = character.clips.front();
+    clip_ = {.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration};
+    assets_ = {.clips = {&clip_, 1}, .kernels = &scalar_kernels(), .components = character.skeleton.components()};
+    const bool sampled = stream == StreamKind::sampled;
+    const Handle handle = pools_.create(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players);
+    entity_ = {
+        .block = pools_.block(handle), .prepared = prepared_, .layout = &pools_.layout(handle), .assets = &assets_};
+    auto& player = entity_.as<Player>();
+    player.position = clip.duration * fine_ticks_per_tick / 3;
+    if (bones != nullptr) {
+      assets_.selections = {bones, 1};
+      player.bone_selection = 1;
+    }
+    entity_.layout->kind->advance({.first = entity_});
+  }
+
+  void pose_packet(int packet, float* out) const {
+    entity_.layout->kind->pose_packet(entity_, {.packet = packet, .out = out});
+  }
+
+ private:
+  EntityPools pools_;
+  ClipStreams clip_;
+  EntityAssets assets_;
+  alignas(64) std::byte prepared_[most_prepared_bytes]{};
+  EntityInStore entity_;
+};
 
 /// One character in one pose: its player's packets, and the palette that they give.
 class PosedCharacter {
@@ -32,7 +57,8 @@ class PosedCharacter {
         bone_count_(bone_count),
         local_(allocate_aligned(pose_bytes(skeleton_.bone_count(), skeleton_.components()))),
         palette_(static_cast<std::size_t>(skeleton_.palette_count())) {
-    pose(character.clips.front(), stream, bones);
+    const PlayerInStore player(character, stream, bones);
+    for (int index = 0; index < packets(); ++index) player.pose_packet(index, floats() + packet_floats() * index);
     multiply(character.hierarchy);
   }
 
@@ -43,19 +69,6 @@ class PosedCharacter {
   float* floats() const { return reinterpret_cast<float*>(local_.get()); }
   std::ptrdiff_t packet_floats() const { return static_cast<std::ptrdiff_t>(skeleton_.components()) * packet_bones; }
   int packets() const { return packets_for(bone_count_); }
-
-  void pose(const BakedClip& clip, StreamKind stream, const BoneSelection* bones) {
-    const ClipStreams streams{.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration};
-    Player player{};
-    player.state.type = stream == StreamKind::sampled ? EntityType::sampled_player : EntityType::keyframe_player;
-    player.position = clip.duration * fine_ticks_per_tick / 3;
-    std::vector<std::byte> interpolations(interpolation_bytes(skeleton_.bone_count(), skeleton_.components()));
-    PlayerPose pose = begin_pose(player, streams, interpolations);
-    pose.bones = bones;
-    for (int index = 0; index < packets(); ++index) {
-      pose_packet(pose, scalar_kernels(), skeleton_.components(), index, floats() + packet_floats() * index);
-    }
-  }
 
   void multiply(const HierarchyProgram& hierarchy) {
     constexpr auto line = static_cast<std::size_t>(branch_slot_floats) * sizeof(float);
@@ -151,24 +164,24 @@ TEST_P(BonePriorities, ThatSelectEveryBoneChangeNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Streams, BonePriorities, testing::Values(StreamKind::sampled, StreamKind::keyframe),
-                         [](const auto& stream) {
-                           return std::string(stream.param == StreamKind::sampled ? "Sampled" : "Keyframe");
-                         });
-
-TEST(BoneSelection, SkipsAPacketThatHasNoBoneAndTheStreamIsNotRead) {
-  const Character character = bake_character(synthetic_model(62, 1));
-  const BoneSelection none(character.skeleton, level_priorities(character.skeleton), 200);
+TEST_P(BonePriorities, SkipAPacketThatHasNoBoneAndTheStreamIsNotRead) {
+  std::optional<Character> character = bake_character(synthetic_model(62, 1));
+  const BoneSelection none(character->skeleton, level_priorities(character->skeleton), 200);
+  const PlayerInStore player(*character, GetParam(), &none);
+  character.reset();
   const AlignedBytes pose = allocate_aligned(packet_bytes(rigid_components));
   auto* floats = reinterpret_cast<float*>(pose.get());
   for (int packet = 0; packet < none.packets(); ++packet) {
     EXPECT_EQ(none.lanes(packet), 0) << packet;
-    PlayerPose without_stream;
-    without_stream.bones = &none;
-    pose_packet(without_stream, scalar_kernels(), rigid_components, packet, floats);
+    player.pose_packet(packet, floats);
     for (int lane = 0; lane < packet_bones; ++lane) EXPECT_EQ(floats[3 * packet_bones + lane], 1.0F);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Streams, BonePriorities, testing::Values(StreamKind::sampled, StreamKind::keyframe),
+                         [](const auto& stream) {
+                           return std::string(stream.param == StreamKind::sampled ? "Sampled" : "Keyframe");
+                         });
 
 TEST(BoneSelection, KeepsTheRestTransformOfADroppedBoneOnTheGeneralPath) {
   const Model model = general_model(20);

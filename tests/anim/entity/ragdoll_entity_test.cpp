@@ -6,6 +6,7 @@
 
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/entity/entity_pools.h"
+#include "engine/anim/entity/entity_run.h"
 #include "tests/anim/kernel/held_pose.h"
 #include "tests/anim/kernel/ragdoll_stage.h"
 
@@ -31,8 +32,8 @@ class RagdollOfAPerson : public testing::Test {
   }
   void update(Ticks delta, const PoseView& pose) {
     ragdoll().state.delta_time += delta;
-    const AnimationStateHeader* sources[] = {&source_};
-    kind_.advance(store(), {sources, ragdoll().source.valid() ? 1U : 0U});
+    const SourceRow source{reinterpret_cast<const std::byte*>(&source_), 0, nullptr};
+    kind_.advance({.first = store(), .sources = {&source, ragdoll().source.valid() ? 1U : 0U}});
     kind_.pose_whole(store(), pose);
     EXPECT_EQ(ragdoll().state.delta_time, 0);
   }

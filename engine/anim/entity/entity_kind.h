@@ -82,6 +82,15 @@ struct PosedEntity {
   PoseView pose;
 };
 
+/// 16 bones of entities of one kind, each of another character.
+struct PacketsJob {
+  std::span<const PosedEntity> all;
+  int packet = 0;
+  std::size_t offset = 0;  ///< floats, to where these bones lie in each pose
+
+  float* bones_of(const PosedEntity& each) const { return each.pose.first + offset; }
+};
+
 /// What an entity shows where that is a clip, or a blend of two: kernels make such poses for many characters at once.
 struct ShownClip {
   const SampledStream* stream;
@@ -120,6 +129,8 @@ struct EntityKind {
   /// For up to widest_tile characters at once, each as pose_whole would, to the bit and whoever the others are; called
   /// where these stand side by side. Null: pose_whole is called for each.
   void (*pose_tile)(std::span<const PosedEntity> all) = nullptr;
+  /// The same of pose_packet, where it changes bones where they lie.
+  void (*pose_packets)(const PacketsJob& job) = nullptr;
   /// After `advance`: the clips that pose_packet would show, where all its sources show clips too; then neither its nor
   /// theirs is called. Null: never.
   ShownClips (*shown_clips)(const EntityInStore& entity, std::span<const ShownClips* const> sources) = nullptr;

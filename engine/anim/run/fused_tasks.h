@@ -63,11 +63,11 @@ class FusedTasks {
     static constexpr std::size_t no_base = PoseProgram::max_steps;
 
     std::size_t character = 0;
-    StepPlace first;             ///< its first step; over clips the first above them
-    StepPlace next;              ///< of a held tile: the first that is not posed yet
+    StepPlace first;             ///< its first step
+    StepPlace tail;              ///< the first of its tail that is not in a round yet
     std::size_t base = no_base;  ///< step that the kernel for clips poses
-    bool over_clips = false;     ///< all steps above the base change its pose where it lies
-    std::uint64_t wanted = 0;    ///< bit i: step i is posed, or is the base
+    bool over_clips = false;     ///< nothing but steps of its tail is posed over the base
+    std::uint64_t wanted = 0;    ///< where there is more: bit i: step i is posed, or is the base
 
     bool poses(std::size_t step) const { return step != base && (wanted >> step & 1U) != 0; }
   };
@@ -83,17 +83,19 @@ class FusedTasks {
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;
   void compute_held(const Characters& characters, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
-  static void go_on_over_clips(const Characters& characters, Composed& composed);
-  static void compose_in_place(const Characters& characters, std::size_t character, const StepPlace& first, int packet,
-                               float* pose);
   bool stream_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program, std::size_t character);
-  static bool displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed);
+  static bool head_displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed);
   bool is_displaced(const Characters& characters, int packet) const;
   std::size_t held_stride(const Characters& characters) const;
-  PoseView held_pose(const Characters& characters, std::size_t character) const;
-  void compose_head(const Characters& characters, Composed& composed) const;
-  void pose_tails(const Characters& characters);
+  PoseView pose_of(const Characters& characters, std::size_t character) const;
+  void compose_head(const Characters& characters, const Composed& composed) const;
+  using EndOfSteps = std::size_t (*)(const PoseProgram& program);
+  void add_rounds(const Characters& characters, std::span<Composed> composed, EndOfSteps end);
+  void plan_tails(const Characters& characters);
+  void pose_whole_tails(const Characters& characters) const;
+  void pose_held_tails(const Characters& characters, int packet) const;
+  void pose_streamed_tails(int packet) const;
 
   std::span<const UpdateContext> contexts_;
   std::span<const AgentWork> work_;
@@ -109,6 +111,7 @@ class FusedTasks {
   ClipTile clips_;                                // the characters that show clips
   std::array<Composed, widest_tile> composed_{};  // and the others
   std::size_t composed_count_ = 0;
+  std::size_t whole_rounds_ = 0;     // rounds of tails that come first, for all held packets
   bool composed_displaces_ = false;  // positions of some of them come from more than clips
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;

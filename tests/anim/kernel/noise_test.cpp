@@ -40,14 +40,13 @@ void add_noise(const Kernels& kernels, const Packet& from, const Noise& noise, P
   Amplitudes shares{};
   for (int bone = 0; bone < packet_bones; ++bone) shares.of[bone] = noise.amplitudes.of[bone] / noise.largest_amplitude;
   const NoiseMoment moment = noise_moment(noise.seed, noise.point);
-  kernels.noise({.from = from.data(),
-                 .amplitude = noise.largest_amplitude,
-                 .bone_weights = shares.of,
-                 .moment = &moment,
-                 .packet = noise.packet,
-                 .bone_count = noise.bone_count,
-                 .components = components,
-                 .out = out.data()});
+  const ShakenBones bones{.from = from.data(),
+                          .out = out.data(),
+                          .moment = &moment,
+                          .bone_weights = shares.of,
+                          .amplitude = noise.largest_amplitude};
+  kernels.noise(
+      {.characters = {&bones, 1}, .packet = noise.packet, .bone_count = noise.bone_count, .components = components});
 }
 
 Packet with_noise(const Kernels& kernels, const Packet& from, const Noise& noise) {
@@ -218,19 +217,17 @@ TEST(Noise, TurnsEveryBoneByTheSameAmplitudeWithoutWeightsAndNoneAboveTheBoneCou
   const NoiseMoment moment = noise_moment(17, {5, 0.3F});
   for (const Kernels& kernels : runnable_kernels()) {
     const Packet from = random_packet(3);
-    NoiseJob job{.from = from.data(),
-                 .amplitude = 0.2F,
-                 .moment = &moment,
-                 .packet = 2,
-                 .bone_count = 2 * packet_bones + 5,
-                 .components = general_components};
     Packet even{};
-    job.out = even.data();
-    kernels.noise(job);
     Packet weighted{};
-    job.bone_weights = whole.of;
-    job.out = weighted.data();
-    kernels.noise(job);
+    const std::array characters = {
+        ShakenBones{.from = from.data(), .out = even.data(), .moment = &moment, .amplitude = 0.2F},
+        ShakenBones{.from = from.data(),
+                    .out = weighted.data(),
+                    .moment = &moment,
+                    .bone_weights = whole.of,
+                    .amplitude = 0.2F}};
+    kernels.noise(
+        {.characters = characters, .packet = 2, .bone_count = 2 * packet_bones + 5, .components = general_components});
     EXPECT_EQ(bits(even), bits(weighted)) << kernels.target;
     for (int bone = 0; bone < packet_bones; ++bone) {
       EXPECT_EQ(bone_bits(even, bone) == bone_bits(from, bone), bone >= 5) << kernels.target << " " << bone;

@@ -215,7 +215,11 @@ class Workbench {
             offset_decay(0.05F, 0.1F), rigid_components,   out_.front().floats};
   }
   NoiseJob noise() {
-    shaken_ = {.from = from_.front().floats, .out = from_.front().floats, .moment = &noise_moment_, .amplitude = 0.02F};
+    shaken_ = {.from = from_.front().floats,
+               .out = from_.front().floats,
+               .moment = &noise_moment_,
+               .bone_weights = nullptr,
+               .amplitude = 0.02F};
     return {.characters = {&shaken_, 1}, .packet = 1, .bone_count = bones};
   }
   /// Two clips for each character of a tile, or as many that show one.

@@ -35,11 +35,11 @@ NoiseMoment noise_moment(std::uint64_t seed, const NoisePoint& point);
 /// hash of seed, bone and point; between them runs the spline. With v the values times amplitude / sqrt(3), the bone
 /// turns about v by 2 atan(|v| / 2). A bone of amplitude 0 keeps its bits. `out` may be `from`.
 struct ShakenBones {
-  const float* from = nullptr;          ///< [components][16]
-  float* out = nullptr;                 ///< [components][16]
-  const NoiseMoment* moment = nullptr;  ///< of the character
-  const float* bone_weights = nullptr;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
-  float amplitude = 0.0F;               ///< rad, 0 to pi: no turn is ever larger
+  const float* from;          ///< [components][16]
+  float* out;                 ///< [components][16]
+  const NoiseMoment* moment;  ///< of the character
+  const float* bone_weights;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
+  float amplitude;            ///< rad, 0 to pi: no turn is ever larger
 };
 struct NoiseJob {
   std::span<const ShakenBones> characters;

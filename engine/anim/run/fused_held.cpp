@@ -22,12 +22,19 @@ std::size_t FusedTasks::held_stride(const Characters& characters) const {
   return characters.context->packet_floats() * static_cast<std::size_t>(characters.width);
 }
 
+/// Of all characters.
+std::span<float> FusedTasks::held_packet(const Characters& characters, int packet) const {
+  const std::size_t stride = held_stride(characters);
+  return scratch_.held.subspan(static_cast<std::size_t>(packet) * stride, stride);
+}
+
 /// The held packets of one character before the tail of its program: entity after entity, over clips that are there
 /// already.
-void FusedTasks::compose_head(const Characters& characters, const Composed& composed) const {
-  const PoseProgram& program = *characters.work[composed.character].program;
+void FusedTasks::compose_head(const Characters& characters, const Composed& composed, std::size_t character,
+                              StepPlace place) const {
+  const PoseProgram& program = *characters.work[character].program;
   const std::size_t last = program.tail - std::size_t{1};
-  const PoseView held = pose_of(characters, composed.character);
+  const PoseView held = pose_of(characters, character);
   const auto view = [&](float* first) {
     return PoseView{first, characters.context->packet_floats(), held.components, held.bone_count};
   };
@@ -37,7 +44,6 @@ void FusedTasks::compose_head(const Characters& characters, const Composed& comp
     poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.entity))));
   });
   if (composed.base != Composed::no_base) poses.left[composed.base] = held;
-  StepPlace place = composed.first;
   for_each_own(*characters.context, program, place, last + 1,
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
                  if (!composed.poses(i)) return;
@@ -49,24 +55,27 @@ void FusedTasks::compose_head(const Characters& characters, const Composed& comp
   copy_pose(poses.left[last], held, characters.held_packets);
 }
 
-void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) {
+void FusedTasks::pose_held_clips(const Characters& characters, int packet) const {
+  if (clips_.empty()) return;
   const EntityAssets& assets = characters.context->assets;
-  const std::size_t stride = held_stride(characters);
-  const auto held_packet = [&](int packet) { return &scratch_.held[static_cast<std::size_t>(packet) * stride]; };
-  for (int packet = 0; packet < characters.held_packets && !clips_.empty(); ++packet) {
-    const bool displaced = is_displaced(characters, packet);
-    assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, held_packet(packet)));
-    if (!displaced) clear_positions({held_packet(packet), stride}, characters.context->packet_floats());
-  }
-  for (const Composed& composed : std::span(composed_).first(composed_count_)) {
-    if (!composed.over_clips) compose_head(characters, composed);
+  const bool displaced = is_displaced(characters, packet);
+  const std::span<float> poses = held_packet(characters, packet);
+  assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, poses.data()));
+  if (!displaced) clear_positions(poses, characters.context->packet_floats());
+}
+
+void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) {
+  for (int packet = 0; packet < characters.held_packets; ++packet) {
+    pose_held_clips(characters, packet);
     engine.advance();
   }
-  for (std::size_t i = composed_count_; i < characters.work.size(); ++i) engine.advance();
+  for_each_head([&](const Composed& composed, std::size_t character, const StepPlace& place) {
+    compose_head(characters, composed, character, place);
+  });
   pose_whole_tails(characters);
   for (int packet = 0; packet < characters.held_packets; ++packet) {
     pose_held_tails(characters, packet);
-    model_palette_packet(*characters.context, scratch_.model, held_packet(packet), characters.work,
+    model_palette_packet(*characters.context, scratch_.model, held_packet(characters, packet).data(), characters.work,
                          {.width = characters.width,
                           .packet = packet,
                           .displaced = is_displaced(characters, packet),

@@ -37,17 +37,21 @@ PoseView FusedTasks::pose_of(const Characters& characters, std::size_t character
 
 /// In each round, of the characters that are not at that end of their programs, those whose next step is of the kind of
 /// the first one's.
-void FusedTasks::add_rounds(const Characters& characters, std::span<Composed> composed, EndOfSteps end) {
+void FusedTasks::add_rounds(const Characters& characters, EndOfSteps end) {
   for (;;) {
     const EntityKind* kind = nullptr;
-    for (Composed& each : composed) {
-      const PoseProgram& program = *characters.work[each.character].program;
-      if (each.tail.step >= end(program)) continue;
-      const EntityLayout& layout = characters.context->pools->layout(program.steps[each.tail.step].entity);
+    for (Composed& composed : std::span(composed_).first(composed_count_)) {
+      if (composed.tail.step >= end(composed.program())) continue;
+      const EntityLayout& layout =
+          characters.context->pools->layout(composed.program().steps[composed.tail.step].entity);
       if (kind == nullptr) kind = layout.kind;
       if (layout.kind != kind) continue;
-      notes_->tails.add(each.tail.entity(*characters.context, layout), pose_of(characters, each.character));
-      each.tail.pass(layout);
+      StepPlace place = composed.tail;
+      for (std::size_t c = composed.characters.first; c < composed.characters.end; ++c) {
+        notes_->tails.add(place.entity(*characters.context, layout), pose_of(characters, c));
+        place = place.of_next(composed.program());
+      }
+      composed.tail.pass(layout);
     }
     if (kind == nullptr) return;
     notes_->tails.end_round();
@@ -58,10 +62,9 @@ void FusedTasks::add_rounds(const Characters& characters, std::span<Composed> co
 /// Those that reach for whole poses, and what comes before them, first.
 void FusedTasks::plan_tails(const Characters& characters) {
   notes_->tails.clear();
-  const std::span composed = std::span(composed_).first(composed_count_);
-  add_rounds(characters, composed, [](const PoseProgram& program) -> std::size_t { return program.packet_tail; });
+  add_rounds(characters, [](const PoseProgram& program) -> std::size_t { return program.packet_tail; });
   whole_rounds_ = notes_->tails.count();
-  add_rounds(characters, composed, [](const PoseProgram& program) { return program.steps.size(); });
+  add_rounds(characters, [](const PoseProgram& program) { return program.steps.size(); });
 }
 
 void FusedTasks::pose_whole_tails(const Characters& characters) const {

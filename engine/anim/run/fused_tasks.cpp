@@ -109,7 +109,7 @@ void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
 
 int FusedTasks::copy_points(int task) const {
   const int packets = context(task).packets(agents(task).front().level);
-  return agents(task).front().held ? packets + static_cast<int>(agents(task).size()) : packets;
+  return packets + std::min<int>(tiles_[static_cast<std::size_t>(task)].needs.held_packets, packets);
 }
 
 /// Moves their entities, step by step, and notes which clips each shows.
@@ -173,10 +173,10 @@ std::size_t FusedTasks::base_of(const PoseProgram& program, std::size_t characte
 }
 
 /// Some step before the tail may give bones other positions than the clips below it do.
-bool FusedTasks::head_displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed) {
+bool FusedTasks::head_displaces(const EntityPools& pools, const Composed& composed) {
   if (composed.base == Composed::no_base) return true;
-  for (std::size_t i = 0; i < program.tail; ++i) {
-    const PoseStep& step = program.steps[i];
+  for (std::size_t i = 0; i < composed.program().tail; ++i) {
+    const PoseStep& step = composed.program().steps[i];
     if (composed.poses(i) && (step.shared || pools.kind(step.entity).displaces)) return true;
   }
   return false;
@@ -186,22 +186,31 @@ bool FusedTasks::is_displaced(const Characters& characters, int packet) const {
   return composed_displaces_ || characters.context->assets.components == general_components || clips_.displaced(packet);
 }
 
-/// A character whose pose is not clips alone, but may begin with some.
-void FusedTasks::begin_composed(const Characters& characters, std::size_t character, const StepPlace& place) {
-  const PoseProgram& program = *characters.work[character].program;
+/// A character whose pose is not clips alone joins the ones before that are composed in the same way.
+void FusedTasks::begin_composed(const Characters& characters, const AlikeRun& alike, std::size_t character,
+                                const StepPlace& place) {
+  const PoseProgram& program = *alike.program;
+  const std::size_t base = base_of(program, character);
+  if (base != Composed::no_base) clips_.add(static_cast<int>(character), shown(base, character));
+  if (composed_count_ > 0) {
+    Composed& before = composed_[composed_count_ - 1];
+    if (before.characters.program == &program && before.characters.end == character && before.base == base) {
+      ++before.characters.end;
+      return;
+    }
+  }
   Composed& composed = composed_[composed_count_++];
-  composed.character = character;
-  composed.first = place;
-  composed.tail = place.at_tail(program);
-  composed.base = base_of(program, character);
-  if (composed.base != Composed::no_base) clips_.add(static_cast<int>(character), shown(composed.base, character));
-  composed.over_clips = composed.base != Composed::no_base && composed.base + 1 >= program.tail;
+  composed = {.characters = {character, character + 1, &program},
+              .head = place,
+              .tail = place.at_tail(program),
+              .base = base,
+              .over_clips = base != Composed::no_base && base + 1 >= program.tail};
   if (composed.over_clips) {
-    for_each_own(*characters.context, program, composed.tail, composed.base + 1, [](auto&&...) {});
+    for_each_own(*characters.context, program, composed.tail, base + 1, [](auto&&...) {});
     return;
   }
-  composed.wanted = steps_over(program, composed.base, [](std::size_t) { return false; });
-  composed_displaces_ = composed_displaces_ || head_displaces(*characters.context->pools, program, composed);
+  composed.wanted = steps_over(program, base, [](std::size_t) { return false; });
+  composed_displaces_ = composed_displaces_ || head_displaces(*characters.context->pools, composed);
 }
 
 void FusedTasks::advance_entities(const Characters& characters) {
@@ -217,22 +226,21 @@ void FusedTasks::advance_entities(const Characters& characters) {
       if (pose.count > 0) {
         clips_.add(static_cast<int>(c), pose);
       } else {
-        begin_composed(characters, c, place);
+        begin_composed(characters, alike, c, place);
       }
-      place.block += alike.program->needs.fetch_bytes;
-      place.prepared += alike.program->needs.prepared_bytes;
+      place = place.of_next(*alike.program);
     }
   });
   plan_tails(characters);
 }
 
 /// What comes before the tail of a program: entity after entity, over clips that are there already.
-void FusedTasks::compose_packet(const Characters& characters, const Composed& composed, int packet) const {
-  const PoseProgram& program = *characters.work[composed.character].program;
+void FusedTasks::compose_packet(const Characters& characters, const Composed& composed, std::size_t character,
+                                StepPlace place, int packet) const {
+  const PoseProgram& program = *characters.work[character].program;
   const std::size_t floats = characters.context->packet_floats();
   const std::size_t offset = static_cast<std::size_t>(packet) * floats;
-  float* const local = &scratch_.model.local[composed.character * floats];
-  StepPlace place = composed.first;
+  float* const local = &scratch_.model.local[character * floats];
   LeftBySteps<const float*> poses;
   std::array<const float*, max_sources> sources;
   const std::size_t last = program.tail - std::size_t{1};
@@ -264,9 +272,9 @@ bool FusedTasks::stream_packet(const Characters& characters, int packet) const {
   if (!clips_.empty()) {
     assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, scratch_.model.local.data()));
   }
-  for (const Composed& composed : std::span(composed_).first(composed_count_)) {
-    if (!composed.over_clips) compose_packet(characters, composed, packet);
-  }
+  for_each_head([&](const Composed& composed, std::size_t character, const StepPlace& place) {
+    compose_packet(characters, composed, character, place, packet);
+  });
   pose_streamed_tails(packet);
   return displaced;
 }

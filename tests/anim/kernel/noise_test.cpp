@@ -220,7 +220,8 @@ TEST(Noise, TurnsEveryBoneByTheSameAmplitudeWithoutWeightsAndNoneAboveTheBoneCou
     Packet even{};
     Packet weighted{};
     const std::array characters = {
-        ShakenBones{.from = from.data(), .out = even.data(), .moment = &moment, .amplitude = 0.2F},
+        ShakenBones{
+            .from = from.data(), .out = even.data(), .moment = &moment, .bone_weights = nullptr, .amplitude = 0.2F},
         ShakenBones{.from = from.data(),
                     .out = weighted.data(),
                     .moment = &moment,
@@ -231,6 +232,37 @@ TEST(Noise, TurnsEveryBoneByTheSameAmplitudeWithoutWeightsAndNoneAboveTheBoneCou
     EXPECT_EQ(bits(even), bits(weighted)) << kernels.target;
     for (int bone = 0; bone < packet_bones; ++bone) {
       EXPECT_EQ(bone_bits(even, bone) == bone_bits(from, bone), bone >= 5) << kernels.target << " " << bone;
+    }
+  }
+}
+
+TEST(Noise, ShakesEachCharacterOfATileAsItWouldAlone) {
+  for (const Kernels& kernels : runnable_kernels()) {
+    std::array<Packet, widest_tile> from;
+    std::array<Packet, widest_tile> together{};
+    std::array<NoiseMoment, widest_tile> moments;
+    std::array<Amplitudes, widest_tile> shares;
+    std::array<ShakenBones, widest_tile> characters;
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+      const auto number = static_cast<float>(i);
+      from[i] = random_packet(static_cast<unsigned>(i));
+      moments[i] = noise_moment(i, {5, number / widest_tile});
+      shares[i] = even_amplitudes(number / widest_tile);
+      characters[i] = {.from = from[i].data(),
+                       .out = together[i].data(),
+                       .moment = &moments[i],
+                       .bone_weights = i % 2 == 0 ? nullptr : shares[i].of,
+                       .amplitude = number / 10.0F};
+    }
+    const NoiseJob tile{.characters = characters, .packet = 1, .bone_count = packet_bones + 9};
+    kernels.noise(tile);
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+      Packet alone{};
+      characters[i].out = alone.data();
+      NoiseJob job = tile;
+      job.characters = {&characters[i], 1};
+      kernels.noise(job);
+      EXPECT_EQ(bits(alone), bits(together[i])) << kernels.target << " " << i;
     }
   }
 }

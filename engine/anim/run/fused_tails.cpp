@@ -1,8 +1,6 @@
 // The last steps of most programs read the one before and nothing else: they change poses where they lie, side by side
 // for many characters of a tile.
 
-#include <algorithm>
-
 #include "engine/anim/run/fused_characters.h"
 #include "engine/anim/run/pose_entity.h"
 

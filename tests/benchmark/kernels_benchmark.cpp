@@ -215,12 +215,12 @@ class Workbench {
             offset_decay(0.05F, 0.1F), rigid_components,   out_.front().floats};
   }
   NoiseJob noise() {
-    return {.from = from_.front().floats,
-            .amplitude = 0.02F,
-            .moment = &noise_moment_,
-            .packet = 1,
-            .bone_count = bones,
-            .out = from_.front().floats};
+    shaken_ = {.from = from_.front().floats,
+               .out = from_.front().floats,
+               .moment = &noise_moment_,
+               .bone_weights = nullptr,
+               .amplitude = 0.02F};
+    return {.characters = {&shaken_, 1}, .packet = 1, .bone_count = bones};
   }
   /// Two clips for each character of a tile, or as many that show one.
   PoseClipsJob pose_clips(bool blended) {
@@ -249,6 +249,7 @@ class Workbench {
 
  private:
   NoiseMoment noise_moment_ = noise_moment(1, noise_at(12345678, 3.0F));
+  ShakenBones shaken_;
   HierarchyProgram program_ = compile_hierarchy(branching_skeleton());
   Lines stream_ = stream_of(turning_rows(1.0));
   Lines from_ = unit_pose(0.3F), to_ = unit_pose(0.8F), out_ = floats(packet_floats);

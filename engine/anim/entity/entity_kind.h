@@ -84,6 +84,15 @@ struct PosedEntity {
   PoseView pose;
 };
 
+/// 16 bones of entities of one kind, each of another character.
+struct PacketsJob {
+  std::span<const PosedEntity> all;
+  int packet = 0;
+  std::size_t offset = 0;  ///< floats, to where these bones lie in each pose
+
+  float* bones_of(const PosedEntity& each) const { return each.pose.first + offset; }
+};
+
 /// Paper 2.2.6: "Following the formula we can derive various animation tasks that can result in animation states." What
 /// the scheduler must know of a kind of entity; a user's own kinds are told apart from ours by nothing.
 ///
@@ -117,6 +126,8 @@ struct EntityKind {
   /// For up to widest_tile characters at once, each as pose_whole would, to the bit and whoever the others are; called
   /// where these stand side by side. Null: pose_whole is called for each.
   void (*pose_tile)(std::span<const PosedEntity> all) = nullptr;
+  /// The same of pose_packet, where it changes bones where they lie.
+  void (*pose_packets)(const PacketsJob& job) = nullptr;
 
   const void* resource = nullptr;  ///< read-only data of the kind on this skeleton; outlives the pools
 

@@ -1,5 +1,6 @@
 #include "engine/anim/entity/noise_maker.h"
 
+#include <array>
 #include <new>
 
 #include "engine/anim/entity/entity_run.h"
@@ -16,18 +17,34 @@ void advance_noise(const EntityInStore& entity, const SourcesInStore& sources) {
   take_velocity(noise.state, sources[0]);
 }
 
-void shake_packet(const EntityInStore& entity, const PacketJob& job) {
+void set_bones(const EntityInStore& entity, int packet, const float* from, float* out, ShakenBones& bones) {
   const auto& noise = entity.as<NoiseMaker>();
-  const EntityAssets& assets = *entity.assets;
-  const float* mask = assets.mask(noise.mask);
-  assets.kernels->noise({.from = job.sources[0],
-                         .amplitude = noise.amplitude,
-                         .bone_weights = mask == nullptr ? nullptr : mask + job.packet * packet_bones,
-                         .moment = &entity.prepared_as<NoiseMoment>(),
-                         .packet = job.packet,
-                         .bone_count = assets.bone_count,
-                         .components = assets.components,
-                         .out = job.out});
+  const float* mask = entity.assets->mask(noise.mask);
+  bones.from = from;
+  bones.out = out;
+  bones.moment = &entity.prepared_as<NoiseMoment>();
+  bones.bone_weights = mask == nullptr ? nullptr : mask + packet * packet_bones;
+  bones.amplitude = noise.amplitude;
+}
+
+void shake(const EntityAssets& assets, int packet, std::span<const ShakenBones> characters) {
+  assets.kernels->noise(
+      {.characters = characters, .packet = packet, .bone_count = assets.bone_count, .components = assets.components});
+}
+
+void shake_packet(const EntityInStore& entity, const PacketJob& job) {
+  ShakenBones bones;
+  set_bones(entity, job.packet, job.sources[0], job.out, bones);
+  shake(*entity.assets, job.packet, {&bones, 1});
+}
+
+void shake_packets(const PacketsJob& job) {
+  std::array<ShakenBones, widest_tile> bones;
+  for (std::size_t i = 0; i < job.all.size(); ++i) {
+    float* const pose = job.bones_of(job.all[i]);
+    set_bones(job.all[i].entity, job.packet, pose, pose, bones[i]);
+  }
+  shake(*job.all.front().entity.assets, job.packet, std::span(bones).first(job.all.size()));
 }
 
 }  // namespace
@@ -39,6 +56,7 @@ const EntityKind noise_maker_kind = {.name = "noise maker",
                                      .reads_identity = false,
                                      .advance = advance_each<advance_noise>,
                                      .pose_packet = shake_packet,
-                                     .displaces = false};
+                                     .displaces = false,
+                                     .pose_packets = shake_packets};
 
 }  // namespace throng::anim

@@ -10,6 +10,7 @@
 
 #include "engine/anim/kernel/angles-inl.h"
 #include "engine/anim/kernel/look_at.h"
+#include "engine/anim/kernel/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
@@ -44,11 +45,12 @@ struct LookLanes {
   Lane<D> yaw, yaw_velocity, pitch, pitch_velocity, remaining;
 
   void load(const JointChain& chain, std::span<LookAtJob* const> jobs) {
+    const LookAtJob* all[lane_count<D>];
     for (int lane = 0; lane < lane_count<D>; ++lane) {
-      const LookAtJob& job = *jobs[HWY_MIN(static_cast<std::size_t>(lane), jobs.size() - 1)];
-      load_pose(chain, job.pose, lane);
-      load_gaze(job, lane);
+      all[lane] = jobs[HWY_MIN(static_cast<std::size_t>(lane), jobs.size() - 1)];
+      load_gaze(*all[lane], lane);
     }
+    load_poses(chain, all);
   }
 
   Quaternions<V> rotation(D d, int joint) const {
@@ -89,10 +91,20 @@ struct LookLanes {
     const auto place = static_cast<unsigned>(bone);
     return pose.packet(static_cast<int>(place / packet_bones)) + place % packet_bones;
   }
-  void load_pose(const JointChain& chain, const PoseView& pose, int lane) {
-    for (int joint = 0; joint < chain.count; ++joint) {
-      const float* from = lane_of(pose, chain.bones.data()[joint]);
-      for (int part = 0; part < rigid_components; ++part) joints[joint][part].of[lane] = from[part * packet_bones];
+  /// Bones that lie side by side are read together, four of each character.
+  void load_poses(const JointChain& chain, const LookAtJob* const* jobs) {
+    const auto* bones = chain.bones.data();
+    for (int first = 0, end = 0; first < chain.count; first = end) {
+      const int four = bones[first] / block_floats;
+      for (end = first + 1; end < chain.count && bones[end] / block_floats == four;) ++end;
+      const float* from[lane_count<D>];
+      for (int lane = 0; lane < lane_count<D>; ++lane) from[lane] = lane_of(jobs[lane]->pose, four * block_floats);
+      for (int part = 0; part < rigid_components; ++part) {
+        const FourVectors<V> loaded = load_four_bones(D(), from, part * packet_bones);
+        for (int joint = first; joint < end; ++joint) {
+          joints[joint][part].store(D(), loaded.v[bones[joint] % block_floats]);
+        }
+      }
     }
   }
   void load_gaze(const LookAtJob& job, int lane) {

@@ -22,17 +22,22 @@ HWY_INLINE V value_in_bits(D d, hn::Vec<hn::RebindToSigned<D>> bits) {
   return hn::ConvertTo(d, hn::ShiftLeft<from_top>(bits));
 }
 
-/// The values, -2^31 to 2^31, of consecutive bones between three lattice points, one an axis. Each comes from a
-/// bijective mix of 32 bits, the first round of Wellons' lowbias32: keys and spread bones are mixed already, and the
-/// values of no two bones or axes correlate by more than a tenth.
+/// Numbers of consecutive bones, mixed.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> spread_bones(D, int first_bone) {
+  const hn::RebindToUnsigned<D> lanes;
+  // Counted from 0, which is a constant; counted from elsewhere Highway goes through memory.
+  const auto bones = hn::Add(hn::Iota(lanes, 0U), hn::Set(lanes, static_cast<std::uint32_t>(first_bone)));
+  return folded(hn::Mul(bones, hn::Set(lanes, 0x9E3779B9U)));
+}
+
+/// The values, -2^31 to 2^31, of bones between three lattice points, one an axis. Each comes from a bijective mix of
+/// 32 bits, the first round of Wellons' lowbias32: keys and spread bones are mixed already, and the values of no two
+/// bones or axes correlate by more than a tenth.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Vectors<V> noise_values(D d, const NoiseMoment& moment, int first_bone) {
+HWY_INLINE Vectors<V> noise_values(D d, const NoiseMoment& moment, hn::Vec<hn::RebindToUnsigned<D>> spread) {
   const hn::RebindToUnsigned<D> unsigned_lanes;
   const hn::RebindToSigned<D> signed_lanes;
-  // Counted from 0, which is a constant; counted from elsewhere Highway goes through memory.
-  const auto bones =
-      hn::Add(hn::Iota(unsigned_lanes, 0U), hn::Set(unsigned_lanes, static_cast<std::uint32_t>(first_bone)));
-  const auto spread = folded(hn::Mul(bones, hn::Set(unsigned_lanes, 0x9E3779B9U)));
   Vectors<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   for (std::size_t point = 0; point < 3; ++point) {
     const auto keyed = hn::Xor(spread, hn::Set(unsigned_lanes, moment.keys.data()[point]));
@@ -64,43 +69,56 @@ HWY_INLINE Quaternions<V> turned_by(D d, const Quaternions<V>& from, const Vecto
   return scaled(turned, factor);
 }
 
-/// Of the bones from `bone` on; 0 at and above the bone count.
+/// 16 bones, or as many as the target has lanes, from `bone` on in the packet.
+template <class D>
+struct NoiseLanes {
+  hn::Vec<hn::RebindToUnsigned<D>> spread;
+  int bone;
+  int left;  ///< of the bone count; may be 0 or less
+};
+
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V amplitudes_of(D d, const NoiseJob& job, int bone) {
-  const V even = hn::Set(d, job.amplitude);
-  const V amplitudes = job.bone_weights == nullptr ? even : hn::Mul(even, hn::Load(d, job.bone_weights + bone));
-  const int left = job.bone_count - job.packet * packet_bones - bone;
-  return hn::IfThenElseZero(hn::Lt(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(left))), amplitudes);
+HWY_INLINE V amplitudes_of(D d, const ShakenBones& bones, const NoiseLanes<D>& lanes) {
+  const V even = hn::Set(d, bones.amplitude);
+  const V amplitudes =
+      bones.bone_weights == nullptr ? even : hn::Mul(even, hn::Load(d, bones.bone_weights + lanes.bone));
+  return hn::IfThenElseZero(hn::Lt(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(lanes.left))), amplitudes);
 }
 
 template <bool small, class D, class V = hn::Vec<D>>
-HWY_INLINE Quaternions<V> shaken(D d, const NoiseJob& job, const Quaternions<V>& from, int bone, V amplitude) {
+HWY_INLINE Quaternions<V> shaken(D d, const ShakenBones& bones, const NoiseLanes<D>& lanes, const Quaternions<V>& from,
+                                 V amplitude) {
   constexpr float half_axis_share = 0.288675135F;  // 1 / sqrt(12): three axes at their ends make half of the amplitude
-  const auto values = noise_values(d, *job.moment, job.packet * packet_bones + bone);
+  const auto values = noise_values(d, *bones.moment, lanes.spread);
   return turned_by<small>(d, from, scaled(values, hn::Mul(amplitude, hn::Set(d, half_axis_share * 0x1p-31F))));
 }
 
-template <bool small, class D, class V = hn::Vec<D>>
-HWY_INLINE void noise_lanes(D d, const NoiseJob& job, int bone) {
-  const auto from = load_quaternions(d, job.from + bone, packet_bones);
-  const bool everywhere = job.bone_weights == nullptr && job.amplitude > 0.0F &&
-                          job.packet * packet_bones + bone + lane_count<D> <= job.bone_count;
+template <bool small, class D>
+HWY_INLINE void noise_lanes(D d, const ShakenBones& bones, const NoiseLanes<D>& lanes) {
+  const auto from = load_quaternions(d, bones.from + lanes.bone, packet_bones);
+  const bool everywhere = bones.bone_weights == nullptr && bones.amplitude > 0.0F && lane_count<D> <= lanes.left;
   if (everywhere) {
-    store(d, shaken<small>(d, job, from, bone, hn::Set(d, job.amplitude)), job.out + bone, packet_bones);
+    store(d, shaken<small>(d, bones, lanes, from, hn::Set(d, bones.amplitude)), bones.out + lanes.bone, packet_bones);
   } else {
-    const V amplitude = amplitudes_of(d, job, bone);
-    const auto turned = shaken<small>(d, job, from, bone, amplitude);
-    store(d, choose(hn::Eq(amplitude, hn::Zero(d)), from, turned), job.out + bone, packet_bones);
+    const auto amplitude = amplitudes_of(d, bones, lanes);
+    const auto turned = shaken<small>(d, bones, lanes, from, amplitude);
+    store(d, choose(hn::Eq(amplitude, hn::Zero(d)), from, turned), bones.out + lanes.bone, packet_bones);
   }
-  if (job.out != job.from) copy_components(d, job.from + bone, job.out + bone, 4, job.components);
 }
 
-inline void noise(const NoiseJob& job) {
-  for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
-    if (job.amplitude <= small_amplitude) {
-      noise_lanes<true>(BoneLanes(), job, bone);
-    } else {
-      noise_lanes<false>(BoneLanes(), job, bone);
+inline void noise(const NoiseJob& shared) {
+  using D = BoneLanes;
+  const NoiseJob job = shared;  // or it would be read again after every store
+  for (int bone = 0; bone < packet_bones; bone += lane_count<D>) {
+    const int first_bone = job.packet * packet_bones + bone;
+    const NoiseLanes<D> lanes{spread_bones(D(), first_bone), bone, job.bone_count - first_bone};
+    for (const ShakenBones& bones : job.characters) {
+      if (bones.amplitude <= small_amplitude) {
+        noise_lanes<true>(D(), bones, lanes);
+      } else {
+        noise_lanes<false>(D(), bones, lanes);
+      }
+      if (bones.out != bones.from) copy_components(D(), bones.from + bone, bones.out + bone, 4, job.components);
     }
   }
 }

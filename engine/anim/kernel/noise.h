@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "engine/anim/base/units.h"
 #include "engine/anim/kernel/pose.h"
@@ -33,15 +34,18 @@ NoiseMoment noise_moment(std::uint64_t seed, const NoisePoint& point);
 /// same time. Each axis of each bone has a value from -1 to 1 at every lattice point, ten bits and more of an integer
 /// hash of seed, bone and point; between them runs the spline. With v the values times amplitude / sqrt(3), the bone
 /// turns about v by 2 atan(|v| / 2). A bone of amplitude 0 keeps its bits. `out` may be `from`.
+struct ShakenBones {
+  const float* from;          ///< [components][16]
+  float* out;                 ///< [components][16]
+  const NoiseMoment* moment;  ///< of the character
+  const float* bone_weights;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
+  float amplitude;            ///< rad, 0 to pi: no turn is ever larger
+};
 struct NoiseJob {
-  const float* from = nullptr;          ///< [components][16]
-  float amplitude = 0.0F;               ///< rad, 0 to pi: no turn is ever larger
-  const float* bone_weights = nullptr;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
-  const NoiseMoment* moment = nullptr;
+  std::span<const ShakenBones> characters;
   int packet = 0;      ///< which 16 bones these are
   int bone_count = 0;  ///< of the whole pose: what lies at and above it keeps its bits
   int components = rigid_components;
-  float* out = nullptr;  ///< [components][16]
 };
 
 }  // namespace throng::anim

@@ -34,6 +34,17 @@ HWY_INLINE FourVectors<V> transpose_blocks(D d, V v0, V v1, V v2, V v3) {
            hn::BitCast(d, hn::InterleaveUpper(pairs, high01, high23))}};
 }
 
+/// One vector of 128-bit blocks that lie `offset` floats behind every fourth of `from`.
+template <class D>
+HWY_INLINE hn::Vec<D> load_blocks(D d, const float* const* from, int offset) {
+  if constexpr (lane_count<D> == block_floats) {
+    return hn::Load(d, *from + offset);
+  } else {
+    const hn::Half<D> half;
+    return hn::Combine(d, load_blocks(half, from + lane_count<D> / 2, offset), load_blocks(half, from, offset));
+  }
+}
+
 /// One vector of 128-bit blocks that lie `stride` floats apart.
 template <class D>
 HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, int stride) {
@@ -63,6 +74,21 @@ HWY_INLINE FourVectors<V> transpose_whole_blocks(V v0, V v1, V v2, V v3) {
 }
 
 #endif
+
+/// Four bones that lie `offset` floats behind from[lane]: out[bone] holds one character a lane.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE FourVectors<V> load_four_bones(D d, const float* const* from, int offset) {
+  if constexpr (lane_count<D> >= block_floats) {
+    return transpose_blocks(d, load_blocks(d, from, offset), load_blocks(d, from + 1, offset),
+                            load_blocks(d, from + 2, offset), load_blocks(d, from + 3, offset));
+  } else {
+    alignas(64) float lanes[block_floats][lane_count<D>];
+    for (int bone = 0; bone < block_floats; ++bone) {
+      for (int lane = 0; lane < lane_count<D>; ++lane) lanes[bone][lane] = from[lane][offset + bone];
+    }
+    return {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2]), hn::Load(d, lanes[3])}};
+  }
+}
 
 /// The first `wanted` components of four bones of lane_count<D> characters: out is [bone][component][character].
 template <int components, class D>

@@ -8,18 +8,12 @@
 namespace throng::anim {
 namespace {
 
-/// Entities of one kind, each of another character.
-struct SideBySide {
-  const EntityKind* kind = nullptr;
-  std::array<PosedEntity, widest_tile> entities;
-  std::size_t count = 0;
-
-  std::span<const PosedEntity> all() const { return std::span(entities).first(count); }
-};
-
-void pose_side_by_side(const SideBySide& side, int packets) {
-  if (side.kind->pose_tile != nullptr) return side.kind->pose_tile(side.all());
-  for (const PosedEntity& each : side.all()) pose_entity(each.entity, {&each.pose, 1}, each.pose, packets, nullptr);
+/// For who reads them, where no clip displaces anything.
+void clear_positions(std::span<float> packets, std::size_t packet_floats) {
+  constexpr std::size_t rotation_floats = 4 * packet_bones;
+  for (; !packets.empty(); packets = packets.subspan(packet_floats)) {
+    std::ranges::fill(packets.subspan(rotation_floats, packet_floats - rotation_floats), 0.0F);
+  }
 }
 
 }  // namespace
@@ -28,17 +22,19 @@ std::size_t FusedTasks::held_stride(const Characters& characters) const {
   return characters.context->packet_floats() * static_cast<std::size_t>(characters.width);
 }
 
-PoseView FusedTasks::held_pose(const Characters& characters, std::size_t character) const {
-  return {&scratch_.held[character * characters.context->packet_floats()], held_stride(characters),
-          characters.context->assets.components, characters.context->bones(characters.work.front().level)};
+/// Of all characters.
+std::span<float> FusedTasks::held_packet(const Characters& characters, int packet) const {
+  const std::size_t stride = held_stride(characters);
+  return scratch_.held.subspan(static_cast<std::size_t>(packet) * stride, stride);
 }
 
 /// The held packets of one character before the tail of its program: entity after entity, over clips that are there
 /// already.
-void FusedTasks::compose_head(const Characters& characters, Composed& composed) const {
-  const PoseProgram& program = *characters.work[composed.character].program;
+void FusedTasks::compose_head(const Characters& characters, const Composed& composed, std::size_t character,
+                              StepPlace place) const {
+  const PoseProgram& program = *characters.work[character].program;
   const std::size_t last = program.tail - std::size_t{1};
-  const PoseView held = held_pose(characters, composed.character);
+  const PoseView held = pose_of(characters, character);
   const auto view = [&](float* first) {
     return PoseView{first, characters.context->packet_floats(), held.components, held.bone_count};
   };
@@ -48,7 +44,7 @@ void FusedTasks::compose_head(const Characters& characters, Composed& composed) 
     poses.left[i] = view(const_cast<float*>(transforms_of(characters.shared_state(step.shared))));
   });
   if (composed.base != Composed::no_base) poses.left[composed.base] = held;
-  for_each_own(*characters.context, program, composed.next, last + 1,
+  for_each_own(*characters.context, program, place, last + 1,
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
                  if (!composed.poses(i)) return;
                  PoseView out = i == last ? held : view(&scratch_.registers[step.target * scratch_.register_floats]);
@@ -59,44 +55,27 @@ void FusedTasks::compose_head(const Characters& characters, Composed& composed) 
   copy_pose(poses.left[last], held, characters.held_packets);
 }
 
-/// Round by round: of the characters that are not done, all whose next step is of the kind of the first one's.
-void FusedTasks::pose_tails(const Characters& characters) {
-  for (;;) {
-    SideBySide side;
-    for (Composed& composed : std::span(composed_).first(composed_count_)) {
-      const PoseProgram& program = *characters.work[composed.character].program;
-      if (composed.next.step >= program.packet_tail) continue;
-      const EntityLayout& layout = program.steps[composed.next.step].layout(*characters.context->pools);
-      if (side.kind == nullptr) side.kind = layout.kind;
-      if (layout.kind != side.kind) continue;
-      side.entities[side.count++] = {composed.next.entity(*characters.context, layout),
-                                     held_pose(characters, composed.character)};
-      composed.next.pass(layout);
-    }
-    if (side.kind == nullptr) return;
-    pose_side_by_side(side, characters.held_packets);
-  }
+void FusedTasks::pose_held_clips(const Characters& characters, int packet) const {
+  if (clips_.empty()) return;
+  const EntityAssets& assets = characters.context->assets;
+  const bool displaced = is_displaced(characters, packet);
+  const std::span<float> poses = held_packet(characters, packet);
+  assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, poses.data()));
+  if (!displaced) clear_positions(poses, characters.context->packet_floats());
 }
 
 void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) {
-  const EntityAssets& assets = characters.context->assets;
-  const std::size_t stride = held_stride(characters);
-  const auto held_packet = [&](int packet) { return &scratch_.held[static_cast<std::size_t>(packet) * stride]; };
-  for (int packet = 0; packet < characters.held_packets && !clips_.empty(); ++packet) {
-    assets.kernels->pose_clips(clips_.job(packet, assets.components, true, held_packet(packet)));
-  }
-  for (Composed& composed : std::span(composed_).first(composed_count_)) {
-    if (!composed.over_clips) compose_head(characters, composed);
+  for (int packet = 0; packet < characters.held_packets; ++packet) {
+    pose_held_clips(characters, packet);
     engine.advance();
   }
-  for (std::size_t i = composed_count_; i < characters.work.size(); ++i) engine.advance();
-  pose_tails(characters);
+  for_each_head([&](const Composed& composed, std::size_t character, const StepPlace& place) {
+    compose_head(characters, composed, character, place);
+  });
+  pose_whole_tails(characters);
   for (int packet = 0; packet < characters.held_packets; ++packet) {
-    for (const Composed& composed : std::span(composed_).first(composed_count_)) {
-      float* const pose = held_pose(characters, composed.character).packet(packet);
-      compose_in_place(characters, composed.character, composed.next, packet, pose);
-    }
-    model_palette_packet(*characters.context, scratch_.model, held_packet(packet), characters.work,
+    pose_held_tails(characters, packet);
+    model_palette_packet(*characters.context, scratch_.model, held_packet(characters, packet).data(), characters.work,
                          {.width = characters.width,
                           .packet = packet,
                           .displaced = is_displaced(characters, packet),

@@ -5,10 +5,11 @@
 
 #include "engine/anim/entity/entity_run.h"
 #include "engine/anim/run/pose_program.h"
+#include "engine/anim/run/tail_rounds.h"
 
 namespace throng::anim {
 
-/// What a PU notes of the blocks in its store while it runs FusedTasks. 64 KB, so not on the stack: a host's jobs may
+/// What a PU notes of the blocks in its store while it runs FusedTasks. 140 KB, so not on the stack: a host's jobs may
 /// have small ones.
 struct FusedNotes {
   static constexpr std::size_t most_blocks = PoseProgram::max_steps * widest_tile;
@@ -17,6 +18,7 @@ struct FusedNotes {
   /// computed, and of the one on its way in.
   std::array<std::array<std::byte*, most_blocks>, 3> homes;
   std::array<ShownClips, most_blocks> shown;  ///< [step][character]
+  TailRounds tails;
 };
 
 }  // namespace throng::anim

@@ -113,7 +113,7 @@ std::span<ShownClips> FusedTasks::nothing_shown(std::size_t step, const AlikeRun
 
 int FusedTasks::copy_points(int task) const {
   const int packets = context(task).packets(agents(task).front().level);
-  return agents(task).front().held ? packets + static_cast<int>(agents(task).size()) : packets;
+  return packets + std::min<int>(tiles_[static_cast<std::size_t>(task)].needs.held_packets, packets);
 }
 
 /// Moves their entities, step by step, and notes which clips each shows.
@@ -156,11 +156,11 @@ std::size_t FusedTasks::base_of(const PoseProgram& program, std::size_t characte
   return Composed::no_base;
 }
 
-/// Some step may give bones other positions than the clips below it do.
-bool FusedTasks::displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed) {
+/// Some step before the tail may give bones other positions than the clips below it do.
+bool FusedTasks::head_displaces(const EntityPools& pools, const Composed& composed) {
   if (composed.base == Composed::no_base) return true;
-  for (std::size_t i = 0; i < program.steps.size(); ++i) {
-    const PoseStep& step = program.steps[i];
+  for (std::size_t i = 0; i < composed.program().tail; ++i) {
+    const PoseStep& step = composed.program().steps[i];
     if (composed.poses(i) && (step.is_shared() || step.layout(pools).kind->displaces)) return true;
   }
   return false;
@@ -170,28 +170,31 @@ bool FusedTasks::is_displaced(const Characters& characters, int packet) const {
   return composed_displaces_ || characters.context->assets.components == general_components || clips_.displaced(packet);
 }
 
-/// Where nothing follows the clips but steps that change their pose in place, these are the first.
-void FusedTasks::go_on_over_clips(const Characters& characters, Composed& composed) {
-  const PoseProgram& program = *characters.work[composed.character].program;
-  composed.over_clips = composed.base != Composed::no_base && composed.base + 1 >= program.tail;
-  if (!composed.over_clips) return;
-  composed.first = composed.first.at_tail(program);
-  for_each_own(*characters.context, program, composed.first, composed.base + 1, [](auto&&...) {});
-  composed.next = composed.first;
-}
-
-/// A character whose pose is not clips alone, but may begin with some.
-void FusedTasks::begin_composed(const Characters& characters, std::size_t character, const StepPlace& place) {
-  const PoseProgram& program = *characters.work[character].program;
+/// A character whose pose is not clips alone joins the ones before that are composed in the same way.
+void FusedTasks::begin_composed(const Characters& characters, const AlikeRun& alike, std::size_t character,
+                                const StepPlace& place) {
+  const PoseProgram& program = *alike.program;
+  const std::size_t base = base_of(program, character);
+  if (base != Composed::no_base) clips_.add(static_cast<int>(character), shown(base, character));
+  if (composed_count_ > 0) {
+    Composed& before = composed_[composed_count_ - 1];
+    if (before.characters.program == &program && before.characters.end == character && before.base == base) {
+      ++before.characters.end;
+      return;
+    }
+  }
   Composed& composed = composed_[composed_count_++];
-  composed.character = character;
-  composed.first = place;
-  composed.next = place;
-  composed.base = base_of(program, character);
-  if (composed.base != Composed::no_base) clips_.add(static_cast<int>(character), shown(composed.base, character));
-  composed.wanted = steps_over(program, composed.base, [](std::size_t) { return false; });
-  composed_displaces_ = composed_displaces_ || displaces(*characters.context->pools, program, composed);
-  go_on_over_clips(characters, composed);
+  composed = {.characters = {character, character + 1, &program},
+              .head = place,
+              .tail = place.at_tail(program),
+              .base = base,
+              .over_clips = base != Composed::no_base && base + 1 >= program.tail};
+  if (composed.over_clips) {
+    for_each_own(*characters.context, program, composed.tail, base + 1, [](auto&&...) {});
+    return;
+  }
+  composed.wanted = steps_over(program, base, [](std::size_t) { return false; });
+  composed_displaces_ = composed_displaces_ || head_displaces(*characters.context->pools, composed);
 }
 
 void FusedTasks::advance_entities(const Characters& characters) {
@@ -207,43 +210,29 @@ void FusedTasks::advance_entities(const Characters& characters) {
       if (pose.clip != nullptr) {
         clips_.add(static_cast<int>(c), pose);
       } else {
-        begin_composed(characters, c, place);
+        begin_composed(characters, alike, c, place);
       }
-      place.block += alike.program->needs.fetch_bytes;
-      place.prepared += alike.program->needs.prepared_bytes;
+      place = place.of_next(*alike.program);
     }
   });
+  plan_tails(characters);
 }
 
-/// The steps from `first` on, which read the one before and nothing else.
-void FusedTasks::compose_in_place(const Characters& characters, std::size_t character, const StepPlace& first,
-                                  int packet, float* pose) {
+/// What comes before the tail of a program: entity after entity, over clips that are there already.
+void FusedTasks::compose_packet(const Characters& characters, const Composed& composed, std::size_t character,
+                                StepPlace place, int packet) const {
   const PoseProgram& program = *characters.work[character].program;
-  StepPlace place = first;
-  for_each_own(*characters.context, program, place, program.steps.size(),
-               [&](std::size_t, const PoseStep&, const EntityInStore& entity) {
-                 const EntityKind& kind = *entity.layout->kind;
-                 if (kind.whole_pose()) return;  // whose bones all lie in held packets
-                 kind.pose_packet(entity, {.packet = packet, .sources = &pose, .out = pose});
-               });
-}
-
-/// Entity after entity, over clips that are there already.
-void FusedTasks::compose_packet(const Characters& characters, const Composed& composed, int packet) const {
-  const AgentWork& work = characters.work[composed.character];
   const std::size_t floats = characters.context->packet_floats();
   const std::size_t offset = static_cast<std::size_t>(packet) * floats;
-  float* const local = &scratch_.model.local[composed.character * floats];
-  if (composed.over_clips) return compose_in_place(characters, composed.character, composed.first, packet, local);
-  StepPlace place = composed.first;
+  float* const local = &scratch_.model.local[character * floats];
   LeftBySteps<const float*> poses;
   std::array<const float*, max_sources> sources;
-  const std::size_t root = work.program->steps.size() - 1;
-  for_each_shared(*work.program, [&](std::size_t i, const PoseStep& step) {
+  const std::size_t last = program.tail - std::size_t{1};
+  for_each_shared(program, [&](std::size_t i, const PoseStep& step) {
     poses.left[i] = transforms_of(characters.shared_state(step.shared)) + offset;
   });
   if (composed.base != Composed::no_base) poses.left[composed.base] = local;
-  for_each_own(*characters.context, *work.program, place, root + 1,
+  for_each_own(*characters.context, program, place, last + 1,
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
                  if (!composed.poses(i)) return;
                  const EntityKind& kind = *entity.layout->kind;
@@ -251,13 +240,13 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
                    poses.left[i] = poses.left[step.sources[0]];  // whose bones all lie in held packets
                    return;
                  }
-                 float* out = i == root ? local : &scratch_.registers[step.target * floats];
+                 float* out = i == last ? local : &scratch_.registers[step.target * floats];
                  if (is_resident(*entity.layout)) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
                  kind.pose_packet(entity,
                                   {.packet = packet, .sources = poses.sources(step, sources).data(), .out = out});
                  poses.left[i] = out;
                });
-  if (poses.left[root] != local) std::memcpy(local, poses.left[root], floats * sizeof(float));
+  if (poses.left[last] != local) std::memcpy(local, poses.left[last], floats * sizeof(float));
 }
 
 /// The local poses of one packet. False: all positions are 0, and were not written.
@@ -267,9 +256,10 @@ bool FusedTasks::stream_packet(const Characters& characters, int packet) const {
   if (!clips_.empty()) {
     assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, scratch_.model.local.data()));
   }
-  for (const Composed& composed : std::span(composed_).first(composed_count_)) {
-    compose_packet(characters, composed, packet);
-  }
+  for_each_head([&](const Composed& composed, std::size_t character, const StepPlace& place) {
+    compose_packet(characters, composed, character, place, packet);
+  });
+  pose_streamed_tails(packet);
   return displaced;
 }
 

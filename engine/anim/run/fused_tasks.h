@@ -58,19 +58,33 @@ class FusedTasks {
 
  private:
   struct Characters;
-  /// One whose pose is not clips alone, but may begin with some.
+  /// Characters that follow each other, with programs alike, whose poses are not clips alone, but may begin with some.
   struct Composed {
     static constexpr std::size_t no_base = PoseProgram::max_steps;
 
-    std::size_t character = 0;
-    StepPlace first;             ///< its first step; over clips the first above them
-    StepPlace next;              ///< of a held tile: the first that is not posed yet
-    std::size_t base = no_base;  ///< step that the kernel for clips poses
-    bool over_clips = false;     ///< all steps above the base change its pose where it lies
-    std::uint64_t wanted = 0;    ///< bit i: step i is posed, or is the base
+    AlikeRun characters;
+    StepPlace head;            ///< the first step of the first one
+    StepPlace tail;            ///< and the first of its tail that is not in a round yet
+    std::size_t base;          ///< step that the kernel for clips poses, or no_base
+    bool over_clips = false;   ///< nothing but steps of the tail is posed over the base
+    std::uint64_t wanted = 0;  ///< where there is more: bit i: step i is posed, or is the base
 
+    const PoseProgram& program() const { return *characters.program; }
     bool poses(std::size_t step) const { return step != base && (wanted >> step & 1U) != 0; }
   };
+
+  /// Calls visit(composed, character, its first step) for those with more than a tail over clips.
+  template <typename Visit>
+  void for_each_head(Visit&& visit) const {
+    for (const Composed& composed : std::span(composed_).first(composed_count_)) {
+      if (composed.over_clips) continue;
+      StepPlace place = composed.head;
+      for (std::size_t c = composed.characters.first; c < composed.characters.end; ++c) {
+        visit(composed, c, place);
+        place = place.of_next(composed.program());
+      }
+    }
+  }
 
   std::span<const AgentWork> agents(int task) const;
   /// As many as the task has, so many tiles of its size behind it.
@@ -79,22 +93,29 @@ class FusedTasks {
   void advance_entities(const Characters& characters);
   void advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place);
   std::span<ShownClips> nothing_shown(std::size_t step, const AlikeRun& alike);
-  void begin_composed(const Characters& characters, std::size_t character, const StepPlace& place);
+  void begin_composed(const Characters& characters, const AlikeRun& alike, std::size_t character,
+                      const StepPlace& place);
   ShownClips& shown(std::size_t step, std::size_t character) { return notes_->shown[step * widest_tile + character]; }
   void compute_streaming(const Characters& characters, CopyEngine& engine) const;
   void compute_held(const Characters& characters, CopyEngine& engine);
-  void compose_packet(const Characters& characters, const Composed& composed, int packet) const;
-  static void go_on_over_clips(const Characters& characters, Composed& composed);
-  static void compose_in_place(const Characters& characters, std::size_t character, const StepPlace& first, int packet,
-                               float* pose);
+  void compose_packet(const Characters& characters, const Composed& composed, std::size_t character, StepPlace place,
+                      int packet) const;
   bool stream_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program, std::size_t character);
-  static bool displaces(const EntityPools& pools, const PoseProgram& program, const Composed& composed);
+  static bool head_displaces(const EntityPools& pools, const Composed& composed);
   bool is_displaced(const Characters& characters, int packet) const;
   std::size_t held_stride(const Characters& characters) const;
-  PoseView held_pose(const Characters& characters, std::size_t character) const;
-  void compose_head(const Characters& characters, Composed& composed) const;
-  void pose_tails(const Characters& characters);
+  std::span<float> held_packet(const Characters& characters, int packet) const;
+  void pose_held_clips(const Characters& characters, int packet) const;
+  PoseView pose_of(const Characters& characters, std::size_t character) const;
+  void compose_head(const Characters& characters, const Composed& composed, std::size_t character,
+                    StepPlace place) const;
+  using EndOfSteps = std::size_t (*)(const PoseProgram& program);
+  void add_rounds(const Characters& characters, EndOfSteps end);
+  void plan_tails(const Characters& characters);
+  void pose_whole_tails(const Characters& characters) const;
+  void pose_held_tails(const Characters& characters, int packet) const;
+  void pose_streamed_tails(int packet) const;
 
   std::span<const UpdateContext> contexts_;
   std::span<const AgentWork> work_;
@@ -107,9 +128,10 @@ class FusedTasks {
   FusedNotes* notes_;
   std::array<std::size_t, 2> homes_{};  // [fetch buffer] which of the lists of homes is that of its tile
   std::size_t next_homes_ = 0;
-  ClipTile clips_;                                // the characters that show clips
-  std::array<Composed, widest_tile> composed_{};  // and the others
+  ClipTile clips_;                              // the characters that show clips
+  std::array<Composed, widest_tile> composed_;  // and the others
   std::size_t composed_count_ = 0;
+  std::size_t whole_rounds_ = 0;     // rounds of tails that come first, for all held packets
   bool composed_displaces_ = false;  // positions of some of them come from more than clips
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;

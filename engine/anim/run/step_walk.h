@@ -44,6 +44,11 @@ struct StepPlace {
     block += layout.total_size;
     prepared += layout.kind->prepared_bytes;
   }
+  /// Of the next character in the tile, whose program is alike.
+  StepPlace of_next(const PoseProgram& program) const {
+    return {
+        .step = step, .block = block + program.needs.fetch_bytes, .prepared = prepared + program.needs.prepared_bytes};
+  }
   /// From the first step.
   StepPlace at_tail(const PoseProgram& program) const {
     return {.step = program.tail,

@@ -40,14 +40,13 @@ void add_noise(const Kernels& kernels, const Packet& from, const Noise& noise, P
   Amplitudes shares{};
   for (int bone = 0; bone < packet_bones; ++bone) shares.of[bone] = noise.amplitudes.of[bone] / noise.largest_amplitude;
   const NoiseMoment moment = noise_moment(noise.seed, noise.point);
-  kernels.noise({.from = from.data(),
-                 .amplitude = noise.largest_amplitude,
-                 .bone_weights = shares.of,
-                 .moment = &moment,
-                 .packet = noise.packet,
-                 .bone_count = noise.bone_count,
-                 .components = components,
-                 .out = out.data()});
+  const ShakenBones bones{.from = from.data(),
+                          .out = out.data(),
+                          .moment = &moment,
+                          .bone_weights = shares.of,
+                          .amplitude = noise.largest_amplitude};
+  kernels.noise(
+      {.characters = {&bones, 1}, .packet = noise.packet, .bone_count = noise.bone_count, .components = components});
 }
 
 Packet with_noise(const Kernels& kernels, const Packet& from, const Noise& noise) {
@@ -218,22 +217,52 @@ TEST(Noise, TurnsEveryBoneByTheSameAmplitudeWithoutWeightsAndNoneAboveTheBoneCou
   const NoiseMoment moment = noise_moment(17, {5, 0.3F});
   for (const Kernels& kernels : runnable_kernels()) {
     const Packet from = random_packet(3);
-    NoiseJob job{.from = from.data(),
-                 .amplitude = 0.2F,
-                 .moment = &moment,
-                 .packet = 2,
-                 .bone_count = 2 * packet_bones + 5,
-                 .components = general_components};
     Packet even{};
-    job.out = even.data();
-    kernels.noise(job);
     Packet weighted{};
-    job.bone_weights = whole.of;
-    job.out = weighted.data();
-    kernels.noise(job);
+    const std::array characters = {
+        ShakenBones{
+            .from = from.data(), .out = even.data(), .moment = &moment, .bone_weights = nullptr, .amplitude = 0.2F},
+        ShakenBones{.from = from.data(),
+                    .out = weighted.data(),
+                    .moment = &moment,
+                    .bone_weights = whole.of,
+                    .amplitude = 0.2F}};
+    kernels.noise(
+        {.characters = characters, .packet = 2, .bone_count = 2 * packet_bones + 5, .components = general_components});
     EXPECT_EQ(bits(even), bits(weighted)) << kernels.target;
     for (int bone = 0; bone < packet_bones; ++bone) {
       EXPECT_EQ(bone_bits(even, bone) == bone_bits(from, bone), bone >= 5) << kernels.target << " " << bone;
+    }
+  }
+}
+
+TEST(Noise, ShakesEachCharacterOfATileAsItWouldAlone) {
+  for (const Kernels& kernels : runnable_kernels()) {
+    std::array<Packet, widest_tile> from;
+    std::array<Packet, widest_tile> together{};
+    std::array<NoiseMoment, widest_tile> moments;
+    std::array<Amplitudes, widest_tile> shares;
+    std::array<ShakenBones, widest_tile> characters;
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+      const auto number = static_cast<float>(i);
+      from[i] = random_packet(static_cast<unsigned>(i));
+      moments[i] = noise_moment(i, {5, number / widest_tile});
+      shares[i] = even_amplitudes(number / widest_tile);
+      characters[i] = {.from = from[i].data(),
+                       .out = together[i].data(),
+                       .moment = &moments[i],
+                       .bone_weights = i % 2 == 0 ? nullptr : shares[i].of,
+                       .amplitude = number / 10.0F};
+    }
+    const NoiseJob tile{.characters = characters, .packet = 1, .bone_count = packet_bones + 9};
+    kernels.noise(tile);
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+      Packet alone{};
+      characters[i].out = alone.data();
+      NoiseJob job = tile;
+      job.characters = {&characters[i], 1};
+      kernels.noise(job);
+      EXPECT_EQ(bits(alone), bits(together[i])) << kernels.target << " " << i;
     }
   }
 }

@@ -1,0 +1,84 @@
+// The last steps of most programs read the one before and nothing else: they change poses where they lie, side by side
+// for many characters of a tile.
+
+#include "engine/anim/run/fused_characters.h"
+#include "engine/anim/run/pose_entity.h"
+
+namespace throng::anim {
+namespace {
+
+const EntityKind& kind_of(std::span<const PosedEntity> round) { return *round.front().entity.layout->kind; }
+
+void pose_whole_round(std::span<const PosedEntity> round, int packets) {
+  const EntityKind& kind = kind_of(round);
+  if (kind.pose_tile != nullptr) return kind.pose_tile(round);
+  for (const PosedEntity& each : round) pose_entity(each.entity, {&each.pose, 1}, each.pose, packets, nullptr);
+}
+
+void pose_packet_round(const PacketsJob& job) {
+  const EntityKind& kind = kind_of(job.all);
+  if (kind.whole_pose()) return;  // whose bones all lie in held packets
+  if (kind.pose_packets != nullptr) return kind.pose_packets(job);
+  for (const PosedEntity& each : job.all) {
+    float* const bones = job.bones_of(each);
+    kind.pose_packet(each.entity, {.packet = job.packet, .sources = &bones, .out = bones});
+  }
+}
+
+}  // namespace
+
+/// Its first packet is where streamed ones lie, too.
+PoseView FusedTasks::pose_of(const Characters& characters, std::size_t character) const {
+  return {&scratch_.model.local[character * characters.context->packet_floats()], held_stride(characters),
+          characters.context->assets.components, characters.context->bones(characters.work.front().level)};
+}
+
+/// In each round, of the characters that are not at that end of their programs, those whose next step is of the kind of
+/// the first one's.
+void FusedTasks::add_rounds(const Characters& characters, EndOfSteps end) {
+  for (;;) {
+    const EntityKind* kind = nullptr;
+    for (Composed& composed : std::span(composed_).first(composed_count_)) {
+      if (composed.tail.step >= end(composed.program())) continue;
+      const EntityLayout& layout = composed.program().steps[composed.tail.step].layout(*characters.context->pools);
+      if (kind == nullptr) kind = layout.kind;
+      if (layout.kind != kind) continue;
+      StepPlace place = composed.tail;
+      for (std::size_t c = composed.characters.first; c < composed.characters.end; ++c) {
+        notes_->tails.add(place.entity(*characters.context, layout), pose_of(characters, c));
+        place = place.of_next(composed.program());
+      }
+      composed.tail.pass(layout);
+    }
+    if (kind == nullptr) return;
+    notes_->tails.end_round();
+    composed_displaces_ = composed_displaces_ || kind->displaces;
+  }
+}
+
+/// Those that reach for whole poses, and what comes before them, first.
+void FusedTasks::plan_tails(const Characters& characters) {
+  notes_->tails.clear();
+  add_rounds(characters, [](const PoseProgram& program) -> std::size_t { return program.packet_tail; });
+  whole_rounds_ = notes_->tails.count();
+  add_rounds(characters, [](const PoseProgram& program) { return program.steps.size(); });
+}
+
+void FusedTasks::pose_whole_tails(const Characters& characters) const {
+  for (std::size_t i = 0; i < whole_rounds_; ++i) pose_whole_round(notes_->tails.round(i), characters.held_packets);
+}
+
+void FusedTasks::pose_held_tails(const Characters& characters, int packet) const {
+  const std::size_t offset = static_cast<std::size_t>(packet) * held_stride(characters);
+  for (std::size_t i = whole_rounds_; i < notes_->tails.count(); ++i) {
+    pose_packet_round({.all = notes_->tails.round(i), .packet = packet, .offset = offset});
+  }
+}
+
+void FusedTasks::pose_streamed_tails(int packet) const {
+  for (std::size_t i = 0; i < notes_->tails.count(); ++i) {
+    pose_packet_round({.all = notes_->tails.round(i), .packet = packet});
+  }
+}
+
+}  // namespace throng::anim

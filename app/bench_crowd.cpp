@@ -85,7 +85,7 @@ KernelSubject::KernelSubject(const anim::Character& character, const anim::Kerne
       palettes_(&palettes),
       stores_(anim::store_policy_for(palettes.floats().size_bytes())) {
   const std::size_t lanes = anim::widest_tile;
-  const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count + 1);
+  const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count) + 1;
   const std::size_t floats = packet_floats(character) * lanes + slots * anim::branch_slot_floats * lanes;
   scratch_ = anim::allocate_aligned(floats * sizeof(float));
   local_ = reinterpret_cast<float*>(scratch_.get());

@@ -36,6 +36,6 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
 /// JSON: a list of objects with "file", "fingerprint", "roles", "bones" and "level_counts".
 std::string to_json(std::span<const RecordedCharacter> characters);
 /// 1 to most_models of them, or false.
-bool from_json(std::string_view json, std::vector<RecordedCharacter>& characters);
+bool from_json(std::string_view text, std::vector<RecordedCharacter>& characters);
 
 }  // namespace throng::app

@@ -31,10 +31,8 @@ struct LayeredAgent : testing::Test {
       system->update(std::vector<anim::AgentUpdate>{{.agent = 0}});
     }
   }
-  std::vector<LayerRow> layers() { return agent_layers(*system, 0); }
-  std::string kind_of(std::size_t step) {
-    return system->pools(0).kind(system->graph(0).entities[step]).name;
-  }
+  std::vector<LayerRow> layers() const { return agent_layers(*system, 0); }
+  std::string kind_of(std::size_t step) const { return system->pools(0).kind(system->graph(0).entities[step]).name; }
 
   CharacterSource source;
   anim::CharacterRigs rigs;

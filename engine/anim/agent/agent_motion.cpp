@@ -17,7 +17,8 @@ float fraction_at(const EaseBlender& blender, Ticks since_posed) {
 }
 
 // How the weight of a step is shared out among its sources. What a mask lays over some bones moves nothing.
-void share(const EntityPools& pools, const PoseStep& step, Handle entity, Ticks since_posed, float weight, PoseWeights& weights) {
+void share(const EntityPools& pools, const PoseStep& step, Handle entity, Ticks since_posed, float weight,
+           PoseWeights& weights) {
   if (step.source_count == 0) return;
   if (entity.pool() == EntityPools::ease_blenders) {
     const auto& blender = pools.as<EaseBlender>(entity);

@@ -9,9 +9,10 @@ namespace {
 
 /// A pose, [packet][components][16], whose bones move to other places.
 void reorder_lanes(std::span<const int> places, int components, float* pose) {
-  const auto lane = [&](int bone, int component) -> std::size_t {
-    return static_cast<std::size_t>((bone / packet_bones * components + component) * packet_bones +
-                                    bone % packet_bones);
+  const auto lane = [&](int bone, int component) {
+    const int packet = bone / packet_bones;
+    const int index = (packet * components + component) * packet_bones + bone % packet_bones;
+    return static_cast<std::size_t>(index);
   };
   const std::size_t floats = pose_bytes(static_cast<int>(places.size()), components) / sizeof(float);
   const std::vector<float> before(pose, pose + floats);
@@ -152,8 +153,7 @@ void Agents::recompile() {
   for (std::uint32_t agent = 0; agent < count(); ++agent) {
     PoseGraph& graph = graphs_[agent];
     if (graph.empty()) continue;
-    [[maybe_unused]] const Status compiled =
-        compile_graph(*pools_, graph.root(), owners_ | agent, *programs_, graph);
+    [[maybe_unused]] const Status compiled = compile_graph(*pools_, graph.root(), owners_ | agent, *programs_, graph);
     assert(compiled && "it did before");
   }
 }

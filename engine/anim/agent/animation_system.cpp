@@ -49,7 +49,7 @@ Status AnimationSystem::replace_character(std::uint32_t character, std::shared_p
     return Error{"the bones of \"" + cast.skeleton().name + "\" keep their order: its agents have " + bound};
   }
   const std::shared_ptr<const Character> before = cast.replace_character(std::move(reordered));
-  const Status configured = configure(options_);
+  Status configured = configure(options_);
   if (configured) {
     cast.reorder_kept_transforms(places);
     return configured;
@@ -259,7 +259,7 @@ Status AnimationSystem::add_post_process(std::uint32_t agent, std::unique_ptr<Po
 }
 
 Status AnimationSystem::process_changed(std::uint32_t agent, std::size_t index) {
-  const Status changed =
+  Status changed =
       settle(agent, [&] { return agents(agent).update_post_process(builder(agent), local(agent), index); });
   if (changed) return changed;
   agents(agent).post_process(local(agent), index).destroy_entities(builder(agent));

@@ -97,7 +97,8 @@ inline SamplePoint locate(const SampledStream& stream, Ticks time) {
   const double rows = static_cast<double>(time - stream.first_row) / static_cast<double>(stream.row_step);
   const int row = static_cast<int>(rows);
   const double fraction = (rows - static_cast<double>(row)) * static_cast<double>(sample_fraction_one);
-  return {stream.row(row), stream.row(row + 1), static_cast<std::int32_t>(fraction + 0.5)};
+  const double half_more = fraction + 0.5;  // which is not negative: cut off, it is rounded
+  return {stream.row(row), stream.row(row + 1), static_cast<std::int32_t>(half_more)};
 }
 
 /// Size of and the block itself for some rows; `block` must be 64-byte aligned and of sampled_stream_bytes(rows).

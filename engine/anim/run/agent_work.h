@@ -19,9 +19,9 @@ inline constexpr std::size_t most_skeletons = 32;  ///< in one update
 /// whose bytes would have to be read back before they can be copied.
 struct AgentWork {
   const PoseProgram* program = nullptr;
-  const Handle* entities = nullptr;      ///< [step of the program], stay where they are until the update is over
-  Ticks delta = 0;                       ///< since its last update
-  PaletteDestination palette = {};       ///< written once; null: posed, but nobody draws it
+  const Handle* entities = nullptr;  ///< [step of the program], stay where they are until the update is over
+  Ticks delta = 0;                   ///< since its last update
+  PaletteDestination palette = {};   ///< written once; null: posed, but nobody draws it
   std::uint32_t agent = 0;
   std::uint16_t cost = 1;        ///< predicted, in steps of cost_step
   std::uint8_t skeleton = 0;     ///< index of its UpdateContext, below most_skeletons

@@ -78,7 +78,8 @@ class LodChoices {
   /// `clip` below 0: standing still.
   const MotionLod& of(std::size_t character, int clip) const {
     const std::size_t first = first_[character] + 1, motions = first_[character + 1] - first;
-    const auto index = static_cast<std::size_t>(clip + 1);
+    const int motion = clip + 1;
+    const auto index = static_cast<std::size_t>(motion);
     return motions_[first + (index < motions ? index : motions - 1)];
   }
 

@@ -30,7 +30,7 @@ double cost_at(const CostByTolerance& cost, float tolerance) {
 
 /// The least tolerance that costs at most so much, on the line between the steps around it; the most there is if none.
 float least_tolerance(const CostByTolerance& cost, double nanoseconds) {
-  const auto fits =
+  const auto* const fits =
       std::ranges::find_if(cost, [&](std::uint64_t at) { return static_cast<double>(at) <= nanoseconds; });
   if (fits == cost.begin()) return least_tolerance_pixels;
   if (fits == cost.end()) return most_tolerance_pixels;

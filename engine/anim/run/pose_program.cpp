@@ -34,7 +34,7 @@ class Flattening {
     }
     if (depth_ == static_cast<std::ptrdiff_t>(path_.size())) return too_large();
     path_[static_cast<std::size_t>(depth_++)] = entity;
-    const Status visited = owned ? push_after_sources(entity) : push_shared(entity);
+    Status visited = owned ? push_after_sources(entity) : push_shared(entity);
     --depth_;
     step = static_cast<std::uint8_t>(count_ - 1);
     return visited;

@@ -79,7 +79,7 @@ struct UpdateTime {
   }
   /// Of a tick, since the update began.
   double ms(std::uint64_t tick) const {
-    const double whole = static_cast<double>(last_tick - first_tick);
+    const auto whole = static_cast<double>(last_tick - first_tick);
     return static_cast<double>(std::max(tick, first_tick) - first_tick) / whole * milliseconds;
   }
 };

@@ -58,7 +58,7 @@ struct Graph {
     const Status status = compile_graph(pools, root, 0, programs, graph);
     return status ? "" : status.error().message;
   }
-  int priority(Handle entity) { return pools.state(entity).priority; }
+  int priority(Handle entity) const { return pools.state(entity).priority; }
 
   EntityPools pools;
   ProgramTable programs;

@@ -38,7 +38,7 @@ EntityRow row_of(anim::Handle entity, const anim::EntityPools& pools, const anim
                 .generation = entity.generation(),
                 .index = entity.index(),
                 .priority = state.priority - anim::highest_priority,
-                .resident = layout.transforms_offset != 0,
+                .resident = layout.is_resident(),
                 .shared = anim::EntityPools::is_shared(entity)};
   const std::byte* const block = pools.block(entity);
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(block);

@@ -27,6 +27,7 @@ struct EntityLayout {
   std::uint32_t transforms_offset = 0;  ///< 0: transient
   std::uint32_t private_offset = 0;     ///< == total_size where there is no private part
 
+  bool is_resident() const { return transforms_offset != 0; }
   /// Bytes that a source costs to fetch: header and transforms, without the private part.
   std::uint32_t source_bytes() const { return private_offset; }
   std::uint32_t private_bytes() const { return total_size - private_offset; }
@@ -135,8 +136,7 @@ struct EntityKind {
 };
 
 inline std::size_t EntityLayout::unread_bytes() const {
-  const bool resident = transforms_offset != 0;
-  return resident || kind->reads_identity ? 0 : identity_bytes;
+  return is_resident() || kind->reads_identity ? 0 : identity_bytes;
 }
 
 template <typename Resource>

@@ -39,7 +39,7 @@ void initialise_state(AnimationStateHeader& state, const EntityLayout& layout, i
   state.components = static_cast<std::uint16_t>(components);
   state.priority = highest_priority;
   state.absolute_rotation[3] = 1.0F;
-  if (layout.transforms_offset != 0) fill_with_identity(transforms_of(state), bone_count, components);
+  if (layout.is_resident()) fill_with_identity(transforms_of(state), bone_count, components);
 }
 
 void convert_residency(const std::byte* from, std::byte* to, const EntityLayout& from_layout,

@@ -48,7 +48,7 @@ void FusedTasks::compose_head(const Characters& characters, const Composed& comp
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
                  if (!composed.poses(i)) return;
                  PoseView out = i == last ? held : view(&scratch_.registers[step.target * scratch_.register_floats]);
-                 if (is_resident(*entity.layout)) out = view(transforms_of(entity.as<AnimationStateHeader>()));
+                 if (entity.layout->is_resident()) out = view(transforms_of(entity.as<AnimationStateHeader>()));
                  pose_entity(entity, poses.sources(step, source_poses), out, characters.held_packets, nullptr);
                  poses.left[i] = out;
                });

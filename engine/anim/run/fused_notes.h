@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// What a PU notes of the blocks in its store while it runs FusedTasks. 140 KB, so not on the stack: a host's jobs may
+/// What a PU notes of the blocks in its store while it runs FusedTasks. 106 KiB, so not on the stack: a host's jobs may
 /// have small ones.
 struct FusedNotes {
   static constexpr std::size_t most_blocks = PoseProgram::max_steps * widest_tile;
@@ -20,5 +20,6 @@ struct FusedNotes {
   std::array<ShownClips, most_blocks> shown;  ///< [step][character]
   TailRounds tails;
 };
+static_assert(sizeof(FusedNotes) / 1024 == 106);
 
 }  // namespace throng::anim

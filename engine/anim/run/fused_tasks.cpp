@@ -134,7 +134,7 @@ void FusedTasks::advance_alike(const Characters& characters, const AlikeRun& ali
                                      .block_stride = program.needs.fetch_bytes,
                                      .prepared_stride = program.needs.prepared_bytes,
                                      .sources = rows.sources(step, sources),
-                                     .shown = is_resident(*entity.layout) ? nullptr : shown};
+                                     .shown = entity.layout->is_resident() ? nullptr : shown};
                  for (std::size_t c = 0; c < agents.size(); ++c) {
                    run.entity(c).as<AnimationStateHeader>().delta_time += agents[c].delta;
                  }
@@ -241,7 +241,7 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
                    return;
                  }
                  float* out = i == last ? local : &scratch_.registers[step.target * floats];
-                 if (is_resident(*entity.layout)) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
+                 if (entity.layout->is_resident()) out = transforms_of(entity.as<AnimationStateHeader>()) + offset;
                  kind.pose_packet(entity,
                                   {.packet = packet, .sources = poses.sources(step, sources).data(), .out = out});
                  poses.left[i] = out;

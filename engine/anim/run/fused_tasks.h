@@ -58,7 +58,8 @@ class FusedTasks {
 
  private:
   struct Characters;
-  /// Characters that follow each other, with programs alike, whose poses are not clips alone, but may begin with some.
+  /// Characters that follow each other and run the same program, whose poses are not clips alone, but may begin with
+  /// some.
   struct Composed {
     static constexpr std::size_t no_base = PoseProgram::max_steps;
 

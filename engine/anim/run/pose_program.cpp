@@ -110,11 +110,11 @@ std::uint8_t assign_registers(std::span<PoseStep> steps, const EntityPools& pool
   for (std::size_t i = 0; i < steps.size(); ++i) {
     for (std::size_t k = 0; k < steps[i].source_count; ++k) {
       const PoseStep& source = steps[steps[i].sources[k]];
-      if (last_reader[steps[i].sources[k]] == i && source.layout(pools).transforms_offset == 0) {
+      if (last_reader[steps[i].sources[k]] == i && !source.layout(pools).is_resident()) {
         taken[source.target] = false;
       }
     }
-    if (steps[i].layout(pools).transforms_offset != 0) continue;
+    if (steps[i].layout(pools).is_resident()) continue;
     const auto free = static_cast<std::size_t>(std::ranges::find(taken, false) - taken.begin());
     taken[free] = true;
     steps[i].target = static_cast<std::uint8_t>(free);
@@ -126,8 +126,7 @@ std::uint8_t assign_registers(std::span<PoseStep> steps, const EntityPools& pool
 void find_tails(std::span<const PoseStep> steps, const EntityPools& pools, PoseProgram& program) {
   const auto changes_in_place = [&](std::size_t i) {
     const PoseStep& step = steps[i];
-    return !step.is_shared() && step.source_count == 1 && step.sources[0] == i - 1 &&
-           step.layout(pools).transforms_offset == 0;
+    return !step.is_shared() && step.source_count == 1 && step.sources[0] == i - 1 && !step.layout(pools).is_resident();
   };
   std::size_t tail = steps.size();
   while (tail > 1 && changes_in_place(tail - 1)) --tail;

@@ -44,7 +44,7 @@ struct StepPlace {
     block += layout.total_size;
     prepared += layout.kind->prepared_bytes;
   }
-  /// Of the next character in the tile, whose program is alike.
+  /// Of the next character in the tile, who runs the same program.
   StepPlace of_next(const PoseProgram& program) const {
     return {
         .step = step, .block = block + program.needs.fetch_bytes, .prepared = prepared + program.needs.prepared_bytes};
@@ -73,7 +73,5 @@ void for_each_own(const UpdateContext& context, const PoseProgram& program, Step
     place.pass(layout);
   }
 }
-
-inline bool is_resident(const EntityLayout& layout) { return layout.transforms_offset != 0; }
 
 }  // namespace throng::anim

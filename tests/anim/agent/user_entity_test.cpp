@@ -118,6 +118,14 @@ TEST(UserEntity, HasAPoolOfItsOwn) {
   EXPECT_EQ(pools.pool(kind).alive_count(), 2U);
 }
 
+TEST(UserEntity, IsFetchedWholeUnlessItsKindSaysWhatItDoesNotRead) {
+  CrowdRig crowd = swaying({}, 1);
+  crowd.step();
+  const EntityPools& pools = crowd->pools();
+  const std::uint64_t changing = entity_header_bytes - identity_bytes;  // of the player and the blender
+  EXPECT_EQ(crowd->report().copies.bytes_in, 2 * changing + pools.layout(pools.kind_count() - 1).total_size);
+}
+
 TEST(UserEntity, IsRewoundWithAllOthers) {
   CrowdRig crowd = swaying({});
   crowd.step(17);

@@ -189,6 +189,17 @@ TEST(EntityLayout, ATransientPlayerIsTwoCacheLines) {
   EXPECT_EQ(layout.total_size - identity_bytes, 64U) << "at most 64 bytes of a transient entity change in a frame";
 }
 
+TEST(EntityLayout, OfATransientBlockTheFirstLineIsFetchedForWhoReadsIt) {
+  EntityKind kind = sampled_player_kind;
+  const auto unread = [&](Residency residency) {
+    return entity_layout(kind, residency, 62, rigid_components).unread_bytes();
+  };
+  EXPECT_EQ(unread(Residency::transient), identity_bytes);
+  EXPECT_EQ(unread(Residency::resident), 0U) << "says where the transforms are";
+  kind.reads_identity = EntityKind{}.reads_identity;
+  EXPECT_EQ(unread(Residency::transient), 0U) << "a host's kind gets it unless it says that it needs none";
+}
+
 TEST(EntityLayout, AResidentKeyframePlayerOf62BonesFitsTheFetchBufferOf8KiBThatThePaperHas) {
   const EntityLayout layout = entity_layout(keyframe_player_kind, Residency::resident, 62, rigid_components);
   EXPECT_EQ(layout.transforms_offset, 128U);

@@ -83,6 +83,7 @@ KernelSubject::KernelSubject(const anim::Character& character, const anim::Kerne
       kernels_(&kernels),
       agents_(agents),
       palettes_(&palettes),
+      clocks_(character.clips.size()),
       stores_(anim::store_policy_for(palettes.floats().size_bytes())) {
   const std::size_t lanes = anim::widest_tile;
   const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count) + 1;
@@ -94,7 +95,9 @@ KernelSubject::KernelSubject(const anim::Character& character, const anim::Kerne
 }
 
 void KernelSubject::run() {
-  clock_ += frame_step;
+  for (std::size_t clip = 0; clip < clocks_.size(); ++clip) {
+    clocks_[clip] = (clocks_[clip] + frame_step) % std::max<anim::Ticks>(character_->clips[clip].duration, 1);
+  }
   for (std::size_t first = 0; first < agents_.size(); first += anim::widest_tile) {
     run_tile(agents_.subspan(first, std::min<std::size_t>(anim::widest_tile, agents_.size() - first)), first);
   }
@@ -102,8 +105,10 @@ void KernelSubject::run() {
 }
 
 anim::ShownClip KernelSubject::shown(int clip_index, anim::Ticks start) const {
-  const anim::BakedClip& clip = character_->clips[static_cast<std::size_t>(clip_index)];
-  const anim::Ticks time = clip.duration > 0 ? (start + clock_) % clip.duration : 0;
+  const auto index = static_cast<std::size_t>(clip_index);
+  const anim::BakedClip& clip = character_->clips[index];
+  anim::Ticks time = start + clocks_[index];
+  if (time >= clip.duration) time -= clip.duration;
   return {.stream = clip.sampled(), .point = locate(*clip.sampled(), time)};
 }
 

@@ -77,8 +77,8 @@ class KernelSubject {
   const anim::Kernels* kernels_;
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
+  std::vector<anim::Ticks> clocks_;  ///< [clip], within it
   anim::StorePolicy stores_;
-  anim::Ticks clock_ = 0;
   anim::AlignedBytes scratch_;
   float* local_;
   float* carry_;

@@ -81,7 +81,7 @@ SampledBake encode(const SampleSource& source, SampledRows& rows) {
 
 void sample_pose(const SampledStream& stream, Ticks time, std::span<float> pose) {
   const Kernels& kernels = best_kernels();
-  for (int packet = 0; packet < stream.packet_count; ++packet) {
+  for (int packet = 0; packet < stream.packet_count(); ++packet) {
     float* out = pose.data() + static_cast<std::ptrdiff_t>(packet) * stream.components * packet_bones;
     kernels.sample({.stream = &stream, .point = locate(stream, time), .packet = packet, .pose = out});
   }

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace throng::anim {
 namespace {
@@ -214,6 +215,11 @@ void write_row(const Source& source, int row, std::span<const SampledPacket> pac
   }
 }
 
+std::uint64_t rows_per_tick(Ticks row_step) {
+  constexpr std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
+  return row_step > 1 ? all / static_cast<std::uint64_t>(row_step) + 1 : all;
+}
+
 }  // namespace
 
 bool turns_too_far(const SampledRows& rows) {
@@ -239,15 +245,14 @@ void encode_sampled_stream(const SampledRows& rows, Ticks duration, std::span<st
 
   SampledStream stream{};
   stream.total_size = static_cast<std::uint32_t>(block.size());
-  stream.packets_offset = sizeof(SampledStream);
   stream.rows_offset = static_cast<std::uint32_t>(rows_offset(source.packets()));
   stream.row_stride = static_cast<std::uint32_t>(layout.stride);
   stream.row_count = rows.row_count;
   stream.bone_count = rows.bone_count;
-  stream.packet_count = source.packets();
   stream.components = rows.components;
   stream.first_row = rows.first_row;
   stream.row_step = rows.row_step;
+  stream.rows_per_tick = rows_per_tick(rows.row_step);
   stream.duration = duration;
 
   std::vector<SampledPacket> packets;
@@ -257,7 +262,7 @@ void encode_sampled_stream(const SampledRows& rows, Ticks duration, std::span<st
     if (is_displaced(packets.back())) stream.displaced_packets |= std::uint64_t{1} << packet;
   }
   std::memcpy(block.data(), &stream, sizeof(stream));
-  std::memcpy(block.data() + stream.packets_offset, packets.data(), packets.size() * sizeof(SampledPacket));
+  std::memcpy(block.data() + sizeof(stream), packets.data(), packets.size() * sizeof(SampledPacket));
   for (int row = 0; row < rows.row_count; ++row) {
     write_row(source, row, packets, block.data() + stream.rows_offset + static_cast<std::size_t>(row) * layout.stride);
   }

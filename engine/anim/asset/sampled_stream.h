@@ -53,22 +53,20 @@ struct SampledPacket {
 static_assert(sizeof(SampledPacket) == 64 + 16 * 64);
 
 struct alignas(64) SampledStream {
-  std::uint32_t total_size;      ///< bytes, this header included
-  std::uint32_t packets_offset;  ///< bytes from the start of the block
-  std::uint32_t rows_offset;     ///< bytes from the start of the block, 64-byte aligned
-  std::uint32_t row_stride;      ///< bytes, a multiple of 64
+  std::uint32_t total_size;   ///< bytes, this header included
+  std::uint32_t rows_offset;  ///< bytes from the start of the block, 64-byte aligned
+  std::uint32_t row_stride;   ///< bytes, a multiple of 64
   std::int32_t row_count;
   std::int32_t bone_count;
-  std::int32_t packet_count;
   std::int32_t components;
   Ticks first_row;
   Ticks row_step;
+  std::uint64_t rows_per_tick;  ///< in 1/2^64, rounded up: a division that is made once
   Ticks duration;
   std::uint64_t displaced_packets;  ///< bit i: packet i has positions other than 0, as few have on rigid skeletons
 
-  const SampledPacket* packets() const {
-    return reinterpret_cast<const SampledPacket*>(reinterpret_cast<const std::byte*>(this) + packets_offset);
-  }
+  int packet_count() const { return packets_for(bone_count); }
+  const SampledPacket* packets() const { return reinterpret_cast<const SampledPacket*>(this + 1); }
   const std::byte* row(int index) const {
     return reinterpret_cast<const std::byte*>(this) + rows_offset + static_cast<std::size_t>(index) * row_stride;
   }
@@ -92,13 +90,15 @@ struct SamplePoint {
 inline SamplePoint locate(const SampledStream& stream, Ticks time) {
   const int last = stream.row_count - 1;
   if (time <= stream.first_row) return {stream.row(0), stream.row(0), 0};
-  if (time >= stream.first_row + last * stream.row_step) return {stream.row(last), stream.row(last), 0};
-  // One division of doubles, which hold all ticks below 2^53, is much faster than two of 64-bit integers.
-  const double rows = static_cast<double>(time - stream.first_row) / static_cast<double>(stream.row_step);
-  const int row = static_cast<int>(rows);
-  const double fraction = (rows - static_cast<double>(row)) * static_cast<double>(sample_fraction_one);
-  const double half_more = fraction + 0.5;  // which is not negative: cut off, it is rounded
-  return {stream.row(row), stream.row(row + 1), static_cast<std::int32_t>(half_more)};
+  __extension__ using FixedPoint = unsigned __int128;  // 64 bits of rows, 64 of what is between two
+  const std::uint64_t ticks = static_cast<std::uint64_t>(time) - static_cast<std::uint64_t>(stream.first_row);
+  const FixedPoint rows = static_cast<FixedPoint>(ticks) * stream.rows_per_tick;
+  const auto whole = static_cast<std::uint64_t>(rows >> 64U);
+  if (whole >= static_cast<std::uint64_t>(last)) return {stream.row(last), stream.row(last), 0};
+  const auto halves = static_cast<std::int32_t>(static_cast<std::uint64_t>(rows) >> 48U);  // of a fraction's unit
+  static_assert(2 * sample_fraction_one == 1 << 16);
+  const int row = static_cast<int>(whole);
+  return {stream.row(row), stream.row(row + 1), (halves + 1) / 2};
 }
 
 /// Size of and the block itself for some rows; `block` must be 64-byte aligned and of sampled_stream_bytes(rows).

@@ -8,7 +8,7 @@ namespace {
 
 std::uint64_t of_rows(const SampledStream& stream, int packets) {
   const auto whole = static_cast<std::uint64_t>(stream.row_stride) * static_cast<std::uint64_t>(packets);
-  return 2 * whole / static_cast<std::uint64_t>(std::max(stream.packet_count, 1));
+  return 2 * whole / static_cast<std::uint64_t>(std::max(stream.packet_count(), 1));
 }
 
 std::uint64_t of_keys(const KeyframeStream& stream, Ticks passed, Ticks duration) {

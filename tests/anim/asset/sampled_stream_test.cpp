@@ -47,7 +47,7 @@ TEST(SampledStream, KeepsPositionsAndScalesToASixtyFiveThousandthOfTheirRange) {
   const SampledRows rows = wavy_rows(37, general_components, 40);
   const StreamBlock block(rows);
   const SampledStream& stream = block.stream();
-  for (int packet = 0; packet < stream.packet_count; ++packet) {
+  for (int packet = 0; packet < stream.packet_count(); ++packet) {
     const SampledPacket& header = stream.packets()[packet];
     for (int bone = 0; bone < packet_bones; ++bone) {
       for (int component = 4; component < general_components; ++component) {
@@ -70,7 +70,7 @@ TEST(SampledStream, KeepsPositionsAndScalesToASixtyFiveThousandthOfTheirRange) {
 TEST(SampledStream, PutsNeighbouringRotationsOnOneHemisphere) {
   const StreamBlock block(wavy_rows(37, rigid_components, 40));
   const SampledStream& stream = block.stream();
-  for (int packet = 0; packet < stream.packet_count; ++packet) {
+  for (int packet = 0; packet < stream.packet_count(); ++packet) {
     const std::int32_t offset = stream.packets()[packet].rotation_offset;
     ASSERT_GE(offset, 0);
     for (int row = 1; row < stream.row_count; ++row) {

@@ -76,11 +76,11 @@ template <class D>
 class EntryWriter {
  public:
   EntryWriter(const ModelPaletteJob& job, int lane, int first_entry)
-      : job_(job), lane_(lane), out_(palette_lines(job, lane, lane_count<D>)), next_(first_entry) {}
+      : job_(job), lane_(lane), out_{job.palettes + lane, any_packet(job, lane, lane_count<D>)}, next_(first_entry) {}
 
   template <class V>
   HWY_INLINE void add(D d, const Affine<V>& entry) {
-    if (out_.stores == StorePolicy::prefetched) stage_.prefetch(out_, next_, staged_);
+    if (out_.packet.stores == StorePolicy::prefetched) stage_.prefetch(out_, next_, staged_);
     stage_.put(d, staged_++, entry.matrix, entry.translation);
     if (staged_ == PaletteStage<D>::entries) flush();
   }
@@ -88,8 +88,9 @@ class EntryWriter {
   HWY_INLINE void flush() {
     stage_.turn();
     stage_.write(out_, next_, staged_);
-    if (job_.hashes != nullptr) {
-      stage_.add_hashes(job_.hierarchy->skin_joint.data() + next_, out_.characters, staged_, job_.hashes + lane_);
+    if (out_.packet.hashed) {
+      stage_.add_hashes(job_.hierarchy->skin_joint.data() + next_, out_.packet.characters, staged_,
+                        job_.hashes + lane_);
     }
     next_ += staged_;
     staged_ = 0;
@@ -98,7 +99,7 @@ class EntryWriter {
  private:
   const ModelPaletteJob& job_;
   int lane_;
-  PaletteLines out_;
+  PaletteLines<AnyPacket> out_;
   int next_;
   int staged_ = 0;
   PaletteStage<D> stage_;

@@ -16,6 +16,8 @@ namespace throng::anim {
 
 struct LookAtJob;
 
+inline constexpr int widest_tile = 16;  ///< characters
+
 /// Pure functions over shaped spans: across bones up to the local pose, across characters from
 /// there. Inside: no allocation, no lock, no global. All pointers are 64-byte aligned unless said.
 
@@ -23,7 +25,7 @@ struct LookAtJob;
 struct SampleJob {
   const SampledStream* stream = nullptr;
   SamplePoint point;
-  int packet = 0;         ///< 0 to stream->packet_count - 1
+  int packet = 0;         ///< 0 to stream->packet_count() - 1
   float* pose = nullptr;  ///< out, [components][16]
 };
 
@@ -36,8 +38,8 @@ struct ClipMoment {
   float fraction = 0.0F;  ///< above 0 and below 1, of what is blended
 };
 struct PoseClipsJob {
-  std::span<const ClipMoment> clips;    ///< of each character one
-  std::span<const ClipMoment> blended;  ///< onto the clips of some of these characters, at most one each
+  std::span<const ClipMoment> clips;    ///< of each character one, at most widest_tile
+  std::span<const ClipMoment> blended;  ///< onto the clips of some of these characters, in their order, one each
   int packet = 0;
   int components = rigid_components;
   bool displaced = true;   ///< false on rigid skeletons: positions are 0, and are neither read nor written
@@ -103,7 +105,6 @@ enum class StorePolicy : std::uint8_t {
 
 /// Model space and palette of one packet of `width` characters of one skeleton. Packets are done in order, 0 first;
 /// between them `carry` holds the last bone's transform.
-inline constexpr int widest_tile = 16;
 inline constexpr int branch_slot_floats = 16;  ///< a lane's floats in `carry` and in each branch slot
 struct ModelPaletteJob {
   const HierarchyProgram* hierarchy = nullptr;

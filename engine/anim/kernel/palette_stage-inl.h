@@ -15,31 +15,56 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// Where the entries of some characters go.
-struct PaletteLines {
-  const PaletteDestination* palettes;  ///< [characters]
-  int characters;
-  StorePolicy stores;
-
-  /// `entry_floats`: of one entry.
-  float* at(int character, int entry, int entry_floats) const {
-    return reinterpret_cast<float*>(palettes[character].memory()) + entry * entry_floats;
-  }
-};
-
 inline bool on_whole_lines(const PaletteDestination* palettes, int characters) {
   std::uintptr_t addresses = 0;
   for (int i = 0; i < characters; ++i) addresses |= reinterpret_cast<std::uintptr_t>(palettes[i].memory());
   return addresses % 64 == 0;
 }
 
-inline PaletteLines palette_lines(const ModelPaletteJob& job, int lane, int lanes) {
-  PaletteLines lines{job.palettes + lane, HWY_MIN(job.characters - lane, lanes), job.stores};
-  if (lines.stores == StorePolicy::streaming && !on_whole_lines(lines.palettes, lines.characters)) {
-    lines.stores = StorePolicy::plain;
+/// What one vector of characters asks of a packet.
+struct AnyPacket {
+  int characters;
+  StorePolicy stores;
+  bool displaced;
+  bool hashed;
+};
+
+inline AnyPacket any_packet(const ModelPaletteJob& job, int lane, int lanes) {
+  AnyPacket packet{.characters = HWY_MIN(job.characters - lane, lanes),
+                   .stores = job.stores,
+                   .displaced = job.displaced,
+                   .hashed = job.hashes != nullptr};
+  if (packet.stores == StorePolicy::streaming && !on_whole_lines(job.palettes + lane, packet.characters)) {
+    packet.stores = StorePolicy::plain;
   }
-  return lines;
+  return packet;
 }
+
+/// What most ask: a character in every lane, no positions, no hashes. The compiler knows it too, and has registers for
+/// everything.
+template <int lanes, StorePolicy policy>
+struct UsualPacket {
+  static constexpr int characters = lanes;
+  static constexpr StorePolicy stores = policy;
+  static constexpr bool displaced = false;
+  static constexpr bool hashed = false;
+};
+
+inline bool is_usual(const AnyPacket& packet, int lanes) {
+  return packet.characters == lanes && !packet.displaced && !packet.hashed;
+}
+
+/// Where the entries of these characters go.
+template <class Packet>
+struct PaletteLines {
+  const PaletteDestination* palettes;  ///< [packet.characters]
+  Packet packet;
+
+  /// `entry_floats`: of one entry.
+  float* at(int character, int entry, int entry_floats) const {
+    return reinterpret_cast<float*>(palettes[character].memory()) + entry * entry_floats;
+  }
+};
 
 inline constexpr int matrix_floats = sizeof(PaletteMatrix) / sizeof(float);
 inline constexpr int matrix_rows = sizeof(PaletteMatrix) / 16;
@@ -93,32 +118,36 @@ class PaletteStage {
   }
 
   /// Fetches for writing what a part of the characters will write.
-  HWY_INLINE void prefetch(const PaletteLines& out, int first, int part) const {
-    for (int character = part; character < out.characters; character += entries) {
+  template <class Packet>
+  HWY_INLINE void prefetch(const PaletteLines<Packet>& out, int first, int part) const {
+    for (int character = part; character < out.packet.characters; character += entries) {
       const float* line = out.at(character, first, entry_floats);
       for (int at = 0; at < entries * entry_floats; at += line_floats) __builtin_prefetch(line + at, 0, 3);
     }
   }
 
   /// Writes all entries of the group, which begins with `first`, of a part of the characters.
-  HWY_INLINE void write_part(const PaletteLines& out, int first, int part) const {
+  template <class Packet>
+  HWY_INLINE void write_part(const PaletteLines<Packet>& out, int first, int part) const {
     if (all_together(out)) {
       return write_lines_of_four(out, first, part, lines);
     }
-    for (int character = part; character < out.characters; character += entries) {
-      write_lines(character, out.stores, out.at(character, first, entry_floats), lines);
+    for (int character = part; character < out.packet.characters; character += entries) {
+      write_lines(character, out.packet.stores, out.at(character, first, entry_floats), lines);
     }
   }
 
   /// Writes `count` entries of the group, which begins with `first`, of all characters.
-  HWY_INLINE void write(const PaletteLines& out, int first, int count) const {
+  template <class Packet>
+  HWY_INLINE void write(const PaletteLines<Packet>& out, int first, int count) const {
     const int whole_lines = count * entry_floats / line_floats;
     if (all_together(out)) {
       for (int k = 0; k < 4; ++k) write_lines_of_four(out, first, k, whole_lines);
     } else {
-      for (int i = 0; i < out.characters; ++i) write_lines(i, out.stores, out.at(i, first, entry_floats), whole_lines);
+      for (int i = 0; i < out.packet.characters; ++i)
+        write_lines(i, out.packet.stores, out.at(i, first, entry_floats), whole_lines);
     }
-    for (int i = 0; i < out.characters; ++i)
+    for (int i = 0; i < out.packet.characters; ++i)
       write_rows(i, 4 * whole_lines, rows * count, out.at(i, first, entry_floats));
   }
 
@@ -138,7 +167,10 @@ class PaletteStage {
 
  private:
   /// Sixteen characters, whose lines come out of one transposition.
-  static bool all_together(const PaletteLines& out) { return lanes == 16 && out.characters == lanes; }
+  template <class Packet>
+  static bool all_together(const PaletteLines<Packet>& out) {
+    return lanes == 16 && out.packet.characters == lanes;
+  }
 
   static constexpr int entry_floats = rows * block_floats;
   static constexpr int line_floats = 16;
@@ -170,15 +202,17 @@ class PaletteStage {
   }
 
   /// The first lines of characters k, 4 + k, 8 + k and 12 + k of sixteen.
-  HWY_INLINE void write_lines_of_four(const PaletteLines& out, int first, int k, int count) const {
+  template <class Packet>
+  HWY_INLINE void write_lines_of_four(const PaletteLines<Packet>& out, int first, int k, int count) const {
     if constexpr (lanes == 16) {
       const D d;
-      for (int line = 0; line < count; ++line) {
-        const float* in = written_ + (k * entries * rows + line * 4) * lanes;
+      const float* in = written_ + k * entries * rows * lanes;
+      float* to[4];  // or they would be read again after every store
+      for (int b = 0; b < 4; ++b) to[b] = out.at(4 * b + k, first, entry_floats);
+      for (int line = 0; line < count; ++line, in += 4 * lanes) {
         const auto four = transpose_whole_blocks(hn::Load(d, in), hn::Load(d, in + lanes), hn::Load(d, in + 2 * lanes),
                                                  hn::Load(d, in + 3 * lanes));
-        for (int b = 0; b < 4; ++b)
-          write_vector(four.v[b], out.stores, out.at(4 * b + k, first, entry_floats) + line * line_floats);
+        for (int b = 0; b < 4; ++b) write_vector(four.v[b], out.packet.stores, to[b] + line * line_floats);
       }
     }
   }

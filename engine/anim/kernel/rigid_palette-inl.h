@@ -70,16 +70,17 @@ HWY_INLINE void put(D d, const HierarchyProgram& /*program*/, int entry, const R
   stage.put(d, entry, motion.matrix, motion.translation);
 }
 
-/// The bones [begin, end) of one packet, for one vector of characters of a tile of `width`.
-template <template <class> class MotionOf, int width, class D>
-HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end) {
+template <template <class> class MotionOf, int width, class D, class Packet>
+HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, int begin, int end, Packet packet) {
   using Motion = MotionOf<hn::Vec<D>>;
   using Stage = PaletteStage<D, Motion::palette_rows>;
   constexpr int lanes = lane_count<D>;
   const HierarchyProgram& program = *job.hierarchy;
+  const HierarchyStep* const steps = program.steps.data();
   const float* local = job.local + lane * rigid_components * packet_bones;
-  const PaletteLines out = palette_lines(job, lane, lanes);
-  const int wanted = job.displaced ? rigid_components : 4;
+  float* const branch_slots = job.branch_slots + lane;
+  const PaletteLines<Packet> out{job.palettes + lane, packet};
+  const int wanted = packet.displaced ? rigid_components : 4;
   alignas(64) FloatArray<4 * rigid_components * lanes> inputs;
   Stage stage;
   Motion motion;
@@ -92,31 +93,47 @@ HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, i
     for (int i = 0; i < count; ++i) {
       const int bone = first + i;
       if (i % 4 == 0) gather_four_bones<rigid_components>(d, local + (bone - begin), wanted, inputs);
-      const HierarchyStep& step = program.steps.data()[bone];
+      const HierarchyStep& step = steps[bone];
       if (step.load >= 0) {
-        load(d, job.branch_slots + step.load * branch_slot_floats * width + lane, width, motion);
+        load(d, branch_slots + step.load * branch_slot_floats * width, width, motion);
       } else if (step.load == HierarchyStep::from_root) {
         reset(d, motion);
       }
-      if (out.stores == StorePolicy::prefetched) stage.prefetch(out, first, i);
+      if (packet.stores == StorePolicy::prefetched) stage.prefetch(out, first, i);
       const float* input = inputs + i % 4 * rigid_components * lanes;
-      move_on(d, program, bone, load_quaternions(d, input, lanes), job.displaced ? input + 4 * lanes : nullptr, lanes,
-              motion);
-      if (step.store >= 0) {
-        store(d, motion, job.branch_slots + step.store * branch_slot_floats * width + lane, width);
-      }
+      move_on(d, program, bone, load_quaternions(d, input, lanes), packet.displaced ? input + 4 * lanes : nullptr,
+              lanes, motion);
+      if (step.store >= 0) store(d, motion, branch_slots + step.store * branch_slot_floats * width, width);
       put(d, program, i, motion, stage);
       if (before >= begin) stage.write_part(out, before, i);
     }
     for (int part = count; part < group && before >= begin; ++part) stage.write_part(out, before, part);
     stage.turn();
-    if (job.hashes != nullptr) {
-      stage.add_hashes(program.skin_joint.data() + first, out.characters, count, job.hashes + lane);
+    if (packet.hashed) {
+      stage.add_hashes(program.skin_joint.data() + first, packet.characters, count, job.hashes + lane);
     }
   }
   const int last = begin + (end - begin - 1) / group * group;
   stage.write(out, last, end - last);
   store(d, motion, job.carry + lane, width);
+}
+
+/// The bones [begin, end) of one packet, for one vector of characters of a tile of `width`.
+template <template <class> class MotionOf, int width, class D>
+HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end) {
+  constexpr int lanes = lane_count<D>;
+  const AnyPacket packet = any_packet(job, lane, lanes);
+  if constexpr (width == widest_tile) {
+    if (is_usual(packet, lanes) && packet.stores == StorePolicy::prefetched) {
+      const UsualPacket<lanes, StorePolicy::prefetched> usual;
+      return rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, usual);
+    }
+    if (is_usual(packet, lanes) && packet.stores == StorePolicy::streaming) {
+      const UsualPacket<lanes, StorePolicy::streaming> usual;
+      return rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, usual);
+    }
+  }
+  rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, packet);
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -93,16 +93,26 @@ HWY_INLINE V sampled_to_unit(D d, V squared_length) {
   return hn::MulAdd(lack, y, hn::Set(d, 0.99999975F * unit));
 }
 
-HWY_INLINE Quaternions<Floats> sampled_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
-  const BoneLanes d;
-  if (packet.rotation_offset < 0) return load_quaternions(d, &packet.rotation[0][0] + bone, packet_bones);
+/// Between the two rows, or constant; factor_to_unit brings them to unit length.
+HWY_INLINE Quaternions<Floats> weighed_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
+  if (packet.rotation_offset < 0) return load_quaternions(BoneLanes(), &packet.rotation[0][0] + bone, packet_bones);
   const RowWeights weights(point.fraction);
   const std::int16_t* from = group_words(point.from, packet.rotation_offset);
   const std::int16_t* to = group_words(point.to, packet.rotation_offset);
   Quaternions<Floats> q;
   weigh_pair(from, to, bone, weights, q.x, q.y);
   weigh_pair(from + 2 * packet_bones, to + 2 * packet_bones, bone, weights, q.z, q.w);
-  return scaled(q, sampled_to_unit(d, dot(q, q)));
+  return q;
+}
+
+HWY_INLINE Floats factor_to_unit(const SampledPacket& packet, const Quaternions<Floats>& weighed) {
+  const BoneLanes d;
+  return packet.rotation_offset < 0 ? hn::Set(d, 1.0F) : sampled_to_unit(d, dot(weighed, weighed));
+}
+
+HWY_INLINE Quaternions<Floats> sampled_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
+  const Quaternions<Floats> q = weighed_rotations(point, packet, bone);
+  return scaled(q, factor_to_unit(packet, q));
 }
 
 /// How positions, or scales, are stored: base + step * lane.

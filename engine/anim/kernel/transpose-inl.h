@@ -34,32 +34,18 @@ HWY_INLINE FourVectors<V> transpose_blocks(D d, V v0, V v1, V v2, V v3) {
            hn::BitCast(d, hn::InterleaveUpper(pairs, high01, high23))}};
 }
 
-/// One vector of 128-bit blocks that lie `offset` floats behind every fourth of `from`.
-template <class D>
-HWY_INLINE hn::Vec<D> load_blocks(D d, const float* const* from, int offset) {
-  if constexpr (lane_count<D> == block_floats) {
-    return hn::Load(d, *from + offset);
-  } else {
-    const hn::Half<D> half;
-    return hn::Combine(d, load_blocks(half, from + lane_count<D> / 2, offset), load_blocks(half, from, offset));
-  }
-}
-
-/// One vector of 128-bit blocks that lie `stride` floats apart.
-template <class D>
-HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, int stride) {
-  if constexpr (lane_count<D> == block_floats) {
-    return hn::Load(d, from);
-  } else {
-    const hn::Half<D> half;
-    return hn::Combine(d, load_blocks(half, from + lane_count<D> / 2 / block_floats * stride, stride),
-                       load_blocks(half, from, stride));
-  }
-}
-
 #endif
 
 #if HWY_TARGET == HWY_AVX3
+
+/// Four blocks from memory, each an insertion that needs no shuffle: Highway would combine halves in registers.
+template <class D, class BlockAt>
+HWY_INLINE hn::Vec<D> load_four_blocks(D /*d*/, BlockAt&& block_at) {
+  __m512 blocks = _mm512_castps128_ps512(_mm_load_ps(block_at(0)));
+  blocks = _mm512_insertf32x4(blocks, _mm_load_ps(block_at(1)), 1);
+  blocks = _mm512_insertf32x4(blocks, _mm_load_ps(block_at(2)), 2);
+  return hn::Vec<D>{_mm512_insertf32x4(blocks, _mm_load_ps(block_at(3)), 3)};
+}
 
 /// Transposes whole blocks: out[i] holds block i of v0, v1, v2 and v3. Highway has no such shuffle of two vectors'
 /// blocks.
@@ -75,12 +61,38 @@ HWY_INLINE FourVectors<V> transpose_whole_blocks(V v0, V v1, V v2, V v3) {
 
 #endif
 
+#if HWY_TARGET != HWY_SCALAR
+
+/// One vector of 128-bit blocks, block i from block_at(i).
+template <int first = 0, class D, class BlockAt>
+HWY_INLINE hn::Vec<D> load_blocks(D d, BlockAt&& block_at) {
+  if constexpr (lane_count<D> == block_floats) {
+    return hn::Load(d, block_at(first));
+  } else if constexpr (lane_count<D> == 4 * block_floats) {
+    return load_four_blocks(d, block_at);
+  } else {
+    const hn::Half<D> half;
+    return hn::Combine(d, load_blocks<first + lane_count<D> / 2 / block_floats>(half, block_at),
+                       load_blocks<first>(half, block_at));
+  }
+}
+
+/// From blocks that lie `stride` floats apart.
+template <class D>
+HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, int stride) {
+  return load_blocks(d, [=](int block) { return from + block * stride; });
+}
+
+#endif
+
 /// Four bones that lie `offset` floats behind from[lane]: out[bone] holds one character a lane.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE FourVectors<V> load_four_bones(D d, const float* const* from, int offset) {
   if constexpr (lane_count<D> >= block_floats) {
-    return transpose_blocks(d, load_blocks(d, from, offset), load_blocks(d, from + 1, offset),
-                            load_blocks(d, from + 2, offset), load_blocks(d, from + 3, offset));
+    const auto blocks = [&](int lane) {
+      return load_blocks(d, [&](int block) { return from[block * block_floats + lane] + offset; });
+    };
+    return transpose_blocks(d, blocks(0), blocks(1), blocks(2), blocks(3));
   } else {
     alignas(64) float lanes[block_floats][lane_count<D>];
     for (int bone = 0; bone < block_floats; ++bone) {

@@ -7,7 +7,7 @@
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/base/transform.h"
 #include "engine/anim/kernel/hierarchy.h"
-#include "engine/anim/kernel/kernels.h"
+#include "engine/anim/kernel/pose.h"
 
 /// Small hand-made skeletons, poses of them, and the palettes that plain double-precision matrices give.
 namespace throng::anim::kernel_rig {
@@ -40,8 +40,12 @@ class StatePose {
 
  private:
   int components_;
+  friend std::vector<StatePose> undisplaced(std::vector<StatePose> poses);
   std::vector<PosePacket> packets_;
 };
+
+/// The same with every bone's position where it is at rest.
+std::vector<StatePose> undisplaced(std::vector<StatePose> poses);
 
 /// The palette by 4x4 matrices in double, from the skeleton and its local transforms alone.
 std::vector<glm::dmat4> reference_palette(const Skeleton& skeleton, const LocalPose& pose);
@@ -49,26 +53,5 @@ std::vector<glm::dmat4> reference_palette(const Skeleton& skeleton, const LocalP
 /// Largest distance between what an entry and its reference make of points up to a metre from the bone's origin.
 double largest_error(const Skeleton& skeleton, const std::vector<glm::dmat4>& reference,
                      const std::vector<PaletteMatrix>& palette);
-
-/// Palettes and hashes of characters, computed in tiles of `width`; a last tile may be partly filled. Every palette
-/// lies between guard bytes, and so do entries of bones above `bone_count`; every second one is only 16-byte aligned.
-template <typename Entry>
-struct CrowdResultOf {
-  std::vector<std::vector<Entry>> palettes;  ///< [character][entry below the bone count]
-  std::vector<std::uint64_t> hashes;
-  bool guards_intact = true;
-};
-using CrowdResult = CrowdResultOf<PaletteMatrix>;
-using PackedCrowdResult = CrowdResultOf<PackedPaletteEntry>;
-CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& program,
-                             const std::vector<StatePose>& characters, int width, int bone_count,
-                             StorePolicy stores = StorePolicy::prefetched);
-
-PackedCrowdResult compute_packed_palettes(const Kernels& kernels, const HierarchyProgram& program,
-                                          const std::vector<StatePose>& characters, int width, int bone_count,
-                                          StorePolicy stores = StorePolicy::prefetched);
-
-bool same_bits(const std::vector<PackedPaletteEntry>& a, const std::vector<PackedPaletteEntry>& b);
-bool same_bits(const std::vector<PaletteMatrix>& a, const std::vector<PaletteMatrix>& b);
 
 }  // namespace throng::anim::kernel_rig

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/anim/kernel/kernel_rig.h"
+#include "tests/anim/kernel/palette_rig.h"
 
 namespace throng::anim {
 namespace {
@@ -115,7 +115,8 @@ TEST_P(ModelPalette, IsTheSameToTheBitHoweverItIsStored) {
     for (const int width : all_widths) {
       const CrowdResult expected = compute(kernels, width);
       for (const StorePolicy stores : {StorePolicy::plain, StorePolicy::streaming}) {
-        const CrowdResult result = compute_palettes(kernels, program_, states_, width, skeleton().bone_count(), stores);
+        const CrowdResult result =
+            compute_palettes(kernels, program_, states_, width, skeleton().bone_count(), {.stores = stores});
         EXPECT_TRUE(result.guards_intact) << kernels.target << " " << width;
         for (std::size_t i = 0; i < states_.size(); ++i) {
           EXPECT_TRUE(same_bits(result.palettes[i], expected.palettes[i]))
@@ -160,6 +161,24 @@ TEST(RigidPalette, OfTheBindPoseIsTheIdentity) {
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) {
         EXPECT_NEAR(entry.rows[row][column], row == column ? 1.0F : 0.0F, 2e-6F);
+      }
+    }
+  }
+}
+
+TEST(RigidPalette, IsTheSameToTheBitWhereNothingIsDisplacedAndNobodyAsksForHashes) {
+  for (const Skeleton& skeleton : {rigid_skeleton(branching_parents(62)), rigid_skeleton({-1, 0, -1, 2, 0})}) {
+    const HierarchyProgram program = compile_hierarchy(skeleton);
+    const std::vector<StatePose> poses = undisplaced(states(skeleton, random_poses(skeleton)));
+    for (const Kernels& kernels : runnable_kernels()) {
+      const CrowdResult expected = compute_palettes(kernels, program, poses, widest_tile, skeleton.bone_count());
+      for (const PaletteRequest& request : requests_of_nothing_else) {
+        const CrowdResult result =
+            compute_palettes(kernels, program, poses, widest_tile, skeleton.bone_count(), request);
+        EXPECT_TRUE(result.guards_intact) << kernels.target;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+          EXPECT_TRUE(same_bits(result.palettes[i], expected.palettes[i])) << kernels.target << " " << i;
+        }
       }
     }
   }

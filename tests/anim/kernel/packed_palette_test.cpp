@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/anim/kernel/kernel_rig.h"
+#include "tests/anim/kernel/palette_rig.h"
 
 namespace throng::anim {
 namespace {
@@ -32,7 +32,7 @@ class PackedPalette : public ::testing::TestWithParam<Rig> {
   }
   const Skeleton& skeleton() const { return GetParam().skeleton; }
   PackedCrowdResult compute(const Kernels& kernels, int width, StorePolicy stores = StorePolicy::prefetched) const {
-    return compute_packed_palettes(kernels, program_, states_, width, skeleton().bone_count(), stores);
+    return compute_packed_palettes(kernels, program_, states_, width, skeleton().bone_count(), {.stores = stores});
   }
   std::vector<PaletteMatrix> unpacked(const std::vector<PackedPaletteEntry>& palette) const {
     const std::vector<PackingFrame> frames = packing_frames(skeleton());
@@ -92,6 +92,21 @@ TEST_P(PackedPalette, OfALevelIsAPrefixOfTheWholeAndWritesNothingElse) {
       for (std::size_t i = 0; i < states_.size(); ++i) {
         const auto& all = whole.palettes[i];
         ASSERT_TRUE(same_bits(level.palettes[i], {all.begin(), all.begin() + bones})) << kernels.target << " " << bones;
+      }
+    }
+  }
+}
+
+TEST_P(PackedPalette, IsTheSameToTheBitWhereNothingIsDisplacedAndNobodyAsksForHashes) {
+  const std::vector<StatePose> poses = undisplaced(states_);
+  for (const Kernels& kernels : runnable_kernels()) {
+    const auto expected = compute_packed_palettes(kernels, program_, poses, widest_tile, skeleton().bone_count());
+    for (const PaletteRequest& request : requests_of_nothing_else) {
+      const auto result =
+          compute_packed_palettes(kernels, program_, poses, widest_tile, skeleton().bone_count(), request);
+      EXPECT_TRUE(result.guards_intact) << kernels.target;
+      for (std::size_t i = 0; i < poses.size(); ++i) {
+        EXPECT_TRUE(same_bits(result.palettes[i], expected.palettes[i])) << kernels.target << " " << i;
       }
     }
   }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/anim/kernel/kernels.h"
+#include "tests/anim/kernel/kernel_rig.h"
+
+/// Palettes of those skeletons by the kernels.
+namespace throng::anim::kernel_rig {
+
+/// What else is said of the palettes that are computed.
+struct PaletteRequest {
+  StorePolicy stores = StorePolicy::prefetched;
+  bool displaced = true;
+  bool hashed = true;
+  bool whole_lines = false;  ///< true: all palettes begin a cache line; false: every second one is only 16-byte aligned
+};
+
+/// What most frames ask, however it is stored.
+inline constexpr PaletteRequest requests_of_nothing_else[] = {
+    {.stores = StorePolicy::plain, .displaced = false, .hashed = false, .whole_lines = true},
+    {.stores = StorePolicy::prefetched, .displaced = false, .hashed = false, .whole_lines = true},
+    {.stores = StorePolicy::streaming, .displaced = false, .hashed = false, .whole_lines = true}};
+
+/// Palettes and hashes of characters, computed in tiles of `width`; a last tile may be partly filled. Every palette
+/// lies between guard bytes, and so do entries of bones above `bone_count`.
+template <typename Entry>
+struct CrowdResultOf {
+  std::vector<std::vector<Entry>> palettes;  ///< [character][entry below the bone count]
+  std::vector<std::uint64_t> hashes;
+  bool guards_intact = true;
+};
+using CrowdResult = CrowdResultOf<PaletteMatrix>;
+using PackedCrowdResult = CrowdResultOf<PackedPaletteEntry>;
+CrowdResult compute_palettes(const Kernels& kernels, const HierarchyProgram& program,
+                             const std::vector<StatePose>& characters, int width, int bone_count,
+                             const PaletteRequest& request = {});
+
+PackedCrowdResult compute_packed_palettes(const Kernels& kernels, const HierarchyProgram& program,
+                                          const std::vector<StatePose>& characters, int width, int bone_count,
+                                          const PaletteRequest& request = {});
+
+bool same_bits(const std::vector<PackedPaletteEntry>& a, const std::vector<PackedPaletteEntry>& b);
+bool same_bits(const std::vector<PaletteMatrix>& a, const std::vector<PaletteMatrix>& b);
+
+}  // namespace throng::anim::kernel_rig

@@ -70,6 +70,7 @@ HWY_INLINE void put(D d, const HierarchyProgram& /*program*/, int entry, const R
   stage.put(d, entry, motion.matrix, motion.translation);
 }
 
+/// What rigid_palette_lanes does, with a packet of which the compiler may know something.
 template <template <class> class MotionOf, int width, class D, class Packet>
 HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, int begin, int end, Packet packet) {
   using Motion = MotionOf<hn::Vec<D>>;
@@ -123,17 +124,13 @@ template <template <class> class MotionOf, int width, class D>
 HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end) {
   constexpr int lanes = lane_count<D>;
   const AnyPacket packet = any_packet(job, lane, lanes);
+  const auto write = [&](auto known) { rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, known); };
   if constexpr (width == widest_tile) {
-    if (is_usual(packet, lanes) && packet.stores == StorePolicy::prefetched) {
-      const UsualPacket<lanes, StorePolicy::prefetched> usual;
-      return rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, usual);
-    }
-    if (is_usual(packet, lanes) && packet.stores == StorePolicy::streaming) {
-      const UsualPacket<lanes, StorePolicy::streaming> usual;
-      return rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, usual);
-    }
+    const bool usual = is_usual(packet, lanes);
+    if (usual && packet.stores == StorePolicy::prefetched) return write(UsualPacket<lanes, StorePolicy::prefetched>());
+    if (usual && packet.stores == StorePolicy::streaming) return write(UsualPacket<lanes, StorePolicy::streaming>());
   }
-  rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, packet);
+  write(packet);
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

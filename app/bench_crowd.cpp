@@ -43,7 +43,7 @@ std::vector<BenchAgent> bench_agents(const anim::Character& character, int agent
 
 BenchPalettes::BenchPalettes(int agents, int entries, anim::PaletteFormat format)
     : format_(format),
-      slot_bytes_(static_cast<std::size_t>((entries + 3) / 4 * 4) * anim::palette_entry_bytes(format)),
+      slot_bytes_(anim::palette_stride(static_cast<std::size_t>(entries), format)),
       size_(slot_bytes_ * static_cast<std::size_t>(agents)),
       memory_(anim::allocate_aligned(size_)) {}
 

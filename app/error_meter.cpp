@@ -57,7 +57,8 @@ void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::Visib
     const std::size_t most = sampling == ErrorSampling::all ? errors_.size() : WatchedAgents::few;
     const std::size_t watched = sampling == ErrorSampling::off ? 0 : std::min(most, errors_.size());
     watched_.reset(errors_.size(), watched, most_entries_);
-    exact_palettes_ = anim::allocate_aligned(watched * in_whole_lines(most_entries_) * sizeof(anim::PaletteMatrix));
+    exact_palettes_ =
+        anim::allocate_aligned(watched * anim::palette_stride(most_entries_, anim::PaletteFormat::matrices));
     chosen_.reserve(watched);
     exact_.reserve(watched);
     if (sampling == ErrorSampling::some) window_.reserve(most_measured_of_few);
@@ -66,10 +67,10 @@ void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::Visib
 }
 
 void ErrorMeter::take(WatchedAgent& watched) {
-  const std::size_t stride = in_whole_lines(most_entries_);
+  const std::size_t stride = anim::palette_stride(most_entries_, anim::PaletteFormat::matrices);
   chosen_.push_back(static_cast<std::uint32_t>(&watched - watched_.all().data()));
-  exact_.push_back({.agent = watched.agent,
-                    .palette = reinterpret_cast<anim::PaletteMatrix*>(exact_palettes_.get()) + exact_.size() * stride});
+  std::byte* const palette = exact_palettes_.get() + exact_.size() * stride;
+  exact_.push_back({.agent = watched.agent, .palette = reinterpret_cast<anim::PaletteMatrix*>(palette)});
 }
 
 // Whoever was measured for the first time in the frame before is measured again, so that it is known by how much its

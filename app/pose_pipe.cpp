@@ -5,10 +5,6 @@
 namespace throng::app {
 namespace {
 
-constexpr std::size_t palette_bytes(const anim::Skeleton& skeleton) {
-  return (skeleton.palette.size() + 3) / 4 * 4 * sizeof(anim::PaletteMatrix);
-}
-
 glm::dmat4 to_matrix(const anim::PaletteMatrix& entry) {
   glm::dmat4 matrix(1.0);
   for (int row = 0; row < 3; ++row) {
@@ -44,7 +40,7 @@ anim::Status PipePoseSource::prepare(const anim::Model& model, const anim::Clip*
                                               {.schedule = anim::Schedule::levels, .stream = kind, .hash = false});
   if (!system) return system.error();
   system_ = std::move(*system);
-  palette_ = anim::allocate_aligned(palette_bytes(model.skeleton));
+  palette_ = anim::allocate_aligned(anim::palette_stride(model.skeleton.palette.size(), anim::PaletteFormat::matrices));
   model_ = &model;
   clip_ = clip;
   return anim::Done{};

@@ -3,7 +3,7 @@
 namespace throng::app {
 
 void ShownPoses::retire_from(ShownPose& pose, std::uint64_t last_frame) {
-  if (pose.from.valid() && pose.from.first_entry != pose.to.first_entry) slots_->retire(pose.from, last_frame);
+  if (pose.from.valid() && pose.from.first_line != pose.to.first_line) slots_->retire(pose.from, last_frame);
 }
 
 void ShownPoses::hide(ShownPose& pose, std::uint64_t last_frame) {
@@ -32,10 +32,10 @@ void ShownPoses::hide_unseen(std::span<const anim::VisibleAgent> visible, std::u
 
 anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {
   ShownPose& pose = poses_[next.agent];
-  const std::uint32_t entries = slot_entries(next.entries, next.format);
-  render::PaletteSlot slot = slots_->acquire(entries, pose.to.page);
+  const std::uint32_t lines = slot_lines(next.entries, next.format);
+  render::PaletteSlot slot = slots_->acquire(lines, pose.to.page);
   // Its page is full: the agent moves to another.
-  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(entries);
+  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(lines);
   if (!slot.valid()) {
     out_of_memory_ = true;
     hide(pose, last_frame);

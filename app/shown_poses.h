@@ -28,7 +28,7 @@ struct ShownPose {
 
  private:
   static std::uint32_t slot_word(const render::PaletteSlot& slot, anim::PaletteFormat format) {
-    return slot.first_entry | (format == anim::PaletteFormat::packed ? render::packed_slot : 0U);
+    return slot.first_line | (format == anim::PaletteFormat::packed ? render::packed_slot : 0U);
   }
 };
 
@@ -44,10 +44,9 @@ struct NewPose {
   anim::PaletteFormat format = anim::PaletteFormat::matrices;
 };
 
-/// How much a slot must hold for as many entries of a format, in those of 48 bytes.
-constexpr std::uint32_t slot_entries(std::uint32_t entries, anim::PaletteFormat format) {
-  constexpr auto matrix_bytes = static_cast<std::uint32_t>(render::palette_entry_bytes);
-  return (entries * static_cast<std::uint32_t>(anim::palette_entry_bytes(format)) + matrix_bytes - 1) / matrix_bytes;
+/// How many lines a slot must have for as many entries of a format.
+constexpr std::uint32_t slot_lines(std::uint32_t entries, anim::PaletteFormat format) {
+  return static_cast<std::uint32_t>(anim::palette_stride(entries, format) / render::palette_line_bytes);
 }
 
 /// Which palette slots each agent shows: the contract of engine/render/README.md, kept on the animation's side.

@@ -35,8 +35,8 @@ std::vector<std::uint32_t> all_sizes(const EntriesByLevel& entries) {
   std::vector<std::uint32_t> sizes;
   for (const auto& of_character : entries) {
     for (const std::uint32_t count : of_character) {
-      sizes.push_back(count);
-      sizes.push_back(slot_entries(count, anim::PaletteFormat::packed));
+      sizes.push_back(slot_lines(count, anim::PaletteFormat::matrices));
+      sizes.push_back(slot_lines(count, anim::PaletteFormat::packed));
     }
   }
   return sizes;

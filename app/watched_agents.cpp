@@ -8,9 +8,9 @@ namespace throng::app {
 
 void WatchedAgents::reset(std::size_t agents, std::size_t watched, std::size_t entries) {
   constexpr std::size_t poses = 2;  // from and to
-  const std::size_t stride = in_whole_lines(entries);
+  const std::size_t stride = anim::palette_stride(entries, anim::PaletteFormat::matrices);
   if (watched != watched_.size() || palettes_ == nullptr) {
-    palettes_ = anim::allocate_aligned(watched * poses * stride * sizeof(anim::PaletteMatrix));
+    palettes_ = anim::allocate_aligned(watched * poses * stride);
   }
   watched_.assign(watched, {});
   free_.clear();
@@ -21,7 +21,7 @@ void WatchedAgents::reset(std::size_t agents, std::size_t watched, std::size_t e
   std::byte* next = palettes_.get();
   for (WatchedAgent& each : watched_) {
     for (std::byte** const palette : {&each.from, &each.to}) {
-      *palette = std::exchange(next, next + stride * sizeof(anim::PaletteMatrix));
+      *palette = std::exchange(next, next + stride);
     }
     free_.push_back(static_cast<std::uint32_t>(watched - 1 - free_.size()));
   }
@@ -81,9 +81,9 @@ anim::PaletteDestination WatchedAgents::destination(std::uint32_t agent, const S
   const std::uint32_t place = place_of_[agent];
   if (place == WatchedAgent::nobody || slot_memory == nullptr) return slot_memory;
   WatchedAgent& watched = watched_[place];
-  watched.blends = pose.from.first_entry != pose.to.first_entry;
+  watched.blends = pose.from.first_line != pose.to.first_line;
   watched.from_known = watched.to_known && pose.from_format == pose.to_format &&
-                       watched.to_slot.page == pose.from.page && watched.to_slot.first_entry == pose.from.first_entry;
+                       watched.to_slot.page == pose.from.page && watched.to_slot.first_line == pose.from.first_line;
   std::swap(watched.from, watched.to);
   watched.to_known = true;
   watched.to_slot = pose.to;

@@ -13,9 +13,6 @@
 
 namespace throng::app {
 
-/// Entries of a palette, rounded up to whole groups of four matrices, so that the next begins on a cache line.
-constexpr std::size_t in_whole_lines(std::size_t entries) { return (entries + 3) / 4 * 4; }
-
 /// An agent whose palettes are kept where they can be read: the device's memory is only written (engine/render).
 struct WatchedAgent {
   static constexpr std::uint32_t nobody = UINT32_MAX;

@@ -6,6 +6,7 @@ layout(std430, binding = 1) readonly buffer PalettePage { uvec4 palette_rows[]; 
 layout(std430, binding = 3) readonly buffer PackingFrames { vec4 packing_frames[]; };
 
 const uint packed_slot = 0x80000000u;
+const uint rows_of_line = 4u;
 
 struct SkinnedVertex {
   vec3 position;  // model space
@@ -38,7 +39,7 @@ struct JointMotion {
 bool is_packed(uint slot) { return (slot & packed_slot) != 0u; }
 
 JointMotion unpacked(uint slot, uint entry) {
-  uvec4 words = palette_rows[(slot & ~packed_slot) * 3u + entry];
+  uvec4 words = palette_rows[(slot & ~packed_slot) * rows_of_line + entry];
   ivec4 rotation = ivec4(words.x << 16, words.x, words.y << 16, words.y) >> 16;
   ivec3 place = ivec3(words.z << 11, ((words.z >> 21) | (words.w << 11)) << 11, words.w) >> ivec3(11, 11, 10);
   return JointMotion(vec4(rotation), packing_frames[entry].w * vec3(place));
@@ -65,7 +66,7 @@ Rows rows_of(const JointMotion motion, vec3 pivot) {
 
 Rows entry_rows(uint slot, uint entry) {
   if (is_packed(slot)) return rows_of(unpacked(slot, entry), packing_frames[entry].xyz);
-  uint row = (slot + entry) * 3u;
+  uint row = slot * rows_of_line + 3u * entry;
   return Rows(uintBitsToFloat(palette_rows[row]), uintBitsToFloat(palette_rows[row + 1u]),
               uintBitsToFloat(palette_rows[row + 2u]));
 }

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/kernel/packed_palette.h"
 #include "engine/render/camera.h"
 
 namespace throng::sheet {
@@ -28,12 +29,17 @@ render::CameraView view_of(const Shot& shot) {
   return render::view_of(camera, static_cast<float>(shot.width) / static_cast<float>(shot.height));
 }
 
-std::vector<std::uint32_t> entries_by_level(const anim::Skeleton& skeleton) {
-  std::vector<std::uint32_t> entries;
+std::uint32_t slot_lines(std::size_t entries) {
+  const std::size_t bytes = anim::palette_stride(entries, anim::PaletteFormat::matrices);
+  return static_cast<std::uint32_t>(bytes / render::palette_line_bytes);
+}
+
+std::vector<std::uint32_t> slot_lines_by_level(const anim::Skeleton& skeleton) {
+  std::vector<std::uint32_t> lines;
   for (const int bones : skeleton.level_bone_counts) {
-    entries.push_back(static_cast<std::uint32_t>(anim::palette_count_for_bones(skeleton, bones)));
+    lines.push_back(slot_lines(static_cast<std::size_t>(anim::palette_count_for_bones(skeleton, bones))));
   }
-  return entries;
+  return lines;
 }
 
 /// What is the same with and without figures becomes one colour, so that paving does not fill the file.
@@ -84,7 +90,7 @@ std::vector<glm::dmat4> Studio::palette_of(const Figure& figure) const {
 
 render::InstanceRecord Studio::record_of(const Figure& figure) {
   const std::vector<glm::dmat4> palette = palette_of(figure);
-  const render::PaletteSlot slot = slots_->acquire(static_cast<std::uint32_t>(palette.size()));
+  const render::PaletteSlot slot = slots_->acquire(slot_lines(palette.size()));
   auto* const rows = reinterpret_cast<float*>(slots_->memory(slot));
   for (std::size_t entry = 0; entry < palette.size(); ++entry) {
     for (int row = 0; row < 3; ++row) {
@@ -99,7 +105,7 @@ render::InstanceRecord Studio::record_of(const Figure& figure) {
   record.contact_scale = 1.0F;
   record.heading_cosine = std::cos(figure.heading);
   record.heading_sine = std::sin(figure.heading);
-  record.palette_from = record.palette_to = slot.first_entry;
+  record.palette_from = record.palette_to = slot.first_line;
   record.bone_level = figure.bone_level;
   record.shape = figure.variant.shape();
   record.hair = figure.variant.hair();
@@ -111,8 +117,8 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
   renderer_->set_size({shot.width, shot.height});
   renderer_->set_shadows(shot.shadows);
   renderer_->reset_palette_pages();
-  slots_ =
-      std::make_unique<render::PaletteSlots>(renderer_->palette_pages(), entries_by_level(character_.model.skeleton));
+  slots_ = std::make_unique<render::PaletteSlots>(renderer_->palette_pages(),
+                                                  slot_lines_by_level(character_.model.skeleton));
   std::vector<render::InstanceRecord> records;
   std::vector<render::CrowdBatch> batches;
   for (const Figure& figure : figures) {

@@ -15,8 +15,8 @@ inline constexpr int tint_regions = 5;  ///< skin, hair, shirt, trousers, shoes
 ///      0  position x y z          metres, world space, between the feet
 ///     12  scale                   uniform
 ///     16  heading cosine, sine    about +Y; 1, 0 faces +Z
-///     24  palette from, to        first entry of each slot in the page's buffer, in units of 48 bytes; its highest
-///                                 bit says that the slot is packed: three entries to such a unit
+///     24  palette from, to        first line of each slot in the page's buffer, of 64 bytes; its highest bit says
+///                                 that the slot is packed
 ///     32  blend start, duration   microseconds, modulo 2^32; shown = mix(from, to, clamp((now - start) / duration)),
 ///                                 duration 0 shows `to`
 ///     40  agent                   its index, for read-back and picking

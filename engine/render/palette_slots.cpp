@@ -10,17 +10,12 @@
 namespace throng::render {
 namespace {
 
-constexpr std::align_val_t line{64};
-
-std::uint32_t whole_line_groups(std::uint32_t entries) {
-  constexpr auto group = static_cast<std::uint32_t>(palette_entries_per_line_group);
-  return (entries + group - 1) / group * group;
-}
+constexpr std::align_val_t line{palette_line_bytes};
 
 /// The smallest of the sizes, which descend, that is large enough.
-std::uint32_t next_size(std::span<const std::uint32_t> sizes, std::uint32_t entries) {
-  const auto smaller = std::ranges::find_if(sizes, [entries](std::uint32_t size) { return size < entries; });
-  assert(smaller != sizes.begin() && "more entries than any slot was announced to have");
+std::uint32_t next_size(std::span<const std::uint32_t> sizes, std::uint32_t lines) {
+  const auto smaller = std::ranges::find_if(sizes, [lines](std::uint32_t size) { return size < lines; });
+  assert(smaller != sizes.begin() && "more lines than any slot was announced to have");
   return *(smaller - 1);
 }
 
@@ -46,28 +41,27 @@ PalettePage HeapPageSource::add_page() {
 PaletteSlots::PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> sizes)
     : source_(&source), sizes_(std::move(sizes)) {
   assert(!sizes_.empty());
-  for (std::uint32_t& entries : sizes_) entries = whole_line_groups(entries);
   std::ranges::sort(sizes_, std::greater<>());
   const auto repeated = std::ranges::unique(sizes_);
   sizes_.erase(repeated.begin(), repeated.end());
 }
 
-PaletteSlot PaletteSlots::acquire(std::uint32_t entries, std::uint32_t near) {
-  entries = next_size(sizes_, whole_line_groups(entries));
-  if (near != PaletteSlot::none) return take(near, entries);
+PaletteSlot PaletteSlots::acquire(std::uint32_t lines, std::uint32_t near) {
+  lines = next_size(sizes_, lines);
+  if (near != PaletteSlot::none) return take(near, lines);
   for (std::uint32_t page = 0; page < pages_.size(); ++page) {
     if (!has_room_for_newcomer(pages_[page])) continue;
-    if (const PaletteSlot slot = take(page, entries); slot.valid()) return slot;
+    if (const PaletteSlot slot = take(page, lines); slot.valid()) return slot;
   }
-  if (add_page()) return take(static_cast<std::uint32_t>(pages_.size() - 1), entries);
+  if (add_page()) return take(static_cast<std::uint32_t>(pages_.size() - 1), lines);
   for (std::uint32_t page = 0; page < pages_.size(); ++page) {
-    if (const PaletteSlot slot = take(page, entries); slot.valid()) return slot;
+    if (const PaletteSlot slot = take(page, lines); slot.valid()) return slot;
   }
   return {};
 }
 
 bool PaletteSlots::has_room_for_newcomer(const Page& page) const {
-  return page.entries_in_use * palette_entry_bytes < page.memory.size / 3;
+  return page.lines_in_use * palette_line_bytes < page.memory.size / 3;
 }
 
 bool PaletteSlots::add_page() {
@@ -75,44 +69,44 @@ bool PaletteSlots::add_page() {
   if (memory.memory == nullptr) return false;
   Page page;
   page.memory = memory;
-  const std::size_t entries = memory.size / palette_entry_bytes;
+  const std::size_t lines = memory.size / palette_line_bytes;
   page.free_by_size.resize(sizes_.size());
   // As many as a page has room for, so that no frame allocates; what is never used is never touched.
-  for (std::size_t i = 0; i < sizes_.size(); ++i) page.free_by_size[i].reserve(entries / sizes_[i]);
-  retired_.reserve(retired_.capacity() + entries / sizes_.back());
-  page.acquired.resize(memory.size / (palette_entry_bytes * palette_entries_per_line_group));
+  for (std::size_t i = 0; i < sizes_.size(); ++i) page.free_by_size[i].reserve(lines / sizes_[i]);
+  retired_.reserve(retired_.capacity() + lines / sizes_.back());
+  page.acquired.resize(lines);
   pages_.push_back(std::move(page));
   return true;
 }
 
-PaletteSlot PaletteSlots::take(std::uint32_t page, std::uint32_t entries) {
+PaletteSlot PaletteSlots::take(std::uint32_t page, std::uint32_t lines) {
   Page& from = pages_[page];
-  PaletteSlot slot{page, 0, entries};
-  if ((from.next_entry + entries) * palette_entry_bytes <= from.memory.size &&
-      from.free_by_size[size_index(entries)].empty()) {
-    slot.first_entry = from.next_entry;
-    from.next_entry += entries;
+  PaletteSlot slot{page, 0, lines};
+  if ((from.next_line + lines) * palette_line_bytes <= from.memory.size &&
+      from.free_by_size[size_index(lines)].empty()) {
+    slot.first_line = from.next_line;
+    from.next_line += lines;
   } else {
     // The smallest free one that is large enough; sizes descend.
-    std::size_t size = size_index(entries);
+    std::size_t size = size_index(lines);
     while (from.free_by_size[size].empty()) {
       if (size == 0) return {};
       --size;
     }
-    slot.entries = sizes_[size];
-    slot.first_entry = from.free_by_size[size].back();
+    slot.lines = sizes_[size];
+    slot.first_line = from.free_by_size[size].back();
     from.free_by_size[size].pop_back();
   }
-  from.acquired[slot.first_entry / palette_entries_per_line_group] = slot.entries;
-  from.entries_in_use += slot.entries;
+  from.acquired[slot.first_line] = slot.lines;
+  from.lines_in_use += slot.lines;
   ++in_use_;
-  bytes_in_use_ += slot.entries * palette_entry_bytes;
+  bytes_in_use_ += slot.lines * palette_line_bytes;
   return slot;
 }
 
 void PaletteSlots::retire(const PaletteSlot& slot, std::uint64_t last_frame) {
   assert(is_acquired(slot));
-  pages_[slot.page].acquired[slot.first_entry / palette_entries_per_line_group] = 0;
+  pages_[slot.page].acquired[slot.first_line] = 0;
   retired_.push_back({slot, last_frame});
 }
 
@@ -122,28 +116,27 @@ void PaletteSlots::reclaim(std::uint64_t completed_frame) {
     if (!is_free(retired)) continue;
     const PaletteSlot& slot = retired.slot;
     Page& page = pages_[slot.page];
-    page.free_by_size[size_index(slot.entries)].push_back(slot.first_entry);
-    page.entries_in_use -= slot.entries;
+    page.free_by_size[size_index(slot.lines)].push_back(slot.first_line);
+    page.lines_in_use -= slot.lines;
     --in_use_;
-    bytes_in_use_ -= slot.entries * palette_entry_bytes;
+    bytes_in_use_ -= slot.lines * palette_line_bytes;
   }
   std::erase_if(retired_, is_free);
 }
 
-std::size_t PaletteSlots::size_index(std::uint32_t entries) const {
-  const auto found = std::ranges::find(sizes_, entries);
+std::size_t PaletteSlots::size_index(std::uint32_t lines) const {
+  const auto found = std::ranges::find(sizes_, lines);
   assert(found != sizes_.end());
   return static_cast<std::size_t>(found - sizes_.begin());
 }
 
 bool PaletteSlots::is_acquired(const PaletteSlot& slot) const {
-  return slot.valid() && slot.page < pages_.size() &&
-         pages_[slot.page].acquired[slot.first_entry / palette_entries_per_line_group] == slot.entries;
+  return slot.valid() && slot.page < pages_.size() && pages_[slot.page].acquired[slot.first_line] == slot.lines;
 }
 
 std::byte* PaletteSlots::memory(const PaletteSlot& slot) const {
   assert(is_acquired(slot));
-  return pages_[slot.page].memory.memory + slot.first_entry * palette_entry_bytes;
+  return pages_[slot.page].memory.memory + slot.first_line * palette_line_bytes;
 }
 
 }  // namespace throng::render

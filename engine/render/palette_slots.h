@@ -7,8 +7,7 @@
 
 namespace throng::render {
 
-inline constexpr std::size_t palette_entry_bytes = 48;
-inline constexpr int palette_entries_per_line_group = 4;  ///< four entries are three whole cache lines
+inline constexpr std::size_t palette_line_bytes = 64;  ///< a cache line: what slots are counted in
 
 /// A page of palette memory: persistently mapped GPU memory, or plain memory where there is no GL.
 struct PalettePage {
@@ -37,12 +36,12 @@ class HeapPageSource final : public PalettePageSource {
   std::vector<std::unique_ptr<Page>> pages_;
 };
 
-/// A run of entries in a page that one pose of one agent is written to.
+/// A run of lines in a page that one pose of one agent is written to.
 struct PaletteSlot {
   static constexpr std::uint32_t none = UINT32_MAX;
   std::uint32_t page = none;
-  std::uint32_t first_entry = 0;  ///< in units of 48 bytes from the page's start; a multiple of 4
-  std::uint32_t entries = 0;      ///< capacity, a multiple of 4
+  std::uint32_t first_line = 0;  ///< from the page's start
+  std::uint32_t lines = 0;       ///< capacity
   bool valid() const { return page != none; }
 };
 
@@ -58,13 +57,12 @@ struct PaletteSlot {
 /// pages are there and the free lists have grown.
 class PaletteSlots {
  public:
-  /// All in entries of 48 bytes; three packed ones take the room of one.
-  /// `sizes`: how many entries slots will be asked for, those of each character's bone levels, in any order.
+  /// `sizes`: how many lines slots will be asked for, those of each character's bone levels, in any order.
   PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> sizes);
 
-  /// Room for `entries`, at most the largest of the sizes; the next of them is taken. An invalid slot means: no memory
+  /// Room for `lines`, at most the largest of the sizes; the next of them is taken. An invalid slot means: no memory
   /// left (on `near`, where given); the agent is not drawn. A slot may be larger than it needs to be.
-  PaletteSlot acquire(std::uint32_t entries, std::uint32_t near = PaletteSlot::none);
+  PaletteSlot acquire(std::uint32_t lines, std::uint32_t near = PaletteSlot::none);
   void retire(const PaletteSlot& slot, std::uint64_t last_frame);
   void reclaim(std::uint64_t completed_frame);
 
@@ -81,23 +79,23 @@ class PaletteSlots {
  private:
   struct Page {
     PalettePage memory;
-    std::uint32_t next_entry = 0;                          ///< never handed out beyond here
-    std::uint32_t entries_in_use = 0;                      ///< retired ones included
-    std::vector<std::vector<std::uint32_t>> free_by_size;  ///< first entries, a list a size
-    std::vector<std::uint32_t> acquired;                   ///< by first entry / 4: entries of the slot there, or 0
+    std::uint32_t next_line = 0;                           ///< never handed out beyond here
+    std::uint32_t lines_in_use = 0;                        ///< retired ones included
+    std::vector<std::vector<std::uint32_t>> free_by_size;  ///< first lines, a list a size
+    std::vector<std::uint32_t> acquired;                   ///< by first line: lines of the slot there, or 0
   };
   struct Retired {
     PaletteSlot slot;
     std::uint64_t last_frame;
   };
 
-  std::size_t size_index(std::uint32_t entries) const;
+  std::size_t size_index(std::uint32_t lines) const;
   bool has_room_for_newcomer(const Page& page) const;
   bool add_page();
-  PaletteSlot take(std::uint32_t page, std::uint32_t entries);
+  PaletteSlot take(std::uint32_t page, std::uint32_t lines);
 
   PalettePageSource* source_;
-  std::vector<std::uint32_t> sizes_;  ///< whole groups of lines, each once, descending
+  std::vector<std::uint32_t> sizes_;  ///< in lines, each once, descending
   std::vector<Page> pages_;
   std::vector<Retired> retired_;
   std::size_t in_use_ = 0;

@@ -5,16 +5,16 @@
 namespace throng::app {
 namespace {
 
-constexpr std::uint32_t all_bones = 8;
+constexpr std::uint32_t all_bones = 8;  // of a palette
 
 struct ExactPosesTest : testing::Test {
   ExactPosesTest() { exact.reset(3, 0); }
 
   render::HeapPageSource pages{std::size_t{1} << 16U};
-  render::PaletteSlots slots{pages, {all_bones}};
+  render::PaletteSlots slots{pages, {slot_lines(all_bones, anim::PaletteFormat::matrices)}};
   ExactPoses exact{slots};
-  ShownPose shown{.from = {.page = 0, .first_entry = 400, .entries = 4},
-                  .to = {.page = 0, .first_entry = 404, .entries = 4},
+  ShownPose shown{.from = {.page = 0, .first_line = 400, .lines = 3},
+                  .to = {.page = 0, .first_line = 403, .lines = 3},
                   .from_level = 2,
                   .to_level = 2,
                   .from_time = 10,
@@ -25,7 +25,7 @@ TEST_F(ExactPosesTest, HaveASlotOfTheirOwnWithAllBonesAndNothingToBlend) {
   exact.add(1, shown, all_bones);
   const ShownPose& pose = exact.pose(1);
   EXPECT_TRUE(slots.is_acquired(pose.to));
-  EXPECT_EQ(pose.from.first_entry, pose.to.first_entry);
+  EXPECT_EQ(pose.from.first_line, pose.to.first_line);
   EXPECT_EQ(pose.from_time, pose.to_time);
   EXPECT_EQ(pose.level(), 0);
 }

@@ -25,7 +25,8 @@ class KeptPages final : public render::PalettePageSource {
     return pages_.back();
   }
   const anim::PaletteMatrix* palette(const render::PaletteSlot& slot) const {
-    return reinterpret_cast<const anim::PaletteMatrix*>(pages_[slot.page].memory) + slot.first_entry;
+    const std::byte* const memory = pages_[slot.page].memory + slot.first_line * render::palette_line_bytes;
+    return reinterpret_cast<const anim::PaletteMatrix*>(memory);
   }
 
  private:

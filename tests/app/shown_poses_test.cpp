@@ -9,12 +9,13 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint32_t entries = 64;
+constexpr std::uint32_t lines = slot_lines(entries, anim::PaletteFormat::matrices);
 constexpr std::uint32_t frame_time = 16'667;  // microseconds
 
 /// Gives `pages` pages of a few slots each and then no more.
 class FewPages final : public render::PalettePageSource {
  public:
-  FewPages(std::size_t slots, int pages) : heap_(slots * entries * render::palette_entry_bytes), left_(pages) {}
+  FewPages(std::size_t slots, int pages) : heap_(slots * lines * render::palette_line_bytes), left_(pages) {}
   render::PalettePage add_page() override { return left_-- > 0 ? heap_.add_page() : render::PalettePage{}; }
 
  private:
@@ -24,7 +25,7 @@ class FewPages final : public render::PalettePageSource {
 
 struct ShownPosesTest : testing::Test {
   FewPages pages{3, 2};
-  render::PaletteSlots slots{pages, {entries}};
+  render::PaletteSlots slots{pages, {lines}};
   ShownPoses shown{slots};
 
   ShownPosesTest() { shown.reset(8, 0); }
@@ -39,7 +40,7 @@ TEST_F(ShownPosesTest, BlendFromThePoseShownSoFarToTheNewOne) {
   ASSERT_NE(show(0, 0, 4 * frame_time), nullptr);
   EXPECT_EQ(shown.pose(0).from_time, 0U);
   EXPECT_EQ(shown.pose(0).to_time, 4 * frame_time);
-  EXPECT_NE(shown.pose(0).from.first_entry, shown.pose(0).to.first_entry);
+  EXPECT_NE(shown.pose(0).from.first_line, shown.pose(0).to.first_line);
 }
 
 TEST_F(ShownPosesTest, MoveToAnotherPageWhenTheirsIsFull) {
@@ -74,21 +75,21 @@ TEST_F(ShownPosesTest, SayWhenNoMemoryIsLeft) {
 }
 
 TEST_F(ShownPosesTest, SayWhichOfTheirSlotsIsPacked) {
-  render::PaletteSlots both(pages, {entries, slot_entries(entries, anim::PaletteFormat::packed)});
+  render::PaletteSlots both(pages, {lines, slot_lines(entries, anim::PaletteFormat::packed)});
   ShownPoses poses(both);
   poses.reset(1, 0);
   poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0}, 0, 0);
   poses.show({.agent = 0, .level = 0, .entries = entries, .time = frame_time, .format = anim::PaletteFormat::packed}, 0,
              0);
   const ShownPose& pose = poses.pose(0);
-  EXPECT_EQ(pose.from_word(), pose.from.first_entry);
-  EXPECT_EQ(pose.to_word(), pose.to.first_entry | render::packed_slot);
+  EXPECT_EQ(pose.from_word(), pose.from.first_line);
+  EXPECT_EQ(pose.to_word(), pose.to.first_line | render::packed_slot);
 }
 
 TEST_F(ShownPosesTest, TakeAThirdOfTheRoomWherePacked) {
-  EXPECT_EQ(slot_entries(62, anim::PaletteFormat::matrices), 62U);
-  EXPECT_EQ(slot_entries(62, anim::PaletteFormat::packed), 21U);
-  EXPECT_EQ(slot_entries(63, anim::PaletteFormat::packed), 21U);
+  EXPECT_EQ(slot_lines(68, anim::PaletteFormat::matrices), 51U);
+  EXPECT_EQ(slot_lines(68, anim::PaletteFormat::packed), 17U);
+  EXPECT_EQ(slot_lines(69, anim::PaletteFormat::packed), 19U);
 }
 
 TEST_F(ShownPosesTest, StartAnewWithANewCrowd) {

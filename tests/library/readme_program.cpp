@@ -27,13 +27,13 @@ int main(int argument_count, char** arguments) {
   }
   system.play(0, {.clip = clips - 1, .fade = anim::to_ticks(0.25)});  // eases in over a quarter of a second
 
-  // A slot an agent: whole groups of four matrices, so that each starts on a cache line.
-  const auto slot = static_cast<std::size_t>(character->skeleton.palette_count() + 3) / 4 * 4;
-  const anim::AlignedBytes memory = anim::allocate_aligned(agents * slot * sizeof(anim::PaletteMatrix));
-  auto* const palettes = reinterpret_cast<anim::PaletteMatrix*>(memory.get());
+  // A palette an agent, each on cache lines of its own, as far apart as they are written fastest.
+  const auto entries = static_cast<std::size_t>(character->skeleton.palette_count());
+  const std::size_t stride = anim::palette_stride(entries, anim::PaletteFormat::matrices);
+  const anim::AlignedBytes palettes = anim::allocate_aligned(agents * stride);
   std::vector<anim::AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    updates.push_back({.agent = agent, .palette = palettes + agent * slot});
+    updates.push_back({.agent = agent, .palette = anim::PaletteDestination(palettes.get() + agent * stride)});
   }
 
   for (int frame = 0; frame < 60; ++frame) {

@@ -8,12 +8,12 @@
 namespace throng::render {
 namespace {
 
-constexpr std::size_t bytes_of(std::size_t entries) { return entries * palette_entry_bytes; }
+constexpr std::size_t bytes_of(std::size_t lines) { return lines * palette_line_bytes; }
 
 /// Gives `pages` pages and then no more.
 class LimitedPages final : public PalettePageSource {
  public:
-  LimitedPages(std::size_t page_entries, int pages) : heap_(bytes_of(page_entries)), left_(pages) {}
+  LimitedPages(std::size_t page_lines, int pages) : heap_(bytes_of(page_lines)), left_(pages) {}
   PalettePage add_page() override { return left_-- > 0 ? heap_.add_page() : PalettePage{}; }
 
  private:
@@ -21,26 +21,25 @@ class LimitedPages final : public PalettePageSource {
   int left_;
 };
 
-TEST(PaletteSlots, StartAndEndOnCacheLines) {
+TEST(PaletteSlots, StartOnCacheLines) {
   HeapPageSource pages(bytes_of(4096));
   PaletteSlots slots(pages, {62, 21});
-  for (const std::uint32_t entries : {62U, 21U, 62U, 21U}) {
-    const PaletteSlot slot = slots.acquire(entries);
+  for (const std::uint32_t lines : {62U, 21U, 62U, 21U}) {
+    const PaletteSlot slot = slots.acquire(lines);
     ASSERT_TRUE(slot.valid());
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(slots.memory(slot)) % 64, 0U);
-    EXPECT_EQ(bytes_of(slot.entries) % 64, 0U);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(slots.memory(slot)) % palette_line_bytes, 0U);
   }
 }
 
 TEST(PaletteSlots, NeverOverlap) {
   HeapPageSource pages(bytes_of(640));
   PaletteSlots slots(pages, {62, 21});
-  std::set<std::byte*> groups;
+  std::set<std::byte*> lines;
   for (int i = 0; i < 40; ++i) {
     const PaletteSlot slot = slots.acquire(i % 2 == 0 ? 62 : 21);
     ASSERT_TRUE(slot.valid());
-    for (std::uint32_t entry = 0; entry < slot.entries; entry += 4) {
-      EXPECT_TRUE(groups.insert(slots.memory(slot) + bytes_of(entry)).second);
+    for (std::uint32_t line = 0; line < slot.lines; ++line) {
+      EXPECT_TRUE(lines.insert(slots.memory(slot) + bytes_of(line)).second);
     }
   }
 }
@@ -48,16 +47,16 @@ TEST(PaletteSlots, NeverOverlap) {
 TEST(PaletteSlots, HoldWhatTheirLevelNeeds) {
   HeapPageSource pages(bytes_of(4096));
   PaletteSlots slots(pages, {62, 21});
-  EXPECT_EQ(slots.acquire(62).entries, 64U);
-  EXPECT_EQ(slots.acquire(21).entries, 24U);
+  EXPECT_EQ(slots.acquire(62).lines, 62U);
+  EXPECT_EQ(slots.acquire(21).lines, 21U);
 }
 
 TEST(PaletteSlots, OfASizeThatNobodyAnnouncedAreOfTheNextLarger) {
   HeapPageSource source(std::size_t{1} << 16U);
   PaletteSlots slots(source, {64, 24});
-  EXPECT_EQ(slots.acquire(40).entries, 64U);
-  EXPECT_EQ(slots.acquire(21).entries, 24U);
-  EXPECT_EQ(slots.acquire(3).entries, 24U);
+  EXPECT_EQ(slots.acquire(40).lines, 64U);
+  EXPECT_EQ(slots.acquire(21).lines, 24U);
+  EXPECT_EQ(slots.acquire(3).lines, 24U);
 }
 
 TEST(PaletteSlots, RetiredOneIsNotReusedBeforeItsLastFrameCompleted) {
@@ -71,7 +70,7 @@ TEST(PaletteSlots, RetiredOneIsNotReusedBeforeItsLastFrameCompleted) {
   slots.reclaim(7);
   const PaletteSlot second = slots.acquire(64);
   ASSERT_TRUE(second.valid());
-  EXPECT_EQ(second.first_entry, first.first_entry);
+  EXPECT_EQ(second.first_line, first.first_line);
 }
 
 TEST(PaletteSlots, RetiredOneIsNoLongerAcquired) {
@@ -146,7 +145,7 @@ TEST(PaletteSlots, SmallPoseTakesALargerFreeSlotRatherThanNone) {
   slots.reclaim(1);
   const PaletteSlot slot = slots.acquire(24);
   ASSERT_TRUE(slot.valid());
-  EXPECT_EQ(slot.entries, 64U);
+  EXPECT_EQ(slot.lines, 64U);
 }
 
 TEST(PaletteSlots, CountWhatIsInUseUntilItIsReclaimed) {

@@ -76,33 +76,36 @@ template <class D>
 class EntryWriter {
  public:
   EntryWriter(const ModelPaletteJob& job, int lane, int first_entry)
-      : job_(job), lane_(lane), out_{job.palettes + lane, any_packet(job, lane, lane_count<D>)}, next_(first_entry) {}
+      : job_(job),
+        lane_(lane),
+        packet_(any_packet(job, lane, lane_count<D>)),
+        next_(first_entry),
+        stage_(job.palettes + lane, packet_, first_entry, memory_) {}
 
   template <class V>
   HWY_INLINE void add(D d, const Affine<V>& entry) {
-    if (out_.packet.stores == StorePolicy::prefetched) stage_.prefetch(out_, next_, staged_);
+    if (packet_.stores == StorePolicy::prefetched) stage_.prefetch(staged_);
     stage_.put(d, staged_++, entry.matrix, entry.translation);
-    if (staged_ == PaletteStage<D>::entries) flush();
+    if (staged_ == Stage::entries) flush();
   }
 
   HWY_INLINE void flush() {
     stage_.turn();
-    stage_.write(out_, next_, staged_);
-    if (out_.packet.hashed) {
-      stage_.add_hashes(job_.hierarchy->skin_joint.data() + next_, out_.packet.characters, staged_,
-                        job_.hashes + lane_);
-    }
+    stage_.write(staged_);
+    if (packet_.hashed) stage_.add_hashes(job_.hierarchy->skin_joint.data() + next_, staged_, job_.hashes + lane_);
     next_ += staged_;
     staged_ = 0;
   }
 
  private:
+  using Stage = PaletteStage<D, matrix_rows, AnyPacket>;
   const ModelPaletteJob& job_;
   int lane_;
-  PaletteLines<AnyPacket> out_;
+  AnyPacket packet_;
   int next_;
   int staged_ = 0;
-  PaletteStage<D> stage_;
+  typename Stage::Memory memory_;
+  Stage stage_;
 };
 
 /// Entries lie by bone, so those of the bones from `begin` on start where the first of them starts that has any.

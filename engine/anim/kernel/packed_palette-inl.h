@@ -80,9 +80,9 @@ HWY_INLINE V within(D d, V x, float limit) {
   return hn::Min(hn::Max(x, hn::Set(d, -limit)), hn::Set(d, limit));
 }
 
-template <class D, class V>
+template <class D, class V, class Packet>
 HWY_INLINE void put(D d, const HierarchyProgram& program, int entry, const JointMotion<V>& motion,
-                    PaletteStage<D, packed_rows>& stage) {
+                    PaletteStage<D, packed_rows, Packet>& stage) {
   const hn::RebindToUnsigned<D> u;
   const V one = hn::Set(d, packed_rotation_one);
   const Quaternions<V>& q = motion.rotation;

@@ -50,6 +50,14 @@ constexpr std::size_t palette_entry_bytes(PaletteFormat format) {
   return format == PaletteFormat::packed ? sizeof(PackedPaletteEntry) : sizeof(PaletteMatrix);
 }
 
+/// Bytes from one palette to the next where many lie in a row: whole cache lines, and an odd number of them. The
+/// palettes of a tile are written side by side; an even number of lines apart, several of them would meet in the same
+/// few places of the nearest cache and push each other out.
+constexpr std::size_t palette_stride(std::size_t entries, PaletteFormat format) {
+  constexpr std::size_t line_bytes = 64;
+  return ((entries * palette_entry_bytes(format) + line_bytes - 1) / line_bytes | 1U) * line_bytes;
+}
+
 /// Where a palette is to be written, in the format that its skeleton's palettes have; null: nowhere.
 class PaletteDestination {
  public:

@@ -54,36 +54,41 @@ inline bool is_usual(const AnyPacket& packet, int lanes) {
   return packet.characters == lanes && !packet.displaced && !packet.hashed;
 }
 
-/// Where the entries of these characters go.
-template <class Packet>
-struct PaletteLines {
-  const PaletteDestination* palettes;  ///< [packet.characters]
-  Packet packet;
-
-  /// `entry_floats`: of one entry.
-  float* at(int character, int entry, int entry_floats) const {
-    return reinterpret_cast<float*>(palettes[character].memory()) + entry * entry_floats;
-  }
-};
-
 inline constexpr int matrix_floats = sizeof(PaletteMatrix) / sizeof(float);
 inline constexpr int matrix_rows = sizeof(PaletteMatrix) / 16;
 inline constexpr int packed_rows = sizeof(PackedPaletteEntry) / 16;
 template <int rows>
 using PaletteEntryOf = std::conditional_t<rows == matrix_rows, PaletteMatrix, PackedPaletteEntry>;
 
-/// Palette entries of lane_count<D> characters on their way out, each `rows` of 16 bytes, by groups of four: as many
+/// What a PaletteStage works on; apart from it, so that the compiler keeps the stage itself in registers.
+template <class D, int rows>
+struct PaletteStageMemory {
+  static constexpr int group_floats = 4 * rows * block_floats * lane_count<D>;
+  alignas(64) FloatArray<group_floats> groups[2];
+  alignas(64) float* group_lines[static_cast<std::size_t>(lane_count<D>)];  // a character: where the group put will go
+};
+
+/// Palette entries of the packet's characters on their way out, each `rows` of 16 bytes, by groups of four: as many
 /// whole cache lines a character, which leave in ascending order, so that the destination may be write-combined memory.
 /// While one group is put, a part of the group before it is written after each of its entries: memory takes lines all
 /// along, and not by bursts.
 ///
 ///     group = [character % 4][entry][row] of (character / 4 blocks of 4 floats)      vectors of 4 lanes and more
 ///           = [character][entry][row] of 4 floats                                    narrower ones
-template <class D, int rows = matrix_rows>
+template <class D, int rows, class Packet>
 class PaletteStage {
  public:
   static constexpr int lanes = lane_count<D>;
   static constexpr int entries = 4;
+  using Memory = PaletteStageMemory<D, rows>;
+
+  /// `palettes`: [packet.characters], which get their entries from `first` on.
+  HWY_INLINE PaletteStage(const PaletteDestination* palettes, Packet packet, int first, Memory& memory)
+      : packet_(packet), group_lines_(memory.group_lines), put_(memory.groups[0]), written_(memory.groups[1]) {
+    for (int i = 0; i < packet_.characters; ++i) {
+      group_lines_[i] = reinterpret_cast<float*>(palettes[i].memory()) + first * entry_floats;
+    }
+  }
 
   template <class V>
   HWY_INLINE void put(D d, int entry, const Matrices<V>& m, const Vectors<V>& translation) {
@@ -115,45 +120,37 @@ class PaletteStage {
     float* const written = written_;
     written_ = put_;
     put_ = written;
+    for (int i = 0; i < packet_.characters; ++i) group_lines_[i] += group_stride;
   }
 
-  /// Fetches for writing what a part of the characters will write.
-  template <class Packet>
-  HWY_INLINE void prefetch(const PaletteLines<Packet>& out, int first, int part) const {
-    for (int character = part; character < out.packet.characters; character += entries) {
-      const float* line = out.at(character, first, entry_floats);
-      for (int at = 0; at < entries * entry_floats; at += line_floats) __builtin_prefetch(line + at, 0, 3);
+  /// Fetches for writing what a part of the characters will write of the group that is put.
+  HWY_INLINE void prefetch(int part) const {
+    for (int character = part; character < packet_.characters; character += entries) {
+      const float* line = group_lines_[character];
+      for (int at = 0; at < group_stride; at += line_floats) __builtin_prefetch(line + at, 0, 3);
     }
   }
 
-  /// Writes all entries of the group, which begins with `first`, of a part of the characters.
-  template <class Packet>
-  HWY_INLINE void write_part(const PaletteLines<Packet>& out, int first, int part) const {
-    if (all_together(out)) {
-      return write_lines_of_four(out, first, part, lines);
-    }
-    for (int character = part; character < out.packet.characters; character += entries) {
-      write_lines(character, out.packet.stores, out.at(character, first, entry_floats), lines);
-    }
+  /// Writes all entries of the group before, of a part of the characters.
+  HWY_INLINE void write_part(int part) const {
+    if (all_together()) return write_lines_of_four(part, lines);
+    for (int character = part; character < packet_.characters; character += entries) write_lines(character, lines);
   }
 
-  /// Writes `count` entries of the group, which begins with `first`, of all characters.
-  template <class Packet>
-  HWY_INLINE void write(const PaletteLines<Packet>& out, int first, int count) const {
+  /// Writes `count` entries of the group before, of all characters.
+  HWY_INLINE void write(int count) const {
     const int whole_lines = count * entry_floats / line_floats;
-    if (all_together(out)) {
-      for (int k = 0; k < 4; ++k) write_lines_of_four(out, first, k, whole_lines);
+    if (all_together()) {
+      for (int k = 0; k < 4; ++k) write_lines_of_four(k, whole_lines);
     } else {
-      for (int i = 0; i < out.packet.characters; ++i)
-        write_lines(i, out.packet.stores, out.at(i, first, entry_floats), whole_lines);
+      for (int i = 0; i < packet_.characters; ++i) write_lines(i, whole_lines);
     }
-    for (int i = 0; i < out.packet.characters; ++i)
-      write_rows(i, 4 * whole_lines, rows * count, out.at(i, first, entry_floats));
+    for (int i = 0; i < packet_.characters; ++i) write_rows(i, 4 * whole_lines, rows * count);
   }
 
-  /// Of the group that is written.
-  void add_hashes(const std::int16_t* joints, int characters, int count, std::uint64_t* hashes) const {
-    for (int character = 0; character < characters; ++character) {
+  /// Of `count` entries of the group before.
+  void add_hashes(const std::int16_t* joints, int count, std::uint64_t* hashes) const {
+    for (int character = 0; character < packet_.characters; ++character) {
       for (int entry = 0; entry < count; ++entry) {
         FloatArray<entry_floats> written;
         for (int row = 0; row < rows; ++row) {
@@ -166,16 +163,16 @@ class PaletteStage {
   }
 
  private:
-  /// Sixteen characters, whose lines come out of one transposition.
-  template <class Packet>
-  static bool all_together(const PaletteLines<Packet>& out) {
-    return lanes == 16 && out.packet.characters == lanes;
-  }
-
   static constexpr int entry_floats = rows * block_floats;
   static constexpr int line_floats = 16;
-  static constexpr int lines = entries * entry_floats / line_floats;
-  static constexpr int group_floats = entries * entry_floats * lanes;
+  static constexpr int group_stride = entries * entry_floats;
+  static constexpr int lines = group_stride / line_floats;
+
+  /// Sixteen characters, whose lines come out of one transposition.
+  bool all_together() const { return lanes == 16 && packet_.characters == lanes; }
+
+  /// Where the group before goes.
+  float* written_lines(int character) const { return group_lines_[character] - group_stride; }
 
   static PaletteEntryOf<rows> entry_of(const float* floats) {
     PaletteEntryOf<rows> entry;
@@ -192,9 +189,9 @@ class PaletteStage {
     }
   }
 
-  static HWY_INLINE void write_vector(hn::Vec<D> vector, StorePolicy stores, float* out) {
+  HWY_INLINE void write_vector(hn::Vec<D> vector, float* out) const {
     const D d;
-    if (stores == StorePolicy::streaming) {
+    if (packet_.stores == StorePolicy::streaming) {
       hn::Stream(vector, d, out);
     } else {
       hn::StoreU(vector, d, out);
@@ -202,42 +199,44 @@ class PaletteStage {
   }
 
   /// The first lines of characters k, 4 + k, 8 + k and 12 + k of sixteen.
-  template <class Packet>
-  HWY_INLINE void write_lines_of_four(const PaletteLines<Packet>& out, int first, int k, int count) const {
+  HWY_INLINE void write_lines_of_four(int k, int count) const {
     if constexpr (lanes == 16) {
       const D d;
       const float* in = written_ + k * entries * rows * lanes;
       float* to[4];  // or they would be read again after every store
-      for (int b = 0; b < 4; ++b) to[b] = out.at(4 * b + k, first, entry_floats);
+      for (int b = 0; b < 4; ++b) to[b] = written_lines(4 * b + k);
       for (int line = 0; line < count; ++line, in += 4 * lanes) {
         const auto four = transpose_whole_blocks(hn::Load(d, in), hn::Load(d, in + lanes), hn::Load(d, in + 2 * lanes),
                                                  hn::Load(d, in + 3 * lanes));
-        for (int b = 0; b < 4; ++b) write_vector(four.v[b], out.packet.stores, to[b] + line * line_floats);
+        for (int b = 0; b < 4; ++b) write_vector(four.v[b], to[b] + line * line_floats);
       }
     }
   }
 
-  HWY_INLINE void write_lines(int character, StorePolicy stores, float* out, int count) const {
+  HWY_INLINE void write_lines(int character, int count) const {
     if constexpr (lanes >= block_floats) {
       const D d;
+      float* const out = written_lines(character);
       for (int at = 0; at < count * line_floats; at += lanes) {
-        write_vector(load_blocks(d, row_of(character, at / block_floats), lanes), stores, out + at);
+        write_vector(load_blocks(d, row_of(character, at / block_floats), lanes), out + at);
       }
     } else {
-      write_rows(character, 0, 4 * count, out);
+      write_rows(character, 0, 4 * count);
     }
   }
 
   /// Rows [begin, end) of a character.
-  HWY_INLINE void write_rows(int character, int begin, int end, float* out) const {
+  HWY_INLINE void write_rows(int character, int begin, int end) const {
+    float* const out = written_lines(character);
     for (int row = begin; row < end; ++row) {
       std::memcpy(out + row * block_floats, row_of(character, row), block_floats * sizeof(float));
     }
   }
 
-  alignas(64) FloatArray<group_floats> groups_[2];
-  float* put_ = groups_[0];
-  float* written_ = groups_[1];
+  Packet packet_;
+  float** group_lines_;  // [lanes]
+  float* put_;
+  float* written_;
 };
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -64,9 +64,9 @@ HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Qu
   motion.translation = transform_add(difference(parent, motion.matrix), pivot, motion.translation);
 }
 
-template <class D, class V>
+template <class D, class V, class Packet>
 HWY_INLINE void put(D d, const HierarchyProgram& /*program*/, int entry, const RigidMotion<V>& motion,
-                    PaletteStage<D, matrix_rows>& stage) {
+                    PaletteStage<D, matrix_rows, Packet>& stage) {
   stage.put(d, entry, motion.matrix, motion.translation);
 }
 
@@ -74,23 +74,23 @@ HWY_INLINE void put(D d, const HierarchyProgram& /*program*/, int entry, const R
 template <template <class> class MotionOf, int width, class D, class Packet>
 HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, int begin, int end, Packet packet) {
   using Motion = MotionOf<hn::Vec<D>>;
-  using Stage = PaletteStage<D, Motion::palette_rows>;
+  using Stage = PaletteStage<D, Motion::palette_rows, Packet>;
   constexpr int lanes = lane_count<D>;
   const HierarchyProgram& program = *job.hierarchy;
   const HierarchyStep* const steps = program.steps.data();
   const float* local = job.local + lane * rigid_components * packet_bones;
   float* const branch_slots = job.branch_slots + lane;
-  const PaletteLines<Packet> out{job.palettes + lane, packet};
   const int wanted = packet.displaced ? rigid_components : 4;
   alignas(64) FloatArray<4 * rigid_components * lanes> inputs;
-  Stage stage;
+  typename Stage::Memory staged;
+  Stage stage(job.palettes + lane, packet, begin, staged);
   Motion motion;
   reset(d, motion);
   if (begin > 0) load(d, job.carry + lane, width, motion);
   constexpr int group = Stage::entries;
   for (int first = begin; first < end; first += group) {
     const int count = HWY_MIN(end - first, group);
-    const int before = first - group;
+    const bool one_before = first > begin;
     for (int i = 0; i < count; ++i) {
       const int bone = first + i;
       if (i % 4 == 0) gather_four_bones<rigid_components>(d, local + (bone - begin), wanted, inputs);
@@ -100,22 +100,22 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
       } else if (step.load == HierarchyStep::from_root) {
         reset(d, motion);
       }
-      if (packet.stores == StorePolicy::prefetched) stage.prefetch(out, first, i);
+      if (packet.stores == StorePolicy::prefetched) stage.prefetch(i);
       const float* input = inputs + i % 4 * rigid_components * lanes;
       move_on(d, program, bone, load_quaternions(d, input, lanes), packet.displaced ? input + 4 * lanes : nullptr,
               lanes, motion);
       if (step.store >= 0) store(d, motion, branch_slots + step.store * branch_slot_floats * width, width);
       put(d, program, i, motion, stage);
-      if (before >= begin) stage.write_part(out, before, i);
+      if (one_before) stage.write_part(i);
     }
-    for (int part = count; part < group && before >= begin; ++part) stage.write_part(out, before, part);
+    for (int part = count; part < group && one_before; ++part) stage.write_part(part);
     stage.turn();
     if (packet.hashed) {
-      stage.add_hashes(program.skin_joint.data() + first, packet.characters, count, job.hashes + lane);
+      stage.add_hashes(program.skin_joint.data() + first, count, job.hashes + lane);
     }
   }
   const int last = begin + (end - begin - 1) / group * group;
-  stage.write(out, last, end - last);
+  stage.write(end - last);
   store(d, motion, job.carry + lane, width);
 }
 

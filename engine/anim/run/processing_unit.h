@@ -25,7 +25,8 @@ class alignas(block_alignment) ProcessingUnit {
  public:
   /// `palette_entries`: of the skeleton, for palettes that nobody sees.
   ProcessingUnit(std::size_t local_store_bytes, std::size_t palette_entries)
-      : store_(local_store_bytes), unseen_(allocate_aligned((palette_entries + 3) / 4 * 4 * sizeof(PaletteMatrix))) {}
+      : store_(local_store_bytes),
+        unseen_(allocate_aligned(palette_stride(palette_entries, PaletteFormat::matrices))) {}
 
   /// While no task is under way.
   void divide_store(const LocalStorePlan& plan) {

@@ -15,6 +15,17 @@ using namespace kernel_rig;
 
 constexpr int all_widths[] = {1, 2, 4, 8, 16};
 
+TEST(PaletteStride, HoldsAllEntriesInAnOddNumberOfLines) {
+  for (const PaletteFormat format : {PaletteFormat::matrices, PaletteFormat::packed}) {
+    for (std::size_t entries = 1; entries <= 1024; ++entries) {
+      const std::size_t stride = palette_stride(entries, format), needed = entries * palette_entry_bytes(format);
+      EXPECT_EQ(stride % 128, 64U) << entries;
+      EXPECT_GE(stride, needed);
+      EXPECT_LT(stride, needed + 128);
+    }
+  }
+}
+
 struct Rig {
   std::string name;
   Skeleton skeleton;

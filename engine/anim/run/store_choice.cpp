@@ -13,7 +13,7 @@ namespace {
 /// The least time of some rounds, since all that disturbs it makes it longer; so many that the first ones have brought
 /// the lines to where that many of them stay.
 double seconds_to_write(std::span<float> lines, StorePolicy stores) {
-  const int rounds = static_cast<int>(std::max<std::size_t>(8, most_cached_bytes / lines.size_bytes()));
+  const int rounds = static_cast<int>(std::max<std::size_t>(4, most_measured_bytes / lines.size_bytes()));
   const Kernels& kernels = best_kernels();
   double least = std::numeric_limits<double>::max();
   for (int round = 0; round < rounds; ++round) {
@@ -25,22 +25,25 @@ double seconds_to_write(std::span<float> lines, StorePolicy stores) {
   return least;
 }
 
-bool stays_in_caches(std::size_t bytes) {
+bool faster_where_they_lie(std::size_t bytes) {
   const AlignedBytes memory = allocate_aligned(bytes);
   const std::span lines(reinterpret_cast<float*>(memory.get()), bytes / sizeof(float));
   return seconds_to_write(lines, StorePolicy::prefetched) < seconds_to_write(lines, StorePolicy::streaming);
 }
 
-std::size_t measured_cached_bytes() {
+}  // namespace
+
+std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& faster_where_they_lie) {
   std::size_t bytes = least_cached_bytes;
-  while (bytes < most_cached_bytes && stays_in_caches(2 * bytes)) bytes *= 2;
+  while (faster_where_they_lie(2 * bytes)) {
+    bytes *= 2;
+    if (bytes == most_measured_bytes) return any_bytes;
+  }
   return bytes;
 }
 
-}  // namespace
-
 std::size_t cached_bytes() {
-  static const std::size_t bytes = measured_cached_bytes();
+  static const std::size_t bytes = cached_bytes(faster_where_they_lie);
   return bytes;
 }
 

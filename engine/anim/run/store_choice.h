@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 
 #include "engine/anim/kernel/kernels.h"
 
@@ -8,14 +10,19 @@ namespace throng::anim {
 
 /// How palettes are best written, by how many bytes of them there are. What is still in the caches when it is written
 /// again is written fastest where it lies, and whoever reads it next finds it there. What is not would be fetched from
-/// memory only to be overwritten: it is written past the caches.
+/// memory only to be overwritten: it is written past the caches, on machines where that is faster.
 
-/// That many bytes are written again and again without leaving the caches: a power of two, from least_cached_bytes to
-/// most_cached_bytes. Measured when it is first asked for, in 0.1 to 0.3 s and with twice as much memory for as long:
-/// what a machine says of its caches is not what it lends to one program.
+/// Up to so many bytes are written fastest where they lie: a power of two, from least_cached_bytes to below
+/// most_measured_bytes, or any_bytes. Measured when it is first asked for, in 0.1 to 0.4 s and with twice as much
+/// memory for as long: what a machine says of its caches is not what it lends to one program.
 std::size_t cached_bytes();
 inline constexpr std::size_t least_cached_bytes = std::size_t{8} << 20U;
-inline constexpr std::size_t most_cached_bytes = std::size_t{128} << 20U;
+inline constexpr std::size_t most_measured_bytes = std::size_t{128} << 20U;
+inline constexpr std::size_t any_bytes =
+    SIZE_MAX;  ///< hardly a cache lends most_measured_bytes, and still it is faster
+
+/// The same by what such a measurement says of so many bytes.
+std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& faster_where_they_lie);
 
 /// For that many bytes of palettes; the machine is measured only if they are more than least_cached_bytes.
 StorePolicy store_policy_for(std::size_t palette_bytes);

@@ -32,10 +32,10 @@ void ShownPoses::hide_unseen(std::span<const anim::VisibleAgent> visible, std::u
 
 anim::PaletteDestination ShownPoses::show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame) {
   ShownPose& pose = poses_[next.agent];
-  const std::uint32_t lines = slot_lines(next.entries, next.format);
-  render::PaletteSlot slot = slots_->acquire(lines, pose.to.page);
+  const std::size_t bytes = anim::palette_stride(next.entries, next.format);
+  render::PaletteSlot slot = slots_->acquire(bytes, pose.to.page);
   // Its page is full: the agent moves to another.
-  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(lines);
+  if (!slot.valid() && pose.to.valid()) slot = slots_->acquire(bytes);
   if (!slot.valid()) {
     out_of_memory_ = true;
     hide(pose, last_frame);

@@ -44,11 +44,6 @@ struct NewPose {
   anim::PaletteFormat format = anim::PaletteFormat::matrices;
 };
 
-/// How many lines a slot must have for as many entries of a format.
-constexpr std::uint32_t slot_lines(std::uint32_t entries, anim::PaletteFormat format) {
-  return static_cast<std::uint32_t>(anim::palette_stride(entries, format) / render::palette_line_bytes);
-}
-
 /// Which palette slots each agent shows: the contract of engine/render/README.md, kept on the animation's side.
 class ShownPoses {
  public:

@@ -31,12 +31,12 @@ EntriesByLevel entries_by_level(std::span<const CharacterSource> characters) {
   return entries;
 }
 
-std::vector<std::uint32_t> all_sizes(const EntriesByLevel& entries) {
-  std::vector<std::uint32_t> sizes;
+std::vector<std::size_t> all_sizes(const EntriesByLevel& entries) {
+  std::vector<std::size_t> sizes;
   for (const auto& of_character : entries) {
     for (const std::uint32_t count : of_character) {
-      sizes.push_back(slot_lines(count, anim::PaletteFormat::matrices));
-      sizes.push_back(slot_lines(count, anim::PaletteFormat::packed));
+      sizes.push_back(anim::palette_stride(count, anim::PaletteFormat::matrices));
+      sizes.push_back(anim::palette_stride(count, anim::PaletteFormat::packed));
     }
   }
   return sizes;

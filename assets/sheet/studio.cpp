@@ -29,17 +29,14 @@ render::CameraView view_of(const Shot& shot) {
   return render::view_of(camera, static_cast<float>(shot.width) / static_cast<float>(shot.height));
 }
 
-std::uint32_t slot_lines(std::size_t entries) {
-  const std::size_t bytes = anim::palette_stride(entries, anim::PaletteFormat::matrices);
-  return static_cast<std::uint32_t>(bytes / render::palette_line_bytes);
-}
+std::size_t palette_bytes(std::size_t entries) { return anim::palette_stride(entries, anim::PaletteFormat::matrices); }
 
-std::vector<std::uint32_t> slot_lines_by_level(const anim::Skeleton& skeleton) {
-  std::vector<std::uint32_t> lines;
+std::vector<std::size_t> palette_bytes_by_level(const anim::Skeleton& skeleton) {
+  std::vector<std::size_t> bytes;
   for (const int bones : skeleton.level_bone_counts) {
-    lines.push_back(slot_lines(static_cast<std::size_t>(anim::palette_count_for_bones(skeleton, bones))));
+    bytes.push_back(palette_bytes(static_cast<std::size_t>(anim::palette_count_for_bones(skeleton, bones))));
   }
-  return lines;
+  return bytes;
 }
 
 /// What is the same with and without figures becomes one colour, so that paving does not fill the file.
@@ -90,7 +87,7 @@ std::vector<glm::dmat4> Studio::palette_of(const Figure& figure) const {
 
 render::InstanceRecord Studio::record_of(const Figure& figure) {
   const std::vector<glm::dmat4> palette = palette_of(figure);
-  const render::PaletteSlot slot = slots_->acquire(slot_lines(palette.size()));
+  const render::PaletteSlot slot = slots_->acquire(palette_bytes(palette.size()));
   auto* const rows = reinterpret_cast<float*>(slots_->memory(slot));
   for (std::size_t entry = 0; entry < palette.size(); ++entry) {
     for (int row = 0; row < 3; ++row) {
@@ -118,7 +115,7 @@ render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures)
   renderer_->set_shadows(shot.shadows);
   renderer_->reset_palette_pages();
   slots_ = std::make_unique<render::PaletteSlots>(renderer_->palette_pages(),
-                                                  slot_lines_by_level(character_.model.skeleton));
+                                                  palette_bytes_by_level(character_.model.skeleton));
   std::vector<render::InstanceRecord> records;
   std::vector<render::CrowdBatch> batches;
   for (const Figure& figure : figures) {

@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::align_val_t line{palette_line_bytes};
 
+std::uint32_t whole_lines(std::size_t bytes) {
+  return static_cast<std::uint32_t>((bytes + palette_line_bytes - 1) / palette_line_bytes);
+}
+
 /// The smallest of the sizes, which descend, that is large enough.
 std::uint32_t next_size(std::span<const std::uint32_t> sizes, std::uint32_t lines) {
   const auto smaller = std::ranges::find_if(sizes, [lines](std::uint32_t size) { return size < lines; });
@@ -38,16 +42,16 @@ PalettePage HeapPageSource::add_page() {
   return {pages_.back()->memory, page_bytes_};
 }
 
-PaletteSlots::PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> sizes)
-    : source_(&source), sizes_(std::move(sizes)) {
-  assert(!sizes_.empty());
+PaletteSlots::PaletteSlots(PalettePageSource& source, const std::vector<std::size_t>& sizes) : source_(&source) {
+  assert(!sizes.empty());
+  for (const std::size_t bytes : sizes) sizes_.push_back(whole_lines(bytes));
   std::ranges::sort(sizes_, std::greater<>());
   const auto repeated = std::ranges::unique(sizes_);
   sizes_.erase(repeated.begin(), repeated.end());
 }
 
-PaletteSlot PaletteSlots::acquire(std::uint32_t lines, std::uint32_t near) {
-  lines = next_size(sizes_, lines);
+PaletteSlot PaletteSlots::acquire(std::size_t bytes, std::uint32_t near) {
+  const std::uint32_t lines = next_size(sizes_, whole_lines(bytes));
   if (near != PaletteSlot::none) return take(near, lines);
   for (std::uint32_t page = 0; page < pages_.size(); ++page) {
     if (!has_room_for_newcomer(pages_[page])) continue;

@@ -57,12 +57,12 @@ struct PaletteSlot {
 /// pages are there and the free lists have grown.
 class PaletteSlots {
  public:
-  /// `sizes`: how many lines slots will be asked for, those of each character's bone levels, in any order.
-  PaletteSlots(PalettePageSource& source, std::vector<std::uint32_t> sizes);
+  /// `sizes`: how many bytes slots will be asked for, those of each character's bone levels, in any order.
+  PaletteSlots(PalettePageSource& source, const std::vector<std::size_t>& sizes);
 
-  /// Room for `lines`, at most the largest of the sizes; the next of them is taken. An invalid slot means: no memory
-  /// left (on `near`, where given); the agent is not drawn. A slot may be larger than it needs to be.
-  PaletteSlot acquire(std::uint32_t lines, std::uint32_t near = PaletteSlot::none);
+  /// Room for so many bytes, at most the largest of the sizes; the next of them is taken. An invalid slot means: no
+  /// memory left (on `near`, where given); the agent is not drawn. A slot may be larger than it needs to be.
+  PaletteSlot acquire(std::size_t bytes, std::uint32_t near = PaletteSlot::none);
   void retire(const PaletteSlot& slot, std::uint64_t last_frame);
   void reclaim(std::uint64_t completed_frame);
 

@@ -178,7 +178,7 @@ class DisplacedBone : public testing::Test {
   std::vector<CharacterSource> characters_ = mannequin();
   std::unique_ptr<anim::AnimationSystem> system_;
   render::HeapPageSource pages_{std::size_t{1} << 20U};
-  render::PaletteSlots slots_{pages_, {slot_lines(entries(), anim::PaletteFormat::matrices)}};
+  render::PaletteSlots slots_{pages_, {anim::palette_stride(entries(), anim::PaletteFormat::matrices)}};
   ShownPoses shown_{slots_};
   ErrorMeter meter_{characters_};
   Crowd crowd_{Scene::grid, 1, 1, characters_.front().roles};

@@ -9,13 +9,13 @@ namespace throng::app {
 namespace {
 
 constexpr std::uint32_t entries = 64;
-constexpr std::uint32_t lines = slot_lines(entries, anim::PaletteFormat::matrices);
+constexpr std::size_t palette_bytes = anim::palette_stride(entries, anim::PaletteFormat::matrices);
 constexpr std::uint32_t frame_time = 16'667;  // microseconds
 
 /// Gives `pages` pages of a few slots each and then no more.
 class FewPages final : public render::PalettePageSource {
  public:
-  FewPages(std::size_t slots, int pages) : heap_(slots * lines * render::palette_line_bytes), left_(pages) {}
+  FewPages(std::size_t slots, int pages) : heap_(slots * palette_bytes), left_(pages) {}
   render::PalettePage add_page() override { return left_-- > 0 ? heap_.add_page() : render::PalettePage{}; }
 
  private:
@@ -25,7 +25,7 @@ class FewPages final : public render::PalettePageSource {
 
 struct ShownPosesTest : testing::Test {
   FewPages pages{3, 2};
-  render::PaletteSlots slots{pages, {lines}};
+  render::PaletteSlots slots{pages, {palette_bytes}};
   ShownPoses shown{slots};
 
   ShownPosesTest() { shown.reset(8, 0); }
@@ -75,7 +75,7 @@ TEST_F(ShownPosesTest, SayWhenNoMemoryIsLeft) {
 }
 
 TEST_F(ShownPosesTest, SayWhichOfTheirSlotsIsPacked) {
-  render::PaletteSlots both(pages, {lines, slot_lines(entries, anim::PaletteFormat::packed)});
+  render::PaletteSlots both(pages, {palette_bytes, anim::palette_stride(entries, anim::PaletteFormat::packed)});
   ShownPoses poses(both);
   poses.reset(1, 0);
   poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0}, 0, 0);
@@ -87,9 +87,14 @@ TEST_F(ShownPosesTest, SayWhichOfTheirSlotsIsPacked) {
 }
 
 TEST_F(ShownPosesTest, TakeAThirdOfTheRoomWherePacked) {
-  EXPECT_EQ(slot_lines(68, anim::PaletteFormat::matrices), 51U);
-  EXPECT_EQ(slot_lines(68, anim::PaletteFormat::packed), 17U);
-  EXPECT_EQ(slot_lines(69, anim::PaletteFormat::packed), 19U);
+  const std::size_t packed_bytes = anim::palette_stride(entries, anim::PaletteFormat::packed);
+  render::PaletteSlots both(pages, {palette_bytes, packed_bytes});
+  ShownPoses poses(both);
+  poses.reset(1, 0);
+  poses.show({.agent = 0, .level = 0, .entries = entries, .time = 0, .format = anim::PaletteFormat::packed}, 0, 0);
+  EXPECT_EQ(both.bytes_in_use(), packed_bytes);
+  EXPECT_NEAR(static_cast<double>(both.bytes_in_use()), static_cast<double>(palette_bytes) / 3.0,
+              2.0 * render::palette_line_bytes);  // each is rounded up to an odd number of lines
 }
 
 TEST_F(ShownPosesTest, StartAnewWithANewCrowd) {

@@ -13,7 +13,7 @@
 namespace throng::render::test {
 
 inline constexpr std::size_t doll_joints = 6;
-inline constexpr std::uint32_t doll_lines = 5;  ///< of a slot: six entries of 48 bytes
+inline constexpr std::size_t doll_palette_bytes = doll_joints * 48;
 enum DollJoint : std::uint16_t { hips, chest, head, left_arm, right_arm, legs };
 
 /// One matrix of a palette as animation writes it: 3x4 row-major.

@@ -48,7 +48,7 @@ DollCrowd::DollCrowd(gl::Context& context, int samples) {
   if (const Status loaded = renderer_->load_characters(meshes); !loaded) {
     throw std::runtime_error(loaded.error().message);
   }
-  slots_ = std::make_unique<PaletteSlots>(renderer_->palette_pages(), std::vector<std::uint32_t>{doll_lines});
+  slots_ = std::make_unique<PaletteSlots>(renderer_->palette_pages(), std::vector<std::size_t>{doll_palette_bytes});
   camera.position = {0.0F, 1.6F, 4.2F};
   camera.pitch = -0.12F;
 }
@@ -62,7 +62,7 @@ void DollCrowd::stand(std::size_t count) {
 }
 
 std::uint32_t DollCrowd::write(const DollPalette& palette) {
-  const PaletteSlot slot = slots_->acquire(doll_lines);
+  const PaletteSlot slot = slots_->acquire(doll_palette_bytes);
   std::memcpy(slots_->memory(slot), palette.data(), palette.size() * sizeof(PaletteRows));
   return slot.first_line;
 }

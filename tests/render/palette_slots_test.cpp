@@ -23,9 +23,9 @@ class LimitedPages final : public PalettePageSource {
 
 TEST(PaletteSlots, StartOnCacheLines) {
   HeapPageSource pages(bytes_of(4096));
-  PaletteSlots slots(pages, {62, 21});
+  PaletteSlots slots(pages, {bytes_of(62), bytes_of(21)});
   for (const std::uint32_t lines : {62U, 21U, 62U, 21U}) {
-    const PaletteSlot slot = slots.acquire(lines);
+    const PaletteSlot slot = slots.acquire(bytes_of(lines));
     ASSERT_TRUE(slot.valid());
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(slots.memory(slot)) % palette_line_bytes, 0U);
   }
@@ -33,10 +33,10 @@ TEST(PaletteSlots, StartOnCacheLines) {
 
 TEST(PaletteSlots, NeverOverlap) {
   HeapPageSource pages(bytes_of(640));
-  PaletteSlots slots(pages, {62, 21});
+  PaletteSlots slots(pages, {bytes_of(62), bytes_of(21)});
   std::set<std::byte*> lines;
   for (int i = 0; i < 40; ++i) {
-    const PaletteSlot slot = slots.acquire(i % 2 == 0 ? 62 : 21);
+    const PaletteSlot slot = slots.acquire(bytes_of(i % 2 == 0 ? 62 : 21));
     ASSERT_TRUE(slot.valid());
     for (std::uint32_t line = 0; line < slot.lines; ++line) {
       EXPECT_TRUE(lines.insert(slots.memory(slot) + bytes_of(line)).second);
@@ -46,37 +46,37 @@ TEST(PaletteSlots, NeverOverlap) {
 
 TEST(PaletteSlots, HoldWhatTheirLevelNeeds) {
   HeapPageSource pages(bytes_of(4096));
-  PaletteSlots slots(pages, {62, 21});
-  EXPECT_EQ(slots.acquire(62).lines, 62U);
-  EXPECT_EQ(slots.acquire(21).lines, 21U);
+  PaletteSlots slots(pages, {bytes_of(62), bytes_of(21)});
+  EXPECT_EQ(slots.acquire(bytes_of(62)).lines, 62U);
+  EXPECT_EQ(slots.acquire(bytes_of(21)).lines, 21U);
 }
 
 TEST(PaletteSlots, OfASizeThatNobodyAnnouncedAreOfTheNextLarger) {
   HeapPageSource source(std::size_t{1} << 16U);
-  PaletteSlots slots(source, {64, 24});
-  EXPECT_EQ(slots.acquire(40).lines, 64U);
-  EXPECT_EQ(slots.acquire(21).lines, 24U);
-  EXPECT_EQ(slots.acquire(3).lines, 24U);
+  PaletteSlots slots(source, {bytes_of(64), bytes_of(24)});
+  EXPECT_EQ(slots.acquire(bytes_of(40)).lines, 64U);
+  EXPECT_EQ(slots.acquire(bytes_of(21)).lines, 24U);
+  EXPECT_EQ(slots.acquire(bytes_of(3)).lines, 24U);
 }
 
 TEST(PaletteSlots, RetiredOneIsNotReusedBeforeItsLastFrameCompleted) {
   LimitedPages pages(64, 1);
-  PaletteSlots slots(pages, {64});
-  const PaletteSlot first = slots.acquire(64);
+  PaletteSlots slots(pages, {bytes_of(64)});
+  const PaletteSlot first = slots.acquire(bytes_of(64));
   slots.retire(first, 7);
-  EXPECT_FALSE(slots.acquire(64).valid());
+  EXPECT_FALSE(slots.acquire(bytes_of(64)).valid());
   slots.reclaim(6);
-  EXPECT_FALSE(slots.acquire(64).valid());
+  EXPECT_FALSE(slots.acquire(bytes_of(64)).valid());
   slots.reclaim(7);
-  const PaletteSlot second = slots.acquire(64);
+  const PaletteSlot second = slots.acquire(bytes_of(64));
   ASSERT_TRUE(second.valid());
   EXPECT_EQ(second.first_line, first.first_line);
 }
 
 TEST(PaletteSlots, RetiredOneIsNoLongerAcquired) {
   HeapPageSource pages(bytes_of(256));
-  PaletteSlots slots(pages, {64});
-  const PaletteSlot slot = slots.acquire(64);
+  PaletteSlots slots(pages, {bytes_of(64)});
+  const PaletteSlot slot = slots.acquire(bytes_of(64));
   EXPECT_TRUE(slots.is_acquired(slot));
   slots.retire(slot, 1);
   EXPECT_FALSE(slots.is_acquired(slot));
@@ -85,16 +85,16 @@ TEST(PaletteSlots, RetiredOneIsNoLongerAcquired) {
 #ifndef NDEBUG
 TEST(PaletteSlotsDeathTest, WriteToARetiredSlotIsCaught) {
   HeapPageSource pages(bytes_of(256));
-  PaletteSlots slots(pages, {64});
-  const PaletteSlot slot = slots.acquire(64);
+  PaletteSlots slots(pages, {bytes_of(64)});
+  const PaletteSlot slot = slots.acquire(bytes_of(64));
   slots.retire(slot, 1);
   EXPECT_DEATH(slots.memory(slot), "is_acquired");
 }
 
 TEST(PaletteSlotsDeathTest, RetiringTwiceIsCaught) {
   HeapPageSource pages(bytes_of(256));
-  PaletteSlots slots(pages, {64});
-  const PaletteSlot slot = slots.acquire(64);
+  PaletteSlots slots(pages, {bytes_of(64)});
+  const PaletteSlot slot = slots.acquire(bytes_of(64));
   slots.retire(slot, 1);
   EXPECT_DEATH(slots.retire(slot, 2), "is_acquired");
 }
@@ -102,10 +102,10 @@ TEST(PaletteSlotsDeathTest, RetiringTwiceIsCaught) {
 
 TEST(PaletteSlots, SecondSlotOfAnAgentLiesOnThePageOfItsFirst) {
   HeapPageSource pages(bytes_of(640));
-  PaletteSlots slots(pages, {64});
+  PaletteSlots slots(pages, {bytes_of(64)});
   for (int agent = 0; agent < 10; ++agent) {
-    const PaletteSlot first = slots.acquire(64);
-    const PaletteSlot second = slots.acquire(64, first.page);
+    const PaletteSlot first = slots.acquire(bytes_of(64));
+    const PaletteSlot second = slots.acquire(bytes_of(64), first.page);
     ASSERT_TRUE(second.valid());
     EXPECT_EQ(second.page, first.page);
   }
@@ -114,44 +114,44 @@ TEST(PaletteSlots, SecondSlotOfAnAgentLiesOnThePageOfItsFirst) {
 
 TEST(PaletteSlots, NewcomersLeaveRoomForTheSecondSlotsOfThoseWhoAreThere) {
   HeapPageSource pages(bytes_of(1200));
-  PaletteSlots slots(pages, {40});
+  PaletteSlots slots(pages, {bytes_of(40)});
   int on_first_page = 0;
-  while (slots.acquire(40).page == 0) ++on_first_page;
+  while (slots.acquire(bytes_of(40)).page == 0) ++on_first_page;
   int second_slots = 0;
-  while (slots.acquire(40, 0).valid()) ++second_slots;
+  while (slots.acquire(bytes_of(40), 0).valid()) ++second_slots;
   EXPECT_EQ(on_first_page, 10);
   EXPECT_EQ(second_slots, 20);
 }
 
 TEST(PaletteSlots, AreInvalidWhenThePageAskedForIsFull) {
   LimitedPages pages(128, 1);
-  PaletteSlots slots(pages, {64});
-  const PaletteSlot first = slots.acquire(64);
-  EXPECT_TRUE(slots.acquire(64, first.page).valid());
-  EXPECT_FALSE(slots.acquire(64, first.page).valid());
+  PaletteSlots slots(pages, {bytes_of(64)});
+  const PaletteSlot first = slots.acquire(bytes_of(64));
+  EXPECT_TRUE(slots.acquire(bytes_of(64), first.page).valid());
+  EXPECT_FALSE(slots.acquire(bytes_of(64), first.page).valid());
 }
 
 TEST(PaletteSlots, FillEveryPageToTheEndWhenTheDeviceHasNoMore) {
   LimitedPages pages(256, 1);
-  PaletteSlots slots(pages, {64});
-  for (int i = 0; i < 4; ++i) EXPECT_TRUE(slots.acquire(64).valid()) << i;
-  EXPECT_FALSE(slots.acquire(64).valid());
+  PaletteSlots slots(pages, {bytes_of(64)});
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(slots.acquire(bytes_of(64)).valid()) << i;
+  EXPECT_FALSE(slots.acquire(bytes_of(64)).valid());
 }
 
 TEST(PaletteSlots, SmallPoseTakesALargerFreeSlotRatherThanNone) {
   LimitedPages pages(64, 1);
-  PaletteSlots slots(pages, {64, 24});
-  slots.retire(slots.acquire(64), 1);
+  PaletteSlots slots(pages, {bytes_of(64), bytes_of(24)});
+  slots.retire(slots.acquire(bytes_of(64)), 1);
   slots.reclaim(1);
-  const PaletteSlot slot = slots.acquire(24);
+  const PaletteSlot slot = slots.acquire(bytes_of(24));
   ASSERT_TRUE(slot.valid());
   EXPECT_EQ(slot.lines, 64U);
 }
 
 TEST(PaletteSlots, CountWhatIsInUseUntilItIsReclaimed) {
   HeapPageSource pages(bytes_of(4096));
-  PaletteSlots slots(pages, {64});
-  const PaletteSlot slot = slots.acquire(64);
+  PaletteSlots slots(pages, {bytes_of(64)});
+  const PaletteSlot slot = slots.acquire(bytes_of(64));
   EXPECT_EQ(slots.slots_in_use(), 1U);
   EXPECT_EQ(slots.bytes_in_use(), bytes_of(64));
   slots.retire(slot, 3);
@@ -163,13 +163,13 @@ TEST(PaletteSlots, CountWhatIsInUseUntilItIsReclaimed) {
 
 TEST(PaletteSlots, ThousandAgentsThatMoveOnEveryFrameKeepToOnePage) {
   HeapPageSource pages(std::size_t{16} << 20U);
-  PaletteSlots slots(pages, {62});
+  PaletteSlots slots(pages, {bytes_of(62)});
   std::vector<PaletteSlot> shown;
-  for (int agent = 0; agent < 1000; ++agent) shown.push_back(slots.acquire(62));
+  for (int agent = 0; agent < 1000; ++agent) shown.push_back(slots.acquire(bytes_of(62)));
   for (std::uint64_t frame = 3; frame < 100; ++frame) {
     slots.reclaim(frame - 2);
     for (PaletteSlot& slot : shown) {
-      const PaletteSlot next = slots.acquire(62, slot.page);
+      const PaletteSlot next = slots.acquire(bytes_of(62), slot.page);
       ASSERT_TRUE(next.valid());
       slots.retire(slot, frame - 1);
       slot = next;

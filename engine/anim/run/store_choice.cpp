@@ -25,7 +25,7 @@ double seconds_to_write(std::span<float> lines, StorePolicy stores) {
   return least;
 }
 
-bool faster_where_they_lie(std::size_t bytes) {
+bool measured_faster_where_they_lie(std::size_t bytes) {
   const AlignedBytes memory = allocate_aligned(bytes);
   const std::span lines(reinterpret_cast<float*>(memory.get()), bytes / sizeof(float));
   return seconds_to_write(lines, StorePolicy::prefetched) < seconds_to_write(lines, StorePolicy::streaming);
@@ -33,9 +33,9 @@ bool faster_where_they_lie(std::size_t bytes) {
 
 }  // namespace
 
-std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& faster_where_they_lie) {
+std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie) {
   std::size_t bytes = least_cached_bytes;
-  while (faster_where_they_lie(2 * bytes)) {
+  while (are_faster_where_they_lie(2 * bytes)) {
     bytes *= 2;
     if (bytes == most_measured_bytes) return any_bytes;
   }
@@ -43,7 +43,7 @@ std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& faster_wh
 }
 
 std::size_t cached_bytes() {
-  static const std::size_t bytes = cached_bytes(faster_where_they_lie);
+  static const std::size_t bytes = cached_bytes(measured_faster_where_they_lie);
   return bytes;
 }
 

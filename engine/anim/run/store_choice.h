@@ -13,16 +13,15 @@ namespace throng::anim {
 /// memory only to be overwritten: it is written past the caches, on machines where that is faster.
 
 /// Up to so many bytes are written fastest where they lie: a power of two, from least_cached_bytes to below
-/// most_measured_bytes, or any_bytes. Measured when it is first asked for, in 0.1 to 0.4 s and with twice as much
-/// memory for as long: what a machine says of its caches is not what it lends to one program.
+/// most_measured_bytes, or any_bytes. Measured when it is first asked for, in some tenths of a second and with twice as
+/// much memory for as long: what a machine says of its caches is not what it lends to one program.
 std::size_t cached_bytes();
 inline constexpr std::size_t least_cached_bytes = std::size_t{8} << 20U;
 inline constexpr std::size_t most_measured_bytes = std::size_t{128} << 20U;
-inline constexpr std::size_t any_bytes =
-    SIZE_MAX;  ///< hardly a cache lends most_measured_bytes, and still it is faster
+inline constexpr std::size_t any_bytes = SIZE_MAX;  ///< most_measured_bytes are, which hardly a cache lends
 
 /// The same by what such a measurement says of so many bytes.
-std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& faster_where_they_lie);
+std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie);
 
 /// For that many bytes of palettes; the machine is measured only if they are more than least_cached_bytes.
 StorePolicy store_policy_for(std::size_t palette_bytes);

@@ -104,7 +104,7 @@ void KernelSubject::run() {
   kernels_->fence_stores();
 }
 
-anim::ShownClip KernelSubject::shown(int clip_index, anim::Ticks start) const {
+anim::ClipMoment KernelSubject::moment(int clip_index, anim::Ticks start) const {
   const auto index = static_cast<std::size_t>(clip_index);
   const anim::BakedClip& clip = character_->clips[index];
   anim::Ticks time = start + clocks_[index];
@@ -112,27 +112,27 @@ anim::ShownClip KernelSubject::shown(int clip_index, anim::Ticks start) const {
   return {.stream = clip.sampled(), .point = locate(*clip.sampled(), time)};
 }
 
-anim::ClipTile KernelSubject::clips_of(std::span<const BenchAgent> agents) const {
-  anim::ClipTile clips;
+void KernelSubject::find_moments(std::span<const BenchAgent> agents) {
+  clips_.begin(agents.size());
   for (std::size_t i = 0; i < agents.size(); ++i) {
     const BenchAgent& agent = agents[i];
     const bool blended = agent.fraction > 0.0F && agent.to_clip >= 0;
-    const anim::ShownClip from = shown(agent.from_clip, agent.from_start);
-    const anim::ShownClip to = blended ? shown(agent.to_clip, agent.to_start) : from;
-    clips.add(static_cast<int>(i), {.clip = &from, .blended = blended ? &to : nullptr, .fraction = agent.fraction});
+    from_[i] = moment(agent.from_clip, agent.from_start);
+    if (blended) to_[i] = moment(agent.to_clip, agent.to_start);
+    *clips_.row(i) = {.clip = &from_[i], .blended = blended ? &to_[i] : nullptr, .fraction = agent.fraction};
   }
-  return clips;
+  clips_.add(0, agents.size());
 }
 
 void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t first) {
-  const anim::ClipTile clips = clips_of(agents);
+  find_moments(agents);
   std::array<anim::PaletteDestination, anim::widest_tile> palettes{};
   for (std::size_t i = 0; i < agents.size(); ++i) palettes[i] = palettes_->of(first + i);
   const int bones = character_->skeleton.bone_count();
   const int components = character_->skeleton.components();
   for (int packet = 0; packet < anim::packets_for(bones); ++packet) {
-    const bool displaced = components == anim::general_components || clips.displaced(packet);
-    kernels_->pose_clips(clips.job(packet, components, displaced, local_));
+    const bool displaced = components == anim::general_components || clips_.displaced(packet);
+    kernels_->pose_clips(clips_.job(packet, components, displaced, local_));
     kernels_->model_palette({.hierarchy = &character_->hierarchy,
                              .packet = packet,
                              .bone_count = bones,

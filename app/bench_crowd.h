@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -70,14 +71,16 @@ class KernelSubject {
 
  private:
   void run_tile(std::span<const BenchAgent> agents, std::size_t first);
-  anim::ShownClip shown(int clip_index, anim::Ticks start) const;
-  anim::ClipTile clips_of(std::span<const BenchAgent> agents) const;
+  anim::ClipMoment moment(int clip_index, anim::Ticks start) const;
+  void find_moments(std::span<const BenchAgent> agents);
 
   const anim::Character* character_;
   const anim::Kernels* kernels_;
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
-  std::vector<anim::Ticks> clocks_;  ///< [clip], within it
+  std::vector<anim::Ticks> clocks_;                            ///< [clip], within it
+  std::array<anim::ClipMoment, anim::widest_tile> from_, to_;  ///< of the tile that is posed
+  anim::ClipTile clips_;
   anim::StorePolicy stores_;
   anim::AlignedBytes scratch_;
   float* local_;

@@ -226,12 +226,11 @@ class Workbench {
   PoseClipsJob pose_clips(bool blended) {
     for (int lane = 0; lane < widest_tile; ++lane) {
       const Ticks time = ticks_per_second * lane / widest_tile;
-      clips_[lane] = {&as_stream(stream_), locate(as_stream(stream_), time), lane, 0.0F};
-      blended_[lane] = {&as_stream(stream_), locate(as_stream(stream_), ticks_per_second - 1 - time), lane, 0.3F};
+      clips_[lane] = {&as_stream(stream_), locate(as_stream(stream_), time)};
+      blended_[lane] = {&as_stream(stream_), locate(as_stream(stream_), ticks_per_second - 1 - time)};
+      shown_[lane] = {&clips_[lane], blended ? &blended_[lane] : nullptr, 0.3F};
     }
-    return {.clips = clips_,
-            .blended = blended ? std::span<const ClipMoment>(blended_) : std::span<const ClipMoment>(),
-            .local = local_.front().floats};
+    return {.characters = shown_, .local = local_.front().floats};
   }
   ModelPaletteJob model_palette() {
     for (int lane = 0; lane < widest_tile; ++lane) {
@@ -259,6 +258,7 @@ class Workbench {
   const float* masks_[4] = {mask_.front().floats, nullptr, mask_.front().floats, nullptr};
   float shares_[4] = {0.1F, 0.2F, 0.3F, 0.4F};
   ClipMoment clips_[widest_tile], blended_[widest_tile];
+  ShownClips shown_[widest_tile];
   Lines local_ = floats(widest_tile * packet_floats);
   Lines carry_ = floats(branch_slot_floats * widest_tile);
   Lines slots_ = floats(64 * branch_slot_floats * widest_tile);

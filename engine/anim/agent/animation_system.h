@@ -292,7 +292,7 @@ class AnimationSystem {
   bool exact_stores_hold() const;
   void make_exact_scheduler();
   StorePolicy store_policy() const;
-  void report_work();
+  void report_work(const WorkOrder& order);
   void end_work();
 
   SystemOptions options_;

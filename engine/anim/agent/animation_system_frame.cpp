@@ -24,8 +24,8 @@ void AnimationSystem::update(std::span<const AgentUpdate> agents) {
   report_ = {};
   begin_shared_work();
   begin_work(agents);
-  report_work();
   scheduler_->update(contexts_, shared_work_, work_, executor());
+  report_work(scheduler_->order());
   end_work();
 }
 
@@ -105,18 +105,14 @@ std::uint16_t AnimationSystem::predicted_cost(const PoseProgram& program, std::u
   return cost_in_steps(options_.cost.of_agent(program.parts, contexts_[cast].packets(level)));
 }
 
-void AnimationSystem::report_work() {
+void AnimationSystem::report_work(const WorkOrder& order) {
   std::array<std::array<std::uint64_t, max_bone_levels>, most_skeletons> agents_by_level{};
-  std::uint64_t cost_steps = 0;
-  for (std::size_t first = 0, end = 0; first < work_.size(); first = end) {
-    const AgentWork& like = work_[first];
-    for (; end < work_.size() && work_[end].skeleton == like.skeleton && work_[end].level == like.level; ++end) {
-      cost_steps += work_[end].cost;
-    }
-    agents_by_level[like.skeleton][like.level] += end - first;
+  for (const WorkRun& run : order.runs()) {
+    const AgentWork& like = order.work()[run.first];
+    agents_by_level[like.skeleton][like.level] += run.count;
   }
-  report_.predicted_nanoseconds = static_cast<double>(cost_steps) * cost_step;
-  report_.agents_updated = static_cast<std::uint32_t>(work_.size());
+  report_.predicted_nanoseconds = order.predicted();
+  report_.agents_updated = static_cast<std::uint32_t>(order.work().size());
   for (std::size_t cast = 0; cast < casts_.size(); ++cast) {
     const Skeleton& skeleton = casts_[cast]->skeleton();
     const std::size_t entry_bytes = palette_entry_bytes(contexts_[cast].palette_format);

@@ -15,7 +15,7 @@ ClipStreams streams_of(const BakedClip& clip) {
   return {.keyframe = &clip.keyframe(),
           .sampled = clip.sampled(),
           .duration = clip.duration,
-          .root_motion = &clip.root_motion,
+          .root_motion = clip.root_motion.keys.empty() ? nullptr : &clip.root_motion,
           .data_keys = clip.data_keys};
 }
 

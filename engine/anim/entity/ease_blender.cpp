@@ -14,13 +14,26 @@ std::span<Handle> sources(std::byte* block, const EntityLayout&) {
   return {&reinterpret_cast<EaseBlender*>(block)->from, 2};
 }
 
+/// The linear one, then the angular one: side by side as in the header, so that they are blended side by side.
+struct Velocities {
+  static constexpr std::size_t offset = offsetof(AnimationStateHeader, linear_velocity);
+  static_assert(offsetof(AnimationStateHeader, angular_velocity) == offset + 3 * sizeof(float));
+  float axes[6];
+};
+
+Velocities velocities_of(const AnimationStateHeader& state) {
+  Velocities velocities;
+  std::memcpy(&velocities, reinterpret_cast<const std::byte*>(&state) + Velocities::offset, sizeof(velocities));
+  return velocities;
+}
+
 void blend_velocities(EaseBlender& blender, const AnimationStateHeader& from, const AnimationStateHeader& to) {
   const float to_share = blender.fraction, from_share = 1.0F - blender.fraction;
-  const auto between = [&](float a, float b) { return from_share * a + to_share * b; };
-  for (int axis = 0; axis < 3; ++axis) {
-    blender.state.linear_velocity[axis] = between(from.linear_velocity[axis], to.linear_velocity[axis]);
-    blender.state.angular_velocity[axis] = between(from.angular_velocity[axis], to.angular_velocity[axis]);
-  }
+  Velocities blended = velocities_of(from);
+  const Velocities added = velocities_of(to);
+  for (int axis = 0; axis < 6; ++axis)
+    blended.axes[axis] = from_share * blended.axes[axis] + to_share * added.axes[axis];
+  std::memcpy(reinterpret_cast<std::byte*>(&blender.state) + Velocities::offset, &blended, sizeof(blended));
 }
 
 void advance_entity(const EntityInStore& entity, const SourcesInStore& sources) {

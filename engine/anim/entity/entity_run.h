@@ -8,17 +8,6 @@
 
 namespace throng::anim {
 
-/// What an entity shows where that is a clip, or a blend of two: kernels make such poses for many characters at once.
-struct ShownClip {
-  const SampledStream* stream = nullptr;
-  SamplePoint point;
-};
-struct ShownClips {
-  const ShownClip* clip = nullptr;     ///< null: something else
-  const ShownClip* blended = nullptr;  ///< onto it; or null
-  float fraction = 0.0F;               ///< of `blended`, above 0 and below 1
-};
-
 /// One source of each entity of a run: their states, in even steps, and what they show, side by side.
 struct SourceRow {
   const std::byte* first;
@@ -50,7 +39,10 @@ struct EntityRun {
   std::size_t block_stride = 0;     ///< bytes to the next entity's block
   std::size_t prepared_stride = 0;  ///< and to what is prepared for it
   std::span<const SourceRow> sources{};
-  ShownClips* shown = nullptr;  ///< [count] out, empty so far; null: nobody asks, poses are made packet by packet
+  const Ticks* deltas = nullptr;  ///< [count] that pass for each first; null: delta times are there already
+  /// [count] out: what each shows where that is a clip, or a blend of two, since kernels make such poses for many
+  /// characters at once. Null: nobody asks, poses are made packet by packet.
+  ShownClips* shown = nullptr;
 
   EntityInStore entity(std::size_t index) const {
     return {.block = first.block + index * block_stride,
@@ -66,17 +58,21 @@ using ShowClips = ShownClips (*)(const EntityInStore& entity, const SourcesInSto
 
 /// EntityKind::advance by what advances one entity and, where its pose may be clips alone, what then says which: those
 /// that pose_packet would show. Both are known here and lie in the loop, where calls would take as long as what they
-/// do.
+/// do, and where a delta time need not be in memory to be used up.
 template <AdvanceEntity advance, ShowClips show = nullptr>
 void advance_each(const EntityRun& shared) {
   const EntityRun run = shared;  // or it would be read again after every store
   for (std::size_t i = 0; i < run.count; ++i) {
     const EntityInStore entity = run.entity(i);
     const SourcesInStore sources = run.sources_of(i);
+    if (run.deltas != nullptr) entity.as<AnimationStateHeader>().delta_time += run.deltas[i];
     advance(entity, sources);
-    if constexpr (show != nullptr) {
+    if (run.shown == nullptr) continue;
+    if constexpr (show == nullptr) {
+      run.shown[i].clip = run.shown[i].blended = nullptr;
+    } else {
       // Made in its place: a copy would wait for the parts that were just written.
-      if (run.shown != nullptr) ::new (&run.shown[i]) ShownClips(show(entity, sources));
+      ::new (&run.shown[i]) ShownClips(show(entity, sources));
     }
   }
 }

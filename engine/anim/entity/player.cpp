@@ -11,7 +11,8 @@ namespace {
 
 void wrap(Player& player, FineTicks duration) {
   if (player.position >= 0 && player.position < duration) return;  // as nearly always: dividing takes long
-  const FineTicks loops = whole_loops(player.position, duration);
+  const bool in_next_loop = player.position >= duration && player.position - duration < duration;
+  const FineTicks loops = in_next_loop ? 1 : whole_loops(player.position, duration);
   if (loops == 0) return;
   player.position -= loops * duration;
   player.loop_count += static_cast<std::int32_t>(loops);
@@ -35,7 +36,7 @@ void keep_in_clip(Player& player, FineTicks duration) {
 
 bool stands_still(const Player& player, const ClipStreams& clip) {
   const bool holds = (player.flags & Player::looping) == 0 && (player.flags & Player::reached_end) != 0;
-  return holds || clip.root_motion == nullptr || clip.root_motion->keys.empty();
+  return holds || clip.root_motion == nullptr;
 }
 
 void set_velocity(AnimationStateHeader& state, const RootVelocity& velocity, double speed) {
@@ -80,7 +81,7 @@ namespace {
 /// What packets of 16 bones are made from (2.2.3, second half of the update step). A player of a SampledStream keeps
 /// only its position.
 struct SampledPose {
-  ShownClip shown;
+  ClipMoment moment;
   const BoneSelection* bones;  ///< null: every bone; packets without any are not evaluated
 };
 
@@ -95,7 +96,10 @@ struct KeyframePose {
 constexpr std::size_t prepared_pose_bytes = 64;
 static_assert(sizeof(SampledPose) <= prepared_pose_bytes && sizeof(KeyframePose) <= prepared_pose_bytes);
 
-Ticks time_of(const Player& player) { return player.position / fine_ticks_per_tick; }
+/// In the clip, where no time is negative.
+Ticks time_of(const Player& player) {
+  return static_cast<Ticks>(static_cast<std::uint64_t>(player.position) / std::uint64_t{fine_ticks_per_tick});
+}
 
 /// Hints for both rows (paper 2.2.3, note 5): 16 bones are sampled at a time, so most of a row has long to arrive.
 void prefetch_rows(const SampledStream& stream, const SamplePoint& point) {
@@ -115,10 +119,10 @@ void advance_sampled(const EntityInStore& entity, const SourcesInStore&) {
   const ClipStreams& clip = entity.assets->clips[player.clip];
   move_player(player, clip);
   // Made in its place: a copy would wait for the parts that were just written.
-  const auto& pose = *::new (entity.prepared)
-                         SampledPose{.shown = {.stream = clip.sampled, .point = locate(*clip.sampled, time_of(player))},
-                                     .bones = selection_of(player, *entity.assets)};
-  if (entity.assets->prefetch) prefetch_rows(*clip.sampled, pose.shown.point);
+  const auto& pose = *::new (entity.prepared) SampledPose{
+      .moment = {.stream = clip.sampled, .point = locate(*clip.sampled, time_of(player))},
+      .bones = selection_of(player, *entity.assets)};
+  if (entity.assets->prefetch) prefetch_rows(*clip.sampled, pose.moment.point);
 }
 
 void advance_keyframed(const EntityInStore& entity, const SourcesInStore&) {
@@ -134,7 +138,7 @@ void advance_keyframed(const EntityInStore& entity, const SourcesInStore&) {
 
 ShownClips shown_clips(const EntityInStore& entity, const SourcesInStore&) {
   const auto& pose = entity.prepared_as<SampledPose>();
-  return {.clip = pose.bones == nullptr ? &pose.shown : nullptr};
+  return {.clip = pose.bones == nullptr ? &pose.moment : nullptr};
 }
 
 /// Packets without a selected bone are not evaluated.
@@ -149,7 +153,7 @@ void pose_sampled_packet(const EntityInStore& entity, const PacketJob& job) {
   const auto& pose = entity.prepared_as<SampledPose>();
   pose_selected(pose.bones, job, [&] {
     entity.assets->kernels->sample(
-        {.stream = pose.shown.stream, .point = pose.shown.point, .packet = job.packet, .pose = job.out});
+        {.stream = pose.moment.stream, .point = pose.moment.point, .packet = job.packet, .pose = job.out});
   });
 }
 

@@ -20,7 +20,7 @@ struct ClipStreams {
   const KeyframeStream* keyframe = nullptr;
   const SampledStream* sampled = nullptr;  ///< null: the clip plays from its keyframe stream
   Ticks duration = 0;
-  const RootCurve* root_motion = nullptr;  ///< what was taken out of the pose; null: nothing
+  const RootCurve* root_motion = nullptr;  ///< what was taken out of the pose, not empty; null: nothing
   std::span<const DataKey> data_keys{};    ///< ascending
 };
 

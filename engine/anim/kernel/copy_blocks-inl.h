@@ -32,20 +32,13 @@ THRONG_COPIES_GUARDED_MEMORY inline void copy_lines(const std::byte* from, std::
   } while (from != end);
 }
 
-HWY_INLINE void prefetch_lines(const std::byte* block, std::size_t size) {
-  for (std::size_t offset = 0; offset < size; offset += copied_line) __builtin_prefetch(block + offset);
-}
-
 inline void copy_blocks(const CopyBlocksJob& shared) {
   const CopyBlocksJob job = shared;  // or it would be read again after every store
   std::byte* local = job.local;
   for (std::size_t i = 0; i < job.blocks.size(); ++i, local += job.stride) {
-    if (i < job.soon.size()) prefetch_lines(job.soon[i] + job.soon_offset, job.soon_size);
     std::byte* const block = job.blocks[i] + job.offset;
     copy_lines(job.inward ? block : local, job.inward ? local : block, job.size);
   }
-  for (std::size_t i = job.blocks.size(); i < job.soon.size(); ++i)
-    prefetch_lines(job.soon[i] + job.soon_offset, job.soon_size);
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -34,16 +34,18 @@ struct SampleJob {
 struct ClipMoment {
   const SampledStream* stream = nullptr;
   SamplePoint point;
-  int character = 0;      ///< in the tile
-  float fraction = 0.0F;  ///< above 0 and below 1, of what is blended
+};
+struct ShownClips {
+  const ClipMoment* clip = nullptr;     ///< null: something else
+  const ClipMoment* blended = nullptr;  ///< onto it; or null
+  float fraction = 0.0F;                ///< of `blended`, above 0 and below 1
 };
 struct PoseClipsJob {
-  std::span<const ClipMoment> clips;    ///< of each character one, at most widest_tile
-  std::span<const ClipMoment> blended;  ///< onto the clips of some of these characters, in their order, one each
+  std::span<const ShownClips> characters;  ///< at most widest_tile; those that show something else are not touched
   int packet = 0;
   int components = rigid_components;
   bool displaced = true;   ///< false on rigid skeletons: positions are 0, and are neither read nor written
-  float* local = nullptr;  ///< out, [character][components][16]; characters without a clip here are not touched
+  float* local = nullptr;  ///< out, [character][components][16]
 };
 
 /// Blend: out = normalise(from * (1 - w) + (to on from's hemisphere) * w), w = fraction * bone weight; positions and
@@ -137,8 +139,8 @@ struct WriteLinesJob {
   StorePolicy stores = StorePolicy::plain;
 };
 
-/// Copies blocks between anywhere and places in a row, and prefetches others meanwhile. Sizes, in bytes, are multiples
-/// of 64. Guarded memory may be copied (base/guard.h).
+/// Copies blocks between anywhere and places in a row. Sizes, in bytes, are multiples of 64. Guarded memory may be
+/// copied (base/guard.h).
 struct CopyBlocksJob {
   std::span<std::byte* const> blocks;  ///< anywhere
   std::byte* local = nullptr;          ///< in a row: the first
@@ -146,9 +148,6 @@ struct CopyBlocksJob {
   std::size_t offset = 0;              ///< into each of `blocks`
   std::size_t size = 0;                ///< from there on
   bool inward = true;                  ///< to the row
-  std::span<std::byte* const> soon{};  ///< will be copied next
-  std::size_t soon_offset = 0;
-  std::size_t soon_size = 0;
 };
 
 /// One SIMD target's set.

@@ -5,8 +5,8 @@
 #define THRONG_KERNEL_POSE_CLIPS_INL_H
 #endif
 
-#include <cassert>
 #include <cstddef>
+#include <cstdint>
 
 #include "engine/anim/kernel/blend-inl.h"
 #include "engine/anim/kernel/sample-inl.h"
@@ -18,82 +18,96 @@ namespace throng::anim::HWY_NAMESPACE {
 /// further ahead than one of them is long. With 16 registers some are spilled, and it is faster all the same.
 inline constexpr std::size_t blended_together = 2;
 
-HWY_INLINE float* local_of(const PoseClipsJob& job, const ClipMoment& moment) {
-  return job.local + moment.character * job.components * packet_bones;
+HWY_INLINE float* local_of(const PoseClipsJob& job, std::size_t character) {
+  return job.local + character * static_cast<std::size_t>(job.components) * packet_bones;
 }
 
 HWY_INLINE const SampledPacket& packet_of(const PoseClipsJob& job, const ClipMoment& moment) {
   return moment.stream->packets()[job.packet];
 }
 
-HWY_INLINE void sample_moment(const PoseClipsJob& job, const ClipMoment& moment) {
+HWY_INLINE void sample_moment(const PoseClipsJob& job, const ClipMoment& moment, float* local) {
   const Wanted wanted{.positions = job.displaced, .scales = job.components == general_components};
-  sample_packet(moment.point, packet_of(job, moment), wanted, local_of(job, moment));
+  sample_packet(moment.point, packet_of(job, moment), wanted, local);
 }
 
+/// Of `count` characters: blends of two clips.
 template <std::size_t count>
-HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const ClipMoment* const* from, const ClipMoment* to,
-                                        int bone) {
+struct Blends {
+  const ShownClips* shown[count];
+  float* local[count];
+
+  Blends(const PoseClipsJob& job, const std::uint8_t* characters) {
+    for (std::size_t k = 0; k < count; ++k) {
+      shown[k] = &job.characters[characters[k]];
+      local[k] = local_of(job, characters[k]);
+    }
+  }
+};
+
+template <std::size_t count>
+HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<count>& blends, int bone) {
   const BoneLanes d;
   constexpr std::size_t both = 2 * count;
   const ClipMoment* moments[both];
   Quaternions<Floats> q[both];
   Floats factors[both];
-  for (std::size_t k = 0; k < both; ++k) moments[k] = k < count ? from[k] : to + (k - count);
+  for (std::size_t k = 0; k < count; ++k) moments[k] = blends.shown[k]->clip;
+  for (std::size_t k = 0; k < count; ++k) moments[count + k] = blends.shown[k]->blended;
   for (std::size_t k = 0; k < both; ++k) q[k] = weighed_rotations(moments[k]->point, packet_of(job, *moments[k]), bone);
   for (std::size_t k = 0; k < both; ++k) factors[k] = factor_to_unit(packet_of(job, *moments[k]), q[k]);
   for (std::size_t k = 0; k < both; ++k) q[k] = scaled(q[k], factors[k]);
   for (std::size_t k = 0; k < count; ++k) {
-    q[k] = blend_rotations(d, q[k], q[count + k], hn::Set(d, to[k].fraction));
-    store(d, q[k], local_of(job, to[k]) + bone, packet_bones);
+    q[k] = blend_rotations(d, q[k], q[count + k], hn::Set(d, blends.shown[k]->fraction));
+    store(d, q[k], blends.local[k] + bone, packet_bones);
   }
 }
 
-HWY_INLINE void blend_sampled_vectors(const ClipMoment& from, const ClipMoment& to, const SampledRange& from_range,
+HWY_INLINE void blend_sampled_vectors(const ShownClips& shown, const SampledRange& from_range,
                                       const SampledRange& to_range, int bone, float* out) {
   const BoneLanes d;
-  const Vectors<Floats> start = sampled_vectors(from.point, from_range, bone);
-  const Vectors<Floats> way = difference(sampled_vectors(to.point, to_range, bone), start);
-  const Floats fraction = hn::Set(d, to.fraction);
+  const Vectors<Floats> start = sampled_vectors(shown.clip->point, from_range, bone);
+  const Vectors<Floats> way = difference(sampled_vectors(shown.blended->point, to_range, bone), start);
+  const Floats fraction = hn::Set(d, shown.fraction);
   const Vectors<Floats> between{hn::MulAdd(way.x, fraction, start.x), hn::MulAdd(way.y, fraction, start.y),
                                 hn::MulAdd(way.z, fraction, start.z)};
   store(d, between, out, packet_bones);
 }
 
-/// The packet of each of `count` characters: a blend of `from` and `to`.
 template <std::size_t count>
-HWY_INLINE void pose_blends(const PoseClipsJob& job, const ClipMoment* const* from, const ClipMoment* to) {
+HWY_INLINE void pose_blends(const PoseClipsJob& job, const Blends<count>& blends) {
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
-    blend_sampled_rotations<count>(job, from, to, bone);
+    blend_sampled_rotations(job, blends, bone);
     if (!job.displaced) continue;
     for (std::size_t k = 0; k < count; ++k) {
-      const SampledPacket& start = packet_of(job, *from[k]);
-      const SampledPacket& end = packet_of(job, to[k]);
-      float* const out = local_of(job, to[k]) + bone;
-      blend_sampled_vectors(*from[k], to[k], positions_of(start), positions_of(end), bone, out + 4 * packet_bones);
+      const ShownClips& shown = *blends.shown[k];
+      const SampledPacket& start = packet_of(job, *shown.clip);
+      const SampledPacket& end = packet_of(job, *shown.blended);
+      float* const out = blends.local[k] + bone;
+      blend_sampled_vectors(shown, positions_of(start), positions_of(end), bone, out + 4 * packet_bones);
       if (job.components != general_components) continue;
-      blend_sampled_vectors(*from[k], to[k], scales_of(start), scales_of(end), bone, out + 7 * packet_bones);
+      blend_sampled_vectors(shown, scales_of(start), scales_of(end), bone, out + 7 * packet_bones);
     }
   }
 }
 
 inline void pose_clips(const PoseClipsJob& shared) {
   const PoseClipsJob job = shared;  // or it would be read again after every store
-  const ClipMoment* from[widest_tile];
+  std::uint8_t blended[widest_tile];
   std::size_t blends = 0;
-  for (const ClipMoment& clip : job.clips) {
-    if (blends < job.blended.size() && job.blended[blends].character == clip.character) {
-      from[blends++] = &clip;
-    } else {
-      sample_moment(job, clip);
+  for (std::size_t character = 0; character < job.characters.size(); ++character) {
+    const ShownClips& shown = job.characters[character];
+    if (shown.blended != nullptr) {
+      blended[blends++] = static_cast<std::uint8_t>(character);
+    } else if (shown.clip != nullptr) {
+      sample_moment(job, *shown.clip, local_of(job, character));
     }
   }
-  assert(blends == job.blended.size() && "not in the order of the clips that they are blended onto");
   std::size_t done = 0;
   for (; done + blended_together <= blends; done += blended_together) {
-    pose_blends<blended_together>(job, from + done, &job.blended[done]);
+    pose_blends(job, Blends<blended_together>(job, blended + done));
   }
-  for (; done < blends; ++done) pose_blends<1>(job, from + done, &job.blended[done]);
+  for (; done < blends; ++done) pose_blends(job, Blends<1>(job, blended + done));
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -16,11 +16,12 @@ struct AlikeRun {
   std::size_t size() const { return end - first; }
 };
 
-/// Calls visit(AlikeRun) for each, in order; none can be made longer.
+/// Calls visit(AlikeRun) for each, in order; none can be made longer. `program`: of all, where that is known, or null.
 template <typename Visit>
-void for_each_alike(std::span<const AgentWork> tile, Visit&& visit) {
+void for_each_alike(std::span<const AgentWork> tile, const PoseProgram* program, Visit&& visit) {
+  if (program != nullptr) return visit(AlikeRun{0, tile.size(), program});
   for (std::size_t first = 0, end = 0; first < tile.size(); first = end) {
-    const PoseProgram* const program = tile[first].program;
+    program = tile[first].program;
     for (end = first + 1; end < tile.size() && tile[end].program == program;) ++end;
     visit(AlikeRun{first, end, program});
   }

@@ -44,8 +44,8 @@ class CopyEngine {
     push({.row = {.local = const_cast<std::byte*>(local), .size = size}, .only = main_memory});
   }
 
-  /// Cuts what is queued into `slices` about equal parts of whole transfers, one for each advance(). Of some tasks the
-  /// trace is told of each.
+  /// Cuts what is queued into `slices` about equal parts of whole rows, one for each advance(). What a part moves is
+  /// asked for one part ahead, so that it comes near while kernels compute. Of some tasks the trace is told of each.
   void spread_over(int slices, Trace* trace = nullptr);
   void advance();
   /// Moves all that is left; returns what was queued since the last finish().
@@ -73,17 +73,27 @@ class CopyEngine {
     std::span<std::byte* const> blocks() const { return only == nullptr ? row.blocks : std::span(&only, 1); }
     std::byte* local(std::size_t i) const { return row.local + i * row.stride; }
     std::size_t moved_size() const { return row.size - skipped; }
+    std::size_t moved_bytes() const { return blocks().size() * moved_size(); }
   };
 
-  void push(const Entry& entry);
-  void move(std::size_t due);
-  void move_blocks(const Entry& entry, std::size_t first, std::size_t end) const;
+  void push(const Entry& entry) {
+    assert(entry.row.size % block_alignment == 0 && entry.row.stride % block_alignment == 0);
+    const std::size_t count = entry.blocks().size();
+    for (std::size_t i = 0; entry.inward && i < count; ++i) guard(entry.local(i), entry.row.size);
+    (entry.inward ? queued_.bytes_in : queued_.bytes_out) += count * entry.moved_size();
+    queued_.transfers += count;
+    queue_.push_back(entry);
+  }
+  void move_rows(std::size_t due);
+  void ask_for_rows(std::size_t due);
+  void move_row(const Entry& entry) const;
 
   const Kernels* kernels_ = &best_kernels();
   std::vector<Entry> queue_;
-  std::size_t entry_ = 0;         // that is moved next
-  std::size_t moved_blocks_ = 0;  // of it
+  std::size_t moved_rows_ = 0;
   std::size_t moved_bytes_ = 0;
+  std::size_t asked_rows_ = 0;  // that are on their way to a near cache, or were not worth it
+  std::size_t asked_bytes_ = 0;
   std::size_t due_bytes_ = 0;  // that are to be moved by the end of this slice
   std::size_t slice_bytes_ = 0;
   CopyCounts queued_;  // since the last finish()

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "engine/anim/run/fused_tasks.h"
@@ -12,8 +11,9 @@ namespace throng::anim {
 struct FusedTasks::Characters {
   const UpdateContext* context;
   std::span<const AgentWork> work;
+  const PoseProgram* program;  ///< of all of them; null: several
   std::byte* blocks;
-  std::optional<SharedSources> shared;  ///< where they read any
+  const SharedSources* shared;  ///< null: they read none
   const std::byte* shared_blocks;
   int width;
   int packets;

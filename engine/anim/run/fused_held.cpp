@@ -75,11 +75,10 @@ void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) 
   pose_whole_tails(characters);
   for (int packet = 0; packet < characters.held_packets; ++packet) {
     pose_held_tails(characters, packet);
-    model_palette_packet(*characters.context, scratch_.model, held_packet(characters, packet).data(), characters.work,
-                         {.width = characters.width,
-                          .packet = packet,
-                          .displaced = is_displaced(characters, packet),
-                          .stores = palettes_.policy});
+    model_palette_packet(*characters.context, scratch_.model, characters.work,
+                         {.packet = packet,
+                          .local = held_packet(characters, packet).data(),
+                          .displaced = is_displaced(characters, packet)});
     engine.advance();
   }
 }

@@ -17,7 +17,8 @@ struct FusedNotes {
   /// Where in main memory the blocks of a tile belong, row by row: of the tile on its way out, of the one that is
   /// computed, and of the one on its way in.
   std::array<std::array<std::byte*, most_blocks>, 3> homes;
-  std::array<ShownClips, most_blocks> shown;  ///< [step][character]
+  std::array<ShownClips, most_blocks> shown;  ///< [step][character], but not of the last step
+  std::array<Ticks, widest_tile> deltas;      ///< [character]
   TailRounds tails;
 };
 static_assert(sizeof(FusedNotes) / 1024 == 106);

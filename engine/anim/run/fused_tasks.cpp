@@ -31,9 +31,9 @@ void prefetch_entities(std::span<const AgentWork> soon) {
 /// Calls visit(step index, layout, run, row without its blocks) for each step whose blocks the characters of a tile
 /// own; run by run, since blocks of one step come from one pool.
 template <typename Visit>
-void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork> tile, std::byte* local,
-                            Visit&& visit) {
-  for_each_alike(tile, [&](const AlikeRun& run) {
+void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork> tile, const PoseProgram* program,
+                            std::byte* local, Visit&& visit) {
+  for_each_alike(tile, program, [&](const AlikeRun& run) {
     const std::size_t stride = run.program->needs.fetch_bytes;
     std::byte* block = local;
     for (std::size_t i = 0; i < run.program->steps.size(); ++i) {
@@ -56,14 +56,13 @@ std::size_t own_bytes(std::span<const AgentWork> tile) {
 }  // namespace
 
 std::span<const AgentWork> FusedTasks::agents(int task) const {
-  const Tile& tile = tiles_[static_cast<std::size_t>(task)];
-  return work_.subspan(tile.first, tile.count);
+  return work_.subspan(tile_of(task).first, tile_of(task).count);
 }
 
 std::span<const AgentWork> FusedTasks::agents_behind(int task, std::uint32_t tiles) const {
-  const Tile& tile = tiles_[static_cast<std::size_t>(task)];
-  const std::size_t first = std::min<std::size_t>(tile.first + std::size_t{tiles} * tile.count, work_.size());
-  return work_.subspan(first, std::min<std::size_t>(tile.count, work_.size() - first));
+  const std::size_t count = tile_of(task).count;
+  const std::size_t first = std::min(tile_of(task).first + tiles * count, work_.size());
+  return work_.subspan(first, std::min(count, work_.size() - first));
 }
 
 void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
@@ -74,7 +73,7 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
   homes_[static_cast<std::size_t>(buffer)] = next_homes_;
   std::span<std::byte*> homes = notes_->homes[next_homes_];
   next_homes_ = (next_homes_ + 1) % notes_->homes.size();
-  for_each_row_of_blocks(pools, tile, local,
+  for_each_row_of_blocks(pools, tile, tile_of(task).program, local,
                          [&](std::size_t step, const EntityLayout& layout, const AlikeRun& run, BlockRow row) {
                            const Pool& pool = pools.pool(EntityPools::Kind{run.program->steps[step].kind});
                            for (std::size_t i = 0; i < run.size(); ++i)
@@ -83,7 +82,7 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
                            homes = homes.subspan(run.size());
                            engine.fetch(row, layout.unread_bytes());
                          });
-  if (tiles_[static_cast<std::size_t>(task)].needs.shared == 0) return;
+  if (tile_of(task).needs.shared == 0) return;
   local += own_bytes(tile);
   const SharedSources shared(tile);
   for (const Handle source : shared.all()) {
@@ -96,7 +95,7 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
   if (changes_ == BlockChanges::dropped) return;
   std::span<std::byte* const> homes = notes_->homes[homes_[static_cast<std::size_t>(buffer)]];
-  for_each_row_of_blocks(*context(task).pools, agents(task), store_->fetch_buffer(buffer).data(),
+  for_each_row_of_blocks(*context(task).pools, agents(task), tile_of(task).program, store_->fetch_buffer(buffer).data(),
                          [&](std::size_t, const EntityLayout&, const AlikeRun& run, BlockRow row) {
                            row.blocks = homes.first(run.size());
                            homes = homes.subspan(run.size());
@@ -105,52 +104,54 @@ void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
 }
 
 /// Room for what these characters show after a step.
-std::span<ShownClips> FusedTasks::nothing_shown(std::size_t step, const AlikeRun& alike) {
-  const std::span<ShownClips> row(&shown(step, alike.first), alike.size());
-  for (ShownClips& shows : row) shows.clip = nullptr;
-  return row;
+std::span<ShownClips> FusedTasks::shown_by(std::size_t step, const AlikeRun& alike) {
+  const bool last = step + 1 == alike.program->steps.size();
+  return {last ? clips_.row(alike.first) : &shown(step, alike.first), alike.size()};
 }
 
 int FusedTasks::copy_points(int task) const {
   const int packets = context(task).packets(agents(task).front().level);
-  return packets + std::min<int>(tiles_[static_cast<std::size_t>(task)].needs.held_packets, packets);
+  return packets + std::min<int>(tile_of(task).needs.held_packets, packets);
 }
 
 /// Moves their entities, step by step, and notes which clips each shows.
 void FusedTasks::advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place) {
   const PoseProgram& program = *alike.program;
-  const std::span<const AgentWork> agents = characters.work.subspan(alike.first, alike.size());
   LeftBySteps<SourceRow> rows;
   std::array<SourceRow, max_sources> sources;
   for_each_shared(program, [&](std::size_t i, const PoseStep& step) {
     const auto& state = characters.shared_state(step.shared);
-    rows.left[i] = {reinterpret_cast<const std::byte*>(&state), 0, nothing_shown(i, alike).data()};
+    const std::span<ShownClips> shown = shown_by(i, alike);
+    std::ranges::fill(shown, ShownClips{});
+    rows.left[i] = {reinterpret_cast<const std::byte*>(&state), 0, shown.data()};
   });
   for_each_own(*characters.context, program, place, program.steps.size(),
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
-                 ShownClips* const shown = nothing_shown(i, alike).data();
+                 const std::span<ShownClips> shown = shown_by(i, alike);
+                 const bool asked = !entity.layout->is_resident();
+                 if (!asked) std::ranges::fill(shown, ShownClips{});
                  const EntityRun run{.first = entity,
-                                     .count = agents.size(),
+                                     .count = alike.size(),
                                      .block_stride = program.needs.fetch_bytes,
                                      .prepared_stride = program.needs.prepared_bytes,
                                      .sources = rows.sources(step, sources),
-                                     .shown = entity.layout->is_resident() ? nullptr : shown};
-                 for (std::size_t c = 0; c < agents.size(); ++c) {
-                   run.entity(c).as<AnimationStateHeader>().delta_time += agents[c].delta;
-                 }
+                                     .deltas = &notes_->deltas[alike.first],
+                                     .shown = asked ? shown.data() : nullptr};
                  entity.layout->kind->advance(run);
-                 rows.left[i] = {entity.block, run.block_stride, shown};
+                 rows.left[i] = {entity.block, run.block_stride, shown.data()};
                });
 }
 
-/// The last step that shows clips which others, that do not, read.
+/// The last step that shows clips which others, that do not, read. The very last does not.
 std::size_t FusedTasks::base_of(const PoseProgram& program, std::size_t character) {
   const auto shows_clips = [&](std::size_t i) { return shown(i, character).clip != nullptr; };
-  for (std::size_t i = program.steps.size(); i-- >= program.tail;) {
+  const std::size_t root = program.steps.size() - 1;
+  for (std::size_t i = root; i-- >= program.tail;) {
     if (shows_clips(i)) return i;
   }
-  const std::uint64_t wanted = steps_over(program, Composed::no_base, shows_clips);
-  for (std::size_t i = program.steps.size(); i-- > 0;) {
+  const auto is_posed = [&](std::size_t i) { return i != root && shows_clips(i); };
+  const std::uint64_t wanted = steps_over(program, Composed::no_base, is_posed);
+  for (std::size_t i = root; i-- > 0;) {
     if ((wanted >> i & 1U) != 0 && shows_clips(i)) return i;
   }
   return Composed::no_base;
@@ -175,7 +176,10 @@ void FusedTasks::begin_composed(const Characters& characters, const AlikeRun& al
                                 const StepPlace& place) {
   const PoseProgram& program = *alike.program;
   const std::size_t base = base_of(program, character);
-  if (base != Composed::no_base) clips_.add(static_cast<int>(character), shown(base, character));
+  if (base != Composed::no_base) {
+    *clips_.row(character) = shown(base, character);
+    clips_.add(character, character + 1);
+  }
   if (composed_count_ > 0) {
     Composed& before = composed_[composed_count_ - 1];
     if (before.characters.program == &program && before.characters.end == character && before.base == base) {
@@ -198,20 +202,15 @@ void FusedTasks::begin_composed(const Characters& characters, const AlikeRun& al
 }
 
 void FusedTasks::advance_entities(const Characters& characters) {
-  clips_.clear();
+  clips_.begin(characters.work.size());
   composed_count_ = 0;
   composed_displaces_ = false;
   StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
-  for_each_alike(characters.work, [&](const AlikeRun& alike) {
+  for_each_alike(characters.work, characters.program, [&](const AlikeRun& alike) {
     advance_alike(characters, alike, place);
-    const std::size_t root = alike.program->steps.size() - 1;
+    const bool all_show_clips = clips_.add(alike.first, alike.end);
     for (std::size_t c = alike.first; c < alike.end; ++c) {
-      const ShownClips& pose = shown(root, c);
-      if (pose.clip != nullptr) {
-        clips_.add(static_cast<int>(c), pose);
-      } else {
-        begin_composed(characters, alike, c, place);
-      }
+      if (!all_show_clips && clips_.row(c)->clip == nullptr) begin_composed(characters, alike, c, place);
       place = place.of_next(*alike.program);
     }
   });
@@ -263,30 +262,38 @@ bool FusedTasks::stream_packet(const Characters& characters, int packet) const {
   return displaced;
 }
 
+/// Nearly always as for the tile before.
+void FusedTasks::carve_scratch(const UpdateContext& context, const StoreNeeds& needs, int width) {
+  if (carved_.context == &context && carved_.needs == needs && carved_.width == width) return;
+  carved_ = {&context, needs, width};
+  ScratchCarver carver(store_->scratch());
+  scratch_ = FusedScratch::carve(carver, context, needs, width);
+}
+
 void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   const std::span<const AgentWork> tile = agents(task);
   const UpdateContext& about = context(task);
-  const StoreNeeds& needs = tiles_[static_cast<std::size_t>(task)].needs;
-  Characters characters{.context = &about,
-                        .work = tile,
-                        .blocks = store_->fetch_buffer(buffer).data(),
-                        .shared = std::nullopt,
-                        .shared_blocks = nullptr,
-                        .width = static_cast<int>(std::bit_ceil(tile.size())),
-                        .packets = about.packets(tile.front().level),
-                        .held_packets = std::min<int>(needs.held_packets, about.packets(tile.front().level))};
-  ScratchCarver carver(store_->scratch());
-  scratch_ = FusedScratch::carve(carver, about, needs, characters.width);
+  const StoreNeeds& needs = tile_of(task).needs;
+  const bool shares = needs.shared > 0;
+  if (shares) shared_ = SharedSources(tile);
+  std::byte* const blocks = store_->fetch_buffer(buffer).data();
+  const Characters characters{.context = &about,
+                              .work = tile,
+                              .program = tile_of(task).program,
+                              .blocks = blocks,
+                              .shared = shares ? &shared_ : nullptr,
+                              .shared_blocks = shares ? blocks + own_bytes(tile) : nullptr,
+                              .width = static_cast<int>(std::bit_ceil(tile.size())),
+                              .packets = about.packets(tile.front().level),
+                              .held_packets = std::min<int>(needs.held_packets, about.packets(tile.front().level))};
+  carve_scratch(about, needs, characters.width);
   // Lanes beyond the last character compute on numbers, not on noise.
   if (tile.size() < static_cast<std::size_t>(characters.width)) {
     std::ranges::fill(needs.held ? scratch_.held : scratch_.model.local, 0.0F);
   }
-  if (needs.shared > 0) {
-    characters.shared.emplace(tile);
-    characters.shared_blocks = characters.blocks + own_bytes(tile);
-  }
+  for (std::size_t i = 0; i < tile.size(); ++i) notes_->deltas[i] = tile[i].delta;
   advance_entities(characters);
-  begin_palettes(scratch_.model, tile, palettes_.unseen);
+  begin_palettes(scratch_.model, about, tile, characters.width, palettes_);
   if (needs.held) compute_held(characters, engine);
   compute_streaming(characters, engine);
   store_hashes(about, scratch_.model, tile);
@@ -297,9 +304,8 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
 void FusedTasks::compute_streaming(const Characters& characters, CopyEngine& engine) const {
   for (int packet = characters.held_packets; packet < characters.packets; ++packet) {
     const bool displaced = stream_packet(characters, packet);
-    model_palette_packet(
-        *characters.context, scratch_.model, scratch_.model.local.data(), characters.work,
-        {.width = characters.width, .packet = packet, .displaced = displaced, .stores = palettes_.policy});
+    model_palette_packet(*characters.context, scratch_.model, characters.work,
+                         {.packet = packet, .local = scratch_.model.local.data(), .displaced = displaced});
     engine.advance();
   }
 }

@@ -9,6 +9,7 @@
 #include "engine/anim/run/fused_notes.h"
 #include "engine/anim/run/fused_scratch.h"
 #include "engine/anim/run/local_store.h"
+#include "engine/anim/run/shared_sources.h"
 #include "engine/anim/run/step_walk.h"
 #include "engine/anim/run/task_content.h"
 #include "engine/anim/run/task_queue.h"
@@ -87,13 +88,22 @@ class FusedTasks {
     }
   }
 
+  /// For whom the scratch is carved.
+  struct Carved {
+    const UpdateContext* context = nullptr;
+    StoreNeeds needs = {};
+    int width = 0;
+  };
+
+  const Tile& tile_of(int task) const { return tiles_[static_cast<std::size_t>(task)]; }
   std::span<const AgentWork> agents(int task) const;
   /// As many as the task has, so many tiles of its size behind it.
   std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
+  void carve_scratch(const UpdateContext& context, const StoreNeeds& needs, int width);
   void advance_entities(const Characters& characters);
   void advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place);
-  std::span<ShownClips> nothing_shown(std::size_t step, const AlikeRun& alike);
+  std::span<ShownClips> shown_by(std::size_t step, const AlikeRun& alike);
   void begin_composed(const Characters& characters, const AlikeRun& alike, std::size_t character,
                       const StepPlace& place);
   ShownClips& shown(std::size_t step, std::size_t character) { return notes_->shown[step * widest_tile + character]; }
@@ -126,11 +136,13 @@ class FusedTasks {
   PaletteStores palettes_;
   BlockChanges changes_;
   FusedScratch scratch_;
+  Carved carved_;
+  SharedSources shared_;  // of the tile that is computed, where it reads any
   FusedNotes* notes_;
   std::array<std::size_t, 2> homes_{};  // [fetch buffer] which of the lists of homes is that of its tile
   std::size_t next_homes_ = 0;
-  ClipTile clips_;                              // the characters that show clips
-  std::array<Composed, widest_tile> composed_;  // and the others
+  ClipTile clips_;                              // what they show
+  std::array<Composed, widest_tile> composed_;  // those that show more than clips
   std::size_t composed_count_ = 0;
   std::size_t whole_rounds_ = 0;     // rounds of tails that come first, for all held packets
   bool composed_displaces_ = false;  // positions of some of them come from more than clips

@@ -97,7 +97,6 @@ class PaletteTasks {
   const LocalStore* store_;
   PaletteStores palettes_;
   ModelScratch scratch_;
-  int width_ = 1;
   std::optional<Task> last_;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;

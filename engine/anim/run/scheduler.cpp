@@ -40,6 +40,7 @@ void Scheduler::record_trace(Tracing tracing, std::size_t agents) {
 
 void Scheduler::reserve(std::size_t agents) {
   constexpr std::size_t usual_entities = 4;  // of one priority
+  order_.reserve(agents);
   cutter_.reserve(agents);
   record_trace(options_.trace, agents);
   if (options_.schedule == Schedule::fused) return;
@@ -53,10 +54,11 @@ void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const 
   for (ProcessingUnit& unit : units_) unit.begin_update(time_.first_tick, *contexts.front().assets.kernels);
   for (const UpdateContext& context : contexts) context.pools->guard_blocks();
   if (!shared.empty()) run_entities(contexts, shared, executor);
+  order_.sort(agents);
   if (!agents.empty()) {
-    const std::span<const AgentWork> work = cutter_.sorted(agents);
-    const double nanoseconds = predicted(work);
-    tiles_ = cutter_.cut(contexts, work, options_.plan, options_.schedule, options_.cost, shares_for(nanoseconds));
+    const std::span<const AgentWork> work = order_.work();
+    const double nanoseconds = order_.predicted();
+    tiles_ = cutter_.cut(contexts, order_, options_.plan, options_.schedule, options_.cost, shares_for(nanoseconds));
     if (options_.schedule == Schedule::fused) {
       run_fused(contexts, work, nanoseconds / static_cast<double>(tiles_.size()), executor);
     } else {
@@ -67,12 +69,6 @@ void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const 
   for (const UpdateContext& context : contexts) context.pools->release_blocks();
   for (ProcessingUnit& unit : units_) unit.trace().close(TraceSpan::Kind::wait);
   time_.end();
-}
-
-double Scheduler::predicted(std::span<const AgentWork> work) {
-  std::uint64_t steps = 0;
-  for (const AgentWork& agent : work) steps += agent.cost;
-  return static_cast<double>(steps) * cost_step;
 }
 
 std::span<int> Scheduler::shares_for(double nanoseconds) {

@@ -11,6 +11,7 @@
 #include "engine/anim/run/processing_unit.h"
 #include "engine/anim/run/task_queue.h"
 #include "engine/anim/run/tile_cutter.h"
+#include "engine/anim/run/work_order.h"
 
 namespace throng::anim {
 
@@ -51,12 +52,13 @@ class Scheduler {
               std::span<const AgentWork> agents, Executor& executor);
 
   std::span<const ProcessingUnit> units() const { return units_; }
+  /// Of the agents of the last update.
+  const WorkOrder& order() const { return order_; }
   /// Of the last update; its clocks make milliseconds of the units' traces.
   const UpdateTime& time() const { return time_; }
   const ScheduleOptions& options() const { return options_; }
 
  private:
-  static double predicted(std::span<const AgentWork> work);
   std::span<int> shares_for(double nanoseconds);
   void collect_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work);
   void run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, double task_ns,
@@ -71,6 +73,7 @@ class Scheduler {
 
   ScheduleOptions options_;
   std::vector<ProcessingUnit> units_;
+  WorkOrder order_;
   TileCutter cutter_;
   std::span<const Tile> tiles_;                        // of the cutter
   std::vector<int> shares_;                            // room for a share a PU

@@ -26,8 +26,9 @@ class TaskQueue {
   }
 
   std::optional<int> take(int pu) {
-    for (int helped = 0; helped < pus_; ++helped) {
-      Share& share = shares_[static_cast<std::size_t>((pu + helped) % pus_)];
+    int of = pu;
+    for (int asked = 0; asked < pus_; ++asked, of = of + 1 < pus_ ? of + 1 : 0) {
+      Share& share = shares_[static_cast<std::size_t>(of)];
       const int task = share.next.fetch_add(1, std::memory_order_relaxed);
       if (task < share.end) return task;
     }

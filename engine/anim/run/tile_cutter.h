@@ -8,34 +8,28 @@
 #include "engine/anim/run/local_store_plan.h"
 #include "engine/anim/run/shared_sources.h"
 #include "engine/anim/run/tile_scratch.h"
+#include "engine/anim/run/work_order.h"
 
 namespace throng::anim {
 
-/// Puts the work of a frame in order and cuts it into tiles, and tiles into shares for PUs, by what they are predicted
-/// to cost (paper 3.2).
+/// Cuts the work of a frame into tiles, and tiles into shares for PUs, by what they are predicted to cost (paper 3.2).
 class TileCutter {
  public:
-  /// Room for so many agents, so that nothing below allocates.
-  void reserve(std::size_t agents);
-
-  /// Groups of one skeleton and bone level, held or not, whose agents cost most first; within a group the dearest
-  /// agents first. Agents of one program shape stay in their order.
-  std::span<const AgentWork> sorted(std::span<const AgentWork> work);
+  /// Room for so many agents, so that cut() does not allocate.
+  void reserve(std::size_t agents) { tiles_.reserve(agents); }
 
   /// Tiles as wide as the plan lets them be, cut once more where a share ends so that no PU is late: `shares` gets the
   /// first tile of each share and, last, the number of tiles.
-  std::span<const Tile> cut(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
-                            const LocalStorePlan& plan, Schedule schedule, const CostModel& cost,
-                            std::span<int> shares);
+  std::span<const Tile> cut(std::span<const UpdateContext> contexts, const WorkOrder& order, const LocalStorePlan& plan,
+                            Schedule schedule, const CostModel& cost, std::span<int> shares);
 
  private:
-  void cut_full_width(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
-                      const LocalStorePlan& plan, Schedule schedule);
-  double add_costs(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, const CostModel& cost);
+  void cut_full_width(std::span<const UpdateContext> contexts, const WorkOrder& order, const LocalStorePlan& plan,
+                      Schedule schedule);
+  double add_overheads(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, const CostModel& cost);
   void divide(std::size_t tile, double wanted, double overhead);
 
   std::vector<Tile> tiles_;
-  std::vector<AgentWork> sorted_;
 };
 
 /// Shares of about equal cost of tasks 0 to count - 1: `firsts` has one element a share and the end. A task lies in the

@@ -16,33 +16,37 @@ ModelScratch ModelScratch::carve(ScratchCarver& carver, int width, int component
   return scratch;
 }
 
-void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, PaletteMatrix* unseen) {
+void begin_palettes(ModelScratch& scratch, const UpdateContext& context, std::span<const AgentWork> tile, int width,
+                    const PaletteStores& stores) {
+  scratch.fades = false;
   for (std::size_t i = 0; i < tile.size(); ++i) {
-    scratch.palettes[i] = tile[i].palette == nullptr ? PaletteDestination(unseen) : tile[i].palette;
+    scratch.palettes[i] = tile[i].palette == nullptr ? PaletteDestination(stores.unseen) : tile[i].palette;
     scratch.hashes[i] = 0;
     scratch.fades = scratch.fades || tile[i].fade_halves != 0;
   }
+  scratch.job = {.hierarchy = context.hierarchy,
+                 .bone_count = context.bones(tile.front().level),
+                 .width = width,
+                 .characters = static_cast<int>(tile.size()),
+                 .stores = stores.policy,
+                 .carry = scratch.carry.data(),
+                 .branch_slots = scratch.branches.data(),
+                 .format = context.palette_format,
+                 .palettes = scratch.palettes.data(),
+                 .hashes = context.hashes.empty() ? nullptr : scratch.hashes.data()};
 }
 
-void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, float* local,
-                          std::span<const AgentWork> tile, const TilePacket& about) {
+void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile,
+                          const TilePacket& about) {
   for (std::size_t i = 0; scratch.fades && i < tile.size(); ++i) {
     if (tile[i].fade_halves == 0) continue;
-    fade_bones(context, tile[i], about.packet, about.displaced, local + i * context.packet_floats());
+    fade_bones(context, tile[i], about.packet, about.displaced, about.local + i * context.packet_floats());
   }
-  context.assets.kernels->model_palette({.hierarchy = context.hierarchy,
-                                         .packet = about.packet,
-                                         .bone_count = context.level_bone_counts[tile.front().level],
-                                         .width = about.width,
-                                         .characters = static_cast<int>(tile.size()),
-                                         .local = local,
-                                         .displaced = about.displaced,
-                                         .stores = about.stores,
-                                         .carry = scratch.carry.data(),
-                                         .branch_slots = scratch.branches.data(),
-                                         .format = context.palette_format,
-                                         .palettes = scratch.palettes.data(),
-                                         .hashes = context.hashes.empty() ? nullptr : scratch.hashes.data()});
+  ModelPaletteJob job = scratch.job;  // which has left the nearest cache; the kernel reads it bone by bone
+  job.packet = about.packet;
+  job.local = about.local;
+  job.displaced = about.displaced;
+  context.assets.kernels->model_palette(job);
 }
 
 void store_hashes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile) {

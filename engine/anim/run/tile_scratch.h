@@ -31,8 +31,9 @@ class ScratchCarver {
 struct Tile {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  float cost = 0;         ///< predicted, nanoseconds
-  StoreNeeds needs = {};  ///< the widest of its agents
+  float cost = 0;                        ///< predicted, nanoseconds
+  const PoseProgram* program = nullptr;  ///< of all of them; null: several
+  StoreNeeds needs = {};                 ///< the widest of its agents
 };
 
 /// Scratch of the model-palette step of a tile of `width` characters; hierarchy and palette run across them.
@@ -47,15 +48,12 @@ struct ModelScratch {
   std::span<float> branches;
   std::span<PaletteDestination> palettes;
   std::span<std::uint64_t> hashes;
-  bool fades = false;  ///< bones of some character are on their way to where they stand still
+  ModelPaletteJob job;  ///< of the tile, but for what a packet adds
+  bool fades = false;   ///< bones of some character are on their way to where they stand still
 
   /// `with_local`: false where the local poses lie in a fetch buffer.
   static ModelScratch carve(ScratchCarver& carver, int width, int components, int slots, bool with_local);
 };
-
-/// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0. Notes
-/// whether some bones fade.
-void begin_palettes(ModelScratch& scratch, std::span<const AgentWork> tile, PaletteMatrix* unseen);
 
 /// What the tiles of an update have in common about palettes.
 struct PaletteStores {
@@ -63,15 +61,19 @@ struct PaletteStores {
   StorePolicy policy = StorePolicy::prefetched;
 };
 
-/// Model space and palette of one packet. `local` is [width][components][16]; bones that leave a level are changed.
+/// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0. Notes
+/// whether some bones fade.
+void begin_palettes(ModelScratch& scratch, const UpdateContext& context, std::span<const AgentWork> tile, int width,
+                    const PaletteStores& stores);
+
+/// Model space and palette of one packet, whose bones that leave a level are changed first.
 struct TilePacket {
-  int width;
   int packet;
+  float* local;           ///< [width][components][16]
   bool displaced = true;  ///< see ModelPaletteJob
-  StorePolicy stores = StorePolicy::prefetched;
 };
-void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, float* local,
-                          std::span<const AgentWork> tile, const TilePacket& about);
+void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile,
+                          const TilePacket& about);
 
 /// Hands the hashes to the agents, where they are wanted.
 void store_hashes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile);

@@ -11,6 +11,7 @@
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/entity/ease_blender.h"
 #include "engine/anim/entity/entity_layout.h"
+#include "engine/anim/entity/held_state.h"
 #include "engine/anim/entity/player.h"
 
 namespace throng::anim {
@@ -79,6 +80,7 @@ class RunOfEntities : public testing::Test {
   EntityAssets assets_;
   const EntityLayout player_layout_ = layout_of(sampled_player_kind);
   const EntityLayout blender_layout_ = layout_of(ease_blender_kind);
+  const EntityLayout held_layout_ = layout_of(held_state_kind);
 
  private:
   static EntityLayout layout_of(const EntityKind& kind) {
@@ -96,6 +98,35 @@ TEST_F(RunOfEntities, IsAdvancedAsIfEachWereAlone) {
     EXPECT_EQ(together[i].entity.loop_count, alone[i].entity.loop_count) << i;
     EXPECT_EQ(together[i].entity.flags, alone[i].entity.flags) << i;
     EXPECT_EQ(together[i].entity.state.delta_time, 0) << i;
+  }
+}
+
+TEST_F(RunOfEntities, TakesTheTimeThatPassesBesideTheTimeThatIsThere) {
+  Slots<Player> handed = players(0);
+  Slots<Player> there = players(0);
+  const std::array<Ticks, characters> deltas = {1'000, 0, 250'000};
+  for (std::size_t i = 0; i < characters; ++i) there[i].entity.state.delta_time += deltas[i];
+  EntityRun run = run_of(handed, player_layout_);
+  run.deltas = deltas.data();
+  sampled_player_kind.advance(run);
+  sampled_player_kind.advance(run_of(there, player_layout_));
+  for (std::size_t i = 0; i < characters; ++i) {
+    EXPECT_EQ(handed[i].entity.position, there[i].entity.position) << i;
+    EXPECT_EQ(handed[i].entity.state.delta_time, 0) << i;
+  }
+}
+
+TEST_F(RunOfEntities, OfAKindThatNeverShowsClipsSaysSo) {
+  Slots<HeldState> slots{};
+  const ClipMoment stale;
+  std::array<ShownClips, characters> shown;
+  shown.fill({.clip = &stale, .blended = &stale});
+  EntityRun run = run_of(slots, held_layout_);
+  run.shown = shown.data();
+  held_state_kind.advance(run);
+  for (const ShownClips& each : shown) {
+    EXPECT_EQ(each.clip, nullptr);
+    EXPECT_EQ(each.blended, nullptr);
   }
 }
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -50,49 +51,50 @@ class PoseClips : public ::testing::TestWithParam<int> {
  protected:
   PoseClips() {
     for (int character = 0; character < widest_tile; ++character) {
+      const auto index = static_cast<std::size_t>(character);
+      clips_[index] = moment(first_, 7 * character);
+      blended_[index] = moment(second_, 11 * character);
       if (character % 5 == 3) continue;
-      clips_.push_back(moment(first_, character, 7 * character));
+      shown_[index].clip = &clips_[index];
       if (character % 2 == 1) continue;
-      blended_.push_back(moment(second_, character, 11 * character));
-      blended_.back().fraction = 0.05F + 0.055F * static_cast<float>(character);
+      shown_[index].blended = &blended_[index];
+      shown_[index].fraction = 0.05F + 0.055F * static_cast<float>(character);
     }
   }
 
   PoseClipsJob job(int packet, Local& local) const {
-    return {.clips = clips_, .blended = blended_, .packet = packet, .components = GetParam(), .local = local.data()};
+    return {.characters = shown_, .packet = packet, .components = GetParam(), .local = local.data()};
   }
 
   /// One character by the kernels that pose one packet at a time.
-  Local one_by_one(const Kernels& kernels, const ClipMoment& clip, const ClipMoment* blended, int packet) const {
+  Local one_by_one(const Kernels& kernels, const ShownClips& shown, int packet) const {
     Local local(GetParam());
-    kernels.sample({.stream = clip.stream, .point = clip.point, .packet = packet, .pose = local.data()});
-    if (blended == nullptr) return local;
+    sample(kernels, *shown.clip, packet, local);
+    if (shown.blended == nullptr) return local;
     Local to(GetParam());
-    kernels.sample({.stream = blended->stream, .point = blended->point, .packet = packet, .pose = to.data()});
+    sample(kernels, *shown.blended, packet, to);
     kernels.blend({.from = local.data(),
                    .to = to.data(),
                    .bone_weights = nullptr,
-                   .fraction = blended->fraction,
+                   .fraction = shown.fraction,
                    .components = GetParam(),
                    .out = local.data()});
     return local;
   }
 
-  const ClipMoment* blended_onto(int character) const {
-    for (const ClipMoment& moment : blended_) {
-      if (moment.character == character) return &moment;
-    }
-    return nullptr;
+  static void sample(const Kernels& kernels, const ClipMoment& clip, int packet, Local& local) {
+    kernels.sample({.stream = clip.stream, .point = clip.point, .packet = packet, .pose = local.data()});
   }
 
-  static ClipMoment moment(const StreamBlock& block, int character, int eighths) {
+  static ClipMoment moment(const StreamBlock& block, int eighths) {
     const Ticks time = block.stream().first_row + eighths * block.stream().row_step / 8;
-    return {.stream = &block.stream(), .point = locate(block.stream(), time), .character = character};
+    return {.stream = &block.stream(), .point = locate(block.stream(), time)};
   }
 
   const StreamBlock first_ = StreamBlock(wavy_rows(bones, GetParam(), 24));
   const StreamBlock second_ = StreamBlock(still_rows(bones, GetParam(), 24));
-  std::vector<ClipMoment> clips_, blended_;
+  std::array<ClipMoment, widest_tile> clips_, blended_;
+  std::array<ShownClips, widest_tile> shown_;
 };
 
 TEST_P(PoseClips, GivesTheBitsOfSamplingAndBlendingOnEveryTarget) {
@@ -100,10 +102,12 @@ TEST_P(PoseClips, GivesTheBitsOfSamplingAndBlendingOnEveryTarget) {
     for (int packet = 0; packet < packets; ++packet) {
       Local local(GetParam());
       kernels.pose_clips(job(packet, local));
-      for (const ClipMoment& clip : clips_) {
-        const Local expected = one_by_one(kernels, clip, blended_onto(clip.character), packet);
-        EXPECT_TRUE(same_bits(local.character(clip.character, GetParam()), expected.character(0, GetParam())))
-            << kernels.target << " packet " << packet << " character " << clip.character;
+      for (int character = 0; character < widest_tile; ++character) {
+        const ShownClips& shown = shown_[static_cast<std::size_t>(character)];
+        if (shown.clip == nullptr) continue;
+        const Local expected = one_by_one(kernels, shown, packet);
+        EXPECT_TRUE(same_bits(local.character(character, GetParam()), expected.character(0, GetParam())))
+            << kernels.target << " packet " << packet << " character " << character;
       }
     }
   }
@@ -132,13 +136,13 @@ TEST(PoseClipsThatDisplaceNothing, WritesRotationsAndNoPositions) {
   }
   const StreamBlock block(rows);
   ASSERT_EQ(block.stream().displaced_packets, 0U);
-  const std::vector<ClipMoment> clips = {
-      {.stream = &block.stream(), .point = locate(block.stream(), rows.row_step / 3)}};
+  const ClipMoment clip{.stream = &block.stream(), .point = locate(block.stream(), rows.row_step / 3)};
+  const std::array<ShownClips, 1> shown = {{{.clip = &clip}}};
   for (const Kernels& kernels : runnable_kernels()) {
     Local with(rigid_components);
     Local without(rigid_components);
-    kernels.pose_clips({.clips = clips, .blended = {}, .displaced = true, .local = with.data()});
-    kernels.pose_clips({.clips = clips, .blended = {}, .displaced = false, .local = without.data()});
+    kernels.pose_clips({.characters = shown, .displaced = true, .local = with.data()});
+    kernels.pose_clips({.characters = shown, .displaced = false, .local = without.data()});
     EXPECT_TRUE(same_bits(with.character(0, 4), without.character(0, 4))) << kernels.target;
     const std::vector<float> pose = with.character(0, rigid_components);
     const std::vector<float> partly = without.character(0, rigid_components);

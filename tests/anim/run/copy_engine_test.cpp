@@ -1,8 +1,10 @@
 #include "engine/anim/run/copy_engine.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -42,6 +44,25 @@ TEST(CopyEngine, SlicesMoveTheSameBytesInTheSameOrder) {
   for (int slice = 0; slice < 3; ++slice) engine.advance();
   EXPECT_EQ(std::memcmp(store.fetch_buffer(0).data(), first.bytes.get(), 192), 0);
   EXPECT_EQ(std::memcmp(store.fetch_buffer(0).data() + 192, second.bytes.get(), 320), 0);
+}
+
+TEST(CopyEngine, MovesAboutAsMuchInEachSlice) {
+  constexpr std::size_t rows = 6, size = 64;
+  Memory main_memory(rows * size);
+  std::memset(main_memory.bytes.get(), 0, rows * size);
+  LocalStore store(rows * size);
+  store.divide(rows * size, 1, 0);
+  std::memset(store.fetch_buffer(0).data(), 1, rows * size);
+  CopyEngine engine;
+  for (std::size_t row = 0; row < rows; ++row) {
+    engine.write_back(store.fetch_buffer(0).data() + row * size, main_memory.bytes.get() + row * size, size);
+  }
+  engine.spread_over(3);
+  for (const std::size_t moved : {0U, 2U, 4U, 6U}) {
+    EXPECT_EQ(std::ranges::count(std::span(main_memory.bytes.get(), rows * size), std::byte{1}),
+              static_cast<std::ptrdiff_t>(moved * size));
+    engine.advance();
+  }
 }
 
 TEST(CopyEngine, MovesRowsOfScatteredBlocksAndBack) {

@@ -38,14 +38,16 @@ class Crowd {
   }
 
   std::vector<Tile> cut(std::span<int> shares) {
+    order_.sort(work);
     TileCutter cutter;
     cutter.reserve(work.size());
     const std::span<const Tile> tiles =
-        cutter.cut(contexts(), cutter.sorted(work), rig_->schedule().plan, Schedule::fused, cost, shares);
+        cutter.cut(contexts(), order_, rig_->schedule().plan, Schedule::fused, cost, shares);
     return {tiles.begin(), tiles.end()};
   }
 
   std::vector<AgentWork> work;
+  const WorkOrder& order() const { return order_; }
 
  private:
   std::span<const UpdateContext> contexts() {
@@ -58,6 +60,7 @@ class Crowd {
   int context_packets() { return contexts().front().packets(0); }
 
   CrowdRig rig_;
+  WorkOrder order_;
   UpdateContext context_;
   int packets_;
 };
@@ -106,27 +109,6 @@ TEST(CutShares, HaveEachTaskOnceWhereThereAreFewerTasksThanShares) {
   EXPECT_EQ(firsts.back(), 2);
 }
 
-TEST(TileCutter, PutsDearAgentsFirstAndKeepsEqualOnesInOrder) {
-  Crowd crowd(8);
-  crowd.add(100, 0, {4, 3, 0});
-  crowd.add(101, 0, {4, 3, 0});
-  TileCutter cutter;
-  const std::span<const AgentWork> sorted = cutter.sorted(crowd.work);
-  EXPECT_EQ(sorted[0].agent, 100U);
-  EXPECT_EQ(sorted[1].agent, 101U);
-  for (std::uint32_t i = 0; i < 8; ++i) EXPECT_EQ(sorted[i + 2].agent, i);
-}
-
-TEST(TileCutter, PutsGroupsOfDearAgentsFirstAndNeverMixesLevels) {
-  Crowd crowd(0x20);
-  for (std::uint32_t agent = 0; agent < 20; ++agent)
-    crowd.add(agent, 1, {1, 0, agent % 2 == 0 ? std::uint8_t{3} : std::uint8_t{0}});
-  TileCutter cutter;
-  const std::span<const AgentWork> sorted = cutter.sorted(crowd.work);
-  EXPECT_EQ(sorted.front().level, 1);
-  EXPECT_TRUE(std::ranges::is_sorted(sorted, std::greater<>{}, [](const AgentWork& work) { return int{work.level}; }));
-}
-
 TEST(TileCutter, LosesNobody) {
   Crowd crowd(1000);
   std::array<int, 4> shares{};
@@ -137,6 +119,33 @@ TEST(TileCutter, LosesNobody) {
     next += tile.count;
   }
   EXPECT_EQ(next, 1000U);
+}
+
+TEST(TileCutter, KnowsTheProgramOfTilesThatHaveOne) {
+  Crowd crowd(16);
+  PoseProgram other = *crowd.work.front().program;
+  for (std::uint32_t agent = 16; agent < 40; ++agent) crowd.add(agent, 0, {1, 0, 0});
+  for (std::size_t i = 20; i < 40; ++i) crowd.work[i].program = &other;
+  std::array<int, 2> shares{};
+  int mixed = 0;
+  for (const Tile& tile : crowd.cut(shares)) {
+    const std::span<const AgentWork> agents = crowd.order().work().subspan(tile.first, tile.count);
+    const bool alike =
+        std::ranges::all_of(agents, [&](const AgentWork& work) { return work.program == agents.front().program; });
+    EXPECT_EQ(tile.program, alike ? agents.front().program : nullptr) << tile.first;
+    mixed += alike ? 0 : 1;
+  }
+  EXPECT_EQ(mixed, 1);
+}
+
+TEST(TileCutter, PredictsOfATileWhatItsAgentsAndItsPacketsTake) {
+  Crowd crowd(40);
+  std::array<int, 2> shares{};
+  for (const Tile& tile : crowd.cut(shares)) {
+    double agents = 0;
+    for (const AgentWork& work : crowd.order().work().subspan(tile.first, tile.count)) agents += work.cost * cost_step;
+    EXPECT_NEAR(static_cast<double>(tile.cost), cost.of_tile(3) + agents, 0.01);
+  }
 }
 
 TEST(TileCutter, CutsAWideTileSoThatNoPuIsLate) {

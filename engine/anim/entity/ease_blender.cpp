@@ -82,6 +82,7 @@ const EntityKind ease_blender_kind = {.name = "ease blender",
                                       .type = EntityType::ease_blender,
                                       .sources = sources,
                                       .reads_identity = false,
+                                      .final_once_advanced = true,
                                       .advance = advance_each<advance_entity, shown_clips>,
                                       .pose_packet = blend_packet};
 

@@ -33,6 +33,7 @@ struct EntityLayout {
   std::uint32_t private_bytes() const { return total_size - private_offset; }
   /// First bytes of a block that nobody reads in the local store, and that are not fetched.
   std::size_t unread_bytes() const;
+  bool final_once_advanced() const;
 };
 
 /// Read-only memory that entities of one skeleton may read beside their own block.
@@ -114,6 +115,8 @@ struct EntityKind {
   /// Of a transient block: its first line, which says what its pool says too, whose it is and where it begins. False:
   /// no function below reads it, and it is not fetched.
   bool reads_identity = true;
+  /// Posing changes nothing of a transient block: it goes back to main memory as soon as it is advanced.
+  bool final_once_advanced = false;
 
   /// Each of a run as if it were alone, and what it shows (entity_run.h: advance_each). Where its pose is clips, as
   /// those of all its sources are, neither its pose_packet is called nor theirs.
@@ -138,6 +141,8 @@ struct EntityKind {
 inline std::size_t EntityLayout::unread_bytes() const {
   return is_resident() || kind->reads_identity ? 0 : identity_bytes;
 }
+
+inline bool EntityLayout::final_once_advanced() const { return kind->final_once_advanced && !is_resident(); }
 
 template <typename Resource>
 const Resource& EntityInStore::resource_as() const {

@@ -63,6 +63,7 @@ const EntityKind mixer_kind = {.name = "mixer",
                                .private_bytes = private_bytes,
                                .prepared_bytes = 64,
                                .reads_identity = false,
+                               .final_once_advanced = true,
                                .advance = advance_each<advance_mixer>,
                                .pose_packet = mix_packet};
 

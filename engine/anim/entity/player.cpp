@@ -171,6 +171,7 @@ const EntityKind sampled_player_kind = {.name = "sampled player",
                                         .type = EntityType::sampled_player,
                                         .prepared_bytes = prepared_pose_bytes,
                                         .reads_identity = false,
+                                        .final_once_advanced = true,
                                         .advance = advance_each<advance_sampled, shown_clips>,
                                         .pose_packet = pose_sampled_packet};
 

@@ -12,6 +12,13 @@ constexpr std::size_t most_asked_bytes = 256;
 
 }  // namespace
 
+void CopyEngine::write_back_now(const BlockRow& row, std::size_t skipped) {
+  const Entry entry{.row = row, .skipped = skipped};
+  queued_.bytes_out += entry.moved_bytes();
+  queued_.transfers += row.blocks.size();
+  move_row(entry);
+}
+
 void CopyEngine::spread_over(int slices, Trace* trace) {
   slices_to_ = trace != nullptr && trace->wants_slices() ? trace : nullptr;
   const auto bytes = static_cast<std::uint32_t>(queued_.bytes_in + queued_.bytes_out - moved_bytes_);

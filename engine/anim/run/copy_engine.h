@@ -36,6 +36,8 @@ class CopyEngine {
   /// destinations until their bytes have arrived; where none arrive, for as long as the block is there.
   void fetch(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped, .inward = true}); }
   void write_back(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped}); }
+  /// At once, while it lies in a near cache; counted with what is queued.
+  void write_back_now(const BlockRow& row, std::size_t skipped);
   /// The same for one block.
   void fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
     push({.row = {.local = local, .size = size}, .only = const_cast<std::byte*>(main_memory), .inward = true});

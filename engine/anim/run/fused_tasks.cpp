@@ -93,14 +93,24 @@ void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
 }
 
 void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
-  if (changes_ == BlockChanges::dropped) return;
+  if (rows_left_[static_cast<std::size_t>(buffer)]) write_back_rows(task, buffer, true, engine);
+}
+
+/// Those that are final once they are advanced, or the others. True: there are such others.
+bool FusedTasks::write_back_rows(int task, int buffer, bool others, CopyEngine& engine) const {
+  if (changes_ == BlockChanges::dropped) return false;
+  bool left = false;
   std::span<std::byte* const> homes = notes_->homes[homes_[static_cast<std::size_t>(buffer)]];
   for_each_row_of_blocks(*context(task).pools, agents(task), tile_of(task).program, store_->fetch_buffer(buffer).data(),
-                         [&](std::size_t, const EntityLayout&, const AlikeRun& run, BlockRow row) {
+                         [&](std::size_t, const EntityLayout& layout, const AlikeRun& run, BlockRow row) {
                            row.blocks = homes.first(run.size());
                            homes = homes.subspan(run.size());
-                           engine.write_back(row, identity_bytes);
+                           const bool is_final = layout.final_once_advanced();
+                           left = left || !is_final;
+                           if (is_final && !others) engine.write_back_now(row, identity_bytes);
+                           if (!is_final && others) engine.write_back(row, identity_bytes);
                          });
+  return left;
 }
 
 /// Room for what these characters show after a step.
@@ -293,6 +303,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   }
   for (std::size_t i = 0; i < tile.size(); ++i) notes_->deltas[i] = tile[i].delta;
   advance_entities(characters);
+  rows_left_[static_cast<std::size_t>(buffer)] = write_back_rows(task, buffer, false, engine);
   begin_palettes(scratch_.model, about, tile, characters.width, palettes_);
   if (needs.held) compute_held(characters, engine);
   compute_streaming(characters, engine);

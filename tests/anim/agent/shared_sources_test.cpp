@@ -84,15 +84,10 @@ TEST(SharedSources, ATreeFiveDeepFetchesEachOnceATileAndWritesNoneBack) {
     engine.finish();
     tasks.compute(tile, 0, engine);
     tasks.write_back(tile, 0, engine);
-    EXPECT_EQ(engine.queued().size(), 5 * tiles[static_cast<std::size_t>(tile)].count);
-    for (const CopyEngine::Transfer& transfer : engine.queued()) {
-      EXPECT_FALSE(transfer.inward);
-      for (const Handle source : trees.shared) {
-        const std::byte* const block = pools.block(source);
-        EXPECT_FALSE(transfer.to >= block && transfer.to < block + pools.layout(source).total_size);
-      }
-    }
-    engine.finish();
+    for (const CopyEngine::Transfer& transfer : engine.queued()) EXPECT_FALSE(transfer.inward);
+    const CopyCounts written = engine.finish();
+    EXPECT_EQ(written.bytes_in, 0U);
+    EXPECT_EQ(written.transfers, 5 * tiles[static_cast<std::size_t>(tile)].count) << "those of the agents alone";
   }
 }
 

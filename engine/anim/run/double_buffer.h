@@ -25,7 +25,7 @@ TaskContent recorded_content(const Tasks& tasks, const Task& task, const Trace& 
 ///   fetch(task, buffer, engine)     queues what it reads
 ///   copy_points(task)               how often compute() calls engine.advance()
 ///   compute(task, buffer, engine)
-///   write_back(task, buffer, engine) queues what it changed
+///   write_back(task, buffer, engine) queues what it changed and compute() has not written back
 ///   content(task)                   for whom it is
 template <typename Tasks>
 void run_single_buffered(Tasks& tasks, CopyEngine& engine, Trace& trace) {

@@ -24,4 +24,11 @@ struct FusedTasks::Characters {
   }
 };
 
+/// Of the blocks that the characters of a tile own.
+inline std::size_t own_bytes(std::span<const AgentWork> tile) {
+  std::size_t bytes = 0;
+  for (const AgentWork& work : tile) bytes += work.program->needs.fetch_bytes;
+  return bytes;
+}
+
 }  // namespace throng::anim

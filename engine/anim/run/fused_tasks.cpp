@@ -23,94 +23,10 @@ std::uint64_t steps_over(const PoseProgram& program, std::size_t base, IsPosed&&
   return wanted;
 }
 
-/// A hint: they lie scattered, and are read once an update.
-void prefetch_entities(std::span<const AgentWork> soon) {
-  for (const AgentWork& work : soon) __builtin_prefetch(work.entities);
-}
-
-/// Calls visit(step index, layout, run, row without its blocks) for each step whose blocks the characters of a tile
-/// own; run by run, since blocks of one step come from one pool.
-template <typename Visit>
-void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork> tile, const PoseProgram* program,
-                            std::byte* local, Visit&& visit) {
-  for_each_alike(tile, program, [&](const AlikeRun& run) {
-    const std::size_t stride = run.program->needs.fetch_bytes;
-    std::byte* block = local;
-    for (std::size_t i = 0; i < run.program->steps.size(); ++i) {
-      const PoseStep& step = run.program->steps[i];
-      if (step.is_shared()) continue;
-      const EntityLayout& layout = step.layout(pools);
-      visit(i, layout, run, BlockRow{.local = block, .stride = stride, .size = layout.total_size});
-      block += layout.total_size;
-    }
-    local += stride * run.size();
-  });
-}
-
-std::size_t own_bytes(std::span<const AgentWork> tile) {
-  std::size_t bytes = 0;
-  for (const AgentWork& work : tile) bytes += work.program->needs.fetch_bytes;
-  return bytes;
-}
-
 }  // namespace
 
 std::span<const AgentWork> FusedTasks::agents(int task) const {
   return work_.subspan(tile_of(task).first, tile_of(task).count);
-}
-
-std::span<const AgentWork> FusedTasks::agents_behind(int task, std::uint32_t tiles) const {
-  const std::size_t count = tile_of(task).count;
-  const std::size_t first = std::min(tile_of(task).first + tiles * count, work_.size());
-  return work_.subspan(first, std::min(count, work_.size() - first));
-}
-
-void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
-  prefetch_entities(agents_behind(task, 1));
-  const EntityPools& pools = *context(task).pools;
-  std::byte* local = store_->fetch_buffer(buffer).data();
-  const std::span<const AgentWork> tile = agents(task);
-  homes_[static_cast<std::size_t>(buffer)] = next_homes_;
-  std::span<std::byte*> homes = notes_->homes[next_homes_];
-  next_homes_ = (next_homes_ + 1) % notes_->homes.size();
-  for_each_row_of_blocks(pools, tile, tile_of(task).program, local,
-                         [&](std::size_t step, const EntityLayout& layout, const AlikeRun& run, BlockRow row) {
-                           const Pool& pool = pools.pool(EntityPools::Kind{run.program->steps[step].kind});
-                           for (std::size_t i = 0; i < run.size(); ++i)
-                             homes[i] = pool.block(tile[run.first + i].entities[step]);
-                           row.blocks = homes.first(run.size());
-                           homes = homes.subspan(run.size());
-                           engine.fetch(row, layout.unread_bytes());
-                         });
-  if (tile_of(task).needs.shared == 0) return;
-  local += own_bytes(tile);
-  const SharedSources shared(tile);
-  for (const Handle source : shared.all()) {
-    const std::size_t size = pools.layout(source).source_bytes();
-    engine.fetch(pools.block(source), local, size);
-    local += size;
-  }
-}
-
-void FusedTasks::write_back(int task, int buffer, CopyEngine& engine) const {
-  if (rows_left_[static_cast<std::size_t>(buffer)]) write_back_rows(task, buffer, true, engine);
-}
-
-/// Those that are final once they are advanced, or the others. True: there are such others.
-bool FusedTasks::write_back_rows(int task, int buffer, bool others, CopyEngine& engine) const {
-  if (changes_ == BlockChanges::dropped) return false;
-  bool left = false;
-  std::span<std::byte* const> homes = notes_->homes[homes_[static_cast<std::size_t>(buffer)]];
-  for_each_row_of_blocks(*context(task).pools, agents(task), tile_of(task).program, store_->fetch_buffer(buffer).data(),
-                         [&](std::size_t, const EntityLayout& layout, const AlikeRun& run, BlockRow row) {
-                           row.blocks = homes.first(run.size());
-                           homes = homes.subspan(run.size());
-                           const bool is_final = layout.final_once_advanced();
-                           left = left || !is_final;
-                           if (is_final && !others) engine.write_back_now(row, identity_bytes);
-                           if (!is_final && others) engine.write_back(row, identity_bytes);
-                         });
-  return left;
 }
 
 /// Room for what these characters show after a step.
@@ -303,7 +219,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   }
   for (std::size_t i = 0; i < tile.size(); ++i) notes_->deltas[i] = tile[i].delta;
   advance_entities(characters);
-  rows_left_[static_cast<std::size_t>(buffer)] = write_back_rows(task, buffer, false, engine);
+  write_back_final_rows(task, buffer, engine);
   begin_palettes(scratch_.model, about, tile, characters.width, palettes_);
   if (needs.held) compute_held(characters, engine);
   compute_streaming(characters, engine);

@@ -100,7 +100,9 @@ class FusedTasks {
   /// As many as the task has, so many tiles of its size behind it.
   std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
-  bool write_back_rows(int task, int buffer, bool others, CopyEngine& engine) const;
+  template <typename Visit>
+  void for_each_row_to_go_home(int task, int buffer, Visit&& visit) const;
+  void write_back_final_rows(int task, int buffer, CopyEngine& engine);
   void carve_scratch(const UpdateContext& context, const StoreNeeds& needs, int width);
   void advance_entities(const Characters& characters);
   void advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place);
@@ -142,7 +144,7 @@ class FusedTasks {
   FusedNotes* notes_;
   std::array<std::size_t, 2> homes_{};  // [fetch buffer] which of the lists of homes is that of its tile
   std::size_t next_homes_ = 0;
-  std::array<bool, 2> rows_left_{};             // [fetch buffer] to be written back when its tile is done
+  std::array<bool, 2> rows_left_{};             // [fetch buffer] some are written back when its tile is done
   ClipTile clips_;                              // what they show
   std::array<Composed, widest_tile> composed_;  // those that show more than clips
   std::size_t composed_count_ = 0;

@@ -79,7 +79,7 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, const W
     std::uint32_t next = 0;
     if (holds || (joins && newest.widen(context, *like.program, tiles_.back().count))) {
       next = std::min(newest.limit() - tiles_.back().count, run.count);
-      add_characters(tiles_.back(), like, next);
+      if (next > 0) add_characters(tiles_.back(), like, next);
       tiles_.back().needs = newest.needs();
     }
     if (next == run.count) continue;

@@ -122,20 +122,21 @@ TEST(TileCutter, LosesNobody) {
 }
 
 TEST(TileCutter, KnowsTheProgramOfTilesThatHaveOne) {
-  Crowd crowd(16);
-  PoseProgram other = *crowd.work.front().program;
-  for (std::uint32_t agent = 16; agent < 40; ++agent) crowd.add(agent, 0, {1, 0, 0});
-  for (std::size_t i = 20; i < 40; ++i) crowd.work[i].program = &other;
-  std::array<int, 2> shares{};
-  int mixed = 0;
-  for (const Tile& tile : crowd.cut(shares)) {
-    const std::span<const AgentWork> agents = crowd.order().work().subspan(tile.first, tile.count);
-    const bool alike =
-        std::ranges::all_of(agents, [&](const AgentWork& work) { return work.program == agents.front().program; });
-    EXPECT_EQ(tile.program, alike ? agents.front().program : nullptr) << tile.first;
-    mixed += alike ? 0 : 1;
+  for (const std::size_t walking : {16U, 20U, 32U}) {
+    Crowd crowd(48);
+    const PoseProgram other = *crowd.work.front().program;
+    for (std::size_t i = walking; i < crowd.work.size(); ++i) crowd.work[i].program = &other;
+    std::array<int, 2> shares{};
+    int mixed = 0;
+    for (const Tile& tile : crowd.cut(shares)) {
+      const std::span<const AgentWork> agents = crowd.order().work().subspan(tile.first, tile.count);
+      const bool alike =
+          std::ranges::all_of(agents, [&](const AgentWork& work) { return work.program == agents.front().program; });
+      EXPECT_EQ(tile.program, alike ? agents.front().program : nullptr) << tile.first;
+      mixed += alike ? 0 : 1;
+    }
+    EXPECT_EQ(mixed, walking == 20 ? 1 : 0) << walking;
   }
-  EXPECT_EQ(mixed, 1);
 }
 
 TEST(TileCutter, PredictsOfATileWhatItsAgentsAndItsPacketsTake) {

@@ -95,8 +95,10 @@ void WorkOrder::find_runs() {
 
 /// All are of one class.
 bool WorkOrder::is_in_order() const {
-  return std::ranges::all_of(
-      runs_, [this](const WorkRun& run) { return class_of(work_[run.first]) == class_of(work_.front()); });
+  if (runs_.empty()) return true;
+  return std::ranges::all_of(runs_, [this, first = class_of(work_.front())](const WorkRun& run) {
+    return class_of(work_[run.first]) == first;
+  });
 }
 
 double WorkOrder::predicted() const {

@@ -88,17 +88,20 @@ struct SamplePoint {
   std::int32_t fraction = 0;
 };
 inline SamplePoint locate(const SampledStream& stream, Ticks time) {
-  const int last = stream.row_count - 1;
-  if (time <= stream.first_row) return {stream.row(0), stream.row(0), 0};
   __extension__ using FixedPoint = unsigned __int128;  // 64 bits of rows, 64 of what is between two
+  // Before the first row it wraps, and lies far behind the last one.
   const std::uint64_t ticks = static_cast<std::uint64_t>(time) - static_cast<std::uint64_t>(stream.first_row);
   const FixedPoint rows = static_cast<FixedPoint>(ticks) * stream.rows_per_tick;
   const auto whole = static_cast<std::uint64_t>(rows >> 64U);
-  if (whole >= static_cast<std::uint64_t>(last)) return {stream.row(last), stream.row(last), 0};
+  const int last = stream.row_count - 1;
+  if (whole >= static_cast<std::uint64_t>(last)) [[unlikely]] {
+    const std::byte* const nearest = stream.row(time <= stream.first_row ? 0 : last);
+    return {nearest, nearest, 0};
+  }
   const auto halves = static_cast<std::int32_t>(static_cast<std::uint64_t>(rows) >> 48U);  // of a fraction's unit
   static_assert(2 * sample_fraction_one == 1 << 16);
-  const int row = static_cast<int>(whole);
-  return {stream.row(row), stream.row(row + 1), (halves + 1) / 2};
+  const std::byte* const from = stream.row(static_cast<int>(whole));
+  return {from, from + stream.row_stride, (halves + 1) / 2};
 }
 
 /// Size of and the block itself for some rows; `block` must be 64-byte aligned and of sampled_stream_bytes(rows).

@@ -140,6 +140,7 @@ class Locate : public ::testing::Test {
 };
 
 TEST_F(Locate, FindsTheTwoRowsAroundATime) {
+  expect(-step_ / 2, 0, 1, 0);
   expect(0, 0, 1, sample_fraction_one / 2);
   expect(step_ / 2, 1, 2, 0);
   expect(step_, 1, 2, sample_fraction_one / 2);
@@ -147,7 +148,7 @@ TEST_F(Locate, FindsTheTwoRowsAroundATime) {
 }
 
 TEST_F(Locate, ShowsTheNearestRowOutsideTheRows) {
-  expect(-step_ / 2, 0, 0, 0);
+  expect(-step_ / 2 - 1, 0, 0, 0);
   expect(-10 * step_, 0, 0, 0);
   expect(std::numeric_limits<Ticks>::min(), 0, 0, 0);
   expect(5 * step_ / 2, 3, 3, 0);

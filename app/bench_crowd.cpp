@@ -130,16 +130,18 @@ void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t fir
   for (std::size_t i = 0; i < agents.size(); ++i) palettes[i] = palettes_->of(first + i);
   const int bones = character_->skeleton.bone_count();
   const int components = character_->skeleton.components();
+  anim::PoseClipsJob clips = clips_.job(components, local_);
   for (int packet = 0; packet < anim::packets_for(bones); ++packet) {
-    const bool displaced = components == anim::general_components || clips_.displaced(packet);
-    kernels_->pose_clips(clips_.job(packet, components, displaced, local_));
+    clips.packet = packet;
+    clips.displaced = components == anim::general_components || anim::is_in(clips_.displaced_packets(), packet);
+    kernels_->pose_clips(clips);
     kernels_->model_palette({.hierarchy = &character_->hierarchy,
                              .packet = packet,
                              .bone_count = bones,
                              .width = anim::widest_tile,
                              .characters = static_cast<int>(agents.size()),
                              .local = local_,
-                             .displaced = displaced,
+                             .displaced = clips.displaced,
                              .stores = stores_,
                              .carry = carry_,
                              .branch_slots = branches_,

@@ -14,26 +14,19 @@ std::span<Handle> sources(std::byte* block, const EntityLayout&) {
   return {&reinterpret_cast<EaseBlender*>(block)->from, 2};
 }
 
-/// The linear one, then the angular one: side by side as in the header, so that they are blended side by side.
-struct Velocities {
-  static constexpr std::size_t offset = offsetof(AnimationStateHeader, linear_velocity);
-  static_assert(offsetof(AnimationStateHeader, angular_velocity) == offset + 3 * sizeof(float));
-  float axes[6];
-};
-
-Velocities velocities_of(const AnimationStateHeader& state) {
-  Velocities velocities;
-  std::memcpy(&velocities, reinterpret_cast<const std::byte*>(&state) + Velocities::offset, sizeof(velocities));
-  return velocities;
-}
-
+/// The linear velocity, then the angular one, side by side in the header: blended four axes at a time, two of them
+/// twice, which is what vectors do fastest.
 void blend_velocities(EaseBlender& blender, const AnimationStateHeader& from, const AnimationStateHeader& to) {
+  constexpr std::size_t first = offsetof(AnimationStateHeader, linear_velocity);
+  static_assert(offsetof(AnimationStateHeader, angular_velocity) == first + 3 * sizeof(float));
   const float to_share = blender.fraction, from_share = 1.0F - blender.fraction;
-  Velocities blended = velocities_of(from);
-  const Velocities added = velocities_of(to);
-  for (int axis = 0; axis < 6; ++axis)
-    blended.axes[axis] = from_share * blended.axes[axis] + to_share * added.axes[axis];
-  std::memcpy(reinterpret_cast<std::byte*>(&blender.state) + Velocities::offset, &blended, sizeof(blended));
+  for (const std::size_t offset : {first, first + 2 * sizeof(float)}) {
+    float some[4], others[4], blended[4];
+    std::memcpy(some, reinterpret_cast<const std::byte*>(&from) + offset, sizeof(some));
+    std::memcpy(others, reinterpret_cast<const std::byte*>(&to) + offset, sizeof(others));
+    for (int axis = 0; axis < 4; ++axis) blended[axis] = from_share * some[axis] + to_share * others[axis];
+    std::memcpy(reinterpret_cast<std::byte*>(&blender.state) + offset, blended, sizeof(blended));
+  }
 }
 
 void advance_entity(const EntityInStore& entity, const SourcesInStore& sources) {

@@ -9,6 +9,9 @@
 
 namespace throng::anim {
 
+/// A set of packets, bit i for packet i.
+inline bool is_in(std::uint64_t packets, int packet) { return (packets >> static_cast<unsigned>(packet) & 1U) != 0; }
+
 /// What the characters of a tile show, for the kernel that poses the clips of all of them, packet by packet.
 class ClipTile {
  public:
@@ -21,25 +24,25 @@ class ClipTile {
   ShownClips* row(std::size_t first) { return &shown_[first]; }
   /// True: all of them show clips.
   bool add(std::size_t first, std::size_t end) {
-    const std::size_t before = clip_count_;
+    std::size_t count = 0;
+    std::uint64_t displaced = 0;  // not added up in memory
     for (const ShownClips& shown : std::span(shown_).subspan(first, end - first)) {
       if (shown.clip == nullptr) continue;
-      ++clip_count_;
-      displaced_packets_ |= shown.clip->stream->displaced_packets;
-      if (shown.blended != nullptr) displaced_packets_ |= shown.blended->stream->displaced_packets;
+      ++count;
+      displaced |= shown.clip->stream->displaced_packets;
+      if (shown.blended != nullptr) displaced |= shown.blended->stream->displaced_packets;
     }
-    return clip_count_ - before == end - first;
+    clip_count_ += count;
+    displaced_packets_ |= displaced;
+    return count == end - first;
   }
   bool empty() const { return clip_count_ == 0; }
-  /// Some position of the packet is not 0.
-  bool displaced(int packet) const { return (displaced_packets_ >> static_cast<unsigned>(packet) & 1U) != 0; }
+  /// The packets of which some position is not 0.
+  std::uint64_t displaced_packets() const { return displaced_packets_; }
 
-  PoseClipsJob job(int packet, int components, bool displaced, float* local) const {
-    return {.characters = std::span(shown_).first(character_count_),
-            .packet = packet,
-            .components = components,
-            .displaced = displaced,
-            .local = local};
+  /// But for what a packet adds.
+  PoseClipsJob job(int components, float* local) const {
+    return {.characters = std::span(shown_).first(character_count_), .components = components, .local = local};
   }
 
  private:

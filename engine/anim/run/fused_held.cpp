@@ -58,13 +58,15 @@ void FusedTasks::compose_head(const Characters& characters, const Composed& comp
 void FusedTasks::pose_held_clips(const Characters& characters, int packet) const {
   if (clips_.empty()) return;
   const EntityAssets& assets = characters.context->assets;
-  const bool displaced = is_displaced(characters, packet);
   const std::span<float> poses = held_packet(characters, packet);
-  assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, poses.data()));
-  if (!displaced) clear_positions(poses, characters.context->packet_floats());
+  PoseClipsJob clips = clips_.job(assets.components, poses.data());
+  clips.packet = packet;
+  clips.displaced = is_in(displaced_packets(characters), packet);
+  assets.kernels->pose_clips(clips);
+  if (!clips.displaced) clear_positions(poses, characters.context->packet_floats());
 }
 
-void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) {
+void FusedTasks::compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) {
   for (int packet = 0; packet < characters.held_packets; ++packet) {
     pose_held_clips(characters, packet);
     engine.advance();
@@ -73,12 +75,11 @@ void FusedTasks::compute_held(const Characters& characters, CopyEngine& engine) 
     compose_head(characters, composed, character, place);
   });
   pose_whole_tails(characters);
+  const std::uint64_t displaced = displaced_packets(characters);
   for (int packet = 0; packet < characters.held_packets; ++packet) {
     pose_held_tails(characters, packet);
-    model_palette_packet(*characters.context, scratch_.model, characters.work,
-                         {.packet = packet,
-                          .local = held_packet(characters, packet).data(),
-                          .displaced = is_displaced(characters, packet)});
+    palettes.write(
+        {.packet = packet, .local = held_packet(characters, packet).data(), .displaced = is_in(displaced, packet)});
     engine.advance();
   }
 }

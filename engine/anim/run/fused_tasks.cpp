@@ -93,8 +93,10 @@ bool FusedTasks::head_displaces(const EntityPools& pools, const Composed& compos
   return false;
 }
 
-bool FusedTasks::is_displaced(const Characters& characters, int packet) const {
-  return composed_displaces_ || characters.context->assets.components == general_components || clips_.displaced(packet);
+/// The packets whose bones may have positions other than 0.
+std::uint64_t FusedTasks::displaced_packets(const Characters& characters) const {
+  const bool all = composed_displaces_ || characters.context->assets.components == general_components;
+  return all ? ~std::uint64_t{0} : clips_.displaced_packets();
 }
 
 /// A character whose pose is not clips alone joins the ones before that are composed in the same way.
@@ -174,20 +176,6 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
   if (poses.left[last] != local) std::memcpy(local, poses.left[last], floats * sizeof(float));
 }
 
-/// The local poses of one packet. False: all positions are 0, and were not written.
-bool FusedTasks::stream_packet(const Characters& characters, int packet) const {
-  const EntityAssets& assets = characters.context->assets;
-  const bool displaced = is_displaced(characters, packet);
-  if (!clips_.empty()) {
-    assets.kernels->pose_clips(clips_.job(packet, assets.components, displaced, scratch_.model.local.data()));
-  }
-  for_each_head([&](const Composed& composed, std::size_t character, const StepPlace& place) {
-    compose_packet(characters, composed, character, place, packet);
-  });
-  pose_streamed_tails(packet);
-  return displaced;
-}
-
 /// Nearly always as for the tile before.
 void FusedTasks::carve_scratch(const UpdateContext& context, const StoreNeeds& needs, int width) {
   if (carved_.context == &context && carved_.needs == needs && carved_.width == width) return;
@@ -220,21 +208,39 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   for (std::size_t i = 0; i < tile.size(); ++i) notes_->deltas[i] = tile[i].delta;
   advance_entities(characters);
   write_back_final_rows(task, buffer, engine);
-  begin_palettes(scratch_.model, about, tile, characters.width, palettes_);
-  if (needs.held) compute_held(characters, engine);
-  compute_streaming(characters, engine);
-  store_hashes(about, scratch_.model, tile);
+  TilePalettes palettes(about, scratch_.model, tile, characters.width, stores_);
+  if (needs.held) compute_held(characters, palettes, engine);
+  compute_streaming(characters, palettes, engine);
+  palettes.store_hashes();
   ++tiles_done_;
   agents_done_ += static_cast<std::uint32_t>(tile.size());
 }
 
-void FusedTasks::compute_streaming(const Characters& characters, CopyEngine& engine) const {
-  for (int packet = characters.held_packets; packet < characters.packets; ++packet) {
-    const bool displaced = stream_packet(characters, packet);
-    model_palette_packet(*characters.context, scratch_.model, characters.work,
-                         {.packet = packet, .local = scratch_.model.local.data(), .displaced = displaced});
+// What all packets need is looked up before the first: kernels leave nothing else in the nearest cache.
+void FusedTasks::compute_streaming(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) const {
+  const EntityAssets& assets = characters.context->assets;
+  const auto pose_clips = assets.kernels->pose_clips;
+  const bool shows_clips = !clips_.empty(), composes = composed_count_ > 0;
+  const std::uint64_t displaced = displaced_packets(characters);
+  float* const local = scratch_.model.local.data();
+  PoseClipsJob clips = clips_.job(assets.components, local);
+  const int packets = characters.packets;
+  for (int packet = characters.held_packets; packet < packets; ++packet) {
+    clips.packet = packet;
+    clips.displaced = is_in(displaced, packet);
+    if (shows_clips) pose_clips(clips);
+    if (composes) compose_streamed_packet(characters, packet);
+    palettes.write({.packet = packet, .local = local, .displaced = clips.displaced});
     engine.advance();
   }
+}
+
+/// What is more than clips.
+void FusedTasks::compose_streamed_packet(const Characters& characters, int packet) const {
+  for_each_head([&](const Composed& composed, std::size_t character, const StepPlace& place) {
+    compose_packet(characters, composed, character, place, packet);
+  });
+  pose_streamed_tails(packet);
 }
 
 }  // namespace throng::anim

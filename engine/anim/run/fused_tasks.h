@@ -13,7 +13,7 @@
 #include "engine/anim/run/step_walk.h"
 #include "engine/anim/run/task_content.h"
 #include "engine/anim/run/task_queue.h"
-#include "engine/anim/run/tile_scratch.h"
+#include "engine/anim/run/tile_palettes.h"
 
 namespace throng::anim {
 
@@ -35,14 +35,14 @@ enum class BlockChanges : std::uint8_t {
 class FusedTasks {
  public:
   FusedTasks(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, std::span<const Tile> tiles,
-             TaskQueue::Taker queue, const LocalStore& store, FusedNotes& notes, const PaletteStores& palettes,
+             TaskQueue::Taker queue, const LocalStore& store, FusedNotes& notes, const PaletteStores& stores,
              BlockChanges changes = BlockChanges::written_back)
       : contexts_(contexts),
         work_(work),
         tiles_(tiles),
         queue_(queue),
         store_(&store),
-        palettes_(palettes),
+        stores_(stores),
         changes_(changes),
         notes_(&notes) {}
 
@@ -110,14 +110,14 @@ class FusedTasks {
   void begin_composed(const Characters& characters, const AlikeRun& alike, std::size_t character,
                       const StepPlace& place);
   ShownClips& shown(std::size_t step, std::size_t character) { return notes_->shown[step * widest_tile + character]; }
-  void compute_streaming(const Characters& characters, CopyEngine& engine) const;
-  void compute_held(const Characters& characters, CopyEngine& engine);
+  void compute_streaming(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) const;
+  void compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, std::size_t character, StepPlace place,
                       int packet) const;
-  bool stream_packet(const Characters& characters, int packet) const;
+  void compose_streamed_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program, std::size_t character);
   static bool head_displaces(const EntityPools& pools, const Composed& composed);
-  bool is_displaced(const Characters& characters, int packet) const;
+  std::uint64_t displaced_packets(const Characters& characters) const;
   std::size_t held_stride(const Characters& characters) const;
   std::span<float> held_packet(const Characters& characters, int packet) const;
   void pose_held_clips(const Characters& characters, int packet) const;
@@ -136,7 +136,7 @@ class FusedTasks {
   std::span<const Tile> tiles_;
   TaskQueue::Taker queue_;
   const LocalStore* store_;
-  PaletteStores palettes_;
+  PaletteStores stores_;
   BlockChanges changes_;
   FusedScratch scratch_;
   Carved carved_;

@@ -96,18 +96,19 @@ void PaletteTasks::fetch(const Task& task, int buffer, CopyEngine& engine) const
 void PaletteTasks::begin_tile(const UpdateContext& context, std::span<const AgentWork> tile) {
   ScratchCarver carver(store_->scratch());
   const auto width = static_cast<int>(std::bit_ceil(tile.size()));
-  scratch_ = ModelScratch::carve(carver, width, context.assets.components, context.hierarchy->slot_count, false);
-  begin_palettes(scratch_, context, tile, width, palettes_);
+  const ModelScratch scratch =
+      ModelScratch::carve(carver, width, context.assets.components, context.hierarchy->slot_count, false);
+  palettes_ = TilePalettes(context, scratch, tile, width, stores_);
 }
 
 void PaletteTasks::compute(const Task& task, int buffer, CopyEngine& engine) {
   const std::span<const AgentWork> tile = agents(task);
   if (task.packet == 0) begin_tile(context(task), tile);
   auto* local = reinterpret_cast<float*>(store_->fetch_buffer(buffer).data());
-  model_palette_packet(context(task), scratch_, tile, {.packet = task.packet, .local = local});
+  palettes_.write({.packet = task.packet, .local = local});
   engine.advance();
   if (task.packet + 1 < context(task).packets(tile.front().level)) return;
-  store_hashes(context(task), scratch_, tile);
+  palettes_.store_hashes();
   ++tiles_done_;
   agents_done_ += static_cast<std::uint32_t>(tile.size());
 }

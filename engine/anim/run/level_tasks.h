@@ -8,7 +8,7 @@
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/task_content.h"
 #include "engine/anim/run/task_queue.h"
-#include "engine/anim/run/tile_scratch.h"
+#include "engine/anim/run/tile_palettes.h"
 
 namespace throng::anim {
 
@@ -68,8 +68,8 @@ class PaletteTasks {
   };
 
   PaletteTasks(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, std::span<const Tile> tiles,
-               TaskQueue::Taker queue, const LocalStore& store, const PaletteStores& palettes)
-      : contexts_(contexts), work_(work), tiles_(tiles), queue_(queue), store_(&store), palettes_(palettes) {}
+               TaskQueue::Taker queue, const LocalStore& store, const PaletteStores& stores)
+      : contexts_(contexts), work_(work), tiles_(tiles), queue_(queue), store_(&store), stores_(stores) {}
 
   static std::size_t fetch_bytes(const UpdateContext& context, int width);
   static std::size_t scratch_bytes(const UpdateContext& context, int width);
@@ -95,8 +95,8 @@ class PaletteTasks {
   std::span<const Tile> tiles_;
   TaskQueue::Taker queue_;
   const LocalStore* store_;
-  PaletteStores palettes_;
-  ModelScratch scratch_;
+  PaletteStores stores_;
+  TilePalettes palettes_;
   std::optional<Task> last_;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;

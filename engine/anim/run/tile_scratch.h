@@ -48,34 +48,9 @@ struct ModelScratch {
   std::span<float> branches;
   std::span<PaletteDestination> palettes;
   std::span<std::uint64_t> hashes;
-  ModelPaletteJob job;  ///< of the tile, but for what a packet adds
-  bool fades = false;   ///< bones of some character are on their way to where they stand still
 
   /// `with_local`: false where the local poses lie in a fetch buffer.
   static ModelScratch carve(ScratchCarver& carver, int width, int components, int slots, bool with_local);
 };
-
-/// What the tiles of an update have in common about palettes.
-struct PaletteStores {
-  PaletteMatrix* unseen = nullptr;  ///< the PU's own, for characters that nobody draws
-  StorePolicy policy = StorePolicy::prefetched;
-};
-
-/// Where the characters of a tile go: their palettes, or `unseen` for those that nobody draws; hashes start at 0. Notes
-/// whether some bones fade.
-void begin_palettes(ModelScratch& scratch, const UpdateContext& context, std::span<const AgentWork> tile, int width,
-                    const PaletteStores& stores);
-
-/// Model space and palette of one packet, whose bones that leave a level are changed first.
-struct TilePacket {
-  int packet;
-  float* local;           ///< [width][components][16]
-  bool displaced = true;  ///< see ModelPaletteJob
-};
-void model_palette_packet(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile,
-                          const TilePacket& about);
-
-/// Hands the hashes to the agents, where they are wanted.
-void store_hashes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile);
 
 }  // namespace throng::anim

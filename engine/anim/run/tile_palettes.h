@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+
+#include "engine/anim/run/agent_work.h"
+#include "engine/anim/run/tile_scratch.h"
+
+namespace throng::anim {
+
+/// What the tiles of an update have in common about palettes.
+struct PaletteStores {
+  PaletteMatrix* unseen = nullptr;  ///< the PU's own, for characters that nobody draws
+  StorePolicy policy = StorePolicy::prefetched;
+};
+
+/// Local poses of one packet of the characters of a tile.
+struct TilePacket {
+  int packet;
+  float* local;           ///< [width][components][16]
+  bool displaced = true;  ///< see ModelPaletteJob
+};
+
+/// The last step of a tile: model space and palettes, packet by packet in ascending order. Bones that leave a level are
+/// changed first. Small, so that it stays near while kernels drive all else out of the nearest cache.
+class TilePalettes {
+ public:
+  TilePalettes() = default;
+  /// Of a tile of `width` lanes. What is pointed to stays where it is until the tile is done.
+  TilePalettes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile, int width,
+               const PaletteStores& stores);
+
+  void write(const TilePacket& about);
+  /// Hands the hashes of the whole tile to its agents, where they are wanted.
+  void store_hashes() const;
+
+ private:
+  void fade(const TilePacket& about) const;
+
+  ModelPaletteJob job_;
+  void (*model_palette_)(const ModelPaletteJob& job) = nullptr;
+  bool fades_ = false;  // bones of some character are on their way to where they stand still
+  const UpdateContext* context_ = nullptr;
+  std::span<const AgentWork> tile_{};
+};
+
+}  // namespace throng::anim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <new>
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/base/hash.h"
@@ -10,11 +11,17 @@
 namespace throng::anim {
 namespace {
 
-/// What an agent costs follows from its program and level: nearly always those of the one before.
-struct KnownCost {
+/// What follows from an agent's program and level: nearly always those of the one before.
+struct AlikeAgents {
   const PoseProgram* program = nullptr;
   std::uint8_t level = 0;
   std::uint16_t cost = 0;
+  bool held = false;
+  bool look_ahead = true;  ///< they may be posed ahead of the clock
+
+  bool include(const PoseProgram& other, std::uint8_t other_level) const {
+    return program == &other && level == other_level;
+  }
 };
 
 }  // namespace
@@ -70,34 +77,45 @@ void AnimationSystem::begin_shared_work() {
 void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   for (UpdateContext& context : contexts_)
     context.hashes = options_.hash ? std::span(agent_hashes_) : std::span(agent_hashes_).first(0);
-  work_.clear();
-  KnownCost known;
+  work_.resize(agents.size());
+  // Nothing below moves these, and the compiler cannot know.
+  const std::span<const Member> members = members_;
+  const std::span<Ticks> posed_at = posed_at_;
+  const Ticks now = clock_;
+  AlikeAgents alike;
+  AgentWork* work = work_.data();
   for (const AgentUpdate& update : agents) {
-    const Member member = members_[update.agent];
+    const Member member = members[update.agent];
     const Agents& cast = casts_[member.cast]->agents;
-    if (cast.next_update(member.local) <= clock_) update_channels(update.agent);
+    if (cast.next_update(member.local) <= now) [[unlikely]]
+      update_channels(update.agent);
     const PoseGraph& graph = cast.graph(member.local);
-    const PoseProgram& program = *graph.program;
-    const Ticks look_ahead = program.needs.shared > 0 ? 0 : update.look_ahead;
-    Ticks time = clock_ + look_ahead;
-    if (time < posed_at_[update.agent] && !can_wind_back(update.agent)) time = posed_at_[update.agent];
     assert(update.level < max_bone_levels && update.fade_level < max_bone_levels && update.fade_halves <= 2);
-    assert(!program.steps.empty() && "an agent must play something before it is updated");
-    if (known.program != &program || known.level != update.level) {
-      known = {&program, update.level, predicted_cost(program, member.cast, update.level)};
+    assert(!graph.program->steps.empty() && "an agent must play something before it is updated");
+    if (!alike.include(*graph.program, update.level)) [[unlikely]] {
+      const PoseProgram& program = *graph.program;
+      alike = {.program = &program,
+               .level = update.level,
+               .cost = predicted_cost(program, member.cast, update.level),
+               .held = program.needs.held,
+               .look_ahead = program.needs.shared == 0};
     }
-    work_.push_back({.program = graph.program,
-                     .entities = graph.entities.data(),
-                     .delta = time - posed_at_[update.agent],
-                     .palette = update.palette,
-                     .agent = update.agent,
-                     .cost = known.cost,
-                     .skeleton = static_cast<std::uint8_t>(member.cast),
-                     .level = update.level,
-                     .fade_level = update.fade_level,
-                     .fade_halves = update.fade_halves,
-                     .held = program.needs.held});
-    posed_at_[update.agent] = time;
+    Ticks time = alike.look_ahead ? now + update.look_ahead : now;
+    const Ticks before = posed_at[update.agent];
+    if (time < before && !can_wind_back(update.agent)) [[unlikely]]
+      time = before;
+    posed_at[update.agent] = time;
+    ::new (work++) AgentWork{.program = alike.program,
+                             .entities = graph.entities.data(),
+                             .delta = time - before,
+                             .palette = update.palette,
+                             .agent = update.agent,
+                             .cost = alike.cost,
+                             .skeleton = static_cast<std::uint8_t>(member.cast),
+                             .level = update.level,
+                             .fade_level = update.fade_level,
+                             .fade_halves = update.fade_halves,
+                             .held = alike.held};
   }
 }
 

@@ -1,6 +1,7 @@
 #include "engine/anim/entity/player.h"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 
 #include "engine/anim/asset/data_keys.h"
@@ -46,18 +47,30 @@ void set_velocity(AnimationStateHeader& state, const RootVelocity& velocity, dou
   }
 }
 
+/// What a frame changes in every state: its delta time and its velocities.
+void clear_motion(AnimationStateHeader& state) {
+  constexpr std::size_t bytes = sizeof(state) - identity_bytes;
+  std::memset(reinterpret_cast<std::byte*>(&state) + identity_bytes, 0, bytes);
+}
+
+/// While it stays in its clip, as nearly always: it loops, did not wrap in the update before, and has no root motion.
+bool only_moves(const Player& player, const ClipStreams& clip) {
+  return (player.flags & (Player::looping | Player::reached_end)) == Player::looping && clip.root_motion == nullptr;
+}
+
 // In the frame's innermost loop, where a call would cost as much as what it does.
 inline void move_player(Player& player, const ClipStreams& clip) {
-  player.position += player.state.delta_time * player.speed;
-  player.state.delta_time = 0;
-  keep_in_clip(player, clip.duration * fine_ticks_per_tick);
-  if (stands_still(player, clip)) {
-    std::ranges::fill(player.state.linear_velocity, 0.0F);
-    std::ranges::fill(player.state.angular_velocity, 0.0F);
-  } else {
-    set_velocity(player.state, root_velocity(*clip.root_motion, player.position),
-                 static_cast<double>(player.speed) / 65536.0);
-  }
+  const FineTicks duration = clip.duration * fine_ticks_per_tick;
+  const FineTicks position = player.position + player.state.delta_time * player.speed;
+  player.position = position;
+  clear_motion(player.state);
+  const bool is_inside = static_cast<std::uint64_t>(position) < static_cast<std::uint64_t>(duration);
+  if (is_inside && only_moves(player, clip)) [[likely]]
+    return;
+  keep_in_clip(player, duration);
+  if (stands_still(player, clip)) return;
+  set_velocity(player.state, root_velocity(*clip.root_motion, player.position),
+               static_cast<double>(player.speed) / 65536.0);
 }
 
 }  // namespace
@@ -111,7 +124,9 @@ void prefetch_rows(const SampledStream& stream, const SamplePoint& point) {
 }
 
 const BoneSelection* selection_of(const Player& player, const EntityAssets& assets) {
-  return player.bone_selection == Player::every_bone ? nullptr : &assets.selections[player.bone_selection - 1];
+  if (player.bone_selection == Player::every_bone) [[likely]]
+    return nullptr;
+  return &assets.selections[player.bone_selection - 1];
 }
 
 void advance_sampled(const EntityInStore& entity, const SourcesInStore&) {
@@ -119,10 +134,9 @@ void advance_sampled(const EntityInStore& entity, const SourcesInStore&) {
   const ClipStreams& clip = entity.assets->clips[player.clip];
   move_player(player, clip);
   // Made in its place: a copy would wait for the parts that were just written.
-  const auto& pose = *::new (entity.prepared) SampledPose{
-      .moment = {.stream = clip.sampled, .point = locate(*clip.sampled, time_of(player))},
-      .bones = selection_of(player, *entity.assets)};
-  if (entity.assets->prefetch) prefetch_rows(*clip.sampled, pose.moment.point);
+  ::new (entity.prepared)
+      SampledPose{.moment = {.stream = clip.sampled, .point = locate(*clip.sampled, time_of(player))},
+                  .bones = selection_of(player, *entity.assets)};
 }
 
 void advance_keyframed(const EntityInStore& entity, const SourcesInStore&) {
@@ -139,6 +153,16 @@ void advance_keyframed(const EntityInStore& entity, const SourcesInStore&) {
 ShownClips shown_clips(const EntityInStore& entity, const SourcesInStore&) {
   const auto& pose = entity.prepared_as<SampledPose>();
   return {.clip = pose.bones == nullptr ? &pose.moment : nullptr};
+}
+
+/// Hints come once all of a run stand, out of the way of the loop that moves them.
+void advance_sampled_players(const EntityRun& run) {
+  advance_each<advance_sampled, shown_clips>(run);
+  if (!run.first.assets->prefetch) return;
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const ClipMoment& moment = run.entity(i).prepared_as<SampledPose>().moment;
+    prefetch_rows(*moment.stream, moment.point);
+  }
 }
 
 /// Packets without a selected bone are not evaluated.
@@ -172,7 +196,7 @@ const EntityKind sampled_player_kind = {.name = "sampled player",
                                         .prepared_bytes = prepared_pose_bytes,
                                         .reads_identity = false,
                                         .final_once_advanced = true,
-                                        .advance = advance_each<advance_sampled, shown_clips>,
+                                        .advance = advance_sampled_players,
                                         .pose_packet = pose_sampled_packet};
 
 const EntityKind keyframe_player_kind = {.name = "keyframe player",

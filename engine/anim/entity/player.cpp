@@ -11,7 +11,7 @@ namespace throng::anim {
 namespace {
 
 void wrap(Player& player, FineTicks duration) {
-  if (player.position >= 0 && player.position < duration) return;  // as nearly always: dividing takes long
+  if (player.position >= 0 && player.position < duration) return;  // dividing takes long
   const bool in_next_loop = player.position >= duration && player.position - duration < duration;
   const FineTicks loops = in_next_loop ? 1 : whole_loops(player.position, duration);
   if (loops == 0) return;

@@ -33,14 +33,14 @@ void for_each_row_of_blocks(const EntityPools& pools, std::span<const AgentWork>
 
 }  // namespace
 
-std::span<const AgentWork> FusedTasks::agents_behind(int task, std::uint32_t tiles) const {
+std::span<const AgentWork> FusedTasks::agents_behind(int task) const {
   const std::size_t count = tile_of(task).count;
-  const std::size_t first = std::min(tile_of(task).first + tiles * count, work_.size());
+  const std::size_t first = std::min(tile_of(task).first + count, work_.size());
   return work_.subspan(first, std::min(count, work_.size() - first));
 }
 
 void FusedTasks::fetch(int task, int buffer, CopyEngine& engine) {
-  prefetch_entities(agents_behind(task, 1));
+  prefetch_entities(agents_behind(task));
   const EntityPools& pools = *context(task).pools;
   std::byte* local = store_->fetch_buffer(buffer).data();
   const std::span<const AgentWork> tile = agents(task);

@@ -97,8 +97,8 @@ class FusedTasks {
 
   const Tile& tile_of(int task) const { return tiles_[static_cast<std::size_t>(task)]; }
   std::span<const AgentWork> agents(int task) const;
-  /// As many as the task has, so many tiles of its size behind it.
-  std::span<const AgentWork> agents_behind(int task, std::uint32_t tiles) const;
+  /// As many as the task has, behind its own.
+  std::span<const AgentWork> agents_behind(int task) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   template <typename Visit>
   void for_each_row_to_go_home(int task, int buffer, Visit&& visit) const;

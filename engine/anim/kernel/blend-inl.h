@@ -11,18 +11,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// normalise(from * (1 - w) + to * w), `to` taken on from's hemisphere: the sign goes into its weight.
+/// normalise(from * (1 - w) + to * w) of unit quaternions, `to` taken on from's hemisphere. How long the sum is follows
+/// from the cosine between the two, so that both come in with shares, one of them with a sign, that make it unit.
 template <class D, class V>
 HWY_INLINE Quaternions<V> blend_rotations(D d, const Quaternions<V>& from, const Quaternions<V>& to, V weight) {
-  const V from_weight = hn::Sub(hn::Set(d, 1.0F), weight);
-  const V to_weight = hn::CopySignToAbs(weight, dot(from, to));
-  const Quaternions<V> q{
-      hn::MulAdd(to.x, to_weight, hn::Mul(from.x, from_weight)),
-      hn::MulAdd(to.y, to_weight, hn::Mul(from.y, from_weight)),
-      hn::MulAdd(to.z, to_weight, hn::Mul(from.z, from_weight)),
-      hn::MulAdd(to.w, to_weight, hn::Mul(from.w, from_weight)),
-  };
-  return scaled(q, inverse_length_of_blend(d, dot(q, q)));
+  const V one = hn::Set(d, 1.0F);
+  const V from_weight = hn::Sub(one, weight);
+  const V twice_both = hn::Mul(hn::Add(weight, weight), from_weight);
+  const V cosine = dot(from, to);
+  const V squared_length = hn::MulAdd(twice_both, hn::Abs(cosine), hn::Sub(one, twice_both));
+  const V to_unit = inverse_length_of_blend(d, squared_length);
+  const V from_share = hn::Mul(from_weight, to_unit);
+  const V to_share = hn::CopySignToAbs(hn::Mul(weight, to_unit), cosine);
+  return {
+      hn::MulAdd(to.x, to_share, hn::Mul(from.x, from_share)), hn::MulAdd(to.y, to_share, hn::Mul(from.y, from_share)),
+      hn::MulAdd(to.z, to_share, hn::Mul(from.z, from_share)), hn::MulAdd(to.w, to_share, hn::Mul(from.w, from_share))};
 }
 
 /// A bone of weight 0 keeps the bits of `from`, one of weight 1 takes those of `to`: what a mask leaves out is

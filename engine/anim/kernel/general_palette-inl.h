@@ -65,7 +65,8 @@ HWY_INLINE Vectors<V> scaled(const Vectors<V>& row, const Vectors<V>& scale) {
 /// Translation * rotation * scale, from one bone's ten components.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Affine<V> load_local(D d, const float* input, int stride) {
-  const Matrices<V> rotation = rotation_matrices(d, load_quaternions(d, input, stride));
+  const auto lengthened = scaled(load_quaternions(d, input, stride), hn::Set(d, root_of_two));
+  const Matrices<V> rotation = rotation_matrices(d, lengthened);
   const Vectors<V> scale = load_vectors(d, input + 7 * stride, stride);
   return {{scaled(rotation.x, scale), scaled(rotation.y, scale), scaled(rotation.z, scale)},
           load_vectors(d, input + 4 * stride, stride)};

@@ -124,20 +124,19 @@ HWY_INLINE Vectors<V> transform_add(const Matrices<V>& m, const Vectors<V>& v, c
   return {dot_add(m.x, v, start.x), dot_add(m.y, v, start.y), dot_add(m.z, v, start.z)};
 }
 
+/// Of quaternions of length root_of_two: their products of two components are already twice what they are of unit ones.
+inline constexpr float root_of_two = 1.41421356F;
 template <class D, class V>
 HWY_INLINE Matrices<V> rotation_matrices(D d, const Quaternions<V>& q) {
-  const V x2 = hn::Add(q.x, q.x);
-  const V y2 = hn::Add(q.y, q.y);
-  const V z2 = hn::Add(q.z, q.z);
   const V one = hn::Set(d, 1.0F);
-  const V without_x = hn::NegMulAdd(q.x, x2, one);
-  const V without_y = hn::NegMulAdd(q.y, y2, one);
-  const V xy = hn::Mul(q.x, y2);
-  const V xz = hn::Mul(q.x, z2);
-  const V yz = hn::Mul(q.y, z2);
-  return {{hn::NegMulAdd(q.z, z2, without_y), hn::NegMulAdd(q.w, z2, xy), hn::MulAdd(q.w, y2, xz)},
-          {hn::MulAdd(q.w, z2, xy), hn::NegMulAdd(q.z, z2, without_x), hn::NegMulAdd(q.w, x2, yz)},
-          {hn::NegMulAdd(q.w, y2, xz), hn::MulAdd(q.w, x2, yz), hn::NegMulAdd(q.y, y2, without_x)}};
+  const V without_x = hn::NegMulAdd(q.x, q.x, one);
+  const V without_y = hn::NegMulAdd(q.y, q.y, one);
+  const V xy = hn::Mul(q.x, q.y);
+  const V xz = hn::Mul(q.x, q.z);
+  const V yz = hn::Mul(q.y, q.z);
+  return {{hn::NegMulAdd(q.z, q.z, without_y), hn::NegMulAdd(q.w, q.z, xy), hn::MulAdd(q.w, q.y, xz)},
+          {hn::MulAdd(q.w, q.z, xy), hn::NegMulAdd(q.z, q.z, without_x), hn::NegMulAdd(q.w, q.x, yz)},
+          {hn::NegMulAdd(q.w, q.y, xz), hn::MulAdd(q.w, q.x, yz), hn::NegMulAdd(q.y, q.y, without_x)}};
 }
 
 template <class D, class V = hn::Vec<D>>

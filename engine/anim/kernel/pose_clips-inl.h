@@ -45,7 +45,19 @@ struct Blends {
   }
 };
 
+/// Whether the rotations of all move in all their clips, as they mostly do.
 template <std::size_t count>
+HWY_INLINE bool all_move(const PoseClipsJob& job, const Blends<count>& blends) {
+  std::int32_t offsets = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    offsets |= packet_of(job, *blends.shown[k]->clip).rotation_offset;
+    offsets |= packet_of(job, *blends.shown[k]->blended).rotation_offset;
+  }
+  return offsets >= 0;
+}
+
+/// `moving`: all_move, and nothing is asked between the sums.
+template <bool moving, std::size_t count>
 HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<count>& blends, int bone) {
   const BoneLanes d;
   constexpr std::size_t both = 2 * count;
@@ -54,13 +66,19 @@ HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<co
   Floats factors[both];
   for (std::size_t k = 0; k < count; ++k) moments[k] = blends.shown[k]->clip;
   for (std::size_t k = 0; k < count; ++k) moments[count + k] = blends.shown[k]->blended;
-  for (std::size_t k = 0; k < both; ++k) q[k] = weighed_rotations(moments[k]->point, packet_of(job, *moments[k]), bone);
-  for (std::size_t k = 0; k < both; ++k) factors[k] = factor_to_unit(packet_of(job, *moments[k]), q[k]);
+  for (std::size_t k = 0; k < both; ++k) {
+    const SampledPacket& packet = packet_of(job, *moments[k]);
+    q[k] =
+        moving ? moving_rotations(moments[k]->point, packet, bone) : weighed_rotations(moments[k]->point, packet, bone);
+  }
+  for (std::size_t k = 0; k < both; ++k) {
+    factors[k] = moving ? sampled_to_unit(d, dot(q[k], q[k])) : factor_to_unit(packet_of(job, *moments[k]), q[k]);
+  }
   for (std::size_t k = 0; k < both; ++k) q[k] = scaled(q[k], factors[k]);
   for (std::size_t k = 0; k < count; ++k) {
     q[k] = blend_rotations(d, q[k], q[count + k], hn::Set(d, blends.shown[k]->fraction));
-    store(d, q[k], blends.local[k] + bone, packet_bones);
   }
+  for (std::size_t k = 0; k < count; ++k) store(d, q[k], blends.local[k] + bone, packet_bones);
 }
 
 HWY_INLINE void blend_sampled_vectors(const ShownClips& shown, const SampledRange& from_range,
@@ -76,8 +94,13 @@ HWY_INLINE void blend_sampled_vectors(const ShownClips& shown, const SampledRang
 
 template <std::size_t count>
 HWY_INLINE void pose_blends(const PoseClipsJob& job, const Blends<count>& blends) {
+  const bool moving = all_move(job, blends);
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
-    blend_sampled_rotations(job, blends, bone);
+    if (moving) {
+      blend_sampled_rotations<true>(job, blends, bone);
+    } else {
+      blend_sampled_rotations<false>(job, blends, bone);
+    }
     if (!job.displaced) continue;
     for (std::size_t k = 0; k < count; ++k) {
       const ShownClips& shown = *blends.shown[k];

@@ -11,34 +11,36 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
 /// How a bone has moved from its bind pose, in model space: point -> matrix * point + translation. The palette is this
-/// as it is.
+/// as it is. A branch slot holds no matrix: to make it again takes less than to bring it back.
 template <class V>
 struct RigidMotion {
   static constexpr int palette_rows = matrix_rows;
-  Quaternions<V> rotation;
+  Quaternions<V> rotation;  ///< of length root_of_two
   Matrices<V> matrix;
   Vectors<V> translation;
 };
-static_assert(branch_slot_floats == 4 + 9 + 3);
+static_assert(branch_slot_floats >= 4 + 3);
 
 template <class D, class V>
 HWY_INLINE void reset(D d, RigidMotion<V>& motion) {
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, 1.0F);
-  motion = {{zero, zero, zero, one}, {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}, {zero, zero, zero}};
+  motion = {{zero, zero, zero, hn::Set(d, root_of_two)},
+            {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}},
+            {zero, zero, zero}};
 }
 
 template <class D, class V>
 HWY_INLINE void load(D d, const float* slot, int stride, RigidMotion<V>& motion) {
-  motion = {load_quaternions(d, slot, stride), load_matrices(d, slot + 4 * stride, stride),
-            load_vectors(d, slot + 13 * stride, stride)};
+  motion.rotation = load_quaternions(d, slot, stride);
+  motion.matrix = rotation_matrices(d, motion.rotation);
+  motion.translation = load_vectors(d, slot + 4 * stride, stride);
 }
 
 template <class D, class V>
 HWY_INLINE void store(D d, const RigidMotion<V>& motion, float* slot, int stride) {
   store(d, motion.rotation, slot, stride);
-  store(d, motion.matrix, slot + 4 * stride, stride);
-  store(d, motion.translation, slot + 13 * stride, stride);
+  store(d, motion.translation, slot + 4 * stride, stride);
 }
 
 /// A vector of the bind pose, displaced.

@@ -93,9 +93,8 @@ HWY_INLINE V sampled_to_unit(D d, V squared_length) {
   return hn::MulAdd(lack, y, hn::Set(d, 0.99999975F * unit));
 }
 
-/// Between the two rows, or constant; factor_to_unit brings them to unit length.
-HWY_INLINE Quaternions<Floats> weighed_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
-  if (packet.rotation_offset < 0) return load_quaternions(BoneLanes(), &packet.rotation[0][0] + bone, packet_bones);
+/// Between the two rows, of a packet whose rotations move; sampled_to_unit brings them to unit length.
+HWY_INLINE Quaternions<Floats> moving_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
   const RowWeights weights(point.fraction);
   const std::int16_t* from = group_words(point.from, packet.rotation_offset);
   const std::int16_t* to = group_words(point.to, packet.rotation_offset);
@@ -103,6 +102,12 @@ HWY_INLINE Quaternions<Floats> weighed_rotations(const SamplePoint& point, const
   weigh_pair(from, to, bone, weights, q.x, q.y);
   weigh_pair(from + 2 * packet_bones, to + 2 * packet_bones, bone, weights, q.z, q.w);
   return q;
+}
+
+/// The same, or constant; factor_to_unit brings them to unit length.
+HWY_INLINE Quaternions<Floats> weighed_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
+  if (packet.rotation_offset < 0) return load_quaternions(BoneLanes(), &packet.rotation[0][0] + bone, packet_bones);
+  return moving_rotations(point, packet, bone);
 }
 
 HWY_INLINE Floats factor_to_unit(const SampledPacket& packet, const Quaternions<Floats>& weighed) {

@@ -40,18 +40,28 @@ inline AnyPacket any_packet(const ModelPaletteJob& job, int lane, int lanes) {
   return packet;
 }
 
-/// What most ask: a character in every lane, no positions, no hashes. The compiler knows it too, and has registers for
-/// everything.
-template <int lanes, StorePolicy policy>
+/// What most ask: a character in every lane, no hashes. The compiler knows it too, and has registers for everything.
+template <int lanes, StorePolicy policy, bool with_positions>
 struct UsualPacket {
   static constexpr int characters = lanes;
   static constexpr StorePolicy stores = policy;
-  static constexpr bool displaced = false;
+  static constexpr bool displaced = with_positions;
   static constexpr bool hashed = false;
 };
 
-inline bool is_usual(const AnyPacket& packet, int lanes) {
-  return packet.characters == lanes && !packet.displaced && !packet.hashed;
+/// Calls write(a UsualPacket that is the same), or write(packet).
+template <int lanes, class Write>
+HWY_INLINE void write_as_usual(const AnyPacket& packet, Write&& write) {
+  const bool usual = packet.characters == lanes && !packet.hashed;
+  if (usual && packet.stores == StorePolicy::prefetched) {
+    if (packet.displaced) return write(UsualPacket<lanes, StorePolicy::prefetched, true>());
+    return write(UsualPacket<lanes, StorePolicy::prefetched, false>());
+  }
+  if (usual && packet.stores == StorePolicy::streaming) {
+    if (packet.displaced) return write(UsualPacket<lanes, StorePolicy::streaming, true>());
+    return write(UsualPacket<lanes, StorePolicy::streaming, false>());
+  }
+  write(packet);
 }
 
 inline constexpr int matrix_floats = sizeof(PaletteMatrix) / sizeof(float);

@@ -128,11 +128,10 @@ HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, i
   const AnyPacket packet = any_packet(job, lane, lanes);
   const auto write = [&](auto known) { rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, known); };
   if constexpr (width == widest_tile) {
-    const bool usual = is_usual(packet, lanes);
-    if (usual && packet.stores == StorePolicy::prefetched) return write(UsualPacket<lanes, StorePolicy::prefetched>());
-    if (usual && packet.stores == StorePolicy::streaming) return write(UsualPacket<lanes, StorePolicy::streaming>());
+    write_as_usual<lanes>(packet, write);
+  } else {
+    write(packet);
   }
-  write(packet);
 }
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <new>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -10,28 +11,40 @@
 namespace throng::anim {
 namespace {
 
-constexpr std::size_t worth_huge_pages = std::size_t{4} << 20U;
+// A crowd's blocks and palettes touch thousands of small pages a frame, more than the processor remembers addresses of.
+constexpr std::size_t huge_page = std::size_t{2} << 20U;
+constexpr std::size_t worth_huge_pages = huge_page / 2;
 
-// A crowd's palettes touch thousands of small pages a frame, more than the processor remembers addresses of.
-void ask_for_huge_pages(std::byte* bytes, std::size_t size) {
+std::size_t round_up(std::size_t size, std::size_t unit) { return (size + unit - 1) / unit * unit; }
+
 #if defined(__linux__)
-  constexpr std::uintptr_t page = 4096;
-  const std::uintptr_t first = (reinterpret_cast<std::uintptr_t>(bytes) + page - 1) / page * page;
-  const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(bytes + size) / page * page;
-  static_cast<void>(madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE));  // a hint: refused is well
+// Hints: refused is well.
+void ask_for_huge_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_HUGEPAGE)); }
+void forget_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_DONTNEED)); }
 #else
-  static_cast<void>(bytes);
-  static_cast<void>(size);
+void ask_for_huge_pages(std::byte*, std::size_t) {}
+void forget_pages(std::byte*, std::size_t) {}
 #endif
-}
 
 }  // namespace
 
 AlignedBytes allocate_aligned(std::size_t size) {
-  AlignedBytes bytes(new (std::align_val_t{block_alignment}) std::byte[size]);
-  if (size >= worth_huge_pages) ask_for_huge_pages(bytes.get(), size);
-  std::memset(bytes.get(), 0, size);
+  const bool huge = size >= worth_huge_pages;
+  const std::size_t alignment = huge ? huge_page : block_alignment;
+  const std::size_t allocated = round_up(size, alignment);
+  AlignedBytes bytes(static_cast<std::byte*>(std::aligned_alloc(alignment, allocated)));
+  if (bytes == nullptr && size > 0) throw std::bad_alloc();
+  if (huge) ask_for_huge_pages(bytes.get(), allocated);
+  if (size > 0) std::memset(bytes.get(), 0, size);
   return bytes;
+}
+
+void give_back_pages(std::byte* bytes, std::size_t size) {
+  constexpr std::uintptr_t page = 4096;
+  const std::uintptr_t start = reinterpret_cast<std::uintptr_t>(bytes);
+  const std::uintptr_t first = round_up(start, page);
+  const std::uintptr_t end = (start + size) / page * page;
+  if (first < end) forget_pages(bytes + (first - start), end - first);
 }
 
 }  // namespace throng::anim

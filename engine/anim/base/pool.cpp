@@ -12,18 +12,31 @@ Pool::Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks)
   assert(id < 31 && block_size % 64 == 0 && block_size > 0 && max_blocks <= Handle::max_blocks);
 }
 
-void Pool::add_slab() {
-  slabs_.push_back(allocate_aligned(slab_bytes()));
-  tables_.add_slab();
+void Pool::add_slabs(std::size_t count) {
+  if (count == 0) return;
+  memory_.push_back({allocate_aligned(count * slab_bytes()), count});
+  for (std::size_t i = 0; i < count; ++i) slabs_.push_back(memory_.back().bytes.get() + i * slab_bytes());
+  while (tables_.slab_count() < slabs_.size()) tables_.add_slab();
+}
+
+void Pool::give_slab_back() {
+  if (--memory_.back().count == 0) {
+    memory_.pop_back();
+  } else {
+    give_back_pages(slabs_.back(), slab_bytes());
+  }
+  slabs_.pop_back();
+  tables_.remove_slab();
 }
 
 void Pool::reserve(std::size_t blocks) {
   reserved_blocks_ = blocks;
-  while (tables_.place_count() < blocks) add_slab();
+  const std::size_t slabs = (blocks + blocks_per_slab - 1) / blocks_per_slab;
+  if (slabs > slabs_.size()) add_slabs(slabs - slabs_.size());
 }
 
 Handle Pool::create() {
-  if (tables_.alive_count() == tables_.place_count()) add_slab();
+  if (tables_.alive_count() == tables_.place_count()) add_slabs(1);
   const std::uint32_t index = tables_.bind();
   std::memset(block_at(tables_.place_of(index)), 0, block_size_);
   return Handle::make(id_, tables_.generation_of(index), index);
@@ -40,21 +53,22 @@ bool Pool::alive(Handle handle) const {
 
 void Pool::resize_blocks(std::size_t block_size, const std::function<void(const std::byte*, std::byte*)>& convert) {
   assert(block_size % 64 == 0 && block_size > 0);
-  const std::vector<AlignedBytes> old_slabs = std::exchange(slabs_, {});
+  const std::vector<std::byte*> old_slabs = std::exchange(slabs_, {});
+  const std::vector<SlabsTogether> old_memory = std::exchange(memory_, {});
   const std::size_t old_size = std::exchange(block_size_, block_size);
-  while (slabs_.size() < old_slabs.size()) slabs_.push_back(allocate_aligned(slab_bytes()));
+  add_slabs(old_slabs.size());
   for (std::uint32_t place = tables_.first_owned(0); place < tables_.place_count();
        place = tables_.first_owned(place + 1)) {
-    convert(old_slabs[place / blocks_per_slab].get() + place % blocks_per_slab * old_size, block_at(place));
+    convert(old_slabs[place / blocks_per_slab] + place % blocks_per_slab * old_size, block_at(place));
   }
 }
 
 void Pool::guard_blocks() const {
-  for (const AlignedBytes& slab : slabs_) guard(slab.get(), slab_bytes());
+  for (const std::byte* slab : slabs_) guard(slab, slab_bytes());
 }
 
 void Pool::release_blocks() const {
-  for (const AlignedBytes& slab : slabs_) release_guard(slab.get(), slab_bytes());
+  for (const std::byte* slab : slabs_) release_guard(slab, slab_bytes());
 }
 
 PoolMemory Pool::memory() const {

@@ -123,9 +123,15 @@ class Pool {
  private:
   std::size_t slab_bytes() const { return blocks_per_slab * block_size_; }
   std::byte* block_at(std::uint32_t place) const {
-    return slabs_[place / blocks_per_slab].get() + place % blocks_per_slab * block_size_;
+    return slabs_[place / blocks_per_slab] + place % blocks_per_slab * block_size_;
   }
-  void add_slab();
+  /// Slabs of one allocation: many lie in huge pages.
+  struct SlabsTogether {
+    AlignedBytes bytes;
+    std::size_t count;
+  };
+  void add_slabs(std::size_t count);
+  void give_slab_back();
   std::uint32_t put_in_order(std::span<const Handle> order, std::size_t max_blocks, Compaction& done);
   void close_holes(std::uint32_t first, std::size_t max_blocks, Compaction& done);
   std::size_t give_back_empty_slabs();
@@ -135,7 +141,8 @@ class Pool {
   std::size_t block_size_;
   std::size_t reserved_blocks_ = 0;
   PoolTables tables_;
-  std::vector<AlignedBytes> slabs_;
+  std::vector<std::byte*> slabs_;
+  std::vector<SlabsTogether> memory_;  // of the slabs, in their order
 };
 
 }  // namespace throng::anim

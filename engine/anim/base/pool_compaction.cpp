@@ -62,10 +62,7 @@ std::size_t Pool::give_back_empty_slabs() {
   const std::size_t reserved = (reserved_blocks_ + blocks_per_slab - 1) / blocks_per_slab;
   const std::size_t kept = std::max(used + 1, reserved);
   const std::size_t before = bytes_reserved();
-  while (slabs_.size() > kept) {
-    slabs_.pop_back();
-    tables_.remove_slab();
-  }
+  while (slabs_.size() > kept) give_slab_back();
   return before - bytes_reserved();
 }
 

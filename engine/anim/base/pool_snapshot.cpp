@@ -14,7 +14,7 @@ void Pool::snapshot(PoolSnapshot& into) const {
   for (std::size_t slab = 0; slab < slabs_.size(); ++slab) {
     if (tables_.alive_in_slab(slab) == 0) continue;
     if (copied == into.slabs_.size()) into.slabs_.push_back(allocate_aligned(slab_bytes()));
-    std::memcpy(into.slabs_[copied++].get(), slabs_[slab].get(), slab_bytes());
+    std::memcpy(into.slabs_[copied++].get(), slabs_[slab], slab_bytes());
   }
 }
 
@@ -29,11 +29,11 @@ Status Pool::restore(const PoolSnapshot& from) {
                  std::to_string(block_size_) + "; restore under the residency that it was taken under"};
   }
   tables_.copy_from(from.tables_);
-  while (slabs_.size() < tables_.slab_count()) slabs_.push_back(allocate_aligned(slab_bytes()));
+  if (slabs_.size() < tables_.slab_count()) add_slabs(tables_.slab_count() - slabs_.size());
   std::size_t copied = 0;
   for (std::size_t slab = 0; slab < tables_.slab_count(); ++slab) {
     if (tables_.alive_in_slab(slab) == 0) continue;
-    std::memcpy(slabs_[slab].get(), from.slabs_[copied++].get(), slab_bytes());
+    std::memcpy(slabs_[slab], from.slabs_[copied++].get(), slab_bytes());
   }
   while (tables_.slab_count() < slabs_.size()) tables_.add_slab();
   return Done{};

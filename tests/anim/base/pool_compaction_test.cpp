@@ -18,7 +18,8 @@ struct NumberedBlocks {
   Pool pool{1, block_size};
   std::vector<Handle> handles;
 
-  explicit NumberedBlocks(std::uint32_t count) {
+  explicit NumberedBlocks(std::uint32_t count, std::size_t reserved = 0) {
+    pool.reserve(reserved);
     for (std::uint32_t number = 0; number < count; ++number) {
       handles.push_back(pool.create());
       for (std::size_t at = 0; at < block_size; at += sizeof(number)) {
@@ -76,6 +77,18 @@ TEST(PoolCompaction, KeepsTheSlabsThatWereReserved) {
   blocks.pool.reserve(0);
   EXPECT_EQ(blocks.pool.compact().bytes_given_back, slab_bytes);
   EXPECT_EQ(blocks.pool.bytes_reserved(), 2 * slab_bytes) << "one in use and one spare";
+}
+
+TEST(PoolCompaction, SlabsThatWereReservedTogetherGoBackOneByOne) {
+  constexpr std::uint32_t all = 6 * Pool::blocks_per_slab;
+  NumberedBlocks blocks(all, all);
+  blocks.keep_every(2);
+  blocks.pool.reserve(0);
+  EXPECT_EQ(blocks.pool.compact().bytes_given_back, 2 * slab_bytes) << "three in use and one spare";
+  blocks.expect_living_blocks_unchanged();
+  for (std::uint32_t i = 0; i < all; ++i) blocks.pool.create();
+  EXPECT_EQ(blocks.pool.bytes_reserved(), 9 * slab_bytes);
+  blocks.expect_living_blocks_unchanged();
 }
 
 TEST(PoolCompaction, MovesNothingInAPoolWithoutHoles) {

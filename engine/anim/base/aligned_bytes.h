@@ -15,7 +15,7 @@ struct AlignedDelete {
 /// Bytes that own themselves, aligned to a cache line.
 using AlignedBytes = std::unique_ptr<std::byte[], AlignedDelete>;
 
-/// `size` zeroed bytes; in huge pages, where they fill most of one and the system has them.
+/// `size` zeroed bytes; in huge pages, where they fill half of one and the system has them.
 AlignedBytes allocate_aligned(std::size_t size);
 
 /// What lies in these bytes is not needed any more: pages that lie in them whole may go back to the system, although

@@ -12,8 +12,9 @@ Pool::Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks)
   assert(id < 31 && block_size % 64 == 0 && block_size > 0 && max_blocks <= Handle::max_blocks);
 }
 
-void Pool::add_slabs(std::size_t count) {
-  if (count == 0) return;
+void Pool::grow_to(std::size_t slabs) {
+  if (slabs <= slabs_.size()) return;
+  const std::size_t count = slabs - slabs_.size();
   memory_.push_back({allocate_aligned(count * slab_bytes()), count});
   for (std::size_t i = 0; i < count; ++i) slabs_.push_back(memory_.back().bytes.get() + i * slab_bytes());
   while (tables_.slab_count() < slabs_.size()) tables_.add_slab();
@@ -31,12 +32,11 @@ void Pool::give_slab_back() {
 
 void Pool::reserve(std::size_t blocks) {
   reserved_blocks_ = blocks;
-  const std::size_t slabs = (blocks + blocks_per_slab - 1) / blocks_per_slab;
-  if (slabs > slabs_.size()) add_slabs(slabs - slabs_.size());
+  grow_to(slabs_of(blocks));
 }
 
 Handle Pool::create() {
-  if (tables_.alive_count() == tables_.place_count()) add_slabs(1);
+  if (tables_.alive_count() == tables_.place_count()) grow_to(slabs_.size() + 1);
   const std::uint32_t index = tables_.bind();
   std::memset(block_at(tables_.place_of(index)), 0, block_size_);
   return Handle::make(id_, tables_.generation_of(index), index);
@@ -56,7 +56,7 @@ void Pool::resize_blocks(std::size_t block_size, const std::function<void(const 
   const std::vector<std::byte*> old_slabs = std::exchange(slabs_, {});
   const std::vector<SlabsTogether> old_memory = std::exchange(memory_, {});
   const std::size_t old_size = std::exchange(block_size_, block_size);
-  add_slabs(old_slabs.size());
+  grow_to(old_slabs.size());
   for (std::uint32_t place = tables_.first_owned(0); place < tables_.place_count();
        place = tables_.first_owned(place + 1)) {
     convert(old_slabs[place / blocks_per_slab] + place % blocks_per_slab * old_size, block_at(place));

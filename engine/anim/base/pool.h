@@ -130,7 +130,8 @@ class Pool {
     AlignedBytes bytes;
     std::size_t count;
   };
-  void add_slabs(std::size_t count);
+  static std::size_t slabs_of(std::size_t blocks) { return (blocks + blocks_per_slab - 1) / blocks_per_slab; }
+  void grow_to(std::size_t slabs);
   void give_slab_back();
   std::uint32_t put_in_order(std::span<const Handle> order, std::size_t max_blocks, Compaction& done);
   void close_holes(std::uint32_t first, std::size_t max_blocks, Compaction& done);
@@ -142,7 +143,7 @@ class Pool {
   std::size_t reserved_blocks_ = 0;
   PoolTables tables_;
   std::vector<std::byte*> slabs_;
-  std::vector<SlabsTogether> memory_;  // of the slabs, in their order
+  std::vector<SlabsTogether> memory_;  // theirs, in their order
 };
 
 }  // namespace throng::anim

@@ -59,8 +59,7 @@ void Pool::close_holes(std::uint32_t first, std::size_t max_blocks, Compaction& 
 std::size_t Pool::give_back_empty_slabs() {
   std::size_t used = slabs_.size();
   while (used > 0 && tables_.alive_in_slab(used - 1) == 0) --used;
-  const std::size_t reserved = (reserved_blocks_ + blocks_per_slab - 1) / blocks_per_slab;
-  const std::size_t kept = std::max(used + 1, reserved);
+  const std::size_t kept = std::max(used + 1, slabs_of(reserved_blocks_));
   const std::size_t before = bytes_reserved();
   while (slabs_.size() > kept) give_slab_back();
   return before - bytes_reserved();

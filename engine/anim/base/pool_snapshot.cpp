@@ -29,7 +29,7 @@ Status Pool::restore(const PoolSnapshot& from) {
                  std::to_string(block_size_) + "; restore under the residency that it was taken under"};
   }
   tables_.copy_from(from.tables_);
-  if (slabs_.size() < tables_.slab_count()) add_slabs(tables_.slab_count() - slabs_.size());
+  grow_to(tables_.slab_count());
   std::size_t copied = 0;
   for (std::size_t slab = 0; slab < tables_.slab_count(); ++slab) {
     if (tables_.alive_in_slab(slab) == 0) continue;

@@ -107,7 +107,7 @@ enum class StorePolicy : std::uint8_t {
 
 /// Model space and palette of one packet of `width` characters of one skeleton. Packets are done in order, 0 first;
 /// between them `carry` holds the last bone's transform.
-inline constexpr int branch_slot_floats = 12;  ///< a lane's floats in `carry` and in each branch slot
+inline constexpr int branch_slot_floats = 12;  ///< a lane's floats in `carry` and in each branch slot, at most
 struct ModelPaletteJob {
   const HierarchyProgram* hierarchy = nullptr;
   int packet = 0;

@@ -124,8 +124,10 @@ HWY_INLINE Vectors<V> transform_add(const Matrices<V>& m, const Vectors<V>& v, c
   return {dot_add(m.x, v, start.x), dot_add(m.y, v, start.y), dot_add(m.z, v, start.z)};
 }
 
-/// Of quaternions of length root_of_two: their products of two components are already twice what they are of unit ones.
 inline constexpr float root_of_two = 1.41421356F;
+
+/// Of quaternions of length root_of_two: products of two components are then what a matrix asks for, twice those of
+/// unit ones.
 template <class D, class V>
 HWY_INLINE Matrices<V> rotation_matrices(D d, const Quaternions<V>& q) {
   const V one = hn::Set(d, 1.0F);

@@ -38,10 +38,10 @@ struct Tile {
 
 /// Scratch of the model-palette step of a tile of `width` characters; hierarchy and palette run across them.
 ///
-///     local     float [width][components][16]    one packet of each character's local pose
-///     carry     float [16][width]                the last bone's transform
-///     branches  float [slots][16][width]         transforms of branch points
-///     palettes, hashes                           where each character's go
+///     local     float [width][components][16]              one packet of each character's local pose
+///     carry     float [branch_slot_floats][width]          the last bone's transform
+///     branches  float [slots][branch_slot_floats][width]   transforms of branch points
+///     palettes, hashes                                     where each character's go
 struct ModelScratch {
   std::span<float> local;
   std::span<float> carry;

@@ -13,16 +13,17 @@ constexpr float quantised_one = 32767.0F;
 constexpr std::size_t line_bytes = 64;
 constexpr int no_group = -1;
 
-/// The components that are stored, or left out, together.
+/// The components that are stored, or left out, together: rotations of a packet, positions or scales of a quad.
 struct Group {
   int first_component;
   int count;
+  int bones;
   bool is_rotation() const { return first_component == 0; }
-  std::int32_t bytes() const { return count * packet_bones * static_cast<std::int32_t>(sizeof(std::int16_t)); }
+  std::size_t bytes() const { return std::size_t{4} * static_cast<std::size_t>(bones) * sizeof(std::int16_t); }
 };
-constexpr Group rotation_group{0, 4};
-constexpr Group position_group{4, 3};
-constexpr Group scale_group{7, 3};
+constexpr Group rotation_group{0, 4, packet_bones};
+constexpr Group position_group{4, 3, quad_bones};
+constexpr Group scale_group{7, 3, quad_bones};
 
 struct Range {
   float lowest;
@@ -90,38 +91,40 @@ bool is_constant(const Group& group, const Range& range) {
   return range.width() <= 1e-7F + 1e-6F * std::max(std::abs(range.lowest), std::abs(range.highest));
 }
 
-bool moves(const Source& source, int packet, const Group& group) {
+bool moves(const Source& source, int packet, const Group& group, int first_bone) {
   for (int component = group.first_component; component < group.first_component + group.count; ++component) {
-    for (int lane = 0; lane < packet_bones; ++lane) {
+    for (int lane = first_bone; lane < first_bone + group.bones; ++lane) {
       if (!is_constant(group, source.range(packet, component, lane))) return true;
     }
   }
   return false;
 }
 
-/// Where each packet's moving groups lie in a row.
+/// Where each packet's, or quad's, moving groups lie in a row.
 struct RowLayout {
-  std::vector<std::int32_t> rotation, position, scale;
+  std::vector<std::int32_t> rotations, positions, scales;
   std::size_t stride = 0;
 };
 
 void place(const Source& source, const Group& group, std::vector<std::int32_t>& offsets, std::size_t& end) {
   for (int packet = 0; packet < source.packets(); ++packet) {
-    const bool moving = moves(source, packet, group);
-    offsets.push_back(moving ? static_cast<std::int32_t>(end) : no_group);
-    if (moving) end += static_cast<std::size_t>(group.bytes());
+    for (int bone = 0; bone < packet_bones; bone += group.bones) {
+      const bool moving = moves(source, packet, group, bone);
+      offsets.push_back(moving ? static_cast<std::int32_t>(end) : no_group);
+      if (moving) end += group.bytes();
+    }
   }
 }
 
 RowLayout lay_out_row(const SampledRows& rows, const Source& source) {
   RowLayout layout;
   std::size_t end = 0;
-  place(source, rotation_group, layout.rotation, end);
-  place(source, position_group, layout.position, end);
+  place(source, rotation_group, layout.rotations, end);
+  place(source, position_group, layout.positions, end);
   if (rows.components == general_components) {
-    place(source, scale_group, layout.scale, end);
+    place(source, scale_group, layout.scales, end);
   } else {
-    layout.scale.assign(static_cast<std::size_t>(source.packets()), no_group);
+    layout.scales.assign(layout.positions.size(), no_group);
   }
   layout.stride = round_up_to_lines(end);
   return layout;
@@ -148,31 +151,36 @@ void write_constant_rotations(const Source& source, int packet, SampledPacket& o
   }
 }
 
-void write_ranges(const Source& source, int packet, const Group& group, float (*base)[packet_bones],
-                  float (*step)[packet_bones]) {
+void write_ranges(const Source& source, int packet, const Group& group, float (*base)[quad_lanes],
+                  float (*step)[quad_lanes]) {
   for (int axis = 0; axis < group.count; ++axis) {
-    for (int lane = 0; lane < packet_bones; ++lane) {
-      const Range range = source.range(packet, group.first_component + axis, lane);
-      base[axis][lane] = range.middle();
-      step[axis][lane] = range.width() / (2.0F * quantised_one);
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      const Range range = source.range(packet, group.first_component + axis, bone);
+      base[bone / quad_bones][lane_in_quad(axis, bone)] = range.middle();
+      step[bone / quad_bones][lane_in_quad(axis, bone)] = range.width() / (2.0F * quantised_one) * row_weight_unit;
     }
   }
 }
 
-bool is_displaced(const SampledPacket& packet) {
-  const auto is_zero = [](float value) { return value == 0.0F; };
-  return packet.position_offset >= 0 ||
-         !std::all_of(&packet.position_base[0][0], &packet.position_base[0][0] + 3 * packet_bones, is_zero);
+QuadMask displaced_quads(const SampledPacket& packet) {
+  QuadMask quads = 0;
+  for (int quad = 0; quad < packet_quads; ++quad) {
+    const auto is_zero = [](float value) { return value == 0.0F; };
+    if (packet.position_offset[quad] >= 0 || !std::ranges::all_of(packet.position_base[quad], is_zero)) {
+      quads |= QuadMask{1} << quad;
+    }
+  }
+  return quads;
 }
 
 SampledPacket describe_packet(const SampledRows& rows, const Source& source, const RowLayout& layout, int packet) {
   SampledPacket out{};
-  out.rotation_offset = layout.rotation[static_cast<std::size_t>(packet)];
-  out.position_offset = layout.position[static_cast<std::size_t>(packet)];
-  out.scale_offset = layout.scale[static_cast<std::size_t>(packet)];
+  out.rotation_offset = layout.rotations[static_cast<std::size_t>(packet)];
+  std::copy_n(layout.positions.begin() + packet * packet_quads, packet_quads, out.position_offset);
+  std::copy_n(layout.scales.begin() + packet * packet_quads, packet_quads, out.scale_offset);
   write_constant_rotations(source, packet, out);
   write_ranges(source, packet, position_group, out.position_base, out.position_step);
-  for (auto& axis : out.scale_base) std::fill(std::begin(axis), std::end(axis), 1.0F);
+  for (auto& quad : out.scale_base) std::fill_n(quad, 3 * quad_bones, 1.0F);
   if (rows.components == general_components) {
     write_ranges(source, packet, scale_group, out.scale_base, out.scale_step);
   }
@@ -185,33 +193,40 @@ std::int16_t quantise(float value, float base, float step) {
   return static_cast<std::int16_t>(std::clamp(scaled, -quantised_one, quantised_one));
 }
 
-void write_group(const Source& source, int row, int packet, const Group& group, const float (*base)[packet_bones],
-                 const float (*step)[packet_bones], std::byte* out) {
+void write_rotations(const Source& source, int row, int packet, std::byte* out) {
   std::int16_t lanes[4 * packet_bones];
-  for (int axis = 0; axis < group.count; ++axis) {
-    for (int lane = 0; lane < packet_bones; ++lane) {
-      const float value = source.value(row, packet, group.first_component + axis, lane);
-      lanes[sampled_lane(axis, lane, group.count)] = base == nullptr
-                                                         ? quantise(value, 0.0F, 1.0F / quantised_one)
-                                                         : quantise(value, base[axis][lane], step[axis][lane]);
+  for (int axis = 0; axis < 4; ++axis) {
+    for (int bone = 0; bone < packet_bones; ++bone) {
+      lanes[rotation_lane(axis, bone)] = quantise(source.value(row, packet, axis, bone), 0.0F, 1.0F / quantised_one);
     }
   }
-  std::memcpy(out, lanes, static_cast<std::size_t>(group.bytes()));
+  std::memcpy(out, lanes, sizeof(lanes));
+}
+
+void write_quads(const Source& source, int row, int packet, const Group& group,
+                 const std::int32_t (&offsets)[packet_quads], const float (*base)[quad_lanes],
+                 const float (*step)[quad_lanes], std::byte* out) {
+  for (int quad = 0; quad < packet_quads; ++quad) {
+    if (offsets[quad] < 0) continue;
+    std::int16_t lanes[quad_lanes] = {};
+    for (int axis = 0; axis < group.count; ++axis) {
+      for (int bone = quad * quad_bones; bone < (quad + 1) * quad_bones; ++bone) {
+        const int lane = lane_in_quad(axis, bone);
+        lanes[lane] = quantise(source.value(row, packet, group.first_component + axis, bone), base[quad][lane],
+                               step[quad][lane] / row_weight_unit);
+      }
+    }
+    std::memcpy(out + offsets[quad], lanes, sizeof(lanes));
+  }
 }
 
 void write_row(const Source& source, int row, std::span<const SampledPacket> packets, std::byte* out) {
   for (int packet = 0; packet < source.packets(); ++packet) {
     const SampledPacket& header = packets[static_cast<std::size_t>(packet)];
-    if (header.rotation_offset >= 0) {
-      write_group(source, row, packet, rotation_group, nullptr, nullptr, out + header.rotation_offset);
-    }
-    if (header.position_offset >= 0) {
-      write_group(source, row, packet, position_group, header.position_base, header.position_step,
-                  out + header.position_offset);
-    }
-    if (header.scale_offset >= 0) {
-      write_group(source, row, packet, scale_group, header.scale_base, header.scale_step, out + header.scale_offset);
-    }
+    if (header.rotation_offset >= 0) write_rotations(source, row, packet, out + header.rotation_offset);
+    write_quads(source, row, packet, position_group, header.position_offset, header.position_base, header.position_step,
+                out);
+    write_quads(source, row, packet, scale_group, header.scale_offset, header.scale_base, header.scale_step, out);
   }
 }
 
@@ -259,7 +274,7 @@ void encode_sampled_stream(const SampledRows& rows, Ticks duration, std::span<st
   packets.reserve(static_cast<std::size_t>(source.packets()));
   for (int packet = 0; packet < source.packets(); ++packet) {
     packets.push_back(describe_packet(rows, source, layout, packet));
-    if (is_displaced(packets.back())) stream.displaced_packets |= std::uint64_t{1} << packet;
+    stream.displaced_quads |= std::uint64_t{displaced_quads(packets.back())} << first_quad_bit(packet);
   }
   std::memcpy(block.data(), &stream, sizeof(stream));
   std::memcpy(block.data() + sizeof(stream), packets.data(), packets.size() * sizeof(SampledPacket));

@@ -30,27 +30,30 @@ bool turns_too_far(const SampledRows& rows);
 ///     SampledStream | SampledPacket x packets | row 0 | row 1 | ... | last row
 ///
 /// A loop's last row repeats its first.
-/// A row holds what moves, as int16: the rotations of every packet that has moving ones (128 bytes each), then their
-/// positions (96), then scales (96); what is constant over the clip lies in the packet's header and takes no bytes.
-/// Two components lie side by side by fours, so that interleaving two rows by 16-bit lanes inside 128-bit blocks gives
-/// the pairs of one component in bone order, whatever the width of the vector; a third component follows plainly:
+/// A row holds what moves, as int16: the rotations of every packet that has moving ones (128 bytes each), then the
+/// positions of every quad that has moving ones (32), then scales (32); what is constant over the clip lies in the
+/// packet's header and takes no bytes. Two components of rotations lie side by side by fours, so that interleaving two
+/// rows by 16-bit lanes inside 128-bit blocks gives the pairs of one component in bone order, whatever the width of the
+/// vector. A quad's three components are one vector, whose last four lanes are 0:
 ///
 ///     qx 0-3  qy 0-3  qx 4-7  qy 4-7  ...  qx 12-15  qy 12-15 | qz 0-3  qw 0-3 ...
-///     px 0-3  py 0-3  ...                                      | pz 0-15
+///     px 0-3  py 0-3  pz 0-3  0 0 0 0 | ...
 ///
-/// Rotation is int16 / 32767 and not unit until normalised; position and scale are base + step * int16.
+/// Rotation is int16 / 32767 and not unit until normalised; position and scale are base + step * int16 /
+/// row_weight_unit, which is how rows come weighed.
+inline constexpr int quad_lanes = 4 * quad_bones;
 struct SampledPacket {
-  std::int32_t rotation_offset;  ///< bytes into a row, or -1: the packet's 16 rotations are constant
-  std::int32_t position_offset;  ///< bytes into a row, or -1
-  std::int32_t scale_offset;     ///< bytes into a row, or -1
-  std::int32_t reserved[13];
+  std::int32_t rotation_offset;                ///< bytes into a row, or -1: the packet's 16 rotations are constant
+  std::int32_t position_offset[packet_quads];  ///< bytes into a row, or -1
+  std::int32_t scale_offset[packet_quads];     ///< bytes into a row, or -1
+  std::int32_t reserved[7];
   float rotation[4][packet_bones];  ///< used where rotation_offset is -1; unit
-  float position_base[3][packet_bones];
-  float position_step[3][packet_bones];
-  float scale_base[3][packet_bones];  ///< 1 on rigid skeletons
-  float scale_step[3][packet_bones];
+  float position_base[packet_quads][quad_lanes];
+  float position_step[packet_quads][quad_lanes];
+  float scale_base[packet_quads][quad_lanes];  ///< 1 on rigid skeletons
+  float scale_step[packet_quads][quad_lanes];
 };
-static_assert(sizeof(SampledPacket) == 64 + 16 * 64);
+static_assert(sizeof(SampledPacket) == 64 + 20 * 64);
 
 struct alignas(64) SampledStream {
   std::uint32_t total_size;   ///< bytes, this header included
@@ -63,7 +66,7 @@ struct alignas(64) SampledStream {
   Ticks row_step;
   std::uint64_t rows_per_tick;  ///< in 1/2^64, rounded up: a division that is made once
   Ticks duration;
-  std::uint64_t displaced_packets;  ///< bit i: packet i has positions other than 0, as few have on rigid skeletons
+  std::uint64_t displaced_quads;  ///< those with positions other than 0, few on rigid skeletons; see quads_of_packet
 
   int packet_count() const { return packets_for(bone_count); }
   const SampledPacket* packets() const { return reinterpret_cast<const SampledPacket*>(this + 1); }
@@ -73,19 +76,34 @@ struct alignas(64) SampledStream {
 };
 static_assert(sizeof(SampledStream) == 64);
 
-/// Which int16 of a group of `components` (4 for rotation, else 3) holds this component of this bone of the packet.
-constexpr int sampled_lane(int component, int bone, int components) {
-  const int pair = component / 2 * 2;
-  if (pair + 1 == components) return pair * packet_bones + bone;
-  return pair * packet_bones + bone / 4 * 8 + component % 2 * 4 + bone % 4;
+/// Which int16 of a packet's rotations holds this component of this bone of the packet.
+constexpr int rotation_lane(int component, int bone) {
+  return component / 2 * 2 * packet_bones + bone / 4 * 8 + component % 2 * 4 + bone % 4;
 }
 
-/// The two rows around a time, and how far between them: 0 is `from`, sample_fraction_one is `to`.
+/// Which lane of its quad holds this component of a position or scale.
+constexpr int lane_in_quad(int component, int bone) { return component * quad_bones + bone % quad_bones; }
+
+/// Sets of quads of all packets: four bits a packet, those from packet 15 on share the last four.
+constexpr int first_quad_bit(int packet) { return packet_quads * (packet < 15 ? packet : 15); }
+constexpr QuadMask quads_of_packet(std::uint64_t quads, int packet) {
+  return static_cast<QuadMask>(quads >> first_quad_bit(packet)) & all_quads;
+}
+
+/// How far between two rows, from 0 to sample_fraction_one, as the weights of both: from's in the lower 16 bits, to's
+/// in the upper. They are kept negative, because 32768 does not fit 16 bits and -32768 does.
 inline constexpr std::int32_t sample_fraction_one = 1 << 15;
+inline constexpr float row_weight_unit = -1.0F / static_cast<float>(sample_fraction_one);
+constexpr std::uint32_t row_weights(std::int32_t fraction) {
+  return static_cast<std::uint32_t>(-fraction) << 16U |
+         (static_cast<std::uint32_t>(fraction - sample_fraction_one) & 0xFFFFU);
+}
+
+/// The two rows around a time.
 struct SamplePoint {
   const std::byte* from = nullptr;
   const std::byte* to = nullptr;
-  std::int32_t fraction = 0;
+  std::uint32_t weights = row_weights(0);
 };
 inline SamplePoint locate(const SampledStream& stream, Ticks time) {
   __extension__ using FixedPoint = unsigned __int128;  // 64 bits of rows, 64 of what is between two
@@ -96,12 +114,12 @@ inline SamplePoint locate(const SampledStream& stream, Ticks time) {
   const int last = stream.row_count - 1;
   if (whole >= static_cast<std::uint64_t>(last)) [[unlikely]] {
     const std::byte* const nearest = stream.row(time <= stream.first_row ? 0 : last);
-    return {nearest, nearest, 0};
+    return {nearest, nearest, row_weights(0)};
   }
   const auto halves = static_cast<std::int32_t>(static_cast<std::uint64_t>(rows) >> 48U);  // of a fraction's unit
   static_assert(2 * sample_fraction_one == 1 << 16);
   const std::byte* const from = stream.row(static_cast<int>(whole));
-  return {from, from + stream.row_stride, (halves + 1) / 2};
+  return {from, from + stream.row_stride, row_weights((halves + 1) / 2)};
 }
 
 /// Size of and the block itself for some rows; `block` must be 64-byte aligned and of sampled_stream_bytes(rows).

@@ -44,8 +44,8 @@ struct PoseClipsJob {
   std::span<const ShownClips> characters;  ///< at most widest_tile; those that show something else are not touched
   int packet = 0;
   int components = rigid_components;
-  bool displaced = true;   ///< false on rigid skeletons: positions are 0, and are neither read nor written
-  float* local = nullptr;  ///< out, [character][components][16]
+  QuadMask displaced = all_quads;  ///< on rigid skeletons: positions of others are 0, neither read nor written
+  float* local = nullptr;          ///< out, [character][components][16]
 };
 
 /// Blend: out = normalise(from * (1 - w) + (to on from's hemisphere) * w), w = fraction * bone weight; positions and
@@ -111,11 +111,11 @@ inline constexpr int branch_slot_floats = 12;  ///< a lane's floats in `carry` a
 struct ModelPaletteJob {
   const HierarchyProgram* hierarchy = nullptr;
   int packet = 0;
-  int bone_count = 0;            ///< of the level: bones at and above it are not touched
-  int width = widest_tile;       ///< 1, 2, 4, 8 or 16
-  int characters = widest_tile;  ///< 1 to width; further lanes are computed from garbage-free input, not written
-  const float* local = nullptr;  ///< [width][components][16]
-  bool displaced = true;         ///< false on rigid skeletons: positions are 0, and are not read
+  int bone_count = 0;              ///< of the level: bones at and above it are not touched
+  int width = widest_tile;         ///< 1, 2, 4, 8 or 16
+  int characters = widest_tile;    ///< 1 to width; further lanes are computed from garbage-free input, not written
+  const float* local = nullptr;    ///< [width][components][16]
+  QuadMask displaced = all_quads;  ///< on rigid skeletons: positions of others are 0, and are not read
   StorePolicy stores = StorePolicy::prefetched;
   float* carry = nullptr;                          ///< in and out, [branch_slot_floats][width]
   float* branch_slots = nullptr;                   ///< in and out, [slot_count][branch_slot_floats][width]

@@ -32,7 +32,7 @@ struct AnyPacket {
 inline AnyPacket any_packet(const ModelPaletteJob& job, int lane, int lanes) {
   AnyPacket packet{.characters = HWY_MIN(job.characters - lane, lanes),
                    .stores = job.stores,
-                   .displaced = job.displaced,
+                   .displaced = job.displaced != 0,
                    .hashed = job.hashes != nullptr};
   if (packet.stores == StorePolicy::streaming && !on_whole_lines(job.palettes + lane, packet.characters)) {
     packet.stores = StorePolicy::plain;

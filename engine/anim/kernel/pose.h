@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace throng::anim {
 
@@ -13,6 +14,13 @@ namespace throng::anim {
 /// Values are relative to the bind pose on rigid skeletons (see ReferenceFrame): the bind pose is identity and zero.
 /// Lanes at and above the bone count hold the identity.
 inline constexpr int packet_bones = 16;
+
+/// Four bones side by side. Few bones of a rigid skeleton are displaced, so positions are told apart by quads.
+inline constexpr int quad_bones = 4;
+inline constexpr int packet_quads = packet_bones / quad_bones;
+using QuadMask = std::uint32_t;  ///< of a packet: bit i for its bones 4 i to 4 i + 3
+inline constexpr QuadMask all_quads = (1U << packet_quads) - 1U;
+constexpr bool is_in(QuadMask quads, int quad) { return (quads >> quad & 1U) != 0; }
 
 inline constexpr int rigid_components = 7;     // 448 bytes a packet
 inline constexpr int general_components = 10;  // 640 bytes a packet

@@ -27,7 +27,7 @@ HWY_INLINE const SampledPacket& packet_of(const PoseClipsJob& job, const ClipMom
 }
 
 HWY_INLINE void sample_moment(const PoseClipsJob& job, const ClipMoment& moment, float* local) {
-  const Wanted wanted{.positions = job.displaced, .scales = job.components == general_components};
+  const Wanted wanted{.positions = job.displaced, .scales = scaled_quads(job.components)};
   sample_packet(moment.point, packet_of(job, moment), wanted, local);
 }
 
@@ -81,35 +81,35 @@ HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<co
   for (std::size_t k = 0; k < count; ++k) store(d, q[k], blends.local[k] + bone, packet_bones);
 }
 
-HWY_INLINE void blend_sampled_vectors(const ShownClips& shown, const SampledRange& from_range,
-                                      const SampledRange& to_range, int bone, float* out) {
+/// Positions, or scales, as `range_of` a packet has them, into planes that begin `first` floats behind each local pose.
+template <std::size_t count, class RangeOf>
+HWY_INLINE void blend_sampled_quads(const PoseClipsJob& job, const Blends<count>& blends, QuadMask quads, int first,
+                                    RangeOf&& range_of) {
   const BoneLanes d;
-  const Vectors<Floats> start = sampled_vectors(shown.clip->point, from_range, bone);
-  const Vectors<Floats> way = difference(sampled_vectors(shown.blended->point, to_range, bone), start);
-  const Floats fraction = hn::Set(d, shown.fraction);
-  const Vectors<Floats> between{hn::MulAdd(way.x, fraction, start.x), hn::MulAdd(way.y, fraction, start.y),
-                                hn::MulAdd(way.z, fraction, start.z)};
-  store(d, between, out, packet_bones);
+  for_each_quad(quads, [&](int quad, int lane) {
+    const auto sampled = [&](const ClipMoment& moment) {
+      return sampled_quad(moment.point, range_of(packet_of(job, moment)), quad, lane);
+    };
+    Floats from[count], to[count];
+    for (std::size_t k = 0; k < count; ++k) from[k] = sampled(*blends.shown[k]->clip);
+    for (std::size_t k = 0; k < count; ++k) to[k] = sampled(*blends.shown[k]->blended);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Floats between = hn::MulAdd(hn::Sub(to[k], from[k]), hn::Set(d, blends.shown[k]->fraction), from[k]);
+      store_quad(d, between, lane, blends.local[k] + first + quad * quad_bones);
+    }
+  });
 }
 
 template <std::size_t count>
 HWY_INLINE void pose_blends(const PoseClipsJob& job, const Blends<count>& blends) {
+  blend_sampled_quads(job, blends, job.displaced, 4 * packet_bones, positions_of);
+  blend_sampled_quads(job, blends, scaled_quads(job.components), 7 * packet_bones, scales_of);
   const bool moving = all_move(job, blends);
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
     if (moving) {
       blend_sampled_rotations<true>(job, blends, bone);
     } else {
       blend_sampled_rotations<false>(job, blends, bone);
-    }
-    if (!job.displaced) continue;
-    for (std::size_t k = 0; k < count; ++k) {
-      const ShownClips& shown = *blends.shown[k];
-      const SampledPacket& start = packet_of(job, *shown.clip);
-      const SampledPacket& end = packet_of(job, *shown.blended);
-      float* const out = blends.local[k] + bone;
-      blend_sampled_vectors(shown, positions_of(start), positions_of(end), bone, out + 4 * packet_bones);
-      if (job.components != general_components) continue;
-      blend_sampled_vectors(shown, scales_of(start), scales_of(end), bone, out + 7 * packet_bones);
     }
   }
 }

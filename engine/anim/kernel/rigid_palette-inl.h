@@ -82,7 +82,6 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
   const HierarchyStep* const steps = program.steps.data();
   const float* local = job.local + lane * rigid_components * packet_bones;
   float* const branch_slots = job.branch_slots + lane;
-  const int wanted = packet.displaced ? rigid_components : 4;
   alignas(64) FloatArray<4 * rigid_components * lanes> inputs;
   typename Stage::Memory staged;
   Stage stage(job.palettes + lane, packet, begin, staged);
@@ -90,12 +89,14 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
   reset(d, motion);
   if (begin > 0) load(d, job.carry + lane, width, motion);
   constexpr int group = Stage::entries;
+  static_assert(group == quad_bones);
   for (int first = begin; first < end; first += group) {
     const int count = HWY_MIN(end - first, group);
     const bool one_before = first > begin;
+    const bool displaced = packet.displaced && is_in(job.displaced, (first - begin) / quad_bones);
+    gather_four_bones<rigid_components>(d, local + (first - begin), displaced ? rigid_components : 4, inputs);
     for (int i = 0; i < count; ++i) {
       const int bone = first + i;
-      if (i % 4 == 0) gather_four_bones<rigid_components>(d, local + (bone - begin), wanted, inputs);
       const HierarchyStep& step = steps[bone];
       if (step.load >= 0) {
         load(d, branch_slots + step.load * branch_slot_floats * width, width, motion);
@@ -103,9 +104,9 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
         reset(d, motion);
       }
       if (packet.stores == StorePolicy::prefetched) stage.prefetch(i);
-      const float* input = inputs + i % 4 * rigid_components * lanes;
-      move_on(d, program, bone, load_quaternions(d, input, lanes), packet.displaced ? input + 4 * lanes : nullptr,
-              lanes, motion);
+      const float* input = inputs + i * rigid_components * lanes;
+      move_on(d, program, bone, load_quaternions(d, input, lanes), displaced ? input + 4 * lanes : nullptr, lanes,
+              motion);
       if (step.store >= 0) store(d, motion, branch_slots + step.store * branch_slot_floats * width, width);
       put(d, program, i, motion, stage);
       if (one_before) stage.write_part(i);

@@ -32,16 +32,16 @@ void fade_rotation(const float* still, int lane, float share, float* pose) {
 
 }  // namespace
 
-void fade_bones(const UpdateContext& context, const AgentWork& work, int packet, bool displaced, float* pose) {
+void fade_bones(const UpdateContext& context, const AgentWork& work, int packet, QuadMask displaced, float* pose) {
   const int components = context.assets.components;
   const int kept = context.bones(work.fade_level) - packet * packet_bones;
   if (work.fade_halves == 0 || kept >= packet_bones) return;
   assert(!context.still_pose.empty() && "nobody said where bones stand still");
   const float share = static_cast<float>(work.fade_halves) / whole_way;
   const float* still = &context.still_pose[static_cast<std::size_t>(packet) * context.packet_floats()];
-  const int last_component = displaced ? components : rotation_components;
   for (int lane = std::max(kept, 0); lane < packet_bones; ++lane) {
     fade_rotation(still, lane, share, pose);
+    const int last_component = is_in(displaced, lane / quad_bones) ? components : rotation_components;
     for (int i = rotation_components; i < last_component; ++i) {
       float& value = component_of(pose, i, lane);
       value = (1.0F - share) * value + share * component_of(still, i, lane);

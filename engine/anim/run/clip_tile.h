@@ -9,16 +9,13 @@
 
 namespace throng::anim {
 
-/// A set of packets, bit i for packet i.
-inline bool is_in(std::uint64_t packets, int packet) { return (packets >> static_cast<unsigned>(packet) & 1U) != 0; }
-
 /// What the characters of a tile show, for the kernel that poses the clips of all of them, packet by packet.
 class ClipTile {
  public:
   void begin(std::size_t characters) {
     character_count_ = characters;
     clip_count_ = 0;
-    displaced_packets_ = 0;
+    displaced_quads_ = 0;
   }
   /// Where a character and those after it say what they show, and are then added.
   ShownClips* row(std::size_t first) { return &shown_[first]; }
@@ -29,16 +26,16 @@ class ClipTile {
     for (const ShownClips& shown : std::span(shown_).subspan(first, end - first)) {
       if (shown.clip == nullptr) continue;
       ++count;
-      displaced |= shown.clip->stream->displaced_packets;
-      if (shown.blended != nullptr) displaced |= shown.blended->stream->displaced_packets;
+      displaced |= shown.clip->stream->displaced_quads;
+      if (shown.blended != nullptr) displaced |= shown.blended->stream->displaced_quads;
     }
     clip_count_ += count;
-    displaced_packets_ |= displaced;
+    displaced_quads_ |= displaced;
     return count == end - first;
   }
   bool empty() const { return clip_count_ == 0; }
-  /// The packets of which some position is not 0.
-  std::uint64_t displaced_packets() const { return displaced_packets_; }
+  /// Those of which some position is not 0, as quads_of_packet reads them.
+  std::uint64_t displaced_quads() const { return displaced_quads_; }
 
   /// But for what a packet adds.
   PoseClipsJob job(int components, float* local) const {
@@ -49,7 +46,7 @@ class ClipTile {
   std::array<ShownClips, widest_tile> shown_;
   std::size_t character_count_ = 0;
   std::size_t clip_count_ = 0;
-  std::uint64_t displaced_packets_ = 0;
+  std::uint64_t displaced_quads_ = 0;
 };
 
 }  // namespace throng::anim

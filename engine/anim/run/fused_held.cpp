@@ -8,7 +8,7 @@
 namespace throng::anim {
 namespace {
 
-/// For who reads them, where no clip displaces anything.
+/// For who reads whole poses, where no clip displaces anything.
 void clear_positions(std::span<float> packets, std::size_t packet_floats) {
   constexpr std::size_t rotation_floats = 4 * packet_bones;
   for (; !packets.empty(); packets = packets.subspan(packet_floats)) {
@@ -61,9 +61,9 @@ void FusedTasks::pose_held_clips(const Characters& characters, int packet) const
   const std::span<float> poses = held_packet(characters, packet);
   PoseClipsJob clips = clips_.job(assets.components, poses.data());
   clips.packet = packet;
-  clips.displaced = is_in(displaced_packets(characters), packet);
+  clips.displaced = quads_of_packet(displaced_quads(characters), packet) != 0 ? all_quads : 0;
   assets.kernels->pose_clips(clips);
-  if (!clips.displaced) clear_positions(poses, characters.context->packet_floats());
+  if (clips.displaced == 0) clear_positions(poses, characters.context->packet_floats());
 }
 
 void FusedTasks::compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) {
@@ -75,11 +75,12 @@ void FusedTasks::compute_held(const Characters& characters, TilePalettes& palett
     compose_head(characters, composed, character, place);
   });
   pose_whole_tails(characters);
-  const std::uint64_t displaced = displaced_packets(characters);
+  const std::uint64_t displaced = displaced_quads(characters);
   for (int packet = 0; packet < characters.held_packets; ++packet) {
     pose_held_tails(characters, packet);
-    palettes.write(
-        {.packet = packet, .local = held_packet(characters, packet).data(), .displaced = is_in(displaced, packet)});
+    palettes.write({.packet = packet,
+                    .local = held_packet(characters, packet).data(),
+                    .displaced = quads_of_packet(displaced, packet)});
     engine.advance();
   }
 }

@@ -93,10 +93,10 @@ bool FusedTasks::head_displaces(const EntityPools& pools, const Composed& compos
   return false;
 }
 
-/// The packets whose bones may have positions other than 0.
-std::uint64_t FusedTasks::displaced_packets(const Characters& characters) const {
+/// The quads whose bones may have positions other than 0.
+std::uint64_t FusedTasks::displaced_quads(const Characters& characters) const {
   const bool all = composed_displaces_ || characters.context->assets.components == general_components;
-  return all ? ~std::uint64_t{0} : clips_.displaced_packets();
+  return all ? ~std::uint64_t{0} : clips_.displaced_quads();
 }
 
 /// A character whose pose is not clips alone joins the ones before that are composed in the same way.
@@ -221,13 +221,13 @@ void FusedTasks::compute_streaming(const Characters& characters, TilePalettes& p
   const EntityAssets& assets = characters.context->assets;
   const auto pose_clips = assets.kernels->pose_clips;
   const bool shows_clips = !clips_.empty(), composes = composed_count_ > 0;
-  const std::uint64_t displaced = displaced_packets(characters);
+  const std::uint64_t displaced = displaced_quads(characters);
   float* const local = scratch_.model.local.data();
   PoseClipsJob clips = clips_.job(assets.components, local);
   const int packets = characters.packets;
   for (int packet = characters.held_packets; packet < packets; ++packet) {
     clips.packet = packet;
-    clips.displaced = is_in(displaced, packet);
+    clips.displaced = quads_of_packet(displaced, packet);
     if (shows_clips) pose_clips(clips);
     if (composes) compose_streamed_packet(characters, packet);
     palettes.write({.packet = packet, .local = local, .displaced = clips.displaced});

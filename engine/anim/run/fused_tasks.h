@@ -117,7 +117,7 @@ class FusedTasks {
   void compose_streamed_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program, std::size_t character);
   static bool head_displaces(const EntityPools& pools, const Composed& composed);
-  std::uint64_t displaced_packets(const Characters& characters) const;
+  std::uint64_t displaced_quads(const Characters& characters) const;
   std::size_t held_stride(const Characters& characters) const;
   std::span<float> held_packet(const Characters& characters, int packet) const;
   void pose_held_clips(const Characters& characters, int packet) const;

@@ -16,8 +16,8 @@ struct PaletteStores {
 /// Local poses of one packet of the characters of a tile.
 struct TilePacket {
   int packet;
-  float* local;           ///< [width][components][16]
-  bool displaced = true;  ///< see ModelPaletteJob
+  float* local;                    ///< [width][components][16]
+  QuadMask displaced = all_quads;  ///< see ModelPaletteJob
 };
 
 /// The last step of a tile: model space and palettes, packet by packet in ascending order. Bones that leave a level are

@@ -142,7 +142,7 @@ TEST_F(RunOfEntities, ThatArePlayersShowTheClipOfEach) {
     ASSERT_NE(shown[i].clip, nullptr) << i;
     EXPECT_EQ(shown[i].clip->stream, clips_[player.clip].sampled) << i;
     EXPECT_EQ(shown[i].clip->point.from, point.from) << i;
-    EXPECT_EQ(shown[i].clip->point.fraction, point.fraction) << i;
+    EXPECT_EQ(shown[i].clip->point.weights, point.weights) << i;
     EXPECT_EQ(shown[i].blended, nullptr) << i;
   }
 }

@@ -185,9 +185,13 @@ StatePose::StatePose(const Skeleton& skeleton, const LocalPose& pose)
   }
 }
 
-std::vector<StatePose> undisplaced(std::vector<StatePose> poses) {
+std::vector<StatePose> displaced_in(QuadMask quads, std::vector<StatePose> poses, float elsewhere) {
   for (StatePose& pose : poses) {
-    for (PosePacket& packet : pose.packets_) std::fill_n(packet.lanes + 4 * packet_bones, 3 * packet_bones, 0.0F);
+    for (PosePacket& packet : pose.packets_) {
+      for (int lane = 4 * packet_bones; lane < rigid_components * packet_bones; ++lane) {
+        if (!is_in(quads, lane % packet_bones / quad_bones)) packet.lanes[lane] = elsewhere;
+      }
+    }
   }
   return poses;
 }

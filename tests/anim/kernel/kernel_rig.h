@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -40,12 +41,13 @@ class StatePose {
 
  private:
   int components_;
-  friend std::vector<StatePose> undisplaced(std::vector<StatePose> poses);
+  friend std::vector<StatePose> displaced_in(QuadMask quads, std::vector<StatePose> poses, float elsewhere);
   std::vector<PosePacket> packets_;
 };
 
-/// The same with every bone's position where it is at rest.
-std::vector<StatePose> undisplaced(std::vector<StatePose> poses);
+/// The same with other positions than `quads`' in every packet replaced: by 0, where a bone is at rest, or anything.
+std::vector<StatePose> displaced_in(QuadMask quads, std::vector<StatePose> poses, float elsewhere = 0.0F);
+inline constexpr float not_there = std::numeric_limits<float>::quiet_NaN();
 
 /// The palette by 4x4 matrices in double, from the skeleton and its local transforms alone.
 std::vector<glm::dmat4> reference_palette(const Skeleton& skeleton, const LocalPose& pose);

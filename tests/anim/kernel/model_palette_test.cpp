@@ -166,15 +166,17 @@ TEST(RigidPalette, OfTheBindPoseIsTheIdentity) {
   }
 }
 
-TEST(RigidPalette, IsTheSameToTheBitWhereNothingIsDisplacedAndNobodyAsksForHashes) {
+TEST(RigidPalette, IsTheSameToTheBitWhereFewQuadsAreDisplacedWhateverLiesInOthers) {
   for (const Skeleton& skeleton : {rigid_skeleton(branching_parents(62)), rigid_skeleton({-1, 0, -1, 2, 0})}) {
     const HierarchyProgram program = compile_hierarchy(skeleton);
-    const std::vector<StatePose> poses = undisplaced(states(skeleton, random_poses(skeleton)));
-    for (const Kernels& kernels : runnable_kernels()) {
-      const CrowdResult expected = compute_palettes(kernels, program, poses, widest_tile, skeleton.bone_count());
-      for (const PaletteRequest& request : requests_of_nothing_else) {
+    const std::vector<StatePose> poses = states(skeleton, random_poses(skeleton));
+    for (const PaletteRequest& request : usual_requests) {
+      const std::vector<StatePose> whole = displaced_in(request.displaced, poses);
+      const std::vector<StatePose> partly = displaced_in(request.displaced, poses, not_there);
+      for (const Kernels& kernels : runnable_kernels()) {
+        const CrowdResult expected = compute_palettes(kernels, program, whole, widest_tile, skeleton.bone_count());
         const CrowdResult result =
-            compute_palettes(kernels, program, poses, widest_tile, skeleton.bone_count(), request);
+            compute_palettes(kernels, program, partly, widest_tile, skeleton.bone_count(), request);
         EXPECT_TRUE(result.guards_intact) << kernels.target;
         for (std::size_t i = 0; i < poses.size(); ++i) {
           EXPECT_TRUE(same_bits(result.palettes[i], expected.palettes[i])) << kernels.target << " " << i;

@@ -108,15 +108,16 @@ TEST_P(PackedPalette, OfALevelIsAPrefixOfTheWholeAndWritesNothingElse) {
   }
 }
 
-TEST_P(PackedPalette, IsTheSameToTheBitWhereNothingIsDisplacedAndNobodyAsksForHashes) {
-  const std::vector<StatePose> poses = undisplaced(states_);
-  for (const Kernels& kernels : runnable_kernels()) {
-    const auto expected = compute_packed_palettes(kernels, program_, poses, widest_tile, skeleton().bone_count());
-    for (const PaletteRequest& request : requests_of_nothing_else) {
+TEST_P(PackedPalette, IsTheSameToTheBitWhereFewQuadsAreDisplacedWhateverLiesInOthers) {
+  for (const PaletteRequest& request : usual_requests) {
+    const std::vector<StatePose> whole = displaced_in(request.displaced, states_);
+    const std::vector<StatePose> partly = displaced_in(request.displaced, states_, not_there);
+    for (const Kernels& kernels : runnable_kernels()) {
+      const auto expected = compute_packed_palettes(kernels, program_, whole, widest_tile, skeleton().bone_count());
       const auto result =
-          compute_packed_palettes(kernels, program_, poses, widest_tile, skeleton().bone_count(), request);
+          compute_packed_palettes(kernels, program_, partly, widest_tile, skeleton().bone_count(), request);
       EXPECT_TRUE(result.guards_intact) << kernels.target;
-      for (std::size_t i = 0; i < poses.size(); ++i) {
+      for (std::size_t i = 0; i < states_.size(); ++i) {
         EXPECT_TRUE(same_bits(result.palettes[i], expected.palettes[i])) << kernels.target << " " << i;
       }
     }

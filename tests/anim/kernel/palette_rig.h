@@ -12,16 +12,19 @@ namespace throng::anim::kernel_rig {
 /// What else is said of the palettes that are computed.
 struct PaletteRequest {
   StorePolicy stores = StorePolicy::prefetched;
-  bool displaced = true;
+  QuadMask displaced = all_quads;
   bool hashed = true;
   bool whole_lines = false;  ///< true: all palettes begin a cache line; false: every second one is only 16-byte aligned
 };
 
-/// What most frames ask, however it is stored.
-inline constexpr PaletteRequest requests_of_nothing_else[] = {
-    {.stores = StorePolicy::plain, .displaced = false, .hashed = false, .whole_lines = true},
-    {.stores = StorePolicy::prefetched, .displaced = false, .hashed = false, .whole_lines = true},
-    {.stores = StorePolicy::streaming, .displaced = false, .hashed = false, .whole_lines = true}};
+/// What frames ask of rigid skeletons, few of whose bones are displaced.
+inline constexpr PaletteRequest usual_requests[] = {
+    {.stores = StorePolicy::plain, .displaced = 0, .hashed = false, .whole_lines = true},
+    {.stores = StorePolicy::prefetched, .displaced = 0, .hashed = false, .whole_lines = true},
+    {.stores = StorePolicy::streaming, .displaced = 0, .hashed = false, .whole_lines = true},
+    {.stores = StorePolicy::prefetched, .displaced = 0b0001, .hashed = false, .whole_lines = true},
+    {.stores = StorePolicy::streaming, .displaced = 0b1010, .hashed = false, .whole_lines = true},
+    {.stores = StorePolicy::prefetched, .displaced = 0b0100, .hashed = true, .whole_lines = true}};
 
 /// Palettes and hashes of characters, computed in tiles of `width`; a last tile may be partly filled. Every palette
 /// lies between guard bytes, and so do entries of bones above `bone_count`.

@@ -127,28 +127,45 @@ TEST_P(PoseClips, LeavesCharactersAloneThatPlayNone) {
 INSTANTIATE_TEST_SUITE_P(States, PoseClips, ::testing::Values(rigid_components, general_components),
                          [](const auto& components) { return components.param == 7 ? "rigid" : "general"; });
 
-TEST(PoseClipsThatDisplaceNothing, WritesRotationsAndNoPositions) {
-  SampledRows rows = wavy_rows(16, rigid_components, 4);
+/// Where the quads of `displaced` alone have positions.
+SampledRows rows_displaced_in(QuadMask displaced, SampledRows rows) {
   for (int row = 0; row < rows.row_count; ++row) {
     for (int component = 4; component < rigid_components; ++component) {
-      for (int lane = 0; lane < packet_bones; ++lane) row_value(rows, row, 0, component, lane) = 0.0F;
+      for (int bone = 0; bone < packet_bones; ++bone) {
+        if (!is_in(displaced, bone / quad_bones)) row_value(rows, row, 0, component, bone) = 0.0F;
+      }
     }
   }
-  const StreamBlock block(rows);
-  ASSERT_EQ(block.stream().displaced_packets, 0U);
-  const ClipMoment clip{.stream = &block.stream(), .point = locate(block.stream(), rows.row_step / 3)};
-  const std::array<ShownClips, 1> shown = {{{.clip = &clip}}};
-  for (const Kernels& kernels : runnable_kernels()) {
-    Local with(rigid_components);
-    Local without(rigid_components);
-    kernels.pose_clips({.characters = shown, .displaced = true, .local = with.data()});
-    kernels.pose_clips({.characters = shown, .displaced = false, .local = without.data()});
-    EXPECT_TRUE(same_bits(with.character(0, 4), without.character(0, 4))) << kernels.target;
-    const std::vector<float> pose = with.character(0, rigid_components);
-    const std::vector<float> partly = without.character(0, rigid_components);
-    for (std::size_t lane = std::size_t{4} * packet_bones; lane < pose.size(); ++lane) {
-      EXPECT_EQ(pose[lane], 0.0F) << kernels.target;
-      EXPECT_TRUE(std::isnan(partly[lane])) << kernels.target;
+  return rows;
+}
+
+TEST(PoseClipsThatDisplaceSomeQuads, WritesRotationsAndTheirPositionsAndNoOthers) {
+  for (QuadMask displaced = 0; displaced <= all_quads; ++displaced) {
+    const StreamBlock block(rows_displaced_in(displaced, wavy_rows(16, rigid_components, 4)));
+    const StreamBlock still(rows_displaced_in(displaced, still_rows(16, rigid_components, 4)));
+    ASSERT_EQ(quads_of_packet(block.stream().displaced_quads, 0), displaced);
+    const Ticks time = block.stream().row_step / 3;
+    const ClipMoment clip{.stream = &block.stream(), .point = locate(block.stream(), time)};
+    const ClipMoment other{.stream = &still.stream(), .point = locate(still.stream(), time)};
+    const std::array<ShownClips, 2> shown = {{{.clip = &clip}, {.clip = &clip, .blended = &other, .fraction = 0.25F}}};
+    for (const Kernels& kernels : runnable_kernels()) {
+      Local all(rigid_components);
+      Local some(rigid_components);
+      kernels.pose_clips({.characters = shown, .displaced = all_quads, .local = all.data()});
+      kernels.pose_clips({.characters = shown, .displaced = displaced, .local = some.data()});
+      for (const int character : {0, 1}) {
+        EXPECT_TRUE(same_bits(some.character(character, 4), all.character(character, 4))) << kernels.target;
+        const std::vector<float> whole = all.character(character, rigid_components);
+        const std::vector<float> partly = some.character(character, rigid_components);
+        for (std::size_t lane = std::size_t{4} * packet_bones; lane < whole.size(); ++lane) {
+          if (is_in(displaced, static_cast<int>(lane % packet_bones) / quad_bones)) {
+            EXPECT_EQ(partly[lane], whole[lane]) << kernels.target << " " << displaced << " " << lane;
+          } else {
+            EXPECT_EQ(whole[lane], 0.0F) << kernels.target << " " << displaced << " " << lane;
+            EXPECT_TRUE(std::isnan(partly[lane])) << kernels.target << " " << displaced << " " << lane;
+          }
+        }
+      }
     }
   }
 }

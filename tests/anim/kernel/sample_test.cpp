@@ -86,9 +86,12 @@ TEST_P(Sample, ShowsARowItselfAtItsTime) {
       const Packet out = sample(kernels, block_.stream(), rows_.first_row + row * rows_.row_step, 0);
       for (int axis = 0; axis < 3; ++axis) {
         for (int bone = 0; bone < packet_bones; ++bone) {
+          const int quad = bone / quad_bones;
+          const int lane = lane_in_quad(axis, bone);
           std::int16_t word = 0;
-          std::memcpy(&word, block_.stream().row(row) + header.position_offset + sampled_lane(axis, bone, 3) * 2, 2);
-          const float expected = header.position_base[axis][bone] + header.position_step[axis][bone] * word;
+          std::memcpy(&word, block_.stream().row(row) + header.position_offset[quad] + lane * 2, 2);
+          const float step = header.position_step[quad][lane] / row_weight_unit;
+          const float expected = header.position_base[quad][lane] + step * word;
           ASSERT_NEAR(out.lanes[4 + axis][bone], expected, 1e-6F) << kernels.target << " " << row << " " << bone;
         }
       }

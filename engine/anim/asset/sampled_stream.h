@@ -84,12 +84,6 @@ constexpr int rotation_lane(int component, int bone) {
 /// Which lane of its quad holds this component of a position or scale.
 constexpr int lane_in_quad(int component, int bone) { return component * quad_bones + bone % quad_bones; }
 
-/// Sets of quads of all packets: four bits a packet, those from packet 15 on share the last four.
-constexpr int first_quad_bit(int packet) { return packet_quads * (packet < 15 ? packet : 15); }
-constexpr QuadMask quads_of_packet(std::uint64_t quads, int packet) {
-  return static_cast<QuadMask>(quads >> first_quad_bit(packet)) & all_quads;
-}
-
 /// How far between two rows, from 0 to sample_fraction_one, as the weights of both: from's in the lower 16 bits, to's
 /// in the upper. They are kept negative, because 32768 does not fit 16 bits and -32768 does.
 inline constexpr std::int32_t sample_fraction_one = 1 << 15;

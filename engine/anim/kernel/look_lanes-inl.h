@@ -91,18 +91,23 @@ struct LookLanes {
     const auto place = static_cast<unsigned>(bone);
     return pose.packet(static_cast<int>(place / packet_bones)) + place % packet_bones;
   }
-  /// Bones that lie side by side are read together, four of each character.
+  /// Bones that lie side by side are read together, four of each character; positions of those that nobody displaces
+  /// are not.
   void load_poses(const JointChain& chain, const LookAtJob* const* jobs) {
     const auto* bones = chain.bones.data();
+    std::uint64_t displaced = 0;
+    for (int lane = 0; lane < lane_count<D>; ++lane) displaced |= jobs[lane]->pose.displaced_quads;
     for (int first = 0, end = 0; first < chain.count; first = end) {
-      const int four = bones[first] / block_floats;
-      for (end = first + 1; end < chain.count && bones[end] / block_floats == four;) ++end;
+      const int quad = bones[first] / quad_bones;
+      for (end = first + 1; end < chain.count && bones[end] / quad_bones == quad;) ++end;
       const float* from[lane_count<D>];
-      for (int lane = 0; lane < lane_count<D>; ++lane) from[lane] = lane_of(jobs[lane]->pose, four * block_floats);
+      for (int lane = 0; lane < lane_count<D>; ++lane) from[lane] = lane_of(jobs[lane]->pose, quad * quad_bones);
+      const bool moves = is_in(quads_of_packet(displaced, quad / packet_quads), quad % packet_quads);
       for (int part = 0; part < rigid_components; ++part) {
-        const FourVectors<V> loaded = load_four_bones(D(), from, part * packet_bones);
+        FourVectors<V> loaded{hn::Zero(D()), hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
+        if (part < 4 || moves) loaded = load_four_bones(D(), from, part * packet_bones);
         for (int joint = first; joint < end; ++joint) {
-          joints[joint][part].store(D(), loaded.v[bones[joint] % block_floats]);
+          joints[joint][part].store(D(), loaded.v[bones[joint] % quad_bones]);
         }
       }
     }

@@ -22,6 +22,12 @@ using QuadMask = std::uint32_t;  ///< of a packet: bit i for its bones 4 i to 4 
 inline constexpr QuadMask all_quads = (1U << packet_quads) - 1U;
 constexpr bool is_in(QuadMask quads, int quad) { return (quads >> quad & 1U) != 0; }
 
+/// Sets of quads of a whole pose: four bits a packet, those from packet 15 on share the last four.
+constexpr int first_quad_bit(int packet) { return packet_quads * (packet < 15 ? packet : 15); }
+constexpr QuadMask quads_of_packet(std::uint64_t quads, int packet) {
+  return static_cast<QuadMask>(quads >> first_quad_bit(packet)) & all_quads;
+}
+
 inline constexpr int rigid_components = 7;     // 448 bytes a packet
 inline constexpr int general_components = 10;  // 640 bytes a packet
 

@@ -16,6 +16,7 @@ struct PoseView {
   std::size_t packet_stride = 0;  ///< floats, at least components * 16
   int components = rigid_components;
   int bone_count = 0;  ///< bones at and above it (another level of detail's) are not there
+  std::uint64_t displaced_quads = ~std::uint64_t{0};  ///< others' positions are 0; as quads_of_packet reads them
 
   float* packet(int index) const { return first + static_cast<std::size_t>(index) * packet_stride; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +20,11 @@ class ClipTile {
   }
   /// Where a character and those after it say what they show, and are then added.
   ShownClips* row(std::size_t first) { return &shown_[first]; }
-  /// True: all of them show clips.
-  bool add(std::size_t first, std::size_t end) {
+  bool all_show(std::size_t first, std::size_t end) const {
+    const auto shows = [](const ShownClips& shown) { return shown.clip != nullptr; };
+    return std::ranges::all_of(std::span(shown_).subspan(first, end - first), shows);
+  }
+  void add(std::size_t first, std::size_t end) {
     std::size_t count = 0;
     std::uint64_t displaced = 0;  // not added up in memory
     for (const ShownClips& shown : std::span(shown_).subspan(first, end - first)) {
@@ -31,7 +35,6 @@ class ClipTile {
     }
     clip_count_ += count;
     displaced_quads_ |= displaced;
-    return count == end - first;
   }
   bool empty() const { return clip_count_ == 0; }
   /// Those of which some position is not 0, as quads_of_packet reads them.

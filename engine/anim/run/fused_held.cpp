@@ -8,11 +8,15 @@
 namespace throng::anim {
 namespace {
 
-/// For who reads whole poses, where no clip displaces anything.
-void clear_positions(std::span<float> packets, std::size_t packet_floats) {
-  constexpr std::size_t rotation_floats = 4 * packet_bones;
+/// For who reads whole poses: positions of quads that no clip displaces.
+void clear_others(std::span<float> packets, std::size_t packet_floats, QuadMask displaced) {
+  constexpr std::size_t first_position = std::size_t{4} * packet_bones;
   for (; !packets.empty(); packets = packets.subspan(packet_floats)) {
-    std::ranges::fill(packets.subspan(rotation_floats, packet_floats - rotation_floats), 0.0F);
+    for (int quad = 0; quad < packet_quads; ++quad) {
+      if (is_in(displaced, quad)) continue;
+      float* const x = &packets[first_position + static_cast<std::size_t>(quad * quad_bones)];
+      for (int axis = 0; axis < 3; ++axis) std::fill_n(x + axis * packet_bones, quad_bones, 0.0F);
+    }
   }
 }
 
@@ -61,9 +65,9 @@ void FusedTasks::pose_held_clips(const Characters& characters, int packet) const
   const std::span<float> poses = held_packet(characters, packet);
   PoseClipsJob clips = clips_.job(assets.components, poses.data());
   clips.packet = packet;
-  clips.displaced = quads_of_packet(displaced_quads(characters), packet) != 0 ? all_quads : 0;
+  clips.displaced = quads_of_packet(displaced_quads(characters), packet);
   assets.kernels->pose_clips(clips);
-  if (clips.displaced == 0) clear_positions(poses, characters.context->packet_floats());
+  clear_others(poses, characters.context->packet_floats(), clips.displaced);
 }
 
 void FusedTasks::compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) {

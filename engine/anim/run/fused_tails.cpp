@@ -30,7 +30,8 @@ void pose_packet_round(const PacketsJob& job) {
 /// Its first packet is where streamed ones lie, too.
 PoseView FusedTasks::pose_of(const Characters& characters, std::size_t character) const {
   return {&scratch_.model.local[character * characters.context->packet_floats()], held_stride(characters),
-          characters.context->assets.components, characters.context->bones(characters.work.front().level)};
+          characters.context->assets.components, characters.context->bones(characters.work.front().level),
+          displaced_quads(characters)};
 }
 
 /// In each round, of the characters that are not at that end of their programs, those whose next step is of the kind of
@@ -44,9 +45,11 @@ void FusedTasks::add_rounds(const Characters& characters, EndOfSteps end) {
       if (kind == nullptr) kind = layout.kind;
       if (layout.kind != kind) continue;
       StepPlace place = composed.tail;
+      PoseView pose = pose_of(characters, composed.characters.first);
       for (std::size_t c = composed.characters.first; c < composed.characters.end; ++c) {
-        notes_->tails.add(place.entity(*characters.context, layout), pose_of(characters, c));
+        notes_->tails.add(place.entity(*characters.context, layout), pose);
         place = place.of_next(composed.program());
+        pose.first += characters.context->packet_floats();
       }
       composed.tail.pass(layout);
     }

@@ -99,34 +99,39 @@ std::uint64_t FusedTasks::displaced_quads(const Characters& characters) const {
   return all ? ~std::uint64_t{0} : clips_.displaced_quads();
 }
 
-/// A character whose pose is not clips alone joins the ones before that are composed in the same way.
-void FusedTasks::begin_composed(const Characters& characters, const AlikeRun& alike, std::size_t character,
-                                const StepPlace& place) {
-  const PoseProgram& program = *alike.program;
-  const std::size_t base = base_of(program, character);
-  if (base != Composed::no_base) {
-    *clips_.row(character) = shown(base, character);
-    clips_.add(character, character + 1);
-  }
-  if (composed_count_ > 0) {
-    Composed& before = composed_[composed_count_ - 1];
-    if (before.characters.program == &program && before.characters.end == character && before.base == base) {
-      ++before.characters.end;
-      return;
+/// Those whose poses are not clips alone; who follows one that is composed in the same way joins it.
+void FusedTasks::find_composed(const Characters& characters, const AlikeRun& alike, StepPlace place) {
+  Composed* newest = nullptr;
+  for (std::size_t character = alike.first; character < alike.end; ++character) {
+    if (clips_.row(character)->clip == nullptr) {
+      const std::size_t base = base_of(*alike.program, character);
+      if (base != Composed::no_base) *clips_.row(character) = shown(base, character);
+      if (newest != nullptr && newest->characters.end == character && newest->base == base) {
+        ++newest->characters.end;
+      } else {
+        newest = &begin_composed(characters, {character, character + 1, alike.program}, place, base);
+      }
     }
+    place = place.of_next(*alike.program);
   }
+}
+
+FusedTasks::Composed& FusedTasks::begin_composed(const Characters& characters, const AlikeRun& first,
+                                                 const StepPlace& place, std::size_t base) {
+  const PoseProgram& program = *first.program;
   Composed& composed = composed_[composed_count_++];
-  composed = {.characters = {character, character + 1, &program},
+  composed = {.characters = first,
               .head = place,
               .tail = place.at_tail(program),
               .base = base,
               .over_clips = base != Composed::no_base && base + 1 >= program.tail};
   if (composed.over_clips) {
     for_each_own(*characters.context, program, composed.tail, base + 1, [](auto&&...) {});
-    return;
+    return composed;
   }
   composed.wanted = steps_over(program, base, [](std::size_t) { return false; });
   composed_displaces_ = composed_displaces_ || head_displaces(*characters.context->pools, composed);
+  return composed;
 }
 
 void FusedTasks::advance_entities(const Characters& characters) {
@@ -136,11 +141,9 @@ void FusedTasks::advance_entities(const Characters& characters) {
   StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
   for_each_alike(characters.work, characters.program, [&](const AlikeRun& alike) {
     advance_alike(characters, alike, place);
-    const bool all_show_clips = clips_.add(alike.first, alike.end);
-    for (std::size_t c = alike.first; c < alike.end; ++c) {
-      if (!all_show_clips && clips_.row(c)->clip == nullptr) begin_composed(characters, alike, c, place);
-      place = place.of_next(*alike.program);
-    }
+    if (!clips_.all_show(alike.first, alike.end)) find_composed(characters, alike, place);
+    clips_.add(alike.first, alike.end);
+    place = place.of_next(*alike.program, alike.size());
   });
   plan_tails(characters);
 }

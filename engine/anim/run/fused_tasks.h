@@ -107,8 +107,9 @@ class FusedTasks {
   void advance_entities(const Characters& characters);
   void advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place);
   std::span<ShownClips> shown_by(std::size_t step, const AlikeRun& alike);
-  void begin_composed(const Characters& characters, const AlikeRun& alike, std::size_t character,
-                      const StepPlace& place);
+  void find_composed(const Characters& characters, const AlikeRun& alike, StepPlace place);
+  Composed& begin_composed(const Characters& characters, const AlikeRun& first, const StepPlace& place,
+                           std::size_t base);
   ShownClips& shown(std::size_t step, std::size_t character) { return notes_->shown[step * widest_tile + character]; }
   void compute_streaming(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) const;
   void compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine);

@@ -44,10 +44,11 @@ struct StepPlace {
     block += layout.total_size;
     prepared += layout.kind->prepared_bytes;
   }
-  /// Of the next character in the tile, who runs the same program.
-  StepPlace of_next(const PoseProgram& program) const {
-    return {
-        .step = step, .block = block + program.needs.fetch_bytes, .prepared = prepared + program.needs.prepared_bytes};
+  /// Of the character in the tile that is so many further on, after others who run the same program.
+  StepPlace of_next(const PoseProgram& program, std::size_t characters = 1) const {
+    return {.step = step,
+            .block = block + characters * program.needs.fetch_bytes,
+            .prepared = prepared + characters * program.needs.prepared_bytes};
   }
   /// From the first step.
   StepPlace at_tail(const PoseProgram& program) const {

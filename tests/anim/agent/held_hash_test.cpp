@@ -1,17 +1,20 @@
-// One pose hash for crowds of which some look at things, some tremble, some do both, in either order, and some neither:
-// whatever the schedule, the PUs, the tile and the store.
+// One pose hash for crowds of which some look at things, some tremble, some do both, in either order, some turn by
+// where their bones are, and some do nothing: whatever the schedule, the PUs, the tile and the store.
 
 #include <cmath>
 #include <memory>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/agent/look_at_process.h"
 #include "engine/anim/agent/noise_process.h"
+#include "engine/anim/agent/one_entity_process.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/entity/entity_run.h"
 
 namespace throng::anim {
 namespace {
@@ -43,6 +46,47 @@ void add_noise(AnimationSystem& system, std::uint32_t agent) {
   EXPECT_TRUE(system.add_post_process(agent, std::make_unique<NoiseProcess>(settings)));
 }
 
+/// A host's kind that moves no bone, and turns the first by where all of them are: where no clip displaces one it has
+/// to find 0, whatever the local store held before.
+struct alignas(64) Wanderer {
+  AnimationStateHeader state;
+  Handle source;
+};
+static_assert(sizeof(Wanderer) == entity_header_bytes);
+
+std::span<Handle> source_of_wanderer(std::byte* block, const EntityLayout&) {
+  return {&reinterpret_cast<Wanderer*>(block)->source, 1};
+}
+
+void advance_wanderer(const EntityInStore& entity, const SourcesInStore&) {
+  entity.as<Wanderer>().state.delta_time = 0;
+}
+
+void turn_by_positions(const EntityInStore&, const PoseView& pose) {
+  float far = 0.0F;
+  for (int bone = 0; bone < pose.bone_count; ++bone) far += pose.position(bone).x + pose.position(bone).z;
+  pose.set_rotation(0, pose.rotation(0) * glm::angleAxis(far, glm::vec3(0.0F, 1.0F, 0.0F)));
+}
+
+const EntityKind wanderer_kind = {.name = "wanderer",
+                                  .sources = source_of_wanderer,
+                                  .advance = advance_each<advance_wanderer>,
+                                  .pose_whole = turn_by_positions,
+                                  .displaces = false};
+
+class WandererProcess final : public OneEntityProcess<Wanderer> {
+ public:
+  explicit WandererProcess(EntityPools::Kind kind) : OneEntityProcess(kind) {}
+  std::unique_ptr<PostProcess> clone() const override { return std::make_unique<WandererProcess>(*this); }
+
+ private:
+  void begin(const EntityBuilder&, Handle) override {}
+};
+
+void add_wanderer(AnimationSystem& system, EntityPools::Kind kind, std::uint32_t agent) {
+  EXPECT_TRUE(system.add_post_process(agent, std::make_unique<WandererProcess>(kind)));
+}
+
 /// Half of the agents play one clip, half two; the last bone level lacks the head.
 std::uint64_t hash_of(const SystemOptions& options) {
   auto created = AnimationSystem::create(character(), options);
@@ -52,6 +96,7 @@ std::uint64_t hash_of(const SystemOptions& options) {
   }
   AnimationSystem& system = **created;
   const RigKinds kinds = rigs().add_to(system);
+  const EntityPools::Kind wanderers = system.add_entity_kind(wanderer_kind);
   system.set_agent_count(agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     system.play(agent, {.clip = 0, .start = agent * ticks_per_second / 60});
@@ -60,6 +105,7 @@ std::uint64_t hash_of(const SystemOptions& options) {
     if (agent % 5 > 1) add_gaze(system, kinds, agent);
     if (agent % 5 == 3) add_noise(system, agent);
     if (agent % 5 == 1 && agent % 3 == 1) add_gaze(system, kinds, agent);
+    if (agent % 5 == 4) add_wanderer(system, wanderers, agent);
   }
   std::vector<AgentUpdate> updates;
   for (int frame = 0; frame < frames; ++frame) {

@@ -19,6 +19,7 @@ struct Group {
   int count;
   int bones;
   bool is_rotation() const { return first_component == 0; }
+  /// A quad's, too, has room for four components.
   std::size_t bytes() const { return std::size_t{4} * static_cast<std::size_t>(bones) * sizeof(std::int16_t); }
 };
 constexpr Group rotation_group{0, 4, packet_bones};

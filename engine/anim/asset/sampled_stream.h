@@ -25,6 +25,9 @@ struct SampledRows {
 inline constexpr double least_row_dot = 0.8;
 bool turns_too_far(const SampledRows& rows);
 
+/// x, y and z of four bones, and four lanes that are nothing, so that it is a vector.
+inline constexpr int quad_lanes = 4 * quad_bones;
+
 /// The crowd's stream: one relocatable read-only block (paper 1.3), loadable with one read.
 ///
 ///     SampledStream | SampledPacket x packets | row 0 | row 1 | ... | last row
@@ -41,7 +44,6 @@ bool turns_too_far(const SampledRows& rows);
 ///
 /// Rotation is int16 / 32767 and not unit until normalised; position and scale are base + step * int16 /
 /// row_weight_unit, which is how rows come weighed.
-inline constexpr int quad_lanes = 4 * quad_bones;
 struct SampledPacket {
   std::int32_t rotation_offset;                ///< bytes into a row, or -1: the packet's 16 rotations are constant
   std::int32_t position_offset[packet_quads];  ///< bytes into a row, or -1

@@ -33,8 +33,8 @@ HWY_INLINE void weigh_pair(const std::int16_t* from, const std::int16_t* to, int
   second = weigh(from[word + 4], to[word + 4], weights);
 }
 
-HWY_INLINE Floats weigh_single(const std::int16_t* from, const std::int16_t* to, int bone, std::uint32_t weights) {
-  return weigh(from[bone], to[bone], weights);
+HWY_INLINE Floats weigh_lanes(const std::int16_t* from, const std::int16_t* to, int lane, std::uint32_t weights) {
+  return weigh(from[lane], to[lane], weights);
 }
 
 /// Lanes of a quad from `lane` on to where its bones are in the planes of x, y and z, which begin at `planes`.
@@ -70,11 +70,11 @@ HWY_INLINE void weigh_pair(const std::int16_t* from, const std::int16_t* to, int
   second = weigh(hn::InterleaveUpper(words, from_words, to_words), weights);
 }
 
-HWY_INLINE Floats weigh_single(const std::int16_t* from, const std::int16_t* to, int bone, std::uint32_t weights) {
+HWY_INLINE Floats weigh_lanes(const std::int16_t* from, const std::int16_t* to, int lane, std::uint32_t weights) {
   const hn::RebindToUnsigned<BoneLanes> wide;
   const hn::Rebind<std::uint16_t, BoneLanes> narrow;
-  const auto low = hn::PromoteTo(wide, hn::LoadU(narrow, reinterpret_cast<const std::uint16_t*>(from) + bone));
-  const auto high = hn::PromoteTo(wide, hn::LoadU(narrow, reinterpret_cast<const std::uint16_t*>(to) + bone));
+  const auto low = hn::PromoteTo(wide, hn::LoadU(narrow, reinterpret_cast<const std::uint16_t*>(from) + lane));
+  const auto high = hn::PromoteTo(wide, hn::LoadU(narrow, reinterpret_cast<const std::uint16_t*>(to) + lane));
   return weigh(hn::BitCast(Words(), hn::Or(low, hn::ShiftLeft<16>(high))), weights);
 }
 
@@ -152,7 +152,7 @@ HWY_INLINE Floats sampled_quad(const SamplePoint& point, const SampledRange& ran
   const std::int32_t offset = range.offsets[quad];
   if (offset < 0) return base;
   const Floats weighed =
-      weigh_single(group_words(point.from, offset), group_words(point.to, offset), lane, point.weights);
+      weigh_lanes(group_words(point.from, offset), group_words(point.to, offset), lane, point.weights);
   return hn::MulAdd(weighed, hn::Load(d, range.step[quad] + lane), base);
 }
 

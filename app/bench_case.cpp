@@ -32,11 +32,13 @@ class CaseBench {
  public:
   /// Everything that can be refused is refused here, before the first round.
   anim::Status prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents);
-  void run(int rounds, const std::string& label) { rounds_.run(rounds, label); }
+  const BenchTimes& run(int rounds, const std::string& label) {
+    rounds_.run(rounds, label);
+    return rounds_.times();
+  }
   void trace(TimelineLog& log);
   /// The pose hash belongs to the poses that were timed, but hashing does not belong into the time.
   std::uint64_t hash(int frames) const;
-  Json report() const;
   const anim::AnimationSystem& system() const { return update_->system(); }
 
  private:
@@ -45,16 +47,6 @@ class CaseBench {
   void add_kernels();
   void add_updates();
   void add_held(const anim::Model& model);
-  double write_floor() const;
-  double per_bone(double nanoseconds) const {
-    return nanoseconds / static_cast<double>(agents_.size()) / character_->skeleton.bone_count();
-  }
-  Json per_bone_or_null(const std::string& key) const {
-    return rounds_.has(key) ? Json(per_bone(rounds_.median(key))) : Json(nullptr);
-  }
-  Json ratio_or_null(const std::string& key, const std::string& other) const {
-    return rounds_.has(key) && rounds_.has(other) ? Json(rounds_.median_ratio(key, other)) : Json(nullptr);
-  }
 
   std::shared_ptr<const anim::Character> character_;
   anim::SystemOptions options_;
@@ -176,39 +168,42 @@ std::uint64_t CaseBench::hash(int frames) const {
   return (*made)->system().pose_hash();
 }
 
-double CaseBench::write_floor() const {
-  double fastest = rounds_.median(store_policies[0].first);
-  for (const auto& [key, policy] : store_policies) fastest = std::min(fastest, rounds_.median(key));
-  return fastest;
+/// The way of writing that took least.
+std::string write_floor(const BenchTimes& times) {
+  const auto median = [&](const auto& store) { return times.median(store.first); };
+  return std::ranges::min_element(store_policies, {}, median)->first;
 }
 
-Json CaseBench::report() const {
-  const double update = rounds_.median("update");
-  const double floor = write_floor();
+Json figures_of(const BenchTimes& times, double agents, double bones) {
+  const auto per_bone = [&](double nanoseconds) { return nanoseconds / agents / bones; };
+  const auto per_bone_or_null = [&](const std::string& key) {
+    return times.has(key) ? Json(per_bone(times.median(key))) : Json(nullptr);
+  };
+  const auto ratio_or_null = [&](const std::string& key, const std::string& other) {
+    return times.has(key) && times.has(other) ? Json(times.median_ratio(key, other)) : Json(nullptr);
+  };
+  const std::string floor = write_floor(times);
   Json json;
-  json["ns_per_bone_median"] = per_bone(update);
-  json["ns_per_bone_min"] = per_bone(rounds_.fastest("update"));
-  json["write_floor_ns_per_bone_median"] = per_bone(floor);
+  json["ns_per_bone_median"] = per_bone(times.median("update"));
+  json["ns_per_bone_min"] = per_bone(times.fastest("update"));
+  json["write_floor_ns_per_bone_median"] = per_bone(times.median(floor));
   json["scalar_ns_per_bone_median"] = per_bone_or_null("scalar");
-  json["keyframe_ns_per_bone_median"] = per_bone(rounds_.median("keyframe"));
+  json["keyframe_ns_per_bone_median"] = per_bone(times.median("keyframe"));
   json["kernels_ns_per_bone_median"] = per_bone_or_null("kernels");
   json["packed_kernels_ns_per_bone_median"] = per_bone_or_null("packed kernels");
-  json["one_pu_ns_per_bone_median"] = per_bone(rounds_.median("one pu"));
+  json["one_pu_ns_per_bone_median"] = per_bone(times.median("one pu"));
   json["held_ns_per_bone_median"] = per_bone_or_null("held");
   json["ozz_ns_per_bone_median"] = per_bone_or_null("ozz");
-  json["speedup_over_one_pu"] = rounds_.median("one pu") / update;
-  json["kernels_over_write_floor"] = rounds_.has("kernels") ? Json(rounds_.median("kernels") / floor) : Json(nullptr);
+  json["speedup_over_one_pu"] = times.median_ratio("one pu", "update");
+  json["kernels_over_write_floor"] = ratio_or_null("kernels", floor);
   json["kernels_over_packed_kernels"] = ratio_or_null("kernels", "packed kernels");
   json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
   json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
   json["ozz_over_one_pu"] = ratio_or_null("ozz", "one pu");
   json["other_stores_over_one_pu"] = ratio_or_null("other stores", "one pu");
   json["held_over_streaming"] = ratio_or_null("held", "one pu");
-  json["trace_cost_percent"] = 100.0 * (rounds_.fastest("traced") / rounds_.fastest("untraced") - 1.0);
-  json["agents_per_60hz_frame"] =
-      static_cast<std::int64_t>(static_cast<double>(agents_.size()) * (1e9 / 60.0) / update);
-  json["bytes_per_agent"] = system().bytes_per_agent();
-  json["stream_bytes_per_frame"] = system().stream_bytes();
+  json["trace_cost_percent"] = 100.0 * (times.median_ratio("traced", "untraced") - 1.0);
+  json["agents_per_60hz_frame"] = static_cast<std::int64_t>(agents * (1e9 / 60.0) / times.median("update"));
   return json;
 }
 
@@ -242,17 +237,19 @@ anim::SystemOptions bench_system_options(const BenchOptions& options, const Benc
 }
 
 anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options, const BenchCase& bench,
-                                                    const BenchCharacter& character, const std::string& label,
-                                                    std::optional<TimelineLog>& trace) {
+                                                    const BenchCharacter& character, const BenchPass& pass,
+                                                    BenchTimes& times, std::optional<TimelineLog>& trace) {
   CaseBench work;
   const anim::Status prepared = work.prepare(character, bench_system_options(options, bench), bench.agents);
   if (!prepared) return prepared.error();
-  work.run(options.frames, label);
+  times.append(work.run(pass.rounds, pass.label));
+  if (!pass.is_last) return Json(nullptr);
   if (trace) work.trace(*trace);
   const anim::ScheduleOptions& schedule = work.system().schedule();
+  const int bones = character.character->skeleton.bone_count();
   Json json;
   json["agents"] = bench.agents;
-  json["bones_per_agent"] = character.character->skeleton.bone_count();
+  json["bones_per_agent"] = bones;
   json["frames"] = options.frames;
   json["pus"] = schedule.pus;
   json["schedule"] = bench.schedule == Schedule::fused ? "fused" : "levels";
@@ -265,7 +262,9 @@ anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options,
   json["simd_target"] = work.system().kernels().target;
   json["pose_hash"] = hex_string(work.hash(options.frames));
   json["clips"] = character.character->clips.size();
-  json.update(work.report());
+  json.update(figures_of(times, bench.agents, bones));
+  json["bytes_per_agent"] = work.system().bytes_per_agent();
+  json["stream_bytes_per_frame"] = work.system().stream_bytes();
   json["rounds"] = options.frames;
   return json;
 }

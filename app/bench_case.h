@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/bench_options.h"
+#include "app/bench_times.h"
 #include "app/timeline_log.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/model.h"
@@ -24,11 +25,19 @@ anim::Result<BenchCharacter> bench_character(const std::string& model, int bones
 /// How a case is scheduled, without hashing.
 anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench);
 
+/// What is done of a case before the next one has its turn.
+struct BenchPass {
+  int rounds;
+  bool is_last;
+  std::string label;  ///< for a person at a terminal
+};
+
 /// Times whole update, bare kernels, their scalar twin, keyframe streams and write floor (and ozz where it was found)
-/// in interleaved rounds; one flat object of figures, as the README lists them. `trace`: gets some frames of it. The
-/// error is a usage error, found before the first round.
+/// in interleaved rounds, and puts them behind those of earlier passes in `times`. In the last pass `trace` gets some
+/// frames, and what is returned is one flat object of figures of all passes, as the README lists them; before, null.
+/// The error is a usage error, found before the first round.
 anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options, const BenchCase& bench,
-                                                    const BenchCharacter& character, const std::string& label,
-                                                    std::optional<TimelineLog>& trace);
+                                                    const BenchCharacter& character, const BenchPass& pass,
+                                                    BenchTimes& times, std::optional<TimelineLog>& trace);
 
 }  // namespace throng::app

@@ -11,12 +11,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/atomic_file.h"
-#include "app/bench_case.h"
 #include "app/bench_machine.h"
 #include "app/bench_plot.h"
-#include "app/bench_rounds.h"
 #include "app/bench_sweeps.h"
 #include "app/bench_table.h"
+#include "app/bench_turns.h"
 #include "app/exit_status.h"
 
 namespace throng::app {
@@ -36,45 +35,9 @@ constexpr std::array columns = {"agents",
                                 "kernels_ns_per_bone_median",
                                 "write_floor_ns_per_bone_median",
                                 "speedup_over_one_pu",
+                                "ns_per_bone_over_first_row",
                                 "agents_per_60hz_frame",
                                 "bytes_per_agent"};
-
-/// Every combination of the lists, the first list slowest; a model brings its own bones and clips.
-std::vector<BenchCase> cases_of(const BenchOptions& options) {
-  std::vector<BenchCase> cases;
-  for (const int bones : options.bones)
-    for (const int clips : options.clips)
-      for (const int agents : options.agents)
-        for (const int pus : options.pus)
-          for (const Schedule schedule : options.schedules)
-            for (const Stream stream : options.streams) cases.push_back({agents, bones, clips, pus, schedule, stream});
-  return cases;
-}
-
-std::string label_of(std::size_t index, std::size_t count, const BenchCase& bench) {
-  if (count == 1) return "";
-  return std::to_string(index + 1) + " of " + std::to_string(count) + ": " + std::to_string(bench.agents) +
-         " agents, " + std::to_string(bench.bones) + " bones, ";
-}
-
-/// Null where the table is done, else what ended it.
-std::optional<int> measure(const BenchOptions& options, Rows& rows, std::optional<TimelineLog>& trace) {
-  const std::vector<BenchCase> cases = cases_of(options);
-  std::optional<BenchCharacter> character;
-  std::pair<int, int> built;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (!character || (options.model.empty() && built != std::pair(cases[i].bones, cases[i].clips))) {
-      auto made = bench_character(options.model, cases[i].bones, cases[i].clips);
-      if (!made) return end_with(exit_job_failed, made.error().message);
-      character = std::move(*made);
-      built = {cases[i].bones, cases[i].clips};
-    }
-    auto row = run_bench_case(options, cases[i], *character, label_of(i, cases.size(), cases[i]), trace);
-    if (!row) return end_with(exit_usage, row.error().message);
-    rows.push_back(std::move(*row));
-  }
-  return {};
-}
 
 std::string plot_of_one(const Json& row) {
   constexpr std::array<std::pair<const char*, const char*>, 7> subjects = {
@@ -145,7 +108,7 @@ int run_table(const BenchOptions& options) {
   Rows rows;
   std::optional<TimelineLog> trace;
   if (!options.trace.empty()) trace.emplace();
-  if (const auto ended = measure(options, rows, trace)) return *ended;
+  if (const auto ended = run_cases(options, rows, trace)) return *ended;
   if (trace) {
     const anim::Status written = write_whole_file(options.trace, trace->to_json());
     if (!written) return end_with(exit_job_failed, written.error().message);

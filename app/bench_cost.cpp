@@ -141,7 +141,7 @@ anim::Result<BenchReport> sweep_cost(const BenchOptions& options) {
   LeastSquares fit(names.size());
   std::vector<Json> rows;
   for (std::size_t i = 0; i < crowds.size(); ++i) {
-    const double agent_ns = rounds.fastest(key_of(i)) / agents_of_a_crowd;
+    const double agent_ns = rounds.times().fastest(key_of(i)) / agents_of_a_crowd;
     fit.add(parts_of(crowds[i]->shape, crowds[i]->tiles_an_agent()), agent_ns, 1.0 / agent_ns);
     const Shape& shape = crowds[i]->shape;
     rows.push_back({{"bones", shape.bones},

@@ -6,14 +6,12 @@
 
 #include <unistd.h>
 
-#include "app/statistics.h"
-
 namespace throng::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int warm_up_rounds = 2;
+constexpr int warm_up_rounds = 1;
 constexpr std::chrono::milliseconds settling_time(10);
 
 void settle(const BenchSubject& subject) {
@@ -35,36 +33,12 @@ double time(const BenchSubject& subject) {
 void BenchRounds::run(int rounds, const std::string& label) {
   for (int round = -warm_up_rounds; round < rounds; ++round) {
     show_progress(label + "round " + std::to_string(std::max(round + 1, 0)) + " of " + std::to_string(rounds));
-    for (Timed& timed : subjects_) {
-      const double nanoseconds = time(timed.subject);
-      if (round >= 0) timed.nanoseconds.push_back(nanoseconds);
+    for (const BenchSubject& subject : subjects_) {
+      const double nanoseconds = time(subject);
+      if (round >= 0) times_.add(subject.key, nanoseconds);
     }
   }
   show_progress("");
-}
-
-const std::vector<double>* BenchRounds::times_of(const std::string& key) const {
-  const auto found = std::ranges::find(subjects_, key, [](const Timed& timed) { return timed.subject.key; });
-  return found == subjects_.end() ? nullptr : &found->nanoseconds;
-}
-
-double BenchRounds::median(const std::string& key) const {
-  const std::vector<double>* times = times_of(key);
-  return times == nullptr ? 0.0 : app::median(*times);
-}
-
-double BenchRounds::fastest(const std::string& key) const {
-  const std::vector<double>* times = times_of(key);
-  return times == nullptr || times->empty() ? 0.0 : *std::ranges::min_element(*times);
-}
-
-double BenchRounds::median_ratio(const std::string& key, const std::string& other) const {
-  const std::vector<double>* times = times_of(key);
-  const std::vector<double>* others = times_of(other);
-  if (times == nullptr || others == nullptr) return 0.0;
-  std::vector<double> ratios;
-  for (std::size_t round = 0; round < times->size(); ++round) ratios.push_back((*times)[round] / (*others)[round]);
-  return app::median(std::move(ratios));
 }
 
 void show_progress(const std::string& text) {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/bench_times.h"
+
 namespace throng::app {
 
 /// Something that is timed once a round.
@@ -19,26 +21,16 @@ struct BenchSubject {
 /// among frames.
 class BenchRounds {
  public:
-  void add(BenchSubject subject) { subjects_.push_back({std::move(subject), {}}); }
+  void add(BenchSubject subject) { subjects_.push_back(std::move(subject)); }
 
-  /// After some rounds to warm up. `label` stands before the count of rounds, for a person at a terminal.
+  /// After a round to warm up. `label` stands before the count of rounds, for a person at a terminal.
   void run(int rounds, const std::string& label);
 
-  bool has(const std::string& key) const { return times_of(key) != nullptr; }
-  /// Nanoseconds of one run; 0 if there is no such subject.
-  double median(const std::string& key) const;
-  double fastest(const std::string& key) const;
-  /// Of one run of `key` over one of `other`, round by round.
-  double median_ratio(const std::string& key, const std::string& other) const;
+  const BenchTimes& times() const { return times_; }
 
  private:
-  struct Timed {
-    BenchSubject subject;
-    std::vector<double> nanoseconds;
-  };
-  const std::vector<double>* times_of(const std::string& key) const;
-
-  std::vector<Timed> subjects_;
+  std::vector<BenchSubject> subjects_;
+  BenchTimes times_;
 };
 
 /// Rewrites its own line on standard error, and only where that is a terminal; an empty text clears it.

@@ -51,9 +51,9 @@ anim::Status sweep_steps(const BenchOptions& options, const BenchCase& bench, in
     const double bones = static_cast<double>(bench.agents) * bench.bones;
     rows.push_back({{"keys_per_second", keys},
                     {"step_ms", 1000.0 / steps},
-                    {"ns_per_bone_median", rounds.median("plain") / bones},
-                    {"prefetched_ns_per_bone_median", rounds.median("prefetched") / bones},
-                    {"prefetched_over_plain", rounds.median_ratio("prefetched", "plain")},
+                    {"ns_per_bone_median", rounds.times().median("plain") / bones},
+                    {"prefetched_ns_per_bone_median", rounds.times().median("prefetched") / bones},
+                    {"prefetched_over_plain", rounds.times().median_ratio("prefetched", "plain")},
                     {"stream_bytes_per_frame", subject->system().stream_bytes()},
                     {"stream_bytes_in_all", stream_bytes(*character, plain.stream)}});
   }

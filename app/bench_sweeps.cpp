@@ -33,7 +33,9 @@ struct SweptCrowd {
   std::unique_ptr<SystemSubject> subject;
   BenchRounds rounds;
 
-  double per_agent(const std::string& key) const { return rounds.median(key) / static_cast<double>(agents.size()); }
+  double per_agent(const std::string& key) const {
+    return rounds.times().median(key) / static_cast<double>(agents.size());
+  }
 };
 
 anim::Status make(SweptCrowd& crowd, const BenchCharacter& character, const anim::SystemOptions& options, int agents) {
@@ -86,9 +88,9 @@ anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& cha
     add(crowd, "all", all);
     crowd.rounds.run(options.frames, std::to_string(agents) + " agents: ");
     rows.push_back({{"agents", agents},
-                    {"one_pu_us", crowd.rounds.median("one") / 1000.0},
-                    {"all_pus_us", crowd.rounds.median("all") / 1000.0},
-                    {"speedup_over_one_pu", crowd.rounds.median_ratio("one", "all")}});
+                    {"one_pu_us", crowd.rounds.times().median("one") / 1000.0},
+                    {"all_pus_us", crowd.rounds.times().median("all") / 1000.0},
+                    {"speedup_over_one_pu", crowd.rounds.times().median_ratio("one", "all")}});
   }
   return anim::Done{};
 }

@@ -103,7 +103,7 @@ anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& l
   }
   rounds.run(timed_rounds, source.name + ", ");
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    levels[level].nanoseconds = rounds.median(key_of(level)) / timed_agents;
+    levels[level].nanoseconds = rounds.times().median(key_of(level)) / timed_agents;
   }
   return anim::Done{};
 }

@@ -1,5 +1,6 @@
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -9,6 +10,8 @@
 #include "app/bench_plot.h"
 #include "app/bench_rounds.h"
 #include "app/bench_table.h"
+#include "app/bench_times.h"
+#include "app/bench_turns.h"
 
 namespace throng::app {
 namespace {
@@ -78,12 +81,58 @@ TEST(Rounds, RunEachSubjectInEachRoundInItsTurn) {
     rounds.add({name, [&order, name] { order += order.ends_with(name) ? "" : name; }});
   }
   rounds.run(2, "");
-  EXPECT_EQ(order, "abababab") << "two rounds to warm up, two that count";
-  EXPECT_GT(rounds.median("a"), 0.0);
-  EXPECT_GE(rounds.median("a"), rounds.fastest("a"));
-  EXPECT_GT(rounds.median_ratio("a", "b"), 0.0);
-  EXPECT_FALSE(rounds.has("c"));
-  EXPECT_EQ(rounds.median("c"), 0.0);
+  EXPECT_EQ(order, "ababab") << "one round to warm up, two that count";
+  EXPECT_GT(rounds.times().median("a"), 0.0);
+}
+
+BenchTimes times_of(const char* key, const std::vector<double>& nanoseconds) {
+  BenchTimes times;
+  for (const double round : nanoseconds) times.add(key, round);
+  return times;
+}
+
+TEST(Times, HaveAMedianAndALeastAndAreZeroOfWhatWasNotTimed) {
+  const BenchTimes times = times_of("a", {30, 10, 20});
+  EXPECT_EQ(times.median("a"), 20.0);
+  EXPECT_EQ(times.fastest("a"), 10.0);
+  EXPECT_FALSE(times.has("b"));
+  EXPECT_EQ(times.median("b"), 0.0);
+  EXPECT_EQ(times.fastest("b"), 0.0);
+  EXPECT_EQ(times.median_ratio("a", "b"), 0.0);
+}
+
+// The machine was three times as slow in the rounds in the middle: medians of the times would say 60 / 40.
+TEST(Times, AreComparedRoundByRoundSoThatASlowMinuteMeetsBoth) {
+  BenchTimes times = times_of("a", {20, 60, 60, 60, 20});
+  times.append(times_of("b", {10, 30, 30, 40, 40}));
+  EXPECT_EQ(times.median_ratio("a", "b"), 2.0);
+  EXPECT_EQ(times.median_ratio("b", "a"), 0.5);
+}
+
+TEST(Times, OfALaterPassGoBehindThoseBefore) {
+  BenchTimes times = times_of("a", {10, 20});
+  times.append(times_of("a", {90}));
+  EXPECT_EQ(times.median("a"), 20.0);
+  EXPECT_EQ(times.median_ratio("a", times_of("b", {10, 10, 30, 1}), "b"), 2.0) << "of rounds that both have";
+}
+
+TEST(Turns, OfOneCaseAreOnePassAndOfSeveralFourRoundsEachAtMost) {
+  using testing::ElementsAre;
+  EXPECT_THAT(rounds_of_passes(60, 1), ElementsAre(60));
+  EXPECT_THAT(rounds_of_passes(8, 3), ElementsAre(4, 4));
+  EXPECT_THAT(rounds_of_passes(9, 2), ElementsAre(3, 3, 3));
+  EXPECT_THAT(rounds_of_passes(10, 2), ElementsAre(4, 3, 3));
+  EXPECT_THAT(rounds_of_passes(1, 2), ElementsAre(1));
+}
+
+TEST(Turns, AreOfAllCombinationsTheFirstListSlowest) {
+  BenchOptions options;
+  options.clips = {2, 24};
+  options.agents = {100, 1000};
+  std::vector<std::pair<int, int>> found;
+  for (const BenchCase& bench : bench_cases(options)) found.emplace_back(bench.clips, bench.agents);
+  EXPECT_THAT(found,
+              testing::ElementsAre(std::pair(2, 100), std::pair(2, 1000), std::pair(24, 100), std::pair(24, 1000)));
 }
 
 }  // namespace

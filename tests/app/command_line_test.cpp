@@ -117,7 +117,7 @@ TEST_F(CommandLine, SaysNothingButFiguresWhenABenchSucceeds) {
 
 TEST_F(CommandLine, MeasuresATableAndDrawsIt) {
   const fs::path plot = folder_ / "plot.svg";
-  const ProgramRun run = run_program({"bench", "--agents", "2,4", "--bones", "8", "--pus", "1,2", "--frames", "1",
+  const ProgramRun run = run_program({"bench", "--agents", "2,4", "--bones", "8", "--pus", "1,2", "--frames", "5",
                                       "--json", "-", "--plot", plot.string()});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   const nlohmann::json table = nlohmann::json::parse(run.output, nullptr, false);
@@ -125,7 +125,12 @@ TEST_F(CommandLine, MeasuresATableAndDrawsIt) {
   ASSERT_EQ(table["rows"].size(), 4U);
   EXPECT_EQ(table["rows"][0]["agents"], 2);
   EXPECT_EQ(table["rows"][3]["pus"], 2);
-  for (const auto& row : table["rows"]) EXPECT_EQ(row["pose_hash"].get<std::string>().size(), 16U);
+  EXPECT_EQ(table["rows"][0]["ns_per_bone_over_first_row"], 1.0);
+  for (const auto& row : table["rows"]) {
+    EXPECT_EQ(row["rounds"], 5);
+    EXPECT_GT(row["ns_per_bone_over_first_row"], 0.0);
+    EXPECT_EQ(row["pose_hash"].get<std::string>().size(), 16U);
+  }
   EXPECT_EQ(table["rows"][2]["pose_hash"], table["rows"][3]["pose_hash"]) << "whatever the number of PUs";
   EXPECT_TRUE(fs::exists(plot));
 }

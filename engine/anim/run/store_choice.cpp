@@ -25,10 +25,14 @@ double seconds_to_write(std::span<float> lines, StorePolicy stores) {
   return least;
 }
 
+/// Whoever reads lines next finds them there, and a busy neighbour takes caches away for a while: so ties are theirs.
+constexpr double clearly_longer = 1.1;
+
 bool measured_faster_where_they_lie(std::size_t bytes) {
   const AlignedBytes memory = allocate_aligned(bytes);
   const std::span lines(reinterpret_cast<float*>(memory.get()), bytes / sizeof(float));
-  return seconds_to_write(lines, StorePolicy::prefetched) < seconds_to_write(lines, StorePolicy::streaming);
+  const double past_the_caches = seconds_to_write(lines, StorePolicy::streaming);
+  return seconds_to_write(lines, StorePolicy::prefetched) < clearly_longer * past_the_caches;
 }
 
 }  // namespace

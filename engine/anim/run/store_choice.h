@@ -12,9 +12,10 @@ namespace throng::anim {
 /// again is written fastest where it lies, and whoever reads it next finds it there. What is not would be fetched from
 /// memory only to be overwritten: it is written past the caches, on machines where that is faster.
 
-/// Up to so many bytes are written fastest where they lie: a power of two, from least_cached_bytes to below
-/// most_measured_bytes, or any_bytes. Measured when it is first asked for, in some tenths of a second and with twice as
-/// much memory for as long: what a machine says of its caches is not what it lends to one program.
+/// Up to so many bytes are written fastest where they lie, or within a tenth of that: a power of two, from
+/// least_cached_bytes to below most_measured_bytes, or any_bytes. Measured when it is first asked for, in some tenths
+/// of a second and with twice as much memory for as long: what a machine says of its caches is not what it lends to one
+/// program.
 std::size_t cached_bytes();
 inline constexpr std::size_t least_cached_bytes = std::size_t{8} << 20U;
 inline constexpr std::size_t most_measured_bytes = std::size_t{128} << 20U;

@@ -133,8 +133,7 @@ void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t fir
   anim::PoseClipsJob clips = clips_.job(components, local_);
   for (int packet = 0; packet < anim::packets_for(bones); ++packet) {
     clips.packet = packet;
-    clips.displaced = components == anim::general_components ? anim::all_quads
-                                                             : anim::quads_of_packet(clips_.displaced_quads(), packet);
+    clips.displaced = anim::quads_of_packet(clips_.displaced_quads(), packet);
     kernels_->pose_clips(clips);
     kernels_->model_palette({.hierarchy = &character_->hierarchy,
                              .packet = packet,

@@ -163,7 +163,9 @@ void write_ranges(const Source& source, int packet, const Group& group, float (*
   }
 }
 
-QuadMask displaced_quads(const SampledPacket& packet) {
+/// On general skeletons positions are no displacements: all are wanted.
+QuadMask displaced_quads(const SampledRows& rows, const SampledPacket& packet) {
+  if (rows.components == general_components) return all_quads;
   QuadMask quads = 0;
   for (int quad = 0; quad < packet_quads; ++quad) {
     const auto is_zero = [](float value) { return value == 0.0F; };
@@ -275,7 +277,7 @@ void encode_sampled_stream(const SampledRows& rows, Ticks duration, std::span<st
   packets.reserve(static_cast<std::size_t>(source.packets()));
   for (int packet = 0; packet < source.packets(); ++packet) {
     packets.push_back(describe_packet(rows, source, layout, packet));
-    stream.displaced_quads |= std::uint64_t{displaced_quads(packets.back())} << first_quad_bit(packet);
+    stream.displaced_quads |= std::uint64_t{displaced_quads(rows, packets.back())} << first_quad_bit(packet);
   }
   std::memcpy(block.data(), &stream, sizeof(stream));
   std::memcpy(block.data() + sizeof(stream), packets.data(), packets.size() * sizeof(SampledPacket));

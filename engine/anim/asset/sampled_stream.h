@@ -68,7 +68,7 @@ struct alignas(64) SampledStream {
   Ticks row_step;
   std::uint64_t rows_per_tick;  ///< in 1/2^64, rounded up: a division that is made once
   Ticks duration;
-  std::uint64_t displaced_quads;  ///< those with positions other than 0, few on rigid skeletons; see quads_of_packet
+  std::uint64_t displaced_quads;  ///< with positions other than 0; on general skeletons all; see quads_of_packet
 
   int packet_count() const { return packets_for(bone_count); }
   const SampledPacket* packets() const { return reinterpret_cast<const SampledPacket*>(this + 1); }

@@ -152,6 +152,11 @@ TEST(SampledStream, KnowsTheQuadsThatAreDisplacedAndPacketsFromTheSixteenthOnTog
   for (const int packet : {15, 16, 19}) EXPECT_EQ(quads_of_packet(quads, packet), 0b0110U);
 }
 
+TEST(SampledStream, TakesAllQuadsOfGeneralSkeletonsForDisplaced) {
+  const StreamBlock block(still_rows(40, general_components, 3));
+  for (const int packet : {0, 1, 2}) EXPECT_EQ(quads_of_packet(block.stream().displaced_quads, packet), all_quads);
+}
+
 TEST(SampledStream, TakesNoiseBelowTheQuantisationForConstant) {
   SampledRows rows = still_rows(16, rigid_components, 30);
   for (int row = 0; row < 30; row += 2) row_value(rows, row, 0, 0, 5) += 0.9F / 32767.0F;

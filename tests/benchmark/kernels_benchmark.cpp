@@ -215,11 +215,8 @@ class Workbench {
             offset_decay(0.05F, 0.1F), rigid_components,   out_.front().floats};
   }
   NoiseJob noise() {
-    shaken_ = {.from = from_.front().floats,
-               .out = from_.front().floats,
-               .moment = &noise_moment_,
-               .bone_weights = nullptr,
-               .amplitude = 0.02F};
+    shaken_ = {
+        .from = from_.front().floats, .out = from_.front().floats, .moment = &noise_moment_, .bone_weights = nullptr};
     return {.characters = {&shaken_, 1}, .packet = 1, .bone_count = bones};
   }
   /// Two clips for each character of a tile, or as many that show one.
@@ -247,7 +244,7 @@ class Workbench {
   }
 
  private:
-  NoiseMoment noise_moment_ = noise_moment(1, noise_at(12345678, 3.0F));
+  NoiseMoment noise_moment_ = noise_moment(1, noise_at(12345678, 3.0F), 0.02F);
   ShakenBones shaken_;
   HierarchyProgram program_ = compile_hierarchy(branching_skeleton());
   Lines stream_ = stream_of(turning_rows(1.0));

@@ -80,19 +80,36 @@ struct PacketJob {
   float* out = nullptr;                   ///< may be one of the sources
 };
 
-/// An entity and the pose of its first source, which it changes.
-struct PosedEntity {
-  EntityInStore entity;
-  PoseView pose;
+/// Entities of one layout, each of another character, and the poses of their first sources, which they change.
+struct PosedEntities {
+  struct Place {
+    std::byte* block;
+    std::byte* prepared;
+    float* pose;
+  };
+
+  std::span<const Place> places;
+  EntityInStore alike;   ///< what all have in common, but for places
+  PoseView poses_alike;  ///< the same of their poses
+
+  std::size_t size() const { return places.size(); }
+  EntityInStore entity(std::size_t i) const {
+    return {.block = places[i].block, .prepared = places[i].prepared, .layout = alike.layout, .assets = alike.assets};
+  }
+  PoseView pose(std::size_t i) const {
+    PoseView pose = poses_alike;
+    pose.first = places[i].pose;
+    return pose;
+  }
 };
 
-/// 16 bones of entities of one kind, each of another character.
+/// 16 bones of such poses.
 struct PacketsJob {
-  std::span<const PosedEntity> all;
+  PosedEntities all;
   int packet = 0;
   std::size_t offset = 0;  ///< floats, to where these bones lie in each pose
 
-  float* bones_of(const PosedEntity& each) const { return each.pose.first + offset; }
+  float* bones_of(std::size_t i) const { return all.places[i].pose + offset; }
 };
 
 /// Paper 2.2.6: "Following the formula we can derive various animation tasks that can result in animation states." What
@@ -129,7 +146,7 @@ struct EntityKind {
   bool displaces = true;    ///< false: positions are those of its only source
   /// For up to widest_tile characters at once, each as pose_whole would, to the bit and whoever the others are; called
   /// where these stand side by side. Null: pose_whole is called for each.
-  void (*pose_tile)(std::span<const PosedEntity> all) = nullptr;
+  void (*pose_tile)(const PosedEntities& all) = nullptr;
   /// The same of pose_packet, where it changes bones where they lie.
   void (*pose_packets)(const PacketsJob& job) = nullptr;
 

@@ -14,31 +14,28 @@ void advance_look(const EntityInStore& entity, const SourcesInStore& sources) {
 }
 
 /// Part by part: a whole job would be copied, which waits for the parts that were just written.
-void set_job(const PosedEntity& posed, LookAtJob& job) {
-  const EntityInStore& entity = posed.entity;
+void set_job(const EntityInStore& entity, const PoseView& pose, LookAtJob& job) {
   const auto& look = entity.as<LookAtEntity>();
   auto& memory = entity.private_as<LookAtMemory>();
   job.rig = &entity.resource_as<LookAtRig>();
   job.state = &memory.gaze;
-  job.pose = posed.pose;
+  job.pose = pose;
   job.target = {look.target[0], look.target[1], look.target[2]};
   job.seconds = entity.prepared_as<WholePoseStep>().seconds;
   job.weight = value(look.weight);
   job.limits = memory.limits;
 }
 
-void turn_all_to_targets(std::span<const PosedEntity> all) {
+void turn_all_to_targets(const PosedEntities& all) {
   std::array<LookAtJob, widest_tile> jobs;
-  for (std::size_t i = 0; i < all.size(); ++i) set_job(all[i], jobs[i]);
-  all.front().entity.assets->kernels->look_at(std::span(jobs).first(all.size()));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i].entity.private_as<LookAtMemory>().remaining = jobs[i].remaining;
-  }
+  for (std::size_t i = 0; i < all.size(); ++i) set_job(all.entity(i), all.pose(i), jobs[i]);
+  all.alike.assets->kernels->look_at(std::span(jobs).first(all.size()));
+  for (std::size_t i = 0; i < all.size(); ++i) all.entity(i).private_as<LookAtMemory>().remaining = jobs[i].remaining;
 }
 
 void turn_to_target(const EntityInStore& entity, const PoseView& pose) {
-  const PosedEntity alone{entity, pose};
-  turn_all_to_targets({&alone, 1});
+  const PosedEntities::Place place{.block = entity.block, .prepared = entity.prepared, .pose = pose.first};
+  turn_all_to_targets({.places = {&place, 1}, .alike = entity, .poses_alike = pose});
 }
 
 }  // namespace

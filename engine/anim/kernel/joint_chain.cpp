@@ -41,11 +41,6 @@ Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone) {
   return chain;
 }
 
-bool is_within(const JointChain& chain, const PoseView& pose) {
-  assert(chain.count > 0);
-  return chain.bones[static_cast<std::size_t>(chain.tip())] < pose.bone_count;
-}
-
 void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMotion> motions, int first) {
   assert(is_within(chain, pose) && pose.components == rigid_components);
   assert(motions.size() >= static_cast<std::size_t>(chain.count));

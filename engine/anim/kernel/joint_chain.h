@@ -42,7 +42,9 @@ using ChainMotion = std::array<JointMotion, JointChain::max_joints>;
 Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone);
 
 /// Whether the pose has all of the chain. Levels of detail drop limb ends; then there is nothing to do.
-bool is_within(const JointChain& chain, const PoseView& pose);
+inline bool is_within(const JointChain& chain, const PoseView& pose) {
+  return chain.bones.data()[chain.tip()] < pose.bone_count;
+}
 
 /// Poses the joints from `first` on; those before it are as posed before. `motions` has at least chain.count elements.
 /// With M rotations from the bind pose, X positions, q' and d the state (ReferenceFrame) and p the parent:

@@ -78,18 +78,22 @@ struct LookLanes {
                     .pitch = {pitch.of[lane], pitch_velocity.of[lane]},
                     .started = true};
       job.remaining = remaining.of[lane];
-      for (int i = 0; i < rig.joint_count; ++i) {
-        const int joint = rig.joints.data()[i];
-        float* to = lane_of(job.pose, rig.chain.bones.data()[joint]);
-        for (int part = 0; part < 4; ++part) to[part * packet_bones] = joints[joint][part].of[lane];
-      }
     }
+    for (int i = 0; i < rig.joint_count; ++i) store_rotation(rig.chain, rig.joints.data()[i], jobs);
   }
 
  private:
   static float* lane_of(const PoseView& pose, int bone) {
     const auto place = static_cast<unsigned>(bone);
     return pose.packet(static_cast<int>(place / packet_bones)) + place % packet_bones;
+  }
+  void store_rotation(const JointChain& chain, int joint, std::span<LookAtJob* const> jobs) const {
+    const Lane<D>* const parts = joints[joint];
+    const int bone = chain.bones.data()[joint];
+    for (std::size_t lane = 0; lane < jobs.size(); ++lane) {
+      float* const to = lane_of(jobs[lane]->pose, bone);
+      for (int part = 0; part < 4; ++part) to[part * packet_bones] = parts[part].of[lane];
+    }
   }
   /// Bones that lie side by side are read together, four of each character; positions of those that nobody displaces
   /// are not.

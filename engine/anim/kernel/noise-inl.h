@@ -31,11 +31,11 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> spread_bones(D, int first_bone) {
   return folded(hn::Mul(bones, hn::Set(lanes, 0x9E3779B9U)));
 }
 
-/// The values, -2^31 to 2^31, of bones between three lattice points, one an axis. Each comes from a bijective mix of
-/// 32 bits, the first round of Wellons' lowbias32: keys and spread bones are mixed already, and the values of no two
-/// bones or axes correlate by more than a tenth.
+/// Half the turns of bones between three lattice points, about each axis. Their values, -2^31 to 2^31, come from a
+/// bijective mix of 32 bits, the first round of Wellons' lowbias32: keys and spread bones are mixed already, and the
+/// values of no two bones or axes correlate by more than a tenth.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Vectors<V> noise_values(D d, const NoiseMoment& moment, hn::Vec<hn::RebindToUnsigned<D>> spread) {
+HWY_INLINE Vectors<V> half_turns(D d, const NoiseMoment& moment, hn::Vec<hn::RebindToUnsigned<D>> spread) {
   const hn::RebindToUnsigned<D> unsigned_lanes;
   const hn::RebindToSigned<D> signed_lanes;
   Vectors<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
@@ -77,32 +77,26 @@ struct NoiseLanes {
   int left;  ///< of the bone count; may be 0 or less
 };
 
+/// Each bone's share of the amplitude; 0 for none.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V amplitudes_of(D d, const ShakenBones& bones, const NoiseLanes<D>& lanes) {
-  const V even = hn::Set(d, bones.amplitude);
-  const V amplitudes =
-      bones.bone_weights == nullptr ? even : hn::Mul(even, hn::Load(d, bones.bone_weights + lanes.bone));
-  return hn::IfThenElseZero(hn::Lt(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(lanes.left))), amplitudes);
-}
-
-template <bool small, class D, class V = hn::Vec<D>>
-HWY_INLINE Quaternions<V> shaken(D d, const ShakenBones& bones, const NoiseLanes<D>& lanes, const Quaternions<V>& from,
-                                 V amplitude) {
-  constexpr float half_axis_share = 0.288675135F;  // 1 / sqrt(12): three axes at their ends make half of the amplitude
-  const auto values = noise_values(d, *bones.moment, lanes.spread);
-  return turned_by<small>(d, from, scaled(values, hn::Mul(amplitude, hn::Set(d, half_axis_share * 0x1p-31F))));
+HWY_INLINE V weights_of(D d, const ShakenBones& bones, const NoiseLanes<D>& lanes) {
+  const V weights = bones.bone_weights == nullptr ? hn::Set(d, 1.0F) : hn::Load(d, bones.bone_weights + lanes.bone);
+  const int left = bones.moment->amplitude > 0.0F ? lanes.left : 0;
+  return hn::IfThenElseZero(hn::Lt(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(left))), weights);
 }
 
 template <bool small, class D>
 HWY_INLINE void noise_lanes(D d, const ShakenBones& bones, const NoiseLanes<D>& lanes) {
+  const NoiseMoment& moment = *bones.moment;
   const auto from = load_quaternions(d, bones.from + lanes.bone, packet_bones);
-  const bool everywhere = bones.bone_weights == nullptr && bones.amplitude > 0.0F && lane_count<D> <= lanes.left;
+  const auto turns = half_turns(d, moment, lanes.spread);
+  const bool everywhere = bones.bone_weights == nullptr && moment.amplitude > 0.0F && lane_count<D> <= lanes.left;
   if (everywhere) {
-    store(d, shaken<small>(d, bones, lanes, from, hn::Set(d, bones.amplitude)), bones.out + lanes.bone, packet_bones);
+    store(d, turned_by<small>(d, from, turns), bones.out + lanes.bone, packet_bones);
   } else {
-    const auto amplitude = amplitudes_of(d, bones, lanes);
-    const auto turned = shaken<small>(d, bones, lanes, from, amplitude);
-    store(d, choose(hn::Eq(amplitude, hn::Zero(d)), from, turned), bones.out + lanes.bone, packet_bones);
+    const auto weights = weights_of(d, bones, lanes);
+    const auto turned = turned_by<small>(d, from, scaled(turns, weights));
+    store(d, choose(hn::Eq(weights, hn::Zero(d)), from, turned), bones.out + lanes.bone, packet_bones);
   }
 }
 
@@ -113,7 +107,7 @@ inline void noise(const NoiseJob& shared) {
     const int first_bone = job.packet * packet_bones + bone;
     const NoiseLanes<D> lanes{spread_bones(D(), first_bone), bone, job.bone_count - first_bone};
     for (const ShakenBones& bones : job.characters) {
-      if (bones.amplitude <= small_amplitude) {
+      if (bones.moment->amplitude <= small_amplitude) {
         noise_lanes<true>(D(), bones, lanes);
       } else {
         noise_lanes<false>(D(), bones, lanes);

@@ -15,8 +15,9 @@ struct NoisePoint {
   float fraction = 0.0F;  ///< 0 to 1
 };
 
-/// `frequency` lattice points a second, 0 or more. Whole seconds and the rest are kept apart, so the fraction is as
-/// exact after years as it is at first. Negative times are as good as others.
+/// `frequency` lattice points a second, 0 or more; above half a point a tick it is taken for that. Whole seconds and
+/// the rest are kept apart, so the fraction is as exact after years as it is at first. Negative times are as good as
+/// others.
 NoisePoint noise_at(Ticks time, float frequency);
 
 /// The upper half of the bits mixed into the lower one; of an exclusive or it is that of both.
@@ -26,9 +27,10 @@ constexpr std::uint32_t folded(std::uint32_t bits) { return bits ^ (bits >> 16);
 /// quadratic B-spline.
 struct NoiseMoment {
   std::array<std::uint32_t, 3> keys{};  ///< folded
-  std::array<float, 3> shares{};        ///< their sum is 1
+  std::array<float, 3> shares{};        ///< half the turn, rad, for a value of 1; values are -2^31 to 2^31
+  float amplitude = 0.0F;               ///< rad, 0 to pi: no turn is ever larger
 };
-NoiseMoment noise_moment(std::uint64_t seed, const NoisePoint& point);
+NoiseMoment noise_moment(std::uint64_t seed, const NoisePoint& point, float amplitude);
 
 /// Noise: turns bones a little, out = from * rotation, smoothly (its velocity has no jumps) and always the same at the
 /// same time. Each axis of each bone has a value from -1 to 1 at every lattice point, ten bits and more of an integer
@@ -39,7 +41,6 @@ struct ShakenBones {
   float* out;                 ///< [components][16]
   const NoiseMoment* moment;  ///< of the character
   const float* bone_weights;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
-  float amplitude;            ///< rad, 0 to pi: no turn is ever larger
 };
 struct NoiseJob {
   std::span<const ShakenBones> characters;

@@ -16,7 +16,7 @@ struct PoseView {
   std::size_t packet_stride = 0;  ///< floats, at least components * 16
   int components = rigid_components;
   int bone_count = 0;  ///< bones at and above it (another level of detail's) are not there
-  std::uint64_t displaced_quads = ~std::uint64_t{0};  ///< others' positions are 0; as quads_of_packet reads them
+  std::uint64_t displaced_quads = ~std::uint64_t{0};  ///< others' positions are 0 and need not be there; see displaces
 
   float* packet(int index) const { return first + static_cast<std::size_t>(index) * packet_stride; }
 
@@ -32,7 +32,11 @@ struct PoseView {
     lane[3 * packet_bones] = rotation.w;
   }
 
+  bool displaces(int bone) const {
+    return is_in(quads_of_packet(displaced_quads, bone / packet_bones), bone % packet_bones / quad_bones);
+  }
   glm::vec3 position(int bone) const {
+    if (!displaces(bone)) return glm::vec3(0.0F);
     const float* lane = packet(bone / packet_bones) + 4 * packet_bones + bone % packet_bones;
     return {lane[0], lane[packet_bones], lane[2 * packet_bones]};
   }

@@ -12,7 +12,6 @@ namespace throng::anim {
 namespace {
 
 constexpr float shortest_length = 1e-12F;
-constexpr float farthest_place = 1e9F;
 constexpr float pi = std::numbers::pi_v<float>;
 
 /// Taylor series, good to 6e-8 from -pi/2 to pi/2.
@@ -41,10 +40,6 @@ float arc_tangent(float x) {
 }
 
 }  // namespace
-
-bool is_place(const glm::vec3& v) {
-  return std::fabs(v.x) < farthest_place && std::fabs(v.y) < farthest_place && std::fabs(v.z) < farthest_place;
-}
 
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
@@ -35,6 +37,9 @@ glm::quat mix_rotations(const glm::quat& from, const glm::quat& to, float weight
 bool is_finite(const glm::vec3& v);
 
 /// Finite and within a million kilometres, so that distances to it are finite too.
-bool is_place(const glm::vec3& v);
+inline bool is_place(const glm::vec3& v) {
+  constexpr float farthest = 1e9F;
+  return std::fabs(v.x) < farthest && std::fabs(v.y) < farthest && std::fabs(v.z) < farthest;
+}
 
 }  // namespace throng::anim

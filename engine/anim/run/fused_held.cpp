@@ -8,7 +8,7 @@
 namespace throng::anim {
 namespace {
 
-/// For who reads whole poses: positions of quads that no clip displaces.
+/// Positions of quads that no clip displaces, for heads: entities that read poses as they lie.
 void clear_others(std::span<float> packets, std::size_t packet_floats, QuadMask displaced) {
   constexpr std::size_t first_position = std::size_t{4} * packet_bones;
   for (; !packets.empty(); packets = packets.subspan(packet_floats)) {
@@ -65,9 +65,9 @@ void FusedTasks::pose_held_clips(const Characters& characters, int packet) const
   const std::span<float> poses = held_packet(characters, packet);
   PoseClipsJob clips = clips_.job(assets.components, poses.data());
   clips.packet = packet;
-  clips.displaced = quads_of_packet(displaced_quads(characters), packet);
+  clips.displaced = quads_of_packet(displaced_quads(), packet);
   assets.kernels->pose_clips(clips);
-  clear_others(poses, characters.context->packet_floats(), clips.displaced);
+  if (has_heads()) clear_others(poses, characters.context->packet_floats(), clips.displaced);
 }
 
 void FusedTasks::compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) {
@@ -79,7 +79,7 @@ void FusedTasks::compute_held(const Characters& characters, TilePalettes& palett
     compose_head(characters, composed, character, place);
   });
   pose_whole_tails(characters);
-  const std::uint64_t displaced = displaced_quads(characters);
+  const std::uint64_t displaced = displaced_quads();
   for (int packet = 0; packet < characters.held_packets; ++packet) {
     pose_held_tails(characters, packet);
     palettes.write({.packet = packet,

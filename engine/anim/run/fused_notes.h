@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// What a PU notes of the blocks in its store while it runs FusedTasks. 114 KiB, so not on the stack: a host's jobs may
+/// What a PU notes of the blocks in its store while it runs FusedTasks. 88 KiB, so not on the stack: a host's jobs may
 /// have small ones.
 struct FusedNotes {
   static constexpr std::size_t most_blocks = PoseProgram::max_steps * widest_tile;
@@ -21,6 +21,6 @@ struct FusedNotes {
   std::array<Ticks, widest_tile> deltas;      ///< [character]
   TailRounds tails;
 };
-static_assert(sizeof(FusedNotes) / 1024 == 114);
+static_assert(sizeof(FusedNotes) / 1024 == 88);
 
 }  // namespace throng::anim

@@ -7,21 +7,22 @@
 namespace throng::anim {
 namespace {
 
-const EntityKind& kind_of(std::span<const PosedEntity> round) { return *round.front().entity.layout->kind; }
-
-void pose_whole_round(std::span<const PosedEntity> round, int packets) {
-  const EntityKind& kind = kind_of(round);
+void pose_whole_round(const PosedEntities& round, int packets) {
+  const EntityKind& kind = *round.alike.layout->kind;
   if (kind.pose_tile != nullptr) return kind.pose_tile(round);
-  for (const PosedEntity& each : round) pose_entity(each.entity, {&each.pose, 1}, each.pose, packets, nullptr);
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    const PoseView pose = round.pose(i);
+    pose_entity(round.entity(i), {&pose, 1}, pose, packets, nullptr);
+  }
 }
 
 void pose_packet_round(const PacketsJob& job) {
-  const EntityKind& kind = kind_of(job.all);
+  const EntityKind& kind = *job.all.alike.layout->kind;
   if (kind.whole_pose()) return;  // whose bones all lie in held packets
   if (kind.pose_packets != nullptr) return kind.pose_packets(job);
-  for (const PosedEntity& each : job.all) {
-    float* const bones = job.bones_of(each);
-    kind.pose_packet(each.entity, {.packet = job.packet, .sources = &bones, .out = bones});
+  for (std::size_t i = 0; i < job.all.size(); ++i) {
+    float* const bones = job.bones_of(i);
+    kind.pose_packet(job.all.entity(i), {.packet = job.packet, .sources = &bones, .out = bones});
   }
 }
 
@@ -31,31 +32,31 @@ void pose_packet_round(const PacketsJob& job) {
 PoseView FusedTasks::pose_of(const Characters& characters, std::size_t character) const {
   return {&scratch_.model.local[character * characters.context->packet_floats()], held_stride(characters),
           characters.context->assets.components, characters.context->bones(characters.work.front().level),
-          displaced_quads(characters)};
+          displaced_quads()};
 }
 
-/// In each round, of the characters that are not at that end of their programs, those whose next step is of the kind of
+/// In each round, of the characters that are not at that end of their programs, those whose next step is laid out as
 /// the first one's.
 void FusedTasks::add_rounds(const Characters& characters, EndOfSteps end) {
   for (;;) {
-    const EntityKind* kind = nullptr;
+    const EntityLayout* common = nullptr;
     for (Composed& composed : std::span(composed_).first(composed_count_)) {
       if (composed.tail.step >= end(composed.program())) continue;
       const EntityLayout& layout = composed.program().steps[composed.tail.step].layout(*characters.context->pools);
-      if (kind == nullptr) kind = layout.kind;
-      if (layout.kind != kind) continue;
+      if (common == nullptr) common = &layout;
+      if (&layout != common) continue;
       StepPlace place = composed.tail;
-      PoseView pose = pose_of(characters, composed.characters.first);
+      float* pose = pose_of(characters, composed.characters.first).first;
       for (std::size_t c = composed.characters.first; c < composed.characters.end; ++c) {
-        notes_->tails.add(place.entity(*characters.context, layout), pose);
+        notes_->tails.add({.block = place.block, .prepared = place.prepared, .pose = pose});
         place = place.of_next(composed.program());
-        pose.first += characters.context->packet_floats();
+        pose += characters.context->packet_floats();
       }
       composed.tail.pass(layout);
     }
-    if (kind == nullptr) return;
-    notes_->tails.end_round();
-    composed_displaces_ = composed_displaces_ || kind->displaces;
+    if (common == nullptr) return;
+    notes_->tails.end_round(*common);
+    composed_displaces_ = composed_displaces_ || common->kind->displaces;
   }
 }
 
@@ -67,20 +68,29 @@ void FusedTasks::plan_tails(const Characters& characters) {
   add_rounds(characters, [](const PoseProgram& program) { return program.steps.size(); });
 }
 
+PosedEntities FusedTasks::tail_round(const Characters& characters, std::size_t round) const {
+  return {.places = notes_->tails.places(round),
+          .alike = {.block = nullptr,
+                    .prepared = nullptr,
+                    .layout = &notes_->tails.layout(round),
+                    .assets = &characters.context->assets},
+          .poses_alike = pose_of(characters, 0)};
+}
+
 void FusedTasks::pose_whole_tails(const Characters& characters) const {
-  for (std::size_t i = 0; i < whole_rounds_; ++i) pose_whole_round(notes_->tails.round(i), characters.held_packets);
+  for (std::size_t i = 0; i < whole_rounds_; ++i) pose_whole_round(tail_round(characters, i), characters.held_packets);
 }
 
 void FusedTasks::pose_held_tails(const Characters& characters, int packet) const {
   const std::size_t offset = static_cast<std::size_t>(packet) * held_stride(characters);
   for (std::size_t i = whole_rounds_; i < notes_->tails.count(); ++i) {
-    pose_packet_round({.all = notes_->tails.round(i), .packet = packet, .offset = offset});
+    pose_packet_round({.all = tail_round(characters, i), .packet = packet, .offset = offset});
   }
 }
 
-void FusedTasks::pose_streamed_tails(int packet) const {
+void FusedTasks::pose_streamed_tails(const Characters& characters, int packet) const {
   for (std::size_t i = 0; i < notes_->tails.count(); ++i) {
-    pose_packet_round({.all = notes_->tails.round(i), .packet = packet});
+    pose_packet_round({.all = tail_round(characters, i), .packet = packet});
   }
 }
 

@@ -72,7 +72,7 @@ void FusedTasks::advance_alike(const Characters& characters, const AlikeRun& ali
 std::size_t FusedTasks::base_of(const PoseProgram& program, std::size_t character) {
   const auto shows_clips = [&](std::size_t i) { return shown(i, character).clip != nullptr; };
   const std::size_t root = program.steps.size() - 1;
-  for (std::size_t i = root; i-- >= program.tail;) {
+  for (std::size_t i = root; i-- + 1 > program.tail;) {
     if (shows_clips(i)) return i;
   }
   const auto is_posed = [&](std::size_t i) { return i != root && shows_clips(i); };
@@ -94,9 +94,8 @@ bool FusedTasks::head_displaces(const EntityPools& pools, const Composed& compos
 }
 
 /// The quads whose bones may have positions other than 0.
-std::uint64_t FusedTasks::displaced_quads(const Characters& characters) const {
-  const bool all = composed_displaces_ || characters.context->assets.components == general_components;
-  return all ? ~std::uint64_t{0} : clips_.displaced_quads();
+std::uint64_t FusedTasks::displaced_quads() const {
+  return composed_displaces_ ? ~std::uint64_t{0} : clips_.displaced_quads();
 }
 
 /// Those whose poses are not clips alone; who follows one that is composed in the same way joins it.
@@ -224,7 +223,7 @@ void FusedTasks::compute_streaming(const Characters& characters, TilePalettes& p
   const EntityAssets& assets = characters.context->assets;
   const auto pose_clips = assets.kernels->pose_clips;
   const bool shows_clips = !clips_.empty(), composes = composed_count_ > 0;
-  const std::uint64_t displaced = displaced_quads(characters);
+  const std::uint64_t displaced = displaced_quads();
   float* const local = scratch_.model.local.data();
   PoseClipsJob clips = clips_.job(assets.components, local);
   const int packets = characters.packets;
@@ -243,7 +242,7 @@ void FusedTasks::compose_streamed_packet(const Characters& characters, int packe
   for_each_head([&](const Composed& composed, std::size_t character, const StepPlace& place) {
     compose_packet(characters, composed, character, place, packet);
   });
-  pose_streamed_tails(packet);
+  pose_streamed_tails(characters, packet);
 }
 
 }  // namespace throng::anim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -88,6 +89,11 @@ class FusedTasks {
     }
   }
 
+  bool has_heads() const {
+    const auto is_head = [](const Composed& composed) { return !composed.over_clips; };
+    return std::ranges::any_of(std::span(composed_).first(composed_count_), is_head);
+  }
+
   /// For whom the scratch is carved.
   struct Carved {
     const UpdateContext* context = nullptr;
@@ -118,7 +124,7 @@ class FusedTasks {
   void compose_streamed_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program, std::size_t character);
   static bool head_displaces(const EntityPools& pools, const Composed& composed);
-  std::uint64_t displaced_quads(const Characters& characters) const;
+  std::uint64_t displaced_quads() const;
   std::size_t held_stride(const Characters& characters) const;
   std::span<float> held_packet(const Characters& characters, int packet) const;
   void pose_held_clips(const Characters& characters, int packet) const;
@@ -130,7 +136,8 @@ class FusedTasks {
   void plan_tails(const Characters& characters);
   void pose_whole_tails(const Characters& characters) const;
   void pose_held_tails(const Characters& characters, int packet) const;
-  void pose_streamed_tails(int packet) const;
+  PosedEntities tail_round(const Characters& characters, std::size_t round) const;
+  void pose_streamed_tails(const Characters& characters, int packet) const;
 
   std::span<const UpdateContext> contexts_;
   std::span<const AgentWork> work_;

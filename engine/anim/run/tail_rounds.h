@@ -10,27 +10,34 @@
 
 namespace throng::anim {
 
-/// The tails of a tile's programs, in rounds: entities of one kind, each of another character.
+/// The tails of a tile's programs, in rounds: entities of one layout, each of another character.
 class TailRounds {
  public:
   void clear() {
     entity_count_ = 0;
     round_count_ = 0;
   }
-  void add(const EntityInStore& entity, const PoseView& pose) { entities_[entity_count_++] = {entity, pose}; }
-  void end_round() { ends_[round_count_++] = static_cast<std::uint16_t>(entity_count_); }
-
-  std::size_t count() const { return round_count_; }
-  std::span<const PosedEntity> round(std::size_t index) const {
-    const std::size_t first = index == 0 ? 0 : ends_[index - 1];
-    return std::span(entities_).subspan(first, ends_[index] - first);
+  void add(const PosedEntities::Place& place) { places_[entity_count_++] = place; }
+  void end_round(const EntityLayout& layout) {
+    rounds_[round_count_++] = {&layout, static_cast<std::uint16_t>(entity_count_)};
   }
 
+  std::size_t count() const { return round_count_; }
+  std::span<const PosedEntities::Place> places(std::size_t round) const {
+    const std::size_t first = round == 0 ? 0 : rounds_[round - 1].end;
+    return std::span(places_).subspan(first, rounds_[round].end - first);
+  }
+  const EntityLayout& layout(std::size_t round) const { return *rounds_[round].layout; }
+
  private:
+  struct Round {
+    const EntityLayout* layout;
+    std::uint16_t end;
+  };
   static constexpr std::size_t most_entities = PoseProgram::max_steps * widest_tile;
 
-  std::array<PosedEntity, most_entities> entities_;
-  std::array<std::uint16_t, most_entities> ends_;
+  std::array<PosedEntities::Place, most_entities> places_;
+  std::array<Round, most_entities> rounds_;
   std::size_t entity_count_ = 0;
   std::size_t round_count_ = 0;
 };

@@ -74,6 +74,13 @@ const EntityKind wanderer_kind = {.name = "wanderer",
                                   .pose_whole = turn_by_positions,
                                   .displaces = false};
 
+/// The same, but its pose is state of its own: not changed where it lies, and brought to memory with all positions.
+EntityKind keeping(EntityKind kind) {
+  kind.keeps_transforms = true;
+  return kind;
+}
+const EntityKind keeping_wanderer_kind = keeping(wanderer_kind);
+
 class WandererProcess final : public OneEntityProcess<Wanderer> {
  public:
   explicit WandererProcess(EntityPools::Kind kind) : OneEntityProcess(kind) {}
@@ -97,6 +104,7 @@ std::uint64_t hash_of(const SystemOptions& options) {
   AnimationSystem& system = **created;
   const RigKinds kinds = rigs().add_to(system);
   const EntityPools::Kind wanderers = system.add_entity_kind(wanderer_kind);
+  const EntityPools::Kind keepers = system.add_entity_kind(keeping_wanderer_kind);
   system.set_agent_count(agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     system.play(agent, {.clip = 0, .start = agent * ticks_per_second / 60});
@@ -105,7 +113,7 @@ std::uint64_t hash_of(const SystemOptions& options) {
     if (agent % 5 > 1) add_gaze(system, kinds, agent);
     if (agent % 5 == 3) add_noise(system, agent);
     if (agent % 5 == 1 && agent % 3 == 1) add_gaze(system, kinds, agent);
-    if (agent % 5 == 4) add_wanderer(system, wanderers, agent);
+    if (agent % 5 == 4) add_wanderer(system, agent % 2 == 0 ? wanderers : keepers, agent);
   }
   std::vector<AgentUpdate> updates;
   for (int frame = 0; frame < frames; ++frame) {

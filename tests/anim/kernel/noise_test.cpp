@@ -39,12 +39,8 @@ void add_noise(const Kernels& kernels, const Packet& from, const Noise& noise, P
                int components = general_components) {
   Amplitudes shares{};
   for (int bone = 0; bone < packet_bones; ++bone) shares.of[bone] = noise.amplitudes.of[bone] / noise.largest_amplitude;
-  const NoiseMoment moment = noise_moment(noise.seed, noise.point);
-  const ShakenBones bones{.from = from.data(),
-                          .out = out.data(),
-                          .moment = &moment,
-                          .bone_weights = shares.of,
-                          .amplitude = noise.largest_amplitude};
+  const NoiseMoment moment = noise_moment(noise.seed, noise.point, noise.largest_amplitude);
+  const ShakenBones bones{.from = from.data(), .out = out.data(), .moment = &moment, .bone_weights = shares.of};
   kernels.noise(
       {.characters = {&bones, 1}, .packet = noise.packet, .bone_count = noise.bone_count, .components = components});
 }
@@ -156,6 +152,11 @@ TEST(Noise, StandsStillAtNoFrequency) {
   EXPECT_EQ(noise_at(5 * ticks_per_second, 0.0F).fraction, 0.0F);
 }
 
+TEST(Noise, HasAtMostHalfALatticePointATick) {
+  const NoisePoint point = noise_at(3, 1e30F);
+  EXPECT_NEAR(static_cast<double>(point.lattice) + static_cast<double>(point.fraction), 1.5, 1e-6);
+}
+
 TEST(Noise, DiffersBetweenSeedsBonesAndAxes) {
   const Noise noise{.point = {5, 0.3F}};
   Noise other_seed = noise;
@@ -214,19 +215,14 @@ TEST(Noise, KeepsTheBitsOfABoneWithoutAmplitude) {
 
 TEST(Noise, TurnsEveryBoneByTheSameAmplitudeWithoutWeightsAndNoneAboveTheBoneCount) {
   const Amplitudes whole = even_amplitudes(1.0F);
-  const NoiseMoment moment = noise_moment(17, {5, 0.3F});
+  const NoiseMoment moment = noise_moment(17, {5, 0.3F}, 0.2F);
   for (const Kernels& kernels : runnable_kernels()) {
     const Packet from = random_packet(3);
     Packet even{};
     Packet weighted{};
     const std::array characters = {
-        ShakenBones{
-            .from = from.data(), .out = even.data(), .moment = &moment, .bone_weights = nullptr, .amplitude = 0.2F},
-        ShakenBones{.from = from.data(),
-                    .out = weighted.data(),
-                    .moment = &moment,
-                    .bone_weights = whole.of,
-                    .amplitude = 0.2F}};
+        ShakenBones{.from = from.data(), .out = even.data(), .moment = &moment, .bone_weights = nullptr},
+        ShakenBones{.from = from.data(), .out = weighted.data(), .moment = &moment, .bone_weights = whole.of}};
     kernels.noise(
         {.characters = characters, .packet = 2, .bone_count = 2 * packet_bones + 5, .components = general_components});
     EXPECT_EQ(bits(even), bits(weighted)) << kernels.target;
@@ -246,13 +242,12 @@ TEST(Noise, ShakesEachCharacterOfATileAsItWouldAlone) {
     for (std::size_t i = 0; i < characters.size(); ++i) {
       const auto number = static_cast<float>(i);
       from[i] = random_packet(static_cast<unsigned>(i));
-      moments[i] = noise_moment(i, {5, number / widest_tile});
+      moments[i] = noise_moment(i, {5, number / widest_tile}, number / 10.0F);
       shares[i] = even_amplitudes(number / widest_tile);
       characters[i] = {.from = from[i].data(),
                        .out = together[i].data(),
                        .moment = &moments[i],
-                       .bone_weights = i % 2 == 0 ? nullptr : shares[i].of,
-                       .amplitude = number / 10.0F};
+                       .bone_weights = i % 2 == 0 ? nullptr : shares[i].of};
     }
     const NoiseJob tile{.characters = characters, .packet = 1, .bone_count = packet_bones + 9};
     kernels.noise(tile);

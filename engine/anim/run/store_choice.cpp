@@ -52,7 +52,8 @@ std::size_t cached_bytes() {
 }
 
 StorePolicy store_policy_for(std::size_t palette_bytes) {
-  const bool cached = palette_bytes <= least_cached_bytes || palette_bytes <= cached_bytes();
+  const std::size_t bytes = bytes_of_an_update(palette_bytes);
+  const bool cached = bytes <= least_cached_bytes || bytes <= cached_bytes();
   return cached ? StorePolicy::prefetched : StorePolicy::streaming;
 }
 

@@ -24,7 +24,11 @@ inline constexpr std::size_t any_bytes = SIZE_MAX;  ///< most_measured_bytes are
 /// The same by what such a measurement says of so many bytes.
 std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie);
 
-/// For that many bytes of palettes; the machine is measured only if they are more than least_cached_bytes.
+/// What goes through the caches until a palette is written again: blocks and streams take a quarter of what palettes
+/// do.
+constexpr std::size_t bytes_of_an_update(std::size_t palette_bytes) { return palette_bytes + palette_bytes / 4; }
+
+/// For that many bytes of palettes; the machine is measured only if an update of them has more than least_cached_bytes.
 StorePolicy store_policy_for(std::size_t palette_bytes);
 
 }  // namespace throng::anim

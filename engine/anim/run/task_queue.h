@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -10,9 +11,18 @@
 namespace throng::anim {
 
 /// Tasks 0, 1, 2, ... for a number of PUs. Each begins with a share of its own, the same tasks frame after frame, so
-/// that it finds in its caches what it left there, and then helps whoever is not done.
+/// that it finds in its caches what it left there, and then helps whoever is not done. Many at once while many are
+/// left, one by one at the end: an atomic operation waits until all that was stored has left the core, and palettes
+/// that are streamed to memory take long to.
 class TaskQueue {
+  struct Tasks {
+    int first = 0;
+    int end = 0;
+  };
+
  public:
+  static constexpr int most_at_once = 16;
+
   explicit TaskQueue(int pus) : pus_(pus), shares_(std::make_unique<Share[]>(static_cast<std::size_t>(pus))) {}
 
   /// Before the PUs run: the first task of each share and, last, how many tasks there are. PUs without a share of their
@@ -25,25 +35,20 @@ class TaskQueue {
     }
   }
 
-  std::optional<int> take(int pu) {
-    int of = pu;
-    for (int asked = 0; asked < pus_; ++asked, of = of + 1 < pus_ ? of + 1 : 0) {
-      Share& share = shares_[static_cast<std::size_t>(of)];
-      const int task = share.next.fetch_add(1, std::memory_order_relaxed);
-      if (task < share.end) return task;
-    }
-    return std::nullopt;
-  }
-
-  /// The queue as one PU sees it.
+  /// The queue as one PU sees it, with what it has taken and not yet begun.
   class Taker {
    public:
     Taker(TaskQueue& queue, int pu) : queue_(&queue), pu_(pu) {}
-    std::optional<int> take() const { return queue_->take(pu_); }
+    std::optional<int> take() {
+      if (taken_.first == taken_.end) taken_ = queue_->take_some(pu_);
+      if (taken_.first == taken_.end) return std::nullopt;
+      return taken_.first++;
+    }
 
    private:
     TaskQueue* queue_;
     int pu_;
+    Tasks taken_;
   };
 
  private:
@@ -51,6 +56,20 @@ class TaskQueue {
     std::atomic<int> next{0};
     int end = 0;
   };
+
+  /// No more than half of what is left for each PU; none: there are no more.
+  Tasks take_some(int pu) {
+    int of = pu;
+    for (int asked = 0; asked < pus_; ++asked, of = of + 1 < pus_ ? of + 1 : 0) {
+      Share& share = shares_[static_cast<std::size_t>(of)];
+      const int left = share.end - share.next.load(std::memory_order_relaxed);
+      if (left <= 0) continue;
+      const int count = std::clamp(left / (2 * pus_), 1, most_at_once);
+      const int first = share.next.fetch_add(count, std::memory_order_relaxed);
+      if (first < share.end) return {first, std::min(first + count, share.end)};
+    }
+    return {};
+  }
 
   int pus_;
   std::unique_ptr<Share[]> shares_;

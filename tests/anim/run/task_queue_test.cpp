@@ -14,29 +14,46 @@ TEST(TaskQueue, GivesEachPuTheSameShareOfItsOwnFirst) {
   TaskQueue queue(3);
   for (int frame = 0; frame < 2; ++frame) {
     queue.open(std::array{0, 3, 6, 9});
+    std::array takers = {TaskQueue::Taker(queue, 0), TaskQueue::Taker(queue, 1), TaskQueue::Taker(queue, 2)};
     for (int i = 0; i < 3; ++i) {
-      for (int pu = 0; pu < 3; ++pu) EXPECT_EQ(queue.take(pu), pu * 3 + i);
+      for (int pu = 0; pu < 3; ++pu) EXPECT_EQ(takers[static_cast<std::size_t>(pu)].take(), pu * 3 + i);
     }
-    EXPECT_EQ(queue.take(1), std::nullopt);
+    EXPECT_EQ(takers[1].take(), std::nullopt);
   }
 }
 
 TEST(TaskQueue, LetsAPuThatIsDoneHelpTheOthers) {
   TaskQueue queue(2);
   queue.open(std::array{0, 2, 4});
-  for (const int task : {2, 3, 0, 1}) EXPECT_EQ(queue.take(1), task);
-  EXPECT_EQ(queue.take(0), std::nullopt);
+  TaskQueue::Taker helper(queue, 1);
+  for (const int task : {2, 3, 0, 1}) EXPECT_EQ(helper.take(), task);
+  EXPECT_EQ(TaskQueue::Taker(queue, 0).take(), std::nullopt);
 }
 
 TEST(TaskQueue, LetsAPuWithoutAShareHelp) {
   TaskQueue queue(7);
+  TaskQueue::Taker owner(queue, 0), helper(queue, 6);
   queue.open(std::array{0, 0});
-  EXPECT_EQ(queue.take(6), std::nullopt);
+  EXPECT_EQ(helper.take(), std::nullopt);
   queue.open(std::array{0, 3});
-  EXPECT_EQ(queue.take(6), 0);
-  EXPECT_TRUE(queue.take(0).has_value());
-  EXPECT_TRUE(queue.take(0).has_value());
-  EXPECT_EQ(queue.take(0), std::nullopt);
+  EXPECT_EQ(helper.take(), 0);
+  EXPECT_EQ(owner.take(), 1);
+  EXPECT_EQ(owner.take(), 2);
+  EXPECT_EQ(owner.take(), std::nullopt);
+}
+
+TEST(TaskQueue, HandsOutManyAtOnceButNoMoreThanAShareOfWhatIsLeft) {
+  TaskQueue queue(2);
+  queue.open(std::array{0, 40, 40});
+  TaskQueue::Taker owner(queue, 0), helper(queue, 1);
+  EXPECT_EQ(owner.take(), 0);
+  EXPECT_EQ(helper.take(), 10) << "a quarter of 40 belongs to the owner";
+  EXPECT_EQ(owner.take(), 1);
+  EXPECT_EQ(helper.take(), 11);
+  queue.open(std::array{0, 1000, 1000});
+  owner = TaskQueue::Taker(queue, 0);
+  EXPECT_EQ(owner.take(), 0);
+  EXPECT_EQ(TaskQueue::Taker(queue, 1).take(), TaskQueue::most_at_once);
 }
 
 TEST(TaskQueue, HandsEachTaskToOnePuOnlyWhenAllTakeAtOnce) {
@@ -47,7 +64,8 @@ TEST(TaskQueue, HandsEachTaskToOnePuOnlyWhenAllTakeAtOnce) {
   std::vector<std::thread> threads;
   for (int pu = 0; pu < pus; ++pu) {
     threads.emplace_back([&queue, &mine = taken[static_cast<std::size_t>(pu)], pu] {
-      while (const auto task = queue.take(pu)) mine.push_back(*task);
+      TaskQueue::Taker taker(queue, pu);
+      while (const auto task = taker.take()) mine.push_back(*task);
     });
   }
   std::vector<int> all;

@@ -113,13 +113,13 @@ anim::ClipMoment KernelSubject::moment(int clip_index, anim::Ticks start) const 
 }
 
 void KernelSubject::find_moments(std::span<const BenchAgent> agents) {
-  clips_.begin(agents.size());
+  clips_.begin(std::span(shown_).first(agents.size()));
   for (std::size_t i = 0; i < agents.size(); ++i) {
     const BenchAgent& agent = agents[i];
     const bool blended = agent.fraction > 0.0F && agent.to_clip >= 0;
     from_[i] = moment(agent.from_clip, agent.from_start);
     if (blended) to_[i] = moment(agent.to_clip, agent.to_start);
-    *clips_.row(i) = {.clip = &from_[i], .blended = blended ? &to_[i] : nullptr, .fraction = agent.fraction};
+    shown_[i] = {.clip = &from_[i], .blended = blended ? &to_[i] : nullptr, .fraction = agent.fraction};
   }
   clips_.add(0, agents.size());
 }

@@ -8,7 +8,7 @@
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/character.h"
-#include "engine/anim/run/clip_tile.h"
+#include "engine/anim/run/clip_strip.h"
 
 namespace throng::app {
 
@@ -80,7 +80,8 @@ class KernelSubject {
   const BenchPalettes* palettes_;
   std::vector<anim::Ticks> clocks_;                            ///< [clip], within it
   std::array<anim::ClipMoment, anim::widest_tile> from_, to_;  ///< of the tile that is posed
-  anim::ClipTile clips_;
+  std::array<anim::ShownClips, anim::widest_tile> shown_;
+  anim::ClipStrip clips_;  ///< of these
   anim::StorePolicy stores_;
   anim::AlignedBytes scratch_;
   float* local_;

@@ -7,15 +7,14 @@
 
 namespace throng::anim {
 
-/// A tile in the local store.
+/// A tile in the local store, or a strip of it.
 struct FusedTasks::Characters {
   const UpdateContext* context;
   std::span<const AgentWork> work;
-  const PoseProgram* program;  ///< of all of them; null: several
-  std::byte* blocks;
+  const PoseProgram* program;   ///< of all of them; null: several
   const SharedSources* shared;  ///< null: they read none
   const std::byte* shared_blocks;
-  int width;
+  int width;  ///< of a strip
   int packets;
   int held_packets;  ///< the first ones, kept until they are whole; 0: streaming
 

@@ -10,27 +10,33 @@ namespace throng::anim {
 
 struct LocalStorePlan;
 
-/// The scratch of a tile of `width` characters in the `fused` schedule.
+/// The scratch of a tile in the `fused` schedule, and of its strips of `width` characters one after the other.
 ///
+///     prepared   std::byte [characters of the tile][prepared bytes]
 ///     model      see tile_scratch.h; local poses of a held tile are the first held ones, which are done by then
 ///     registers  float [registers][components][16]                 streaming: one packet of one character
 ///                float [registers][held packets][components][16]   held: poses of one character
-///     prepared   std::byte [width][prepared bytes]
 ///     held       float [held packets][width][components][16]       held tiles only
 struct FusedScratch {
+  std::span<std::byte> prepared;
   ModelScratch model;
   std::span<float> registers;
   std::size_t register_floats = 0;  ///< from one register to the next
-  std::span<std::byte> prepared;
   std::span<float> held;
 
-  static FusedScratch carve(ScratchCarver& carver, const UpdateContext& context, const StoreNeeds& needs, int width);
-  static std::size_t bytes(const UpdateContext& context, const StoreNeeds& needs, int width);
+  static FusedScratch carve(ScratchCarver& carver, const UpdateContext& context, const StoreNeeds& needs, int width,
+                            std::size_t characters);
+  static std::size_t bytes(const UpdateContext& context, const StoreNeeds& needs, int width, std::size_t characters);
 };
 
-/// The widest tile, 16 or less, of characters of these needs, that read `shared_bytes` together, whose blocks and
-/// scratch fit; 0: not even one.
-int widest_fused_tile(const UpdateContext& context, const StoreNeeds& needs, std::size_t shared_bytes,
-                      const LocalStorePlan& plan);
+struct FusedFit {
+  int width = 0;       ///< of a strip
+  int characters = 0;  ///< of a tile, one strip or several
+};
+
+/// The widest strip, and the largest tile, that the plan allows, of characters of these needs, who read `shared_bytes`
+/// together, whose blocks and scratch fit; none: not even one.
+FusedFit fused_fit(const UpdateContext& context, const StoreNeeds& needs, std::size_t shared_bytes,
+                   const LocalStorePlan& plan);
 
 }  // namespace throng::anim

@@ -32,26 +32,28 @@ std::span<const AgentWork> FusedTasks::agents(int task) const {
 /// Room for what these characters show after a step.
 std::span<ShownClips> FusedTasks::shown_by(std::size_t step, const AlikeRun& alike) {
   const bool last = step + 1 == alike.program->steps.size();
-  return {last ? clips_.row(alike.first) : &shown(step, alike.first), alike.size()};
+  const std::size_t row = step * most_characters;
+  return {last ? &notes_->shown_last[alike.first] : &notes_->shown[row + alike.first], alike.size()};
 }
 
 int FusedTasks::copy_points(int task) const {
+  const Tile& tile = tile_of(task);
   const int packets = context(task).packets(agents(task).front().level);
-  return packets + std::min<int>(tile_of(task).needs.held_packets, packets);
+  return static_cast<int>(tile.strips()) * (packets + std::min<int>(tile.needs.held_packets, packets));
 }
 
 /// Moves their entities, step by step, and notes which clips each shows.
-void FusedTasks::advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place) {
+void FusedTasks::advance_alike(const Characters& tile, const AlikeRun& alike, StepPlace place) {
   const PoseProgram& program = *alike.program;
   LeftBySteps<SourceRow> rows;
   std::array<SourceRow, max_sources> sources;
   for_each_shared(program, [&](std::size_t i, const PoseStep& step) {
-    const auto& state = characters.shared_state(step.shared);
+    const auto& state = tile.shared_state(step.shared);
     const std::span<ShownClips> shown = shown_by(i, alike);
     std::ranges::fill(shown, ShownClips{});
     rows.left[i] = {reinterpret_cast<const std::byte*>(&state), 0, shown.data()};
   });
-  for_each_own(*characters.context, program, place, program.steps.size(),
+  for_each_own(*tile.context, program, place, program.steps.size(),
                [&](std::size_t i, const PoseStep& step, const EntityInStore& entity) {
                  const std::span<ShownClips> shown = shown_by(i, alike);
                  const bool asked = !entity.layout->is_resident();
@@ -102,9 +104,9 @@ std::uint64_t FusedTasks::displaced_quads() const {
 void FusedTasks::find_composed(const Characters& characters, const AlikeRun& alike, StepPlace place) {
   Composed* newest = nullptr;
   for (std::size_t character = alike.first; character < alike.end; ++character) {
-    if (clips_.row(character)->clip == nullptr) {
+    if (clips_.of(character).clip == nullptr) {
       const std::size_t base = base_of(*alike.program, character);
-      if (base != Composed::no_base) *clips_.row(character) = shown(base, character);
+      if (base != Composed::no_base) clips_.of(character) = shown(base, character);
       if (newest != nullptr && newest->characters.end == character && newest->base == base) {
         ++newest->characters.end;
       } else {
@@ -133,18 +135,25 @@ FusedTasks::Composed& FusedTasks::begin_composed(const Characters& characters, c
   return composed;
 }
 
-void FusedTasks::advance_entities(const Characters& characters) {
-  clips_.begin(characters.work.size());
+void FusedTasks::advance_entities(const Characters& tile, StepPlace place) {
+  for_each_alike(tile.work, tile.program, [&](const AlikeRun& alike) {
+    advance_alike(tile, alike, place);
+    place = place.of_next(*alike.program, alike.size());
+  });
+}
+
+/// What becomes of what its characters show, the first of whom is at `place`. Returns where those after them are.
+StepPlace FusedTasks::plan_poses(const Characters& strip, StepPlace place) {
+  clips_.begin(std::span(notes_->shown_last).subspan(posed_, strip.work.size()));
   composed_count_ = 0;
   composed_displaces_ = false;
-  StepPlace place{.block = characters.blocks, .prepared = scratch_.prepared.data()};
-  for_each_alike(characters.work, characters.program, [&](const AlikeRun& alike) {
-    advance_alike(characters, alike, place);
-    if (!clips_.all_show(alike.first, alike.end)) find_composed(characters, alike, place);
+  for_each_alike(strip.work, strip.program, [&](const AlikeRun& alike) {
+    if (!clips_.all_show(alike.first, alike.end)) find_composed(strip, alike, place);
     clips_.add(alike.first, alike.end);
     place = place.of_next(*alike.program, alike.size());
   });
-  plan_tails(characters);
+  plan_tails(strip);
+  return place;
 }
 
 /// What comes before the tail of a program: entity after entity, over clips that are there already.
@@ -178,44 +187,57 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
   if (poses.left[last] != local) std::memcpy(local, poses.left[last], floats * sizeof(float));
 }
 
-/// Nearly always as for the tile before.
-void FusedTasks::carve_scratch(const UpdateContext& context, const StoreNeeds& needs, int width) {
-  if (carved_.context == &context && carved_.needs == needs && carved_.width == width) return;
-  carved_ = {&context, needs, width};
+/// Nearly always as for the strip before.
+void FusedTasks::carve_scratch(const Carved& wanted) {
+  if (carved_ == wanted) return;
+  carved_ = wanted;
   ScratchCarver carver(store_->scratch());
-  scratch_ = FusedScratch::carve(carver, context, needs, width);
+  scratch_ = FusedScratch::carve(carver, *wanted.context, wanted.needs, wanted.width, wanted.characters);
 }
 
 void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
-  const std::span<const AgentWork> tile = agents(task);
+  const std::span<const AgentWork> work = agents(task);
   const UpdateContext& about = context(task);
-  const StoreNeeds& needs = tile_of(task).needs;
-  const bool shares = needs.shared > 0;
-  if (shares) shared_ = SharedSources(tile);
+  const Tile& cut = tile_of(task);
+  const bool shares = cut.needs.shared > 0;
+  if (shares) shared_ = SharedSources(work);
   std::byte* const blocks = store_->fetch_buffer(buffer).data();
-  const Characters characters{.context = &about,
-                              .work = tile,
-                              .program = tile_of(task).program,
-                              .blocks = blocks,
-                              .shared = shares ? &shared_ : nullptr,
-                              .shared_blocks = shares ? blocks + own_bytes(tile) : nullptr,
-                              .width = static_cast<int>(std::bit_ceil(tile.size())),
-                              .packets = about.packets(tile.front().level),
-                              .held_packets = std::min<int>(needs.held_packets, about.packets(tile.front().level))};
-  carve_scratch(about, needs, characters.width);
-  // Lanes beyond the last character compute on numbers, not on noise.
-  if (tile.size() < static_cast<std::size_t>(characters.width)) {
-    std::ranges::fill(needs.held ? scratch_.held : scratch_.model.local, 0.0F);
-  }
-  for (std::size_t i = 0; i < tile.size(); ++i) notes_->deltas[i] = tile[i].delta;
-  advance_entities(characters);
+  const int packets = about.packets(work.front().level);
+  Characters characters{.context = &about,
+                        .work = work,
+                        .program = cut.program,
+                        .shared = shares ? &shared_ : nullptr,
+                        .shared_blocks = shares ? blocks + own_bytes(work) : nullptr,
+                        .width = static_cast<int>(std::bit_ceil(std::min(cut.count, cut.width))),
+                        .packets = packets,
+                        .held_packets = std::min<int>(cut.needs.held_packets, packets)};
+  const auto carve = [&] { carve_scratch({&about, cut.needs, characters.width, work.size()}); };
+  carve();
+  for (std::size_t i = 0; i < work.size(); ++i) notes_->deltas[i] = work[i].delta;
+  StepPlace place{.block = blocks, .prepared = scratch_.prepared.data()};
+  advance_entities(characters, place);
   write_back_final_rows(task, buffer, engine);
-  TilePalettes palettes(about, scratch_.model, tile, characters.width, stores_);
-  if (needs.held) compute_held(characters, palettes, engine);
-  compute_streaming(characters, palettes, engine);
-  palettes.store_hashes();
+  for (posed_ = 0; posed_ < work.size(); posed_ += cut.width) {
+    characters.work = work.subspan(posed_, std::min<std::size_t>(cut.width, work.size() - posed_));
+    characters.width = static_cast<int>(std::bit_ceil(characters.work.size()));
+    carve();
+    place = plan_poses(characters, place);
+    pose(characters, engine);
+  }
   ++tiles_done_;
-  agents_done_ += static_cast<std::uint32_t>(tile.size());
+  agents_done_ += cut.count;
+}
+
+void FusedTasks::pose(const Characters& strip, CopyEngine& engine) {
+  const bool held = carved_.needs.held;
+  // Lanes beyond the last character compute on numbers, not on noise.
+  if (strip.work.size() < static_cast<std::size_t>(strip.width)) {
+    std::ranges::fill(held ? scratch_.held : scratch_.model.local, 0.0F);
+  }
+  TilePalettes palettes(*strip.context, scratch_.model, strip.work, strip.width, stores_);
+  if (held) compute_held(strip, palettes, engine);
+  compute_streaming(strip, palettes, engine);
+  palettes.store_hashes();
 }
 
 // What all packets need is looked up before the first: kernels leave nothing else in the nearest cache.

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "engine/anim/run/alike_run.h"
-#include "engine/anim/run/clip_tile.h"
+#include "engine/anim/run/clip_strip.h"
 #include "engine/anim/run/copy_engine.h"
 #include "engine/anim/run/fused_notes.h"
 #include "engine/anim/run/fused_scratch.h"
@@ -99,24 +99,32 @@ class FusedTasks {
     const UpdateContext* context = nullptr;
     StoreNeeds needs = {};
     int width = 0;
+    std::size_t characters = 0;
+
+    friend bool operator==(const Carved&, const Carved&) = default;
   };
 
   const Tile& tile_of(int task) const { return tiles_[static_cast<std::size_t>(task)]; }
   std::span<const AgentWork> agents(int task) const;
-  /// As many as the task has, behind its own.
-  std::span<const AgentWork> agents_behind(int task) const;
+  /// As many as the task has, so many tasks behind its own.
+  std::span<const AgentWork> agents_behind(int task, std::size_t tasks) const;
   const UpdateContext& context(int task) const { return contexts_[agents(task).front().skeleton]; }
   template <typename Visit>
   void for_each_row_to_go_home(int task, int buffer, Visit&& visit) const;
   void write_back_final_rows(int task, int buffer, CopyEngine& engine);
-  void carve_scratch(const UpdateContext& context, const StoreNeeds& needs, int width);
-  void advance_entities(const Characters& characters);
-  void advance_alike(const Characters& characters, const AlikeRun& alike, StepPlace place);
+  void carve_scratch(const Carved& wanted);
+  void advance_entities(const Characters& tile, StepPlace place);
+  void advance_alike(const Characters& tile, const AlikeRun& alike, StepPlace place);
   std::span<ShownClips> shown_by(std::size_t step, const AlikeRun& alike);
+  StepPlace plan_poses(const Characters& strip, StepPlace place);
+  void pose(const Characters& strip, CopyEngine& engine);
   void find_composed(const Characters& characters, const AlikeRun& alike, StepPlace place);
   Composed& begin_composed(const Characters& characters, const AlikeRun& first, const StepPlace& place,
                            std::size_t base);
-  ShownClips& shown(std::size_t step, std::size_t character) { return notes_->shown[step * widest_tile + character]; }
+  /// By a character of the strip that is posed.
+  ShownClips& shown(std::size_t step, std::size_t character) {
+    return notes_->shown[step * most_characters + posed_ + character];
+  }
   void compute_streaming(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) const;
   void compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, std::size_t character, StepPlace place,
@@ -153,7 +161,8 @@ class FusedTasks {
   std::array<std::size_t, 2> homes_{};  // [fetch buffer] which of the lists of homes is that of its tile
   std::size_t next_homes_ = 0;
   std::array<bool, 2> rows_left_{};             // [fetch buffer] some are written back when its tile is done
-  ClipTile clips_;                              // what they show
+  std::size_t posed_ = 0;                       // characters of the tile before the strip that is posed
+  ClipStrip clips_;                             // what those of the strip show
   std::array<Composed, widest_tile> composed_;  // those that show more than clips
   std::size_t composed_count_ = 0;
   std::size_t whole_rounds_ = 0;     // rounds of tails that come first, for all held packets

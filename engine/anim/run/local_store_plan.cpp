@@ -58,12 +58,12 @@ LocalStorePlan plan_for_context(const UpdateContext& context, const LocalStoreDe
   const std::size_t shared_entity = share_of_buffers(demand.shared_entity_bytes, buffers);
   if (demand.schedule == Schedule::fused) {
     const std::size_t tile = std::max<std::size_t>(lanes * usual.fetch_bytes, largest.fetch_bytes);
-    return {
-        .width = width,
-        .fetch_bytes = std::max(tile + largest.shared_bytes, shared_entity),
-        .fetch_buffers = buffers,
-        .scratch_bytes = std::max(FusedScratch::bytes(context, usual, width), FusedScratch::bytes(context, largest, 1)),
-        .shared_bytes = largest.shared_bytes};
+    return {.width = width,
+            .fetch_bytes = std::max(tile + largest.shared_bytes, shared_entity),
+            .fetch_buffers = buffers,
+            .scratch_bytes = std::max(FusedScratch::bytes(context, usual, width, lanes),
+                                      FusedScratch::bytes(context, largest, 1, 1)),
+            .shared_bytes = largest.shared_bytes};
   }
   const std::size_t large_entity = share_of_buffers(largest.entity_bytes, buffers);
   return {.width = width,
@@ -127,8 +127,13 @@ Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts,
   if (fits == 0) return too_small(contexts, demand, size);
   if (tile > fits) return too_wide(demand, size, tile, fits);
   LocalStorePlan plan = plan_for_width(contexts, demand, tile == 0 ? fits : tile);
-  // Held tiles are as wide as scratch allows, so they have what is left.
-  if (demand.schedule == Schedule::fused) plan.scratch_bytes = (size - plan.all_fetch_bytes()) / 64 * 64;
+  if (demand.schedule == Schedule::levels) return plan;
+  if (tile == 0) {
+    plan.strips = most_strips;
+    if (most_strips * plan.all_fetch_bytes() <= size / 4) plan.fetch_bytes *= most_strips;
+  }
+  // Held strips are as wide as scratch allows, so they have what is left.
+  plan.scratch_bytes = (size - plan.all_fetch_bytes()) / 64 * 64;
   return plan;
 }
 
@@ -138,7 +143,7 @@ std::size_t automatic_local_store(std::span<const UpdateContext> contexts, const
 
 bool plan_holds(const LocalStorePlan& plan, const UpdateContext& context, Schedule schedule, const StoreNeeds& needs) {
   if (schedule == Schedule::levels) return needs.entity_bytes <= plan.all_fetch_bytes();
-  return needs.shared_bytes <= plan.shared_bytes && widest_fused_tile(context, needs, needs.shared_bytes, plan) > 0;
+  return needs.shared_bytes <= plan.shared_bytes && fused_fit(context, needs, needs.shared_bytes, plan).characters > 0;
 }
 
 }  // namespace throng::anim

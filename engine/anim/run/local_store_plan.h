@@ -19,7 +19,8 @@ enum class Schedule : std::uint8_t {
 
 /// How a local store is divided for one schedule.
 struct LocalStorePlan {
-  int width = 1;                ///< characters a tile
+  int width = 1;                ///< characters a strip, which kernels pose side by side
+  int strips = 1;               ///< of a tile, where that many fit
   std::size_t fetch_bytes = 0;  ///< of each fetch buffer
   int fetch_buffers = 2;        ///< 1 without double buffering
   std::size_t scratch_bytes = 0;
@@ -41,10 +42,11 @@ struct LocalStoreDemand {
   std::size_t shared_entity_bytes = 0;      ///< StoreNeeds::entity_bytes of all graphs of shared entities
 };
 
-/// Bytes that a tile of `width` characters takes of a store.
+/// Bytes that a tile of one strip of `width` characters takes of a store.
 std::size_t local_store_bytes(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width);
 
-/// The widest tile that fits `size` bytes, or exactly `tile` if that is not 0. The error names skeleton, schedule,
+/// The widest strips that fit `size` bytes, and some of them a tile; or tiles of one, of exactly `tile` characters, if
+/// that is not 0. The error names skeleton, schedule,
 /// stream, bytes needed and the smallest size that works, or the largest tile that fits.
 Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand,
                                         std::size_t size, int tile);

@@ -8,12 +8,13 @@
 namespace throng::anim {
 namespace {
 
-/// What the newest tile asks of the store, and how wide that lets it be.
+/// What the newest tile asks of the store, and how many characters that lets it have.
 class NewestTile {
  public:
   NewestTile(const LocalStorePlan& plan, Schedule schedule) : plan_(plan), schedule_(schedule) {}
 
-  std::uint32_t limit() const { return limit_; }
+  std::uint32_t limit() const { return static_cast<std::uint32_t>(fit_.characters); }
+  std::uint32_t width() const { return static_cast<std::uint32_t>(fit_.width); }
   const StoreNeeds& needs() const { return needs_; }
 
   /// Room for its characters is room for those of this program, too.
@@ -26,36 +27,34 @@ class NewestTile {
     needs_ = program.needs;
     shared_ = {};
     shared_.add(program);
-    limit_ = limit_for(context, needs_, shared_);
-    assert(limit_ > 0 && "a program that does not fit the local store was let in");
+    fit_ = fit_for(context, needs_, shared_);
+    assert(fit_.characters > 0 && "a program that does not fit the local store was let in");
   }
   /// Makes room for this program beside `count` characters. False: there is none, and nothing was changed.
   bool widen(const UpdateContext& context, const PoseProgram& program, std::uint32_t count) {
     StoreNeeds wider = needs_;
     wider.widen(program.needs);
     SharedSources more = shared_;
-    const std::uint32_t limit = more.add(program) ? limit_for(context, wider, more) : 0;
-    if (limit <= count) return false;
+    if (!more.add(program)) return false;
+    const FusedFit fit = fit_for(context, wider, more);
+    if (static_cast<std::uint32_t>(fit.characters) <= count) return false;
     needs_ = wider;
     shared_ = more;
-    limit_ = limit;
+    fit_ = fit;
     return true;
   }
 
  private:
-  std::uint32_t limit_for(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared) const {
-    int width = plan_.width;
-    if (schedule_ == Schedule::fused) {
-      width = std::min(width, widest_fused_tile(context, needs, shared.bytes(*context.pools), plan_));
-    }
-    return static_cast<std::uint32_t>(width);
+  FusedFit fit_for(const UpdateContext& context, const StoreNeeds& needs, const SharedSources& shared) const {
+    if (schedule_ == Schedule::levels) return {.width = plan_.width, .characters = plan_.width};
+    return fused_fit(context, needs, shared.bytes(*context.pools), plan_);
   }
 
   const LocalStorePlan& plan_;
   Schedule schedule_;
   StoreNeeds needs_;
   SharedSources shared_;
-  std::uint32_t limit_ = 0;
+  FusedFit fit_;
 };
 
 void add_characters(Tile& tile, const AgentWork& like, std::uint32_t count) {
@@ -81,11 +80,13 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, const W
       next = std::min(newest.limit() - tiles_.back().count, run.count);
       if (next > 0) add_characters(tiles_.back(), like, next);
       tiles_.back().needs = newest.needs();
+      tiles_.back().width = newest.width();
     }
     if (next == run.count) continue;
     if (!holds) newest.begin(context, *like.program);
     for (; next < run.count; next += tiles_.back().count) {
-      tiles_.push_back({.first = run.first + next, .program = like.program, .needs = newest.needs()});
+      tiles_.push_back(
+          {.first = run.first + next, .width = newest.width(), .program = like.program, .needs = newest.needs()});
       add_characters(tiles_.back(), like, std::min(newest.limit(), run.count - next));
     }
   }
@@ -97,27 +98,29 @@ double TileCutter::add_overheads(std::span<const UpdateContext> contexts, std::s
   double total = 0;
   for (Tile& tile : tiles_) {
     const AgentWork& first = work[tile.first];
-    tile.cost += static_cast<float>(cost.of_tile(contexts[first.skeleton].packets(first.level)));
+    tile.cost += static_cast<float>(tile.strips() * cost.of_tile(contexts[first.skeleton].packets(first.level)));
     total += static_cast<double>(tile.cost);
   }
   return total;
 }
 
-// In two, so that the first costs about `wanted`; both keep the overhead of a tile.
-void TileCutter::divide(std::size_t tile, double wanted, double overhead) {
+// In two, behind so many agents; `overhead` is that of a strip.
+void TileCutter::divide(std::size_t tile, std::uint32_t kept, double overhead) {
   Tile& left = tiles_[tile];
-  const double agent = (static_cast<double>(left.cost) - overhead) / left.count;
-  const double fits = (wanted - overhead) / agent;
-  const auto kept = static_cast<std::uint32_t>(std::clamp(fits + 0.5, 1.0, static_cast<double>(left.count) - 1));
-  const std::uint32_t moved = left.count - kept;
-  const Tile right{.first = left.first + kept,
-                   .count = moved,
-                   .cost = static_cast<float>(overhead + moved * agent),
-                   .program = left.program,
-                   .needs = left.needs};
+  const double agent = (static_cast<double>(left.cost) - left.strips() * overhead) / left.count;
+  Tile right = left;
+  right.first += kept;
+  right.count -= kept;
   left.count = kept;
-  left.cost = static_cast<float>(overhead + kept * agent);
+  for (Tile* part : {&left, &right}) part->cost = static_cast<float>(part->strips() * overhead + part->count * agent);
   tiles_.insert(tiles_.begin() + static_cast<std::ptrdiff_t>(tile) + 1, right);
+}
+
+// Of a tile of one strip: how many of its agents cost about `wanted`.
+std::uint32_t TileCutter::agents_for(const Tile& tile, double wanted, double overhead) {
+  const double agent = (static_cast<double>(tile.cost) - overhead) / tile.count;
+  const double fits = (wanted - overhead) / agent;
+  return static_cast<std::uint32_t>(std::clamp(fits + 0.5, 1.0, static_cast<double>(tile.count) - 1));
 }
 
 std::span<const Tile> TileCutter::cut(std::span<const UpdateContext> contexts, const WorkOrder& order,
@@ -130,18 +133,22 @@ std::span<const Tile> TileCutter::cut(std::span<const UpdateContext> contexts, c
   const double share_cost = total / static_cast<double>(share_count);
   double before = 0;
   std::size_t share = 1;
-  for (std::size_t tile = 0; tile < tiles_.size() && share < share_count; ++tile) {
+  for (std::size_t tile = 0; tile < tiles_.size() && share < share_count;) {
     const double wanted = share_cost * static_cast<double>(share) - before;
     const auto whole = static_cast<double>(tiles_[tile].cost);
-    if (wanted > whole) {
-      before += whole;
-      continue;
-    }
-    ++share;
     const AgentWork& first = work[tiles_[tile].first];
     const double overhead = cost.of_tile(contexts[first.skeleton].packets(first.level));
-    if (tiles_[tile].count > 1 && std::min(wanted, whole - wanted) > overhead) divide(tile, wanted, overhead);
-    before += static_cast<double>(tiles_[tile].cost);
+    if (wanted <= whole) {
+      if (tiles_[tile].strips() > 1) {
+        divide(tile, tiles_[tile].width, overhead);
+        continue;
+      }
+      ++share;
+      if (tiles_[tile].count > 1 && std::min(wanted, whole - wanted) > overhead) {
+        divide(tile, agents_for(tiles_[tile], wanted, overhead), overhead);
+      }
+    }
+    before += static_cast<double>(tiles_[tile++].cost);
   }
   cut_shares(
       static_cast<int>(tiles_.size()),

@@ -27,7 +27,8 @@ class TileCutter {
   void cut_full_width(std::span<const UpdateContext> contexts, const WorkOrder& order, const LocalStorePlan& plan,
                       Schedule schedule);
   double add_overheads(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, const CostModel& cost);
-  void divide(std::size_t tile, double wanted, double overhead);
+  void divide(std::size_t tile, std::uint32_t kept, double overhead);
+  static std::uint32_t agents_for(const Tile& tile, double wanted, double overhead);
 
   std::vector<Tile> tiles_;
 };

@@ -90,7 +90,7 @@ TEST(PackedPalettes, HaveOneHashHoweverTheyAreScheduled) {
   SystemOptions options = packed;
   for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
     options.schedule = schedule;
-    for (const int tile : {1, 4, 16}) {
+    for (const int tile : {0, 1, 4, 16}) {
       options.tile = tile;
       for (const int pus : {1, 3}) {
         options.pus = pus;

@@ -123,7 +123,7 @@ std::vector<SystemOptions> many_options() {
   std::vector<SystemOptions> all;
   for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
     for (const int pus : {1, 3}) {
-      for (const int tile : {1, 4, 16}) {
+      for (const int tile : {0, 1, 4, 16}) {
         all.push_back({.pus = pus, .local_store_bytes = 1024UL * 1024UL, .tile = tile, .schedule = schedule});
       }
     }

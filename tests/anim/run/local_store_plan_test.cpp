@@ -38,6 +38,26 @@ TEST(LocalStorePlan, ALargerStoreHoldsAWiderTile) {
   EXPECT_GE(in_16_kib, 1);
 }
 
+TEST(LocalStorePlan, ATileOfASizeThatIsAskedForIsOneStrip) {
+  const auto strips_of = [](const SystemOptions& options) {
+    return (*AnimationSystem::create(character(62), options))->schedule().plan.strips;
+  };
+  EXPECT_EQ(strips_of({}), most_strips);
+  EXPECT_EQ(strips_of({.tile = 16}), 1);
+  EXPECT_EQ(strips_of({.schedule = Schedule::levels}), 1);
+}
+
+TEST(LocalStorePlan, ALargeStoreFetchesTwoStripsOfAnyUsualGraph) {
+  const auto plan_of = [](const SystemOptions& options) {
+    return (*AnimationSystem::create(character(62), options))->schedule().plan;
+  };
+  const LocalStorePlan usual = plan_of({.local_store_bytes = 64 * kib});
+  const LocalStorePlan large = plan_of({.local_store_bytes = 256 * kib});
+  EXPECT_EQ(large.fetch_bytes, 2 * usual.fetch_bytes);
+  EXPECT_GT(large.scratch_bytes, 2 * usual.scratch_bytes);
+  EXPECT_EQ(plan_of({.local_store_bytes = 256 * kib, .tile = 16}).fetch_bytes, usual.fetch_bytes);
+}
+
 TEST(LocalStorePlan, ThePapersStoreOf16KiBHolds62BonesInEverySchedule) {
   EXPECT_EQ(error_of(62, {.local_store_bytes = 16 * kib}), "");
   EXPECT_EQ(error_of(62, {.local_store_bytes = 16 * kib, .schedule = Schedule::levels}), "");

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/anim/agent/crowd_rig.h"
@@ -48,6 +49,7 @@ class Crowd {
 
   std::vector<AgentWork> work;
   const WorkOrder& order() const { return order_; }
+  const LocalStorePlan& plan() const { return rig_->schedule().plan; }
 
  private:
   std::span<const UpdateContext> contexts() {
@@ -135,18 +137,41 @@ TEST(TileCutter, KnowsTheProgramOfTilesThatHaveOne) {
       EXPECT_EQ(tile.program, alike ? agents.front().program : nullptr) << tile.first;
       mixed += alike ? 0 : 1;
     }
-    EXPECT_EQ(mixed, walking == 20 ? 1 : 0) << walking;
+    EXPECT_EQ(mixed, walking == 32 ? 0 : 1) << walking;
   }
 }
 
-TEST(TileCutter, PredictsOfATileWhatItsAgentsAndItsPacketsTake) {
+TEST(TileCutter, PredictsOfATileWhatItsAgentsAndThePacketsOfItsStripsTake) {
   Crowd crowd(40);
   std::array<int, 2> shares{};
   for (const Tile& tile : crowd.cut(shares)) {
     double agents = 0;
     for (const AgentWork& work : crowd.order().work().subspan(tile.first, tile.count)) agents += work.cost * cost_step;
-    EXPECT_NEAR(static_cast<double>(tile.cost), cost.of_tile(3) + agents, 0.01);
+    EXPECT_NEAR(static_cast<double>(tile.cost), tile.strips() * cost.of_tile(3) + agents, 0.01);
   }
+}
+
+TEST(TileCutter, PutsTwoStripsIntoATileWhereTheStoreHoldsTheirCharacters) {
+  Crowd crowd(80);
+  PoseProgram large = *crowd.work.front().program;
+  large.needs.fetch_bytes = static_cast<std::uint32_t>(crowd.plan().fetch_bytes) / 24;
+  for (std::size_t i = 48; i < crowd.work.size(); ++i) crowd.work[i].program = &large;
+  std::array<int, 2> shares{};
+  std::vector<std::uint32_t> counts;
+  for (const Tile& tile : crowd.cut(shares)) {
+    EXPECT_EQ(tile.width, 16U);
+    counts.push_back(tile.count);
+  }
+  EXPECT_THAT(counts, testing::ElementsAre(32, 16, 16, 16));
+}
+
+TEST(TileCutter, CutsBetweenStripsBeforeItCutsAStrip) {
+  Crowd crowd(96);
+  std::array<int, 3> shares{};
+  std::vector<std::uint32_t> counts;
+  for (const Tile& tile : crowd.cut(shares)) counts.push_back(tile.count);
+  EXPECT_THAT(counts, testing::ElementsAre(32, 16, 16, 32));
+  EXPECT_EQ(shares, (std::array{0, 2, 4}));
 }
 
 TEST(TileCutter, CutsAWideTileSoThatNoPuIsLate) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,24 +9,24 @@
 
 namespace throng::anim {
 
-/// What the characters of a tile show, for the kernel that poses the clips of all of them, packet by packet.
-class ClipTile {
+/// What the characters of a strip show, for the kernel that poses the clips of all of them, packet by packet.
+class ClipStrip {
  public:
-  void begin(std::size_t characters) {
-    character_count_ = characters;
+  /// Who adds characters has said before what they show.
+  void begin(std::span<ShownClips> shown) {
+    shown_ = shown;
     clip_count_ = 0;
     displaced_quads_ = 0;
   }
-  /// Where a character and those after it say what they show, and are then added.
-  ShownClips* row(std::size_t first) { return &shown_[first]; }
+  ShownClips& of(std::size_t character) const { return shown_[character]; }
   bool all_show(std::size_t first, std::size_t end) const {
     const auto shows = [](const ShownClips& shown) { return shown.clip != nullptr; };
-    return std::ranges::all_of(std::span(shown_).subspan(first, end - first), shows);
+    return std::ranges::all_of(shown_.subspan(first, end - first), shows);
   }
   void add(std::size_t first, std::size_t end) {
     std::size_t count = 0;
     std::uint64_t displaced = 0;  // not added up in memory
-    for (const ShownClips& shown : std::span(shown_).subspan(first, end - first)) {
+    for (const ShownClips& shown : shown_.subspan(first, end - first)) {
       if (shown.clip == nullptr) continue;
       ++count;
       displaced |= shown.clip->stream->displaced_quads;
@@ -42,12 +41,11 @@ class ClipTile {
 
   /// But for what a packet adds.
   PoseClipsJob job(int components, float* local) const {
-    return {.characters = std::span(shown_).first(character_count_), .components = components, .local = local};
+    return {.characters = shown_, .components = components, .local = local};
   }
 
  private:
-  std::array<ShownClips, widest_tile> shown_;
-  std::size_t character_count_ = 0;
+  std::span<ShownClips> shown_;
   std::size_t clip_count_ = 0;
   std::uint64_t displaced_quads_ = 0;
 };

@@ -1,10 +1,27 @@
 #include "engine/anim/run/pu_threads.h"
 
 #include <cassert>
+#include <chrono>
 
 namespace throng::anim {
+namespace {
 
-PuThreads::PuThreads(int pus) {
+using Clock = std::chrono::steady_clock;
+
+/// About what it takes to put a thread to sleep and to wake it, where cores are virtual.
+constexpr std::chrono::microseconds waits_awake(50);
+
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+}  // namespace
+
+PuThreads::PuThreads(int pus) : has_cores_(static_cast<unsigned>(pus) <= std::thread::hardware_concurrency()) {
   threads_.reserve(static_cast<std::size_t>(pus - 1));
   for (int pu = 1; pu < pus; ++pu) threads_.emplace_back([this, pu] { work(pu); });
 }
@@ -27,14 +44,27 @@ void PuThreads::run(int count, Job job) {
   job.run(job.context, 0);
   for (int left = running_.load(std::memory_order_acquire); left != 0;
        left = running_.load(std::memory_order_acquire)) {
-    running_.wait(left, std::memory_order_acquire);
+    wait_while(running_, left);
   }
+}
+
+template <typename Value>
+void PuThreads::wait_while(const std::atomic<Value>& value, Value is) const {
+  constexpr int looks_at_a_time = 32;  // the clock takes longer
+  const Clock::time_point end = Clock::now() + waits_awake;
+  while (has_cores_ && Clock::now() < end) {
+    for (int look = 0; look < looks_at_a_time; ++look) {
+      if (value.load(std::memory_order_acquire) != is) return;
+      pause();
+    }
+  }
+  value.wait(is, std::memory_order_acquire);
 }
 
 void PuThreads::work(int pu) {
   std::uint32_t seen = 0;
   while (true) {
-    round_.wait(seen, std::memory_order_acquire);
+    wait_while(round_, seen);
     seen = round_.load(std::memory_order_acquire);
     if (stopping_.load(std::memory_order_relaxed)) return;
     if (pu < count_) job_.run(job_.context, pu);

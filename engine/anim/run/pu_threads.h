@@ -10,6 +10,7 @@
 namespace throng::anim {
 
 /// One thread a PU; the calling thread is PU 0, the others are parked between jobs. No thread is created per frame.
+/// Where there is a core for each, who waits does so awake for as long as it would take to be woken, and then sleeps.
 class PuThreads final : public Executor {
  public:
   explicit PuThreads(int pus);
@@ -22,8 +23,11 @@ class PuThreads final : public Executor {
 
  private:
   void work(int pu);
+  template <typename Value>
+  void wait_while(const std::atomic<Value>& value, Value is) const;
 
   std::vector<std::thread> threads_;
+  bool has_cores_;  // one for each
   Job job_{};
   int count_ = 0;
   std::atomic<std::uint32_t> round_{0};  // a new value wakes the threads

@@ -187,6 +187,7 @@ void AnimationSystem::reserve_work() {
   posed_at_.resize(agent_count(), clock_);
   agent_hashes_.resize(agent_count(), 0);
   work_.reserve(agent_count());
+  runs_.reserve(agent_count());
   scheduler_->reserve(agent_count());
   scheduler_->set_stores(store_policy());
 }

@@ -310,8 +310,10 @@ class AnimationSystem {
   std::vector<Ticks> posed_at_;              // [agent] the time its entities stand at
   std::vector<std::uint64_t> agent_hashes_;  // [agent] of its last update
   std::vector<AgentWork> work_;
+  std::vector<WorkRun> runs_;  // in it
   std::vector<AgentWork> shared_work_;
   std::vector<AgentWork> exact_work_;
+  std::vector<WorkRun> exact_runs_;
   std::vector<UpdateContext> exact_contexts_;  // as contexts_, palettes as matrices
   UpdateReport report_;
 };

@@ -76,7 +76,8 @@ void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
     context.hashes = {};
   }
   if (exact_scheduler_ == nullptr || !exact_stores_hold()) make_exact_scheduler();
-  exact_scheduler_->update(exact_contexts_, {}, exact_work_, executor());
+  find_runs(exact_work_, exact_runs_);
+  exact_scheduler_->update(exact_contexts_, {}, {exact_work_, exact_runs_}, executor());
 }
 
 bool AnimationSystem::exact_stores_hold() const {

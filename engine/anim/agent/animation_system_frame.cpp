@@ -31,7 +31,7 @@ void AnimationSystem::update(std::span<const AgentUpdate> agents) {
   report_ = {};
   begin_shared_work();
   begin_work(agents);
-  scheduler_->update(contexts_, shared_work_, work_, executor());
+  scheduler_->update(contexts_, shared_work_, {work_, runs_}, executor());
   report_work(scheduler_->order());
   end_work();
 }
@@ -84,6 +84,11 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
   const Ticks now = clock_;
   AlikeAgents alike;
   AgentWork* work = work_.data();
+  const auto listed = [&] { return static_cast<std::uint32_t>(work - work_.data()); };
+  const auto end_run = [&] {
+    if (!runs_.empty()) runs_.back().count = listed() - runs_.back().first;
+  };
+  runs_.clear();
   for (const AgentUpdate& update : agents) {
     const Member member = members[update.agent];
     const Agents& cast = casts_[member.cast]->agents;
@@ -93,6 +98,8 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
     assert(update.level < max_bone_levels && update.fade_level < max_bone_levels && update.fade_halves <= 2);
     assert(!graph.program->steps.empty() && "an agent must play something before it is updated");
     if (!alike.include(*graph.program, update.level)) [[unlikely]] {
+      end_run();
+      runs_.push_back({.first = listed()});
       const PoseProgram& program = *graph.program;
       alike = {.program = &program,
                .level = update.level,
@@ -117,6 +124,7 @@ void AnimationSystem::begin_work(std::span<const AgentUpdate> agents) {
                              .fade_halves = update.fade_halves,
                              .held = alike.held};
   }
+  end_run();
 }
 
 std::uint16_t AnimationSystem::predicted_cost(const PoseProgram& program, std::uint32_t cast, int level) const {

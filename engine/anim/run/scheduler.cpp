@@ -49,14 +49,14 @@ void Scheduler::reserve(std::size_t agents) {
 }
 
 void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared,
-                       std::span<const AgentWork> agents, Executor& executor) {
+                       const WorkInRuns& agents, Executor& executor) {
   time_.begin();
   for (ProcessingUnit& unit : units_) unit.begin_update(time_.first_tick, *contexts.front().assets.kernels);
   for (const UpdateContext& context : contexts) context.pools->guard_blocks();
   if (!shared.empty()) run_entities(contexts, shared, executor);
   order_.sort(agents);
-  if (!agents.empty()) {
-    const std::span<const AgentWork> work = order_.work();
+  const std::span<const AgentWork> work = order_.work();
+  if (!work.empty()) {
     const double nanoseconds = order_.predicted();
     tiles_ = cutter_.cut(contexts, order_, options_.plan, options_.schedule, options_.cost, shares_for(nanoseconds));
     if (options_.schedule == Schedule::fused) {

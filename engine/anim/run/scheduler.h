@@ -48,8 +48,8 @@ class Scheduler {
 
   /// First updates the graphs that `shared` work asks for, whose states others read, then poses `agents`, sorted into
   /// tiles. The executor runs one job a PU.
-  void update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared,
-              std::span<const AgentWork> agents, Executor& executor);
+  void update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared, const WorkInRuns& agents,
+              Executor& executor);
 
   std::span<const ProcessingUnit> units() const { return units_; }
   /// Of the agents of the last update.

@@ -54,56 +54,55 @@ bool are_alike(const AgentWork& a, const AgentWork& b) {
 
 }  // namespace
 
+void find_runs(std::span<const AgentWork> work, std::vector<WorkRun>& runs) {
+  runs.clear();
+  const auto count = static_cast<std::uint32_t>(work.size());
+  for (std::uint32_t first = 0, end = 0; first < count; first = end) {
+    for (end = first + 1; end < count && are_alike(work[first], work[end]);) ++end;
+    runs.push_back({first, end - first});
+  }
+}
+
 void WorkOrder::reserve(std::size_t agents) {
   sorted_.reserve(agents);
-  runs_.reserve(agents);
+  sorted_runs_.reserve(agents);
 }
 
 // A stable counting sort.
-void WorkOrder::sort(std::span<const AgentWork> work) {
-  work_ = work;
-  find_runs();
+void WorkOrder::sort(const WorkInRuns& given) {
+  ordered_ = given;
   if (is_in_order()) return;
   ClassStarts places{};
   std::array<std::uint64_t, groups> costs{};
   std::array<std::uint32_t, groups> counts{};
-  for (const WorkRun& run : runs_) {
-    const AgentWork& like = work[run.first];
+  for (const WorkRun& run : given.runs) {
+    const AgentWork& like = given.work[run.first];
     places[class_of(like)] += run.count;
     costs[group_of(like)] += std::uint64_t{run.count} * like.cost;
     counts[group_of(like)] += run.count;
   }
   place_classes(costs, counts, places);
-  sorted_.resize(work.size());
-  for (const WorkRun& run : runs_) {
-    std::uint32_t& place = places[class_of(work[run.first])];
-    std::ranges::copy(work.subspan(run.first, run.count), sorted_.begin() + place);
+  sorted_.resize(given.work.size());
+  for (const WorkRun& run : given.runs) {
+    std::uint32_t& place = places[class_of(given.work[run.first])];
+    std::ranges::copy(given.work.subspan(run.first, run.count), sorted_.begin() + place);
     place += run.count;
   }
-  work_ = sorted_;
-  find_runs();
-}
-
-void WorkOrder::find_runs() {
-  runs_.clear();
-  const auto count = static_cast<std::uint32_t>(work_.size());
-  for (std::uint32_t first = 0, end = 0; first < count; first = end) {
-    for (end = first + 1; end < count && are_alike(work_[first], work_[end]);) ++end;
-    runs_.push_back({first, end - first});
-  }
+  find_runs(sorted_, sorted_runs_);
+  ordered_ = {sorted_, sorted_runs_};
 }
 
 /// All are of one class.
 bool WorkOrder::is_in_order() const {
-  if (runs_.empty()) return true;
-  return std::ranges::all_of(runs_, [this, first = class_of(work_.front())](const WorkRun& run) {
-    return class_of(work_[run.first]) == first;
+  if (runs().empty()) return true;
+  return std::ranges::all_of(runs(), [this, first = class_of(work().front())](const WorkRun& run) {
+    return class_of(work()[run.first]) == first;
   });
 }
 
 double WorkOrder::predicted() const {
   std::uint64_t steps = 0;
-  for (const WorkRun& run : runs_) steps += std::uint64_t{run.count} * work_[run.first].cost;
+  for (const WorkRun& run : runs()) steps += std::uint64_t{run.count} * work()[run.first].cost;
   return static_cast<double>(steps) * cost_step;
 }
 

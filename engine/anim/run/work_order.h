@@ -14,6 +14,15 @@ struct WorkRun {
   std::uint32_t count = 0;
 };
 
+/// Of all of `work`, in its order; none can be made longer.
+void find_runs(std::span<const AgentWork> work, std::vector<WorkRun>& runs);
+
+/// The work of a frame, and the runs in it.
+struct WorkInRuns {
+  std::span<const AgentWork> work;
+  std::span<const WorkRun> runs;
+};
+
 /// The work of a frame in the order in which tiles are cut from it (paper 3.2): groups of one skeleton and bone level,
 /// held or not, whose agents cost most first; within a group the dearest agents first. Agents who cost the same stay in
 /// their order.
@@ -22,22 +31,20 @@ class WorkOrder {
   /// Room for so many agents, so that nothing below allocates.
   void reserve(std::size_t agents);
 
-  /// `work` stays where it is until the next call. A crowd of one group, which is common, is not copied.
-  void sort(std::span<const AgentWork> work);
+  /// What is given stays where it is until the next call. A crowd of one group, which is common, is not copied.
+  void sort(const WorkInRuns& given);
 
-  std::span<const AgentWork> work() const { return work_; }
-  /// Of work(), all of it; none can be made longer.
-  std::span<const WorkRun> runs() const { return runs_; }
+  std::span<const AgentWork> work() const { return ordered_.work; }
+  std::span<const WorkRun> runs() const { return ordered_.runs; }
   /// Nanoseconds that all of it is predicted to take, without what tiles add.
   double predicted() const;
 
  private:
-  void find_runs();
   bool is_in_order() const;
 
-  std::span<const AgentWork> work_;
+  WorkInRuns ordered_;
   std::vector<AgentWork> sorted_;
-  std::vector<WorkRun> runs_;
+  std::vector<WorkRun> sorted_runs_;
 };
 
 /// They may be in one tile.

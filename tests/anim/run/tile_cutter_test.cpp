@@ -39,7 +39,8 @@ class Crowd {
   }
 
   std::vector<Tile> cut(std::span<int> shares) {
-    order_.sort(work);
+    find_runs(work, runs_);
+    order_.sort({work, runs_});
     TileCutter cutter;
     cutter.reserve(work.size());
     const std::span<const Tile> tiles =
@@ -62,6 +63,7 @@ class Crowd {
   int context_packets() { return contexts().front().packets(0); }
 
   CrowdRig rig_;
+  std::vector<WorkRun> runs_;
   WorkOrder order_;
   UpdateContext context_;
   int packets_;

@@ -52,7 +52,9 @@ inline TaskContent content_of(std::uint32_t agent, std::uint8_t bone_level) {
 inline TaskContent content_of(std::span<const AgentWork> tile) {
   std::uint32_t first = tile.front().agent;
   std::uint32_t last = first;
-  for (const AgentWork& work : tile) {
+  std::size_t next = 1;
+  while (next < tile.size() && tile[next].agent > last) last = tile[next++].agent;  // nearly always all of them
+  for (const AgentWork& work : tile.subspan(next)) {
     first = std::min(first, work.agent);
     last = std::max(last, work.agent);
   }

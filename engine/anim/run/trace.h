@@ -94,7 +94,7 @@ enum class Tracing : std::uint8_t {
 /// beforehand; what does not fit is counted and not kept.
 class Trace {
  public:
-  static constexpr std::uint32_t slices_of_one_task_in = 16;
+  static constexpr std::uint32_t slices_of_one_task_in = 64;
   static constexpr double shortest_span_ns =
       4000;  ///< by prediction: a hundred times what reading the clock takes, thrice
 

@@ -109,6 +109,15 @@ TEST(Trace, CountsTheEntitiesOfAnAgentOnceASpan) {
   EXPECT_LT(computed, (stages + 1) * agents) << "few spans begin or end in the middle of an agent or a tile";
 }
 
+TEST(TaskContent, OfATileIsItsLowestAndItsHighestAgentInWhateverOrderTheyAre) {
+  for (const std::vector<std::uint32_t>& numbers :
+       {std::vector<std::uint32_t>{5, 6, 9}, {5, 9, 6}, {9, 6, 5}, {6, 5, 9}}) {
+    std::vector<AgentWork> tile;
+    for (const std::uint32_t agent : numbers) tile.push_back({.agent = agent, .level = 2});
+    EXPECT_EQ(content_of(tile), (TaskContent{.first_agent = 5, .last_agent = 9, .agents = 3, .bone_level = 2}));
+  }
+}
+
 TEST(JoinedContent, OfSeveralTasksIsFromTheLowestAgentToTheHighest) {
   JoinedContent joined;
   joined.add({.first_agent = 40, .last_agent = 55, .agents = 16, .bone_level = 1});

@@ -1,7 +1,6 @@
 #include "engine/anim/run/copy_engine.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace throng::anim {
@@ -23,6 +22,7 @@ void CopyEngine::spread_over(int slices, Trace* trace) {
   slices_to_ = trace != nullptr && trace->wants_slices() ? trace : nullptr;
   const auto bytes = static_cast<std::uint32_t>(queued_.bytes_in + queued_.bytes_out - moved_bytes_);
   const auto parts = static_cast<std::uint32_t>(std::max(slices, 1));
+  slices_left_ = slices;
   slice_bytes_ = (bytes + parts - 1) / parts;  // of 32 bits, which divide in half the time
   due_bytes_ = moved_bytes_;
   ask_for_rows(due_bytes_ + slice_bytes_);
@@ -32,13 +32,15 @@ void CopyEngine::advance() {
   if (moved_rows_ == queue_.size()) return;
   const std::uint64_t begin = slices_to_ == nullptr ? 0 : TraceClock::now();
   due_bytes_ += slice_bytes_;
-  move_rows(due_bytes_);
+  --slices_left_;
+  move_rows();
   ask_for_rows(due_bytes_ + slice_bytes_);
   if (slices_to_ != nullptr) slices_to_->add_slice(begin);
 }
 
 CopyCounts CopyEngine::finish() {
-  move_rows(std::numeric_limits<std::size_t>::max());
+  slices_left_ = 0;
+  move_rows();
   queue_.clear();
   moved_rows_ = moved_bytes_ = asked_rows_ = asked_bytes_ = due_bytes_ = slice_bytes_ = 0;
   slices_to_ = nullptr;
@@ -46,11 +48,17 @@ CopyCounts CopyEngine::finish() {
   return std::exchange(queued_, {});
 }
 
-void CopyEngine::move_rows(std::size_t due) {
-  while (moved_rows_ < queue_.size() && moved_bytes_ < due) {
+/// What comes in comes with the last slice: earlier, kernels would drive it out of the nearest cache again.
+bool CopyEngine::is_next_due() const {
+  if (moved_rows_ == queue_.size()) return false;
+  return slices_left_ <= 0 || (!queue_[moved_rows_].inward && moved_bytes_ < due_bytes_);
+}
+
+void CopyEngine::move_rows() {
+  while (is_next_due()) {
     const Entry& entry = queue_[moved_rows_++];
     moved_bytes_ += entry.moved_bytes();
-    ask_for_rows(moved_bytes_ + 1);  // the next one
+    if (slices_left_ <= 0) ask_for_rows(moved_bytes_ + 1);  // the next one
     move_row(entry);
   }
 }

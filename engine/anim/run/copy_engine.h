@@ -46,8 +46,9 @@ class CopyEngine {
     push({.row = {.local = const_cast<std::byte*>(local), .size = size}, .only = main_memory});
   }
 
-  /// Cuts what is queued into `slices` about equal parts of whole rows, one for each advance(). What a part moves is
-  /// asked for one part ahead, so that it comes near while kernels compute. Of some tasks the trace is told of each.
+  /// Cuts what is queued into `slices` about equal parts of whole rows, one for each advance(). A part is asked for one
+  /// advance() before its own, so that it comes near while kernels compute. What goes out is moved part by part, what
+  /// comes in with the last one. Of some tasks the trace is told of each.
   void spread_over(int slices, Trace* trace = nullptr);
   void advance();
   /// Moves all that is left; returns what was queued since the last finish().
@@ -86,7 +87,8 @@ class CopyEngine {
     queued_.transfers += count;
     queue_.push_back(entry);
   }
-  void move_rows(std::size_t due);
+  bool is_next_due() const;
+  void move_rows();
   void ask_for_rows(std::size_t due);
   void move_row(const Entry& entry) const;
 
@@ -96,8 +98,9 @@ class CopyEngine {
   std::size_t moved_bytes_ = 0;
   std::size_t asked_rows_ = 0;  // that are on their way to a near cache, or were not worth it
   std::size_t asked_bytes_ = 0;
-  std::size_t due_bytes_ = 0;  // that are to be moved by the end of this slice
+  std::size_t due_bytes_ = 0;  // that are to be moved, or near, by the end of this slice
   std::size_t slice_bytes_ = 0;
+  int slices_left_ = 0;
   CopyCounts queued_;  // since the last finish()
   CopyCounts counts_;  // of what is finished
   Trace* slices_to_ = nullptr;

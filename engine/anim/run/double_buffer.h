@@ -12,7 +12,8 @@ namespace throng::anim {
 /// in/out".
 ///   off          one fetch buffer: fetch, compute, write back
 ///   inline_copy  two: the previous task goes out and the next comes in before this one is computed
-///   interleaved  two: the same bytes, moved in slices from inside the kernels' loop over packets of bones
+///   interleaved  two: the same bytes, from inside the kernels' loop over packets of bones: asked for in slices, as a
+///                controller would have them under way, and here with the last one
 enum class DoubleBuffering : std::uint8_t { off, inline_copy, interleaved };
 
 template <typename Tasks, typename Task>

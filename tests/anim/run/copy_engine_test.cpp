@@ -65,6 +65,24 @@ TEST(CopyEngine, MovesAboutAsMuchInEachSlice) {
   }
 }
 
+TEST(CopyEngine, FetchesWithTheLastSliceAndWritesBackFromTheFirstOn) {
+  Memory main_memory(128);
+  LocalStore store(128);
+  store.divide(128, 1, 0);
+  std::byte* const local = store.fetch_buffer(0).data();
+  std::memset(local, 0, 64);
+  CopyEngine engine;
+  engine.write_back(local, main_memory.bytes.get(), 64);
+  engine.fetch(main_memory.bytes.get() + 64, local + 64, 64);
+  engine.spread_over(2);
+  engine.advance();
+  EXPECT_EQ(std::ranges::count(std::span(main_memory.bytes.get(), 64), std::byte{0}), 64);
+  release_guard(local + 64, 64);  // or nobody might look at what has not arrived
+  EXPECT_NE(std::memcmp(local + 64, main_memory.bytes.get() + 64, 64), 0);
+  engine.advance();
+  EXPECT_EQ(std::memcmp(local + 64, main_memory.bytes.get() + 64, 64), 0);
+}
+
 TEST(CopyEngine, MovesRowsOfScatteredBlocksAndBack) {
   constexpr std::size_t size = 128, kept = 64, stride = 192;
   for (const int slices : {0, 1, 2, 5}) {

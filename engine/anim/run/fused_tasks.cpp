@@ -142,8 +142,8 @@ void FusedTasks::advance_entities(const Characters& tile, StepPlace place) {
   });
 }
 
-/// What becomes of what its characters show, the first of whom is at `place`. Returns where those after them are.
-StepPlace FusedTasks::plan_poses(const Characters& strip, StepPlace place) {
+/// What becomes of what its characters show, the first of whom is at `place`; then that is where those after them are.
+void FusedTasks::plan_poses(const Characters& strip, StepPlace& place) {
   clips_.begin(std::span(notes_->shown_last).subspan(posed_, strip.work.size()));
   composed_count_ = 0;
   composed_displaces_ = false;
@@ -153,7 +153,6 @@ StepPlace FusedTasks::plan_poses(const Characters& strip, StepPlace place) {
     place = place.of_next(*alike.program, alike.size());
   });
   plan_tails(strip);
-  return place;
 }
 
 /// What comes before the tail of a program: entity after entity, over clips that are there already.
@@ -221,7 +220,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
     characters.work = work.subspan(posed_, std::min<std::size_t>(cut.width, work.size() - posed_));
     characters.width = static_cast<int>(std::bit_ceil(characters.work.size()));
     carve();
-    place = plan_poses(characters, place);
+    plan_poses(characters, place);
     pose(characters, engine);
   }
   ++tiles_done_;

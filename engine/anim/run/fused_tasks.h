@@ -116,7 +116,7 @@ class FusedTasks {
   void advance_entities(const Characters& tile, StepPlace place);
   void advance_alike(const Characters& tile, const AlikeRun& alike, StepPlace place);
   std::span<ShownClips> shown_by(std::size_t step, const AlikeRun& alike);
-  StepPlace plan_poses(const Characters& strip, StepPlace place);
+  void plan_poses(const Characters& strip, StepPlace& place);
   void pose(const Characters& strip, CopyEngine& engine);
   void find_composed(const Characters& characters, const AlikeRun& alike, StepPlace place);
   Composed& begin_composed(const Characters& characters, const AlikeRun& first, const StepPlace& place,

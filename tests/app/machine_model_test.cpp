@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/app/temporary_folder.h"
+
 namespace throng::app {
 namespace {
 
@@ -17,7 +19,7 @@ Machine simple_machine() {
 }
 
 std::string refusal_of(const std::string& json) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "machine_of_a_test.json";
+  const std::filesystem::path file = test::path_of_this_test().concat(".json");
   std::ofstream(file) << json;
   const auto machine = read_machine(file);
   std::filesystem::remove(file);

@@ -12,12 +12,13 @@
 
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/app/program_run.h"
+#include "tests/app/temporary_folder.h"
 
 namespace throng::app {
 namespace {
 
 nlohmann::json trace_of_a_run(const std::string& schedule) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("trace_" + schedule + ".json");
+  const std::filesystem::path file = test::path_of_this_test().concat(".json");
   const ProgramRun run = run_program({"--headless=none", "--agents", "40", "--frames", "3", "--lod", "off", "--pus",
                                       "2", "--schedule", schedule, "--trace", file.string()});
   EXPECT_EQ(run.exit_status, 0) << run.errors;

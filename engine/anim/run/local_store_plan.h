@@ -46,8 +46,8 @@ struct LocalStoreDemand {
 std::size_t local_store_bytes(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width);
 
 /// The widest strips that fit `size` bytes, and some of them a tile; or tiles of one, of exactly `tile` characters, if
-/// that is not 0. The error names skeleton, schedule,
-/// stream, bytes needed and the smallest size that works, or the largest tile that fits.
+/// that is not 0. The error names skeleton, schedule, stream, bytes needed and the smallest size that works, or the
+/// largest tile that fits.
 Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand,
                                         std::size_t size, int tile);
 

@@ -66,7 +66,7 @@ void show_machine(const TabContext& context) {
   widgets.choice(
       "Double buffer", tuning.double_buffer, standard.double_buffer, double_buffer_words,
       {.what = "off: fetch, compute, write back. inline: the next tile is fetched before this one is computed. "
-               "interleaved: in slices, while it is computed.",
+               "interleaved: while it is computed, asked for in slices.",
        .cost = "A second fetch buffer in the local store."});
   widgets.choice("Stream", tuning.stream, standard.stream, stream_words,
                  {.what = "sampled: even rows of quantised rotations, made for crowds. keyframe: the clip's own keys, "

@@ -7,17 +7,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/app/temporary_folder.h"
+
 namespace throng::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of the test's own, gone after it.
-class AtomicFile : public testing::Test {
+class AtomicFile : public test::TemporaryFolder {
  protected:
-  AtomicFile() { fs::create_directories(folder_); }
-  ~AtomicFile() override { fs::remove_all(folder_); }
-
   std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const auto& entry : fs::directory_iterator(folder_)) all.push_back(entry.path().filename().string());
@@ -30,8 +28,6 @@ class AtomicFile : public testing::Test {
     return text.str();
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) /
-                           (std::string("throng_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   const fs::path file_ = folder_ / "report.json";
 };
 

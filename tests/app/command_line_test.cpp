@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program_run.h"
+#include "tests/app/temporary_folder.h"
 
 namespace throng::app {
 namespace {
@@ -14,12 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A folder of the test's own, gone after it.
-class CommandLine : public testing::Test {
+class CommandLine : public test::TemporaryFolder {
  protected:
-  CommandLine() { fs::create_directories(folder_); }
-  ~CommandLine() override { fs::remove_all(folder_); }
-
   fs::path noise_named_glb() const {
     const fs::path file = folder_ / "noise.glb";
     std::ofstream stream(file, std::ios::binary);
@@ -29,9 +26,6 @@ class CommandLine : public testing::Test {
   }
 
   bool is_empty() const { return fs::is_empty(folder_); }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) /
-                           (std::string("throng_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 MATCHER(IsOneLine, "is one line that names the program") {

@@ -22,7 +22,7 @@ namespace throng::anim {
 struct SystemOptions {
   int pus = 1;                        ///< 1 to max_pus
   std::size_t local_store_bytes = 0;  ///< of each PU; 0: automatic (automatic_local_store), grows with the graphs
-  int tile = 0;                       ///< characters a tile: 1, 2, 4, 8, 16; 0: what fits
+  int tile = 0;                       ///< characters a tile: 1, 2, 4, 8, 16; 0: what fits, up to 32
   Schedule schedule = Schedule::fused;
   /// Who runs the PUs: a host's job system, which outlives the system; null: threads of the system's own.
   Executor* executor = nullptr;

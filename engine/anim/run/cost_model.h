@@ -19,8 +19,8 @@ struct ProgramParts {
 /// one only costs time. Measured by `throng bench --sweep cost` on one core with AVX-512, within 12% on average; what
 /// counts is the proportion of the coefficients.
 struct CostModel {
-  double tile = 105;           ///< handing a tile out, and its scratch
-  double tile_packet = 255;    ///< hierarchy and palettes of 16 bones across a tile, however few its characters
+  double tile = 105;           ///< what is done once a strip of a tile, whatever its characters
+  double tile_packet = 255;    ///< hierarchy and palettes of 16 bones across a strip, however few its characters
   double agent = 95;           ///< copies, clocks
   double player_packet = 23;   ///< 16 bones of a player
   double blender_packet = 27;  ///< of what combines or changes them
@@ -31,6 +31,7 @@ struct CostModel {
     const double packet = parts.players * player_packet + parts.blenders * blender_packet;
     return agent + packets * packet + parts.whole_pose_work * post_process;
   }
+  /// Of each strip.
   double of_tile(int packets) const { return tile + packets * tile_packet; }
 
   friend bool operator==(const CostModel&, const CostModel&) = default;

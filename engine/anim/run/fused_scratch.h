@@ -10,7 +10,7 @@ namespace throng::anim {
 
 struct LocalStorePlan;
 
-/// The scratch of a tile in the `fused` schedule, and of its strips of `width` characters one after the other.
+/// The scratch of a tile in the `fused` schedule, and of its strips of up to `width` characters one after the other.
 ///
 ///     prepared   std::byte [characters of the tile][prepared bytes]
 ///     model      see tile_scratch.h; local poses of a held tile are the first held ones, which are done by then

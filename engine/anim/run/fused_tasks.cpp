@@ -186,7 +186,7 @@ void FusedTasks::compose_packet(const Characters& characters, const Composed& co
   if (poses.left[last] != local) std::memcpy(local, poses.left[last], floats * sizeof(float));
 }
 
-/// Nearly always as for the strip before.
+/// Nearly always as for the tile before.
 void FusedTasks::carve_scratch(const Carved& wanted) {
   if (carved_ == wanted) return;
   carved_ = wanted;
@@ -210,8 +210,7 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
                         .width = static_cast<int>(std::bit_ceil(std::min(cut.count, cut.width))),
                         .packets = packets,
                         .held_packets = std::min<int>(cut.needs.held_packets, packets)};
-  const auto carve = [&] { carve_scratch({&about, cut.needs, characters.width, work.size()}); };
-  carve();
+  carve_scratch({&about, cut.needs, characters.width, work.size()});
   for (std::size_t i = 0; i < work.size(); ++i) notes_->deltas[i] = work[i].delta;
   StepPlace place{.block = blocks, .prepared = scratch_.prepared.data()};
   advance_entities(characters, place);
@@ -219,7 +218,6 @@ void FusedTasks::compute(int task, int buffer, CopyEngine& engine) {
   for (posed_ = 0; posed_ < work.size(); posed_ += cut.width) {
     characters.work = work.subspan(posed_, std::min<std::size_t>(cut.width, work.size() - posed_));
     characters.width = static_cast<int>(std::bit_ceil(characters.work.size()));
-    carve();
     plan_poses(characters, place);
     pose(characters, engine);
   }

@@ -130,6 +130,7 @@ Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts,
   if (demand.schedule == Schedule::levels) return plan;
   if (tile == 0) {
     plan.strips = most_strips;
+    // Of usual graphs, too, where most of the store is still left to scratch.
     if (most_strips * plan.all_fetch_bytes() <= size / 4) plan.fetch_bytes *= most_strips;
   }
   // Held strips are as wide as scratch allows, so they have what is left.

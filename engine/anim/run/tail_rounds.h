@@ -10,7 +10,7 @@
 
 namespace throng::anim {
 
-/// The tails of a tile's programs, in rounds: entities of one layout, each of another character.
+/// The tails of a strip's programs, in rounds: entities of one layout, each of another character.
 class TailRounds {
  public:
   void clear() {

@@ -13,19 +13,19 @@ struct PaletteStores {
   StorePolicy policy = StorePolicy::prefetched;
 };
 
-/// Local poses of one packet of the characters of a tile.
+/// Local poses of one packet of the characters of a strip.
 struct TilePacket {
   int packet;
   float* local;                    ///< [width][components][16]
   QuadMask displaced = all_quads;  ///< see ModelPaletteJob
 };
 
-/// The last step of a tile: model space and palettes, packet by packet in ascending order. Bones that leave a level are
-/// changed first. Small, so that it stays near while kernels drive all else out of the nearest cache.
+/// The last step of a strip: model space and palettes, packet by packet in ascending order. Bones that leave a level
+/// are changed first. Small, so that it stays near while kernels drive all else out of the nearest cache.
 class TilePalettes {
  public:
   TilePalettes() = default;
-  /// Of a tile of `width` lanes. What is pointed to stays where it is until the tile is done.
+  /// Of a strip of `width` lanes. What is pointed to stays where it is until the strip is done.
   TilePalettes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> tile, int width,
                const PaletteStores& stores);
 

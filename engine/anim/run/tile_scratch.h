@@ -27,7 +27,7 @@ class ScratchCarver {
   std::size_t used_ = 0;
 };
 
-/// Of one tile; each as wide as kernels work side by side.
+/// Of one tile; each as wide as kernels work side by side, who call it a tile.
 inline constexpr int most_strips = 2;
 inline constexpr int most_characters = most_strips * widest_tile;
 

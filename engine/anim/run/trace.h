@@ -29,7 +29,7 @@ struct TraceClock {
 struct TraceSpan {
   enum class Kind : std::uint8_t {
     fetch,       ///< copies, of the next task in and, with double buffering, of the previous one out
-    compute,     ///< with interleaved double buffering the same copies, in slices
+    compute,     ///< with interleaved double buffering the same copies, asked for in slices
     write_back,  ///< copies of the last task out
     wait,        ///< for the other PUs, or to be woken
     schedule,    ///< PU 0 sorts and cuts tiles

@@ -26,14 +26,14 @@ class LookAtProcess final : public WeightedProcess<LookAtEntity> {
 
   /// Radians between gaze and target at the last update.
   float remaining(const EntityPools& pools) const {
-    return entity().valid() ? pools.private_as<LookAtMemory>(entity()).remaining : 0.0F;
+    return entity().valid() ? pools.private_as<LookAtMemory>(entity()).gaze.remaining : 0.0F;
   }
 
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<LookAtProcess>(*this); }
 
  private:
   void begin_private(const EntityBuilder& build, Handle look) const override {
-    build.private_as<LookAtMemory>(look) = {.limits = limits_, .gaze = {}, .remaining = 0.0F};
+    build.private_as<LookAtMemory>(look) = {.limits = limits_, .gaze = {}};
   }
   void write(const EntityBuilder& build, Handle look) const override {
     for (int axis = 0; axis < 3; ++axis) build.as<LookAtEntity>(look).target[axis] = target_[axis];

@@ -30,7 +30,6 @@ void turn_all_to_targets(const PosedEntities& all) {
   std::array<LookAtJob, widest_tile> jobs;
   for (std::size_t i = 0; i < all.size(); ++i) set_job(all.entity(i), all.pose(i), jobs[i]);
   all.alike.assets->kernels->look_at(std::span(jobs).first(all.size()));
-  for (std::size_t i = 0; i < all.size(); ++i) all.entity(i).private_as<LookAtMemory>().remaining = jobs[i].remaining;
 }
 
 void turn_to_target(const EntityInStore& entity, const PoseView& pose) {

@@ -24,7 +24,6 @@ static_assert(offsetof(LookAtEntity, source) == 96 && offsetof(LookAtEntity, wei
 struct LookAtMemory {
   LookAtLimits limits;  ///< to be set by whoever makes the entity
   LookAtState gaze;
-  float remaining;  ///< radians from the gaze to the target, of the last update
 };
 static_assert(std::is_trivially_copyable_v<LookAtMemory>);
 

@@ -163,7 +163,7 @@ struct Kernels {
   void (*capture_offset)(const OffsetCaptureJob& job);
   void (*apply_offset)(const OffsetApplyJob& job);
   void (*noise)(const NoiseJob& job);
-  void (*look_at)(std::span<LookAtJob> jobs);  ///< at most widest_tile, all of one rig; see look_at.h
+  void (*look_at)(std::span<const LookAtJob> jobs);  ///< at most widest_tile, all of one rig; see look_at.h
   void (*model_palette)(const ModelPaletteJob& job);
   void (*write_lines)(const WriteLinesJob& job);
   void (*copy_blocks)(const CopyBlocksJob& job);

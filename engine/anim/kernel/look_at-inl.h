@@ -159,7 +159,7 @@ HWY_INLINE void store_rotations(D d, const LookAtRig& rig, const LookingChain<V>
   for (int i = 0; i < rig.joint_count; ++i) {
     const int joint = rig.joints.data()[i];
     const Quaternions<V> parent = joint == rig.joints.front() ? no_rotation(d) : turned.rotations[joint - 1];
-    lanes.set_rotation(d, joint, renormalised(d, product(conjugate(parent), turned.rotations[joint])));
+    lanes.turn(d, i, renormalised(d, product(conjugate(parent), turned.rotations[joint])));
   }
 }
 
@@ -194,27 +194,27 @@ HWY_INLINE void look_at_lanes(D d, const LookAtRig& rig, LookLanes<D>& lanes) {
 }
 
 /// Those that turn. The others are done.
-HWY_INLINE std::size_t lookers_of(std::span<LookAtJob> jobs, LookAtJob** lookers) {
+HWY_INLINE std::size_t lookers_of(std::span<const LookAtJob> jobs, const LookAtJob** lookers) {
   std::size_t count = 0;
-  for (LookAtJob& job : jobs) {
-    job.remaining = 0.0F;
+  for (const LookAtJob& job : jobs) {
+    job.state->remaining = 0.0F;
     if (job.weight <= 0.0F) *job.state = {};
     if (job.weight > 0.0F && is_within(job.rig->chain, job.pose) && is_place(job.target)) lookers[count++] = &job;
   }
   return count;
 }
 
-inline void look_at(std::span<LookAtJob> jobs) {
+inline void look_at(std::span<const LookAtJob> jobs) {
   using D = BoneLanes;
-  LookAtJob* all[widest_tile];
-  const std::span<LookAtJob* const> lookers(all, lookers_of(jobs, all));
+  const LookAtJob* all[widest_tile];
+  const std::span<const LookAtJob* const> lookers(all, lookers_of(jobs, all));
   LookLanes<D> lanes;
   for (std::size_t first = 0; first < lookers.size(); first += std::size_t{lane_count<D>}) {
     const auto some = lookers.subspan(first, HWY_MIN(std::size_t{lane_count<D>}, lookers.size() - first));
     const LookAtRig& rig = *some.front()->rig;
-    lanes.load(rig.chain, some);
+    lanes.load(rig, some);
     look_at_lanes(D(), rig, lanes);
-    lanes.store(rig, some);
+    lanes.store();
   }
 }
 

@@ -51,9 +51,8 @@ Result<LookAtRig> make_look_at_rig(const Skeleton& skeleton, std::span<const Loo
 float look_at(const LookAtJob& job) {
   assert(job.weight >= 0.0F && job.weight <= 1.0F && job.seconds >= 0.0F);
   assert(job.limits.yaw >= 0.0F && job.limits.yaw < std::numbers::pi_v<float>);
-  LookAtJob alone = job;
-  best_kernels().look_at({&alone, 1});
-  return alone.remaining;
+  best_kernels().look_at({&job, 1});
+  return job.state->remaining;
 }
 
 }  // namespace throng::anim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -41,7 +42,7 @@ Result<LookAtRig> make_look_at_rig(const Skeleton& skeleton, std::span<const Loo
                                    const glm::vec3& eyes_from_head = glm::vec3(0.0F));
 
 /// Radians, seen from what carries the first joint; each from 0 to below pi/2 for pitch, below pi for yaw.
-struct LookAtLimits {
+struct alignas(16) LookAtLimits {
   float yaw = 1.3F;
   float pitch_up = 0.7F;
   float pitch_down = 0.7F;
@@ -49,9 +50,10 @@ struct LookAtLimits {
 };
 
 /// The gaze that an entity keeps from frame to frame, radians; a new one starts where the pose looks.
-struct LookAtState {
-  DampedValue yaw;    ///< to the left is positive
-  DampedValue pitch;  ///< up is positive
+struct alignas(16) LookAtState {
+  DampedValue yaw;         ///< to the left is positive
+  DampedValue pitch;       ///< up is positive
+  float remaining = 0.0F;  ///< from the gaze to the target after the last update (0 to pi); 0 where nothing was turned
   bool started = false;
 };
 static_assert(std::is_trivially_copyable_v<LookAtState>);
@@ -63,12 +65,12 @@ struct LookAtJob {
   const LookAtRig* rig = nullptr;
   LookAtState* state = nullptr;
   PoseView pose;
-  glm::vec3 target{0.0F};  ///< model space, metres
-  float seconds = 0.0F;    ///< since the last frame, not negative
-  float weight = 1.0F;     ///< 0 leaves the pose to the bit and forgets the state; fade it to look away
+  alignas(16) glm::vec3 target{0.0F};  ///< model space, metres
+  float seconds = 0.0F;                ///< since the last frame, not negative
   LookAtLimits limits{};
-  float remaining = 0.0F;  ///< out: from the gaze to the target, radians (0 to pi); 0 where nothing was turned
+  float weight = 1.0F;  ///< 0 leaves the pose to the bit and forgets the state; fade it to look away
 };
+static_assert(offsetof(LookAtJob, seconds) == offsetof(LookAtJob, target) + 12, "read together");
 
 /// One alone, by the best kernels (Kernels::look_at solves up to a tile at once, to the same bits). Returns what
 /// remains.

@@ -37,99 +37,148 @@ struct DampedValues {
 
 /// Every lane holds a character: those beyond the last one repeat it.
 template <class D>
-struct LookLanes {
+class LookLanes {
+ public:
   using V = hn::Vec<D>;
 
-  Lane<D> joints[JointChain::max_joints][rigid_components];
   Lane<D> target[3], weight, seconds, most_yaw, most_up, most_down, smooth_seconds, started;
   Lane<D> yaw, yaw_velocity, pitch, pitch_velocity, remaining;
 
-  void load(const JointChain& chain, std::span<LookAtJob* const> jobs) {
-    const LookAtJob* all[lane_count<D>];
-    for (int lane = 0; lane < lane_count<D>; ++lane) {
-      all[lane] = jobs[HWY_MIN(static_cast<std::size_t>(lane), jobs.size() - 1)];
-      load_gaze(*all[lane], lane);
+  void load(const LookAtRig& rig, std::span<const LookAtJob* const> lookers) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      jobs_[lane] = lookers[HWY_MIN(static_cast<std::size_t>(lane), lookers.size() - 1)];
     }
-    load_poses(chain, all);
+    load_gazes();
+    load_poses(rig);
+  }
+  void store() const {
+    store_gazes();
+    for (int quad = 0; quad < turning_quads_; ++quad) store_rotations(quads_[quad]);
   }
 
   Quaternions<V> rotation(D d, int joint) const {
-    const Lane<D>* parts = joints[joint];
+    const Lane<D>* parts = joints_[joint];
     return {parts[0].load(d), parts[1].load(d), parts[2].load(d), parts[3].load(d)};
-  }
-  void set_rotation(D d, int joint, const Quaternions<V>& rotation) {
-    Lane<D>* parts = joints[joint];
-    parts[0].store(d, rotation.x);
-    parts[1].store(d, rotation.y);
-    parts[2].store(d, rotation.z);
-    parts[3].store(d, rotation.w);
   }
   /// From the joint before, in its frame.
   Vectors<V> offset(D d, const JointChain& chain, int joint) const {
     const Vectors<V> bound = broadcast_vector(d, &chain.offsets.data()[joint].x);
-    const Lane<D>* parts = joints[joint] + 4;
+    const Lane<D>* parts = joints_[joint] + 4;
     return sum(bound, Vectors<V>{parts[0].load(d), parts[1].load(d), parts[2].load(d)});
   }
-
-  void store(const LookAtRig& rig, std::span<LookAtJob* const> jobs) const {
-    for (std::size_t lane = 0; lane < jobs.size(); ++lane) {
-      LookAtJob& job = *jobs[lane];
-      *job.state = {.yaw = {yaw.of[lane], yaw_velocity.of[lane]},
-                    .pitch = {pitch.of[lane], pitch_velocity.of[lane]},
-                    .started = true};
-      job.remaining = remaining.of[lane];
-    }
-    for (int i = 0; i < rig.joint_count; ++i) store_rotation(rig.chain, rig.joints.data()[i], jobs);
+  /// Of LookAtRig::joints[looking].
+  void turn(D d, int looking, const Quaternions<V>& rotation) {
+    Lane<D>* const parts = turning_[looking];
+    parts[0].store(d, rotation.x);
+    parts[quad_bones].store(d, rotation.y);
+    parts[2 * quad_bones].store(d, rotation.z);
+    parts[3 * quad_bones].store(d, rotation.w);
   }
 
  private:
-  static float* lane_of(const PoseView& pose, int bone) {
-    const auto place = static_cast<unsigned>(bone);
-    return pose.packet(static_cast<int>(place / packet_bones)) + place % packet_bones;
-  }
-  void store_rotation(const JointChain& chain, int joint, std::span<LookAtJob* const> jobs) const {
-    const Lane<D>* const parts = joints[joint];
-    const int bone = chain.bones.data()[joint];
-    for (std::size_t lane = 0; lane < jobs.size(); ++lane) {
-      float* const to = lane_of(jobs[lane]->pose, bone);
-      for (int part = 0; part < 4; ++part) to[part * packet_bones] = parts[part].of[lane];
+  static constexpr int lanes = lane_count<D>;
+
+  /// Rotations of four bones that lie side by side in a packet, and are read and written together.
+  struct Quad {
+    int bone;  ///< the first
+    Lane<D> parts[4 * quad_bones];
+  };
+
+  void load_gazes() {
+    load_four(&target[0], &target[1], &target[2], &seconds, [](const LookAtJob& job) { return &job.target.x; });
+    load_four(&most_yaw, &most_up, &most_down, &smooth_seconds, [](const LookAtJob& job) { return &job.limits.yaw; });
+    load_four(&yaw, &yaw_velocity, &pitch, &pitch_velocity, [](const LookAtJob& job) { return &job.state->yaw.value; });
+    for (int lane = 0; lane < lanes; ++lane) {
+      weight.of[lane] = jobs_[lane]->weight;
+      started.of[lane] = jobs_[lane]->state->started ? 1.0F : 0.0F;
     }
   }
-  /// Bones that lie side by side are read together, four of each character; positions of those that nobody displaces
-  /// are not.
-  void load_poses(const JointChain& chain, const LookAtJob* const* jobs) {
-    const auto* bones = chain.bones.data();
+  /// Floats that lie side by side, from first_of(job) on.
+  template <class FirstOf>
+  void load_four(Lane<D>* a, Lane<D>* b, Lane<D>* c, Lane<D>* last, FirstOf&& first_of) const {
+    const float* from[lane_count<D>];
+    for (int lane = 0; lane < lanes; ++lane) from[lane] = first_of(*jobs_[lane]);
+    FourVectors<V> four;
+    load_rows_of_four<1>(D(), from, 0, 0, &four);
+    a->store(D(), four.v[0]);
+    b->store(D(), four.v[1]);
+    c->store(D(), four.v[2]);
+    last->store(D(), four.v[3]);
+  }
+  void store_gazes() const {
+    const D d;
+    float* to[lane_count<D>];
+    for (int lane = 0; lane < lanes; ++lane) to[lane] = &jobs_[lane]->state->yaw.value;
+    const FourVectors<V> four{{yaw.load(d), yaw_velocity.load(d), pitch.load(d), pitch_velocity.load(d)}};
+    store_rows_of_four<1>(d, &four, to, 0);
+    for (int lane = 0; lane < lanes; ++lane) {
+      jobs_[lane]->state->remaining = remaining.of[lane];
+      jobs_[lane]->state->started = true;
+    }
+  }
+
+  float* lane_of(int job, int bone) const { return jobs_[job]->pose.packet(bone / packet_bones) + bone % packet_bones; }
+  /// Quad by quad of the chain; positions of those that nobody displaces are not read.
+  void load_poses(const LookAtRig& rig) {
+    const auto* const bones = rig.chain.bones.data();
     std::uint64_t displaced = 0;
-    for (int lane = 0; lane < lane_count<D>; ++lane) displaced |= jobs[lane]->pose.displaced_quads;
-    for (int first = 0, end = 0; first < chain.count; first = end) {
-      const int quad = bones[first] / quad_bones;
-      for (end = first + 1; end < chain.count && bones[end] / quad_bones == quad;) ++end;
-      const float* from[lane_count<D>];
-      for (int lane = 0; lane < lane_count<D>; ++lane) from[lane] = lane_of(jobs[lane]->pose, quad * quad_bones);
-      const bool moves = is_in(quads_of_packet(displaced, quad / packet_quads), quad % packet_quads);
-      for (int part = 0; part < rigid_components; ++part) {
-        FourVectors<V> loaded{hn::Zero(D()), hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
-        if (part < 4 || moves) loaded = load_four_bones(D(), from, part * packet_bones);
-        for (int joint = first; joint < end; ++joint) {
-          joints[joint][part].store(D(), loaded.v[bones[joint] % quad_bones]);
-        }
+    for (int lane = 0; lane < lanes; ++lane) displaced |= jobs_[lane]->pose.displaced_quads;
+    turning_quads_ = 0;
+    for (int first = 0, end = 0, looking = 0; first < rig.chain.count; first = end) {
+      const int index = bones[first] / quad_bones;
+      for (end = first + 1; end < rig.chain.count && bones[end] / quad_bones == index;) ++end;
+      const bool moves = is_in(quads_of_packet(displaced, index / packet_quads), index % packet_quads);
+      Quad& quad = quads_[turning_quads_];
+      quad.bone = index * quad_bones;
+      load_quad(quad, bones, first, end, moves);
+      const int before = looking;
+      for (; looking < rig.joint_count && rig.joints.data()[looking] < end; ++looking) {
+        turning_[looking] = quad.parts + bones[rig.joints.data()[looking]] % quad_bones;
       }
+      if (looking > before) ++turning_quads_;
     }
   }
-  void load_gaze(const LookAtJob& job, int lane) {
-    for (int axis = 0; axis < 3; ++axis) target[axis].of[lane] = job.target[axis];
-    weight.of[lane] = job.weight;
-    seconds.of[lane] = job.seconds;
-    most_yaw.of[lane] = job.limits.yaw;
-    most_up.of[lane] = job.limits.pitch_up;
-    most_down.of[lane] = job.limits.pitch_down;
-    smooth_seconds.of[lane] = job.limits.smooth_seconds;
-    started.of[lane] = job.state->started ? 1.0F : 0.0F;
-    yaw.of[lane] = job.state->yaw.value;
-    yaw_velocity.of[lane] = job.state->yaw.velocity;
-    pitch.of[lane] = job.state->pitch.value;
-    pitch_velocity.of[lane] = job.state->pitch.velocity;
+  /// Of joints [first, end), whose bones it has.
+  void load_quad(Quad& quad, const std::int16_t* bones, int first, int end, bool moves) {
+    const D d;
+    const float* from[lane_count<D>];
+    for (int lane = 0; lane < lanes; ++lane) from[lane] = lane_of(lane, quad.bone);
+    FourVectors<V> rotations[4];
+    load_rows_of_four<4>(d, from, 0, packet_bones, rotations);
+    for (int part = 0; part < 4; ++part) {
+      for (int bone = 0; bone < quad_bones; ++bone)
+        quad.parts[part * quad_bones + bone].store(d, rotations[part].v[bone]);
+    }
+    for (int joint = first; joint < end; ++joint) {
+      const Lane<D>* const parts = quad.parts + bones[joint] % quad_bones;
+      for (int part = 0; part < 4; ++part) joints_[joint][part].store(d, parts[part * quad_bones].load(d));
+    }
+    const V zero = hn::Zero(d);
+    FourVectors<V> positions[3] = {{{zero, zero, zero, zero}}, {{zero, zero, zero, zero}}, {{zero, zero, zero, zero}}};
+    if (moves) load_rows_of_four<3>(d, from, 4 * packet_bones, packet_bones, positions);
+    for (int joint = first; joint < end; ++joint) {
+      const int bone = bones[joint] % quad_bones;
+      for (int axis = 0; axis < 3; ++axis) joints_[joint][4 + axis].store(d, positions[axis].v[bone]);
+    }
   }
+  /// Those of bones that do not look are what they were.
+  void store_rotations(const Quad& quad) const {
+    const D d;
+    float* to[lane_count<D>];
+    for (int lane = 0; lane < lanes; ++lane) to[lane] = lane_of(lane, quad.bone);
+    FourVectors<V> rotations[4];
+    for (int part = 0; part < 4; ++part) {
+      const Lane<D>* const bones = quad.parts + part * quad_bones;
+      rotations[part] = {{bones[0].load(d), bones[1].load(d), bones[2].load(d), bones[3].load(d)}};
+    }
+    store_rows_of_four<4>(d, rotations, to, packet_bones);
+  }
+
+  const LookAtJob* jobs_[lane_count<D>];
+  Lane<D> joints_[JointChain::max_joints][rigid_components];
+  Quad quads_[max_look_joints + 1];    ///< those with looking joints, then room for one without
+  Lane<D>* turning_[max_look_joints];  ///< of a looking joint in its quad, the first part
+  int turning_quads_;
 };
 
 }  // namespace throng::anim::HWY_NAMESPACE

@@ -85,20 +85,69 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, int stride) {
 
 #endif
 
-/// Four bones that lie `offset` floats behind from[lane]: out[bone] holds one character a lane.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE FourVectors<V> load_four_bones(D d, const float* const* from, int offset) {
+/// Rows of four floats: row r lies `offset + r * stride` floats behind from[lane]; out[r].v[i] gets its i-th of each
+/// lane. An address is looked up once for all rows: sixteen do not stay in registers.
+template <int rows, class D, class V = hn::Vec<D>>
+HWY_INLINE void load_rows_of_four(D d, const float* const* from, int offset, int stride, FourVectors<V>* out) {
   if constexpr (lane_count<D> >= block_floats) {
-    const auto blocks = [&](int lane) {
-      return load_blocks(d, [&](int block) { return from[block * block_floats + lane] + offset; });
-    };
-    return transpose_blocks(d, blocks(0), blocks(1), blocks(2), blocks(3));
-  } else {
-    alignas(64) float lanes[block_floats][lane_count<D>];
-    for (int bone = 0; bone < block_floats; ++bone) {
-      for (int lane = 0; lane < lane_count<D>; ++lane) lanes[bone][lane] = from[lane][offset + bone];
+    FourVectors<V> blocks[std::size_t{rows}];
+    for (int lane = 0; lane < block_floats; ++lane) {
+      const auto row_of = [&](int block) { return from[block * block_floats + lane]; };
+      for (int row = 0; row < rows; ++row) {
+        blocks[row].v[lane] = load_blocks(d, [&](int block) { return row_of(block) + offset + row * stride; });
+      }
     }
-    return {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2]), hn::Load(d, lanes[3])}};
+    for (int row = 0; row < rows; ++row) {
+      const V* const v = blocks[row].v;
+      out[row] = transpose_blocks(d, v[0], v[1], v[2], v[3]);
+    }
+  } else {
+    for (int row = 0; row < rows; ++row) {
+      alignas(64) float lanes[block_floats][lane_count<D>];
+      for (int i = 0; i < block_floats; ++i) {
+        for (int lane = 0; lane < lane_count<D>; ++lane) lanes[i][lane] = from[lane][offset + row * stride + i];
+      }
+      out[row] = {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2]), hn::Load(d, lanes[3])}};
+    }
+  }
+}
+
+#if HWY_TARGET != HWY_SCALAR
+
+/// Block i to to[i * block_floats] + offset.
+template <class D>
+HWY_INLINE void store_blocks(D d, hn::Vec<D> blocks, float* const* to, int offset) {
+  if constexpr (lane_count<D> == block_floats) {
+    hn::Store(blocks, d, to[0] + offset);
+  } else {
+    const hn::Half<D> half;
+    store_blocks(half, hn::LowerHalf(half, blocks), to, offset);
+    store_blocks(half, hn::UpperHalf(half, blocks), to + lane_count<D> / 2, offset);
+  }
+}
+
+#endif
+
+/// The way back. Lanes that go to one place hold the same.
+template <int rows, class D, class V = hn::Vec<D>>
+HWY_INLINE void store_rows_of_four(D d, const FourVectors<V>* in, float* const* to, int stride) {
+  if constexpr (lane_count<D> >= block_floats) {
+    FourVectors<V> blocks[std::size_t{rows}];
+    for (int row = 0; row < rows; ++row) {
+      const V* const v = in[row].v;
+      blocks[row] = transpose_blocks(d, v[0], v[1], v[2], v[3]);
+    }
+    for (int lane = 0; lane < block_floats; ++lane) {
+      for (int row = 0; row < rows; ++row) store_blocks(d, blocks[row].v[lane], to + lane, row * stride);
+    }
+  } else {
+    for (int row = 0; row < rows; ++row) {
+      alignas(64) float lanes[block_floats][lane_count<D>];
+      for (int i = 0; i < block_floats; ++i) hn::Store(in[row].v[i], d, lanes[i]);
+      for (int lane = 0; lane < lane_count<D>; ++lane) {
+        for (int i = 0; i < block_floats; ++i) to[lane][row * stride + i] = lanes[i][lane];
+      }
+    }
   }
 }
 

@@ -79,7 +79,8 @@ TEST(LookAtTile, AgreesWithTheDefinitionOnEveryTarget) {
       defined.pose();
       kernels.look_at(tile.jobs());
       for (std::size_t i = 0; i < characters; ++i) {
-        EXPECT_NEAR(tile.job(i).remaining, look_at_by_definition(defined.job(i)), 2e-5F) << kernels.target << " " << i;
+        EXPECT_NEAR(tile.state(i).remaining, look_at_by_definition(defined.job(i)), 2e-5F)
+            << kernels.target << " " << i;
         EXPECT_LT(largest_difference(tile.floats(i), defined.floats(i)), 5e-6F) << kernels.target << " " << i;
         EXPECT_NEAR(tile.state(i).yaw.value, defined.state(i).yaw.value, 1e-5F) << kernels.target << " " << i;
         EXPECT_NEAR(tile.state(i).pitch.value, defined.state(i).pitch.value, 1e-5F) << kernels.target << " " << i;
@@ -99,7 +100,7 @@ TEST(LookAtTile, IsTheSameToTheBitWhoeverTheNeighboursAre) {
       for (LookAtJob& job : alone.jobs()) kernels.look_at({&job, 1});
       for (std::size_t i = 0; i < characters; ++i) {
         EXPECT_EQ(together.floats(i), alone.floats(i)) << kernels.target << " " << i;
-        EXPECT_EQ(together.job(i).remaining, alone.job(i).remaining) << kernels.target << " " << i;
+        EXPECT_EQ(together.state(i).remaining, alone.state(i).remaining) << kernels.target << " " << i;
         EXPECT_EQ(together.state(i).yaw.velocity, alone.state(i).yaw.velocity) << kernels.target << " " << i;
       }
     }
@@ -136,7 +137,7 @@ TEST(LookAtTile, PassesByThoseWhoDoNotLook) {
     EXPECT_EQ(some.floats(3), before) << kernels.target;
     EXPECT_EQ(some.floats(5), before_no_place) << kernels.target;
     EXPECT_FALSE(some.state(3).started);
-    EXPECT_EQ(some.job(5).remaining, 0.0F);
+    EXPECT_EQ(some.state(5).remaining, 0.0F);
     for (const std::size_t i : {std::size_t{2}, std::size_t{4}, std::size_t{15}}) {
       EXPECT_EQ(some.floats(i), all.floats(i)) << kernels.target << " " << i;
     }

@@ -24,23 +24,26 @@ void place(const EntityInStore& entity, const PoseView& pose) {
   const auto& rig = entity.resource_as<FootPlacementRig>();
   auto& placement = entity.as<FootPlacementEntity>();
   auto& memory = entity.private_as<FootPlacementMemory>();
-  if (!find_ankles(rig, pose, memory.ankles)) {
+  PosedLegs legs;
+  if (!pose_legs(rig, pose, legs)) {
     memory.feet = {};
     return;
   }
   GroundContact contacts[max_legs];
-  for (int leg = 0; leg < rig.leg_count; ++leg) {
+  for (std::size_t leg = 0; leg < static_cast<std::size_t>(rig.leg_count); ++leg) {
+    memory.ankles[leg] = ankle_of(rig, legs, leg);
     contacts[leg] = contact_under(memory.ankles[leg], memory.ground[leg], memory.model_in_world);
   }
-  const FootPlacementResult placed = place_feet({.rig = &rig,
-                                                 .state = &memory.feet,
-                                                 .pose = pose,
-                                                 .contacts = contacts,
-                                                 .planted = memory.planted,
-                                                 .model_in_world = memory.model_in_world,
-                                                 .seconds = entity.prepared_as<WholePoseStep>().seconds,
-                                                 .weight = value(placement.weight),
-                                                 .options = memory.options});
+  const FootPlacementJob job{.rig = &rig,
+                             .state = &memory.feet,
+                             .pose = pose,
+                             .contacts = contacts,
+                             .planted = memory.planted,
+                             .model_in_world = memory.model_in_world,
+                             .seconds = entity.prepared_as<WholePoseStep>().seconds,
+                             .weight = value(placement.weight),
+                             .options = memory.options};
+  const FootPlacementResult placed = place_feet(job, legs);
   placement.drop = placed.drop;
   std::ranges::copy(placed.missed_by, memory.missed_by);
 }

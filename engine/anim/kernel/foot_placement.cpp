@@ -22,11 +22,6 @@ constexpr float knee_reserve =
 struct FootGoal {
   glm::vec3 ankle{0.0F};
   glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
-};
-
-struct PosedLeg {
-  ChainMotion motions;
-  FootGoal goal;
   float planted = 0.0F;
 };
 
@@ -72,14 +67,15 @@ float planted_share(const FootPlacementJob& job, std::size_t i, const JointMotio
   return std::clamp((job.options.up_above - lift) / (job.options.up_above - job.options.down_below), 0.0F, 1.0F);
 }
 
-FootGoal goal_of(const FootPlacementJob& job, std::size_t i, float planted, const JointMotion& ankle) {
+FootGoal goal_of(const FootPlacementJob& job, std::size_t i, const JointMotion& ankle) {
   const PlacedLeg& leg = job.rig->legs[i];
+  const float planted = planted_share(job, i, ankle);
   const Footing under_ankle = footing_under(ankle.position, job.contacts[i]);
   const Footing under_ball = moved(under_ankle, ankle.position + to_ball(leg, ankle.rotation));
   const Footing locked =
       to_model(job.model_in_world, step_foot_lock(job.state->feet[i], to_world(job.model_in_world, under_ball), planted,
                                                   job.options.lock, job.seconds));
-  FootGoal goal;
+  FootGoal goal{.planted = planted};
   goal.rotation = limited_turn(up, locked.normal, job.options.least_tilt_cosine) * ankle.rotation;
   const Footing footing = moved(locked, locked.place - to_ball(leg, goal.rotation));
   const float lift = lift_of(leg, ankle) * (1.0F - planted);
@@ -89,13 +85,17 @@ FootGoal goal_of(const FootPlacementJob& job, std::size_t i, float planted, cons
 }
 
 /// How far the hip must come down for a leg to reach its goal without being straighter than it was or than the reserve.
-float needed_drop(const TwoBoneLimb& limb, const PosedLeg& leg) {
-  const glm::vec3 hip = leg.motions[static_cast<std::size_t>(limb.upper)].position;
-  const glm::vec3 ankle = leg.motions[static_cast<std::size_t>(limb.end())].position;
-  const float length = limb_length(limb, leg.motions);
+float needed_drop(const TwoBoneLimb& limb, const ChainMotion& leg, const FootGoal& goal) {
+  const glm::vec3 hip = leg[static_cast<std::size_t>(limb.upper)].position;
+  const glm::vec3 ankle = leg[static_cast<std::size_t>(limb.end())].position;
+  const float length = limb_length(limb, leg);
   const float reach = std::max(glm::distance(hip, ankle), length * (1.0F - knee_reserve));
-  const glm::vec3 away = hip - leg.goal.ankle;
+  const glm::vec3 away = hip - goal.ankle;
   return away.y - std::sqrt(std::max(0.0F, reach * reach - away.x * away.x - away.z * away.z));
+}
+
+const JointMotion& ankle_motion(const FootPlacementRig& rig, const PosedLegs& legs, std::size_t leg) {
+  return legs[leg][static_cast<std::size_t>(rig.legs[leg].limb.end())];
 }
 
 bool has_all_legs(const FootPlacementRig& rig, const PoseView& pose) {
@@ -112,17 +112,23 @@ DampedValue next_drop(const FootPlacementJob& job, float wanted) {
   return next;
 }
 
-void lower_pelvis(const FootPlacementJob& job, float drop, ChainMotion motions) {
-  if (drop > 0.0F) shift_joint(job.rig->legs[0].limb.chain, job.rig->pelvis, -drop * up, job.pose, motions);
+void lower_pelvis(const FootPlacementJob& job, float drop, PosedLegs& legs) {
+  if (drop <= 0.0F) return;
+  const FootPlacementRig& rig = *job.rig;
+  shift_joint(rig.legs[0].limb.chain, rig.pelvis, -drop * up, job.pose, legs[0]);
+  for (std::size_t i = 1; i < static_cast<std::size_t>(rig.leg_count); ++i) {
+    follow_shift(rig.legs[i].limb.chain, rig.pelvis, -drop * up, legs[i]);
+  }
 }
 
-float solve_leg(const FootPlacementJob& job, const TwoBoneLimb& limb, const FootGoal& goal) {
+float solve_leg(const FootPlacementJob& job, const TwoBoneLimb& limb, const FootGoal& goal, ChainMotion& leg) {
   return solve_two_bone_ik({.limb = &limb,
                             .pose = job.pose,
                             .target = goal.ankle,
                             .weight = job.weight,
                             .turn_end = true,
-                            .end_rotation = goal.rotation});
+                            .end_rotation = goal.rotation},
+                           leg);
 }
 
 /// The last joint that all chains begin with, above every hip; -1 if there is none.
@@ -165,53 +171,52 @@ Result<FootPlacementRig> make_foot_placement_rig(const Skeleton& skeleton, std::
   return rig;
 }
 
-FootPlacementResult place_feet(const FootPlacementJob& job) {
-  const FootPlacementRig& rig = *job.rig;
-  const auto legs = static_cast<std::size_t>(rig.leg_count);
-  assert(job.contacts.size() >= legs && job.planted.size() >= legs && job.seconds >= 0.0F);
-  FootPlacementResult result;
-  if (job.weight <= 0.0F) *job.state = {};
-  if (job.weight <= 0.0F || !has_all_legs(rig, job.pose)) return result;
-
-  std::array<PosedLeg, max_legs> posed;
-  float wanted_drop = 0.0F;
-  for (std::size_t i = 0; i < legs; ++i) {
-    const TwoBoneLimb& limb = rig.legs[i].limb;
-    pose_chain(limb.chain, job.pose, posed[i].motions);
-    const JointMotion& ankle = posed[i].motions[static_cast<std::size_t>(limb.end())];
-    posed[i].planted = planted_share(job, i, ankle);
-    posed[i].goal = goal_of(job, i, posed[i].planted, ankle);
-    wanted_drop = std::max(wanted_drop, posed[i].planted * needed_drop(limb, posed[i]));
+bool pose_legs(const FootPlacementRig& rig, const PoseView& pose, PosedLegs& legs) {
+  if (!has_all_legs(rig, pose)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rig.leg_count); ++i) {
+    pose_chain(rig.legs[i].limb.chain, pose, legs[i]);
   }
+  return true;
+}
+
+glm::vec3 ankle_of(const FootPlacementRig& rig, const PosedLegs& legs, std::size_t leg) {
+  return ankle_motion(rig, legs, leg).position;
+}
+
+FootPlacementResult place_feet(const FootPlacementJob& job) {
+  PosedLegs legs;
+  return pose_legs(*job.rig, job.pose, legs) ? place_feet(job, legs) : FootPlacementResult{};
+}
+
+FootPlacementResult place_feet(const FootPlacementJob& job, PosedLegs& legs) {
+  const FootPlacementRig& rig = *job.rig;
+  const auto count = static_cast<std::size_t>(rig.leg_count);
+  assert(job.contacts.size() >= count && job.planted.size() >= count && job.seconds >= 0.0F);
   FootPlacementState& state = *job.state;
+  if (job.weight <= 0.0F) {
+    state = {};
+    return {};
+  }
+  std::array<FootGoal, max_legs> goals;
+  float wanted_drop = 0.0F;
+  for (std::size_t i = 0; i < count; ++i) {
+    goals[i] = goal_of(job, i, ankle_motion(rig, legs, i));
+    wanted_drop = std::max(wanted_drop, goals[i].planted * needed_drop(rig.legs[i].limb, legs[i], goals[i]));
+  }
   wanted_drop = std::min(wanted_drop, job.options.max_drop);
   state.drop = state.started ? next_drop(job, wanted_drop) : DampedValue{.value = wanted_drop};
   state.started = true;
-  result.drop = state.drop.value * job.weight;
-  lower_pelvis(job, result.drop, posed[0].motions);
+  FootPlacementResult result{.drop = state.drop.value * job.weight};
+  lower_pelvis(job, result.drop, legs);
 
-  for (std::size_t i = 0; i < legs; ++i) {
-    const TwoBoneLimb& limb = rig.legs[i].limb;
-    result.missed_by[i] = solve_leg(job, limb, posed[i].goal);
-    pose_chain(limb.chain, job.pose, posed[i].motions);
-    const JointMotion& ankle = posed[i].motions[static_cast<std::size_t>(limb.end())];
+  for (std::size_t i = 0; i < count; ++i) {
+    result.missed_by[i] = solve_leg(job, rig.legs[i].limb, goals[i], legs[i]);
+    const JointMotion& ankle = ankle_motion(rig, legs, i);
     const glm::vec3 ball = ankle.position + ankle.rotation * rig.legs[i].sole[1];
-    measure_slide(state.feet[i], job.model_in_world.position + job.model_in_world.rotation * ball, posed[i].planted,
+    measure_slide(state.feet[i], job.model_in_world.position + job.model_in_world.rotation * ball, goals[i].planted,
                   job.seconds);
   }
   return result;
-}
-
-bool find_ankles(const FootPlacementRig& rig, const PoseView& pose, std::span<glm::vec3> ankles) {
-  assert(ankles.size() >= static_cast<std::size_t>(rig.leg_count));
-  if (!has_all_legs(rig, pose)) return false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rig.leg_count); ++i) {
-    ChainMotion motions;
-    const JointChain& chain = rig.legs[i].limb.chain;
-    pose_chain(chain, pose, motions);
-    ankles[i] = motions[static_cast<std::size_t>(chain.tip())].position;
-  }
-  return true;
 }
 
 }  // namespace throng::anim

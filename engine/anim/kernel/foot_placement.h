@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <type_traits>
 
@@ -89,11 +90,19 @@ struct FootPlacementResult {
   std::array<float, max_legs> missed_by{};  ///< metres that the ankle is from where it should be, one a leg
 };
 
-/// Levels of detail without all the legs are left alone.
-FootPlacementResult place_feet(const FootPlacementJob& job);
+/// The legs' chains, in model space.
+using PosedLegs = std::array<ChainMotion, max_legs>;
 
-/// Where the ankles are, model space: where to look for the ground. `ankles` has an element a leg. False, and nothing
-/// is written, where the level of detail lacks a leg.
-bool find_ankles(const FootPlacementRig& rig, const PoseView& pose, std::span<glm::vec3> ankles);
+/// The legs as the pose has them. False, and nothing is written, where the level of detail lacks a leg.
+bool pose_legs(const FootPlacementRig& rig, const PoseView& pose, PosedLegs& legs);
+
+/// Where an ankle is, model space: where to look for the ground.
+glm::vec3 ankle_of(const FootPlacementRig& rig, const PosedLegs& legs, std::size_t leg);
+
+/// `legs` are as the pose has them, and follow it.
+FootPlacementResult place_feet(const FootPlacementJob& job, PosedLegs& legs);
+
+/// Poses the legs, too. Levels of detail without all of them are left alone.
+FootPlacementResult place_feet(const FootPlacementJob& job);
 
 }  // namespace throng::anim

@@ -41,16 +41,26 @@ Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone) {
   return chain;
 }
 
+namespace {
+
+/// Of a product of two that are nearly unit: the first step towards it, where a square root and a division would keep
+/// the next joint waiting.
+glm::quat renormalised(const glm::quat& product) { return product * (1.5F - 0.5F * glm::dot(product, product)); }
+
+void pose_joint(const JointChain& chain, std::size_t joint, const PoseView& pose, std::span<JointMotion> motions) {
+  const JointMotion parent = joint == 0 ? JointMotion{} : motions[joint - 1];
+  const int bone = chain.bones[joint];
+  motions[joint] = {.rotation = renormalised(parent.rotation * pose.rotation(bone)),
+                    .position = parent.position + parent.rotation * (chain.offsets[joint] + pose.position(bone))};
+}
+
+}  // namespace
+
 void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMotion> motions, int first) {
   assert(is_within(chain, pose) && pose.components == rigid_components);
   assert(motions.size() >= static_cast<std::size_t>(chain.count));
-  const JointMotion model;
   for (int joint = first; joint < chain.count; ++joint) {
-    const auto j = static_cast<std::size_t>(joint);
-    const int bone = chain.bones[j];
-    const JointMotion& parent = joint == 0 ? model : motions[j - 1];
-    motions[j] = {.rotation = glm::normalize(parent.rotation * pose.rotation(bone)),
-                  .position = parent.position + parent.rotation * (chain.offsets[j] + pose.position(bone))};
+    pose_joint(chain, static_cast<std::size_t>(joint), pose, motions);
   }
 }
 
@@ -58,12 +68,18 @@ glm::quat parent_rotation(std::span<const JointMotion> motions, int joint) {
   return joint == 0 ? JointMotion{}.rotation : motions[static_cast<std::size_t>(joint) - 1].rotation;
 }
 
-void turn_joint(const JointChain& chain, int joint, const glm::quat& model_rotation, const PoseView& pose,
-                std::span<JointMotion> motions) {
-  assert(joint >= 0 && joint < chain.count);
-  const glm::quat local = glm::conjugate(parent_rotation(motions, joint)) * model_rotation;
-  pose.set_rotation(chain.bones[static_cast<std::size_t>(joint)], glm::normalize(local));
-  pose_chain(chain, pose, motions, joint);
+void turn_joints(const JointChain& chain, std::span<const JointTurn> turns, const PoseView& pose,
+                 std::span<JointMotion> motions) {
+  assert(!turns.empty() && turns.front().joint >= 0 && turns.back().joint < chain.count);
+  for (int joint = turns.front().joint; joint < chain.count; ++joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    if (!turns.empty() && joint == turns.front().joint) {
+      const glm::quat local = glm::conjugate(parent_rotation(motions, joint)) * turns.front().rotation;
+      pose.set_rotation(chain.bones[j], glm::normalize(local));
+      turns = turns.subspan(1);
+    }
+    pose_joint(chain, j, pose, motions);
+  }
 }
 
 void shift_joint(const JointChain& chain, int joint, const glm::vec3& model_shift, const PoseView& pose,
@@ -72,7 +88,11 @@ void shift_joint(const JointChain& chain, int joint, const glm::vec3& model_shif
   const int bone = chain.bones[static_cast<std::size_t>(joint)];
   const glm::vec3 local = glm::conjugate(parent_rotation(motions, joint)) * model_shift;
   pose.set_position(bone, pose.position(bone) + local);
-  pose_chain(chain, pose, motions, joint);
+  follow_shift(chain, joint, model_shift, motions);
+}
+
+void follow_shift(const JointChain& chain, int joint, const glm::vec3& model_shift, std::span<JointMotion> motions) {
+  for (int j = joint; j < chain.count; ++j) motions[static_cast<std::size_t>(j)].position += model_shift;
 }
 
 }  // namespace throng::anim

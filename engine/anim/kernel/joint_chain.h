@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -35,7 +36,26 @@ struct JointMotion {
 };
 static_assert(std::is_trivially_copyable_v<JointMotion>);
 
-using ChainMotion = std::array<JointMotion, JointChain::max_joints>;
+/// Room for the motions of a chain: what was not posed is not initialised, since that takes as long as posing.
+class ChainMotion {
+ public:
+  JointMotion& operator[](std::size_t joint) { return all()[joint]; }
+  const JointMotion& operator[](std::size_t joint) const { return all()[joint]; }
+  operator std::span<JointMotion>() { return {all(), JointChain::max_joints}; }
+  operator std::span<const JointMotion>() const { return {all(), JointChain::max_joints}; }
+
+ private:
+  JointMotion* all() { return reinterpret_cast<JointMotion*>(room_); }
+  const JointMotion* all() const { return reinterpret_cast<const JointMotion*>(room_); }
+
+  alignas(JointMotion) std::byte room_[JointChain::max_joints * sizeof(JointMotion)];
+};
+
+/// What a joint is to be, model space.
+struct JointTurn {
+  int joint;  ///< place in the chain
+  glm::quat rotation;
+};
 
 /// The chain that ends at `bone`. Refused, in one sentence: a bone that the skeleton lacks, more than max_joints, and
 /// skeletons on the general path, whose scales and sheared prefixes rotations alone do not describe.
@@ -46,7 +66,8 @@ inline bool is_within(const JointChain& chain, const PoseView& pose) {
   return chain.bones.data()[chain.tip()] < pose.bone_count;
 }
 
-/// Poses the joints from `first` on; those before it are as posed before. `motions` has at least chain.count elements.
+/// Poses the joints from `first` on; those before it are as posed before. `motions` has at least chain.count elements;
+/// the pose's rotations are unit to a thousandth.
 /// With M rotations from the bind pose, X positions, q' and d the state (ReferenceFrame) and p the parent:
 ///     M = M_p * q',   X = X_p + M_p * (offset + d)
 void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMotion> motions, int first = 0);
@@ -54,12 +75,16 @@ void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMo
 /// Rotation of a joint's parent in model space; the identity for the root.
 glm::quat parent_rotation(std::span<const JointMotion> motions, int joint);
 
-/// Writes the local rotation that gives `joint` this one in model space; what is below follows, in `motions` too.
-void turn_joint(const JointChain& chain, int joint, const glm::quat& model_rotation, const PoseView& pose,
-                std::span<JointMotion> motions);
+/// Writes the local rotations that give joints these in model space, one or more, in ascending order; what is below
+/// them follows, in `motions` too.
+void turn_joints(const JointChain& chain, std::span<const JointTurn> turns, const PoseView& pose,
+                 std::span<JointMotion> motions);
 
 /// Moves `joint` by metres in model space; what is below follows, in `motions` too.
 void shift_joint(const JointChain& chain, int joint, const glm::vec3& model_shift, const PoseView& pose,
                  std::span<JointMotion> motions);
+
+/// The same where the pose was changed for another chain that `joint` is in.
+void follow_shift(const JointChain& chain, int joint, const glm::vec3& model_shift, std::span<JointMotion> motions);
 
 }  // namespace throng::anim

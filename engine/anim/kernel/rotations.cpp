@@ -14,6 +14,15 @@ namespace {
 constexpr float shortest_length = 1e-12F;
 constexpr float pi = std::numbers::pi_v<float>;
 
+template <typename Find>
+glm::vec3 unit_or_found(const glm::vec3& v, Find&& find) {
+  const float largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  if (!is_finite(v) || largest < shortest_length) return find();
+  // Scaled first, so that neither a tiny nor a huge vector is lost when it is squared.
+  const glm::vec3 scaled = v / largest;
+  return scaled / std::sqrt(glm::dot(scaled, scaled));
+}
+
 /// Taylor series, good to 6e-8 from -pi/2 to pi/2.
 float sine(float x) {
   const float z = x * x;
@@ -44,11 +53,11 @@ float arc_tangent(float x) {
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
-  // Scaled first, so that neither a tiny nor a huge vector is lost when it is squared.
-  const float largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-  if (!is_finite(v) || largest < shortest_length) return otherwise;
-  const glm::vec3 scaled = v / largest;
-  return scaled / std::sqrt(glm::dot(scaled, scaled));
+  return unit_or_found(v, [&otherwise] { return otherwise; });
+}
+
+glm::vec3 unit_or_perpendicular(const glm::vec3& v, const glm::vec3& unit) {
+  return unit_or_found(v, [&unit] { return any_perpendicular(unit); });
 }
 
 glm::vec3 any_perpendicular(const glm::vec3& unit) {

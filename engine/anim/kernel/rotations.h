@@ -13,6 +13,9 @@ namespace throng::anim {
 /// `v` at length 1; `otherwise` where it is shorter than 1e-12, or not finite.
 glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise);
 
+/// `v` at length 1, or, where unit_or would take another, some unit vector at a right angle to `unit`.
+glm::vec3 unit_or_perpendicular(const glm::vec3& v, const glm::vec3& unit);
+
 /// Some unit vector at a right angle to `unit`.
 glm::vec3 any_perpendicular(const glm::vec3& unit);
 

@@ -1,6 +1,7 @@
 #include "engine/anim/kernel/two_bone_ik.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -34,7 +35,7 @@ LimbPlaces places_of(const TwoBoneLimb& limb, std::span<const JointMotion> motio
 glm::quat turn_pair(const glm::vec3& from, const glm::vec3& from_normal, const glm::vec3& to,
                     const glm::vec3& to_normal) {
   const auto frame = [](const glm::vec3& direction, const glm::vec3& normal) {
-    const glm::vec3 across = unit_or(perpendicular_part(normal, direction), any_perpendicular(direction));
+    const glm::vec3 across = unit_or_perpendicular(perpendicular_part(normal, direction), direction);
     return glm::mat3(direction, across, glm::cross(direction, across));
   };
   return glm::normalize(glm::quat_cast(frame(to, to_normal) * glm::transpose(frame(from, from_normal))));
@@ -79,7 +80,7 @@ LimbTurns solve(const TwoBoneIkJob& job, const LimbPlaces& posed, const glm::vec
 
   const glm::vec3 normal = bend_normal(first, second, hinge);
   const glm::vec3 kept_normal = shortest_turn(posed_reach, reach) * normal;
-  const glm::vec3 kept_out = unit_or(glm::cross(reach, kept_normal), any_perpendicular(reach));
+  const glm::vec3 kept_out = unit_or_perpendicular(glm::cross(reach, kept_normal), reach);
   const glm::vec3 pole_out = perpendicular_part(unit_or(job.pole, glm::vec3(0.0F)), reach);
   const glm::vec3 out = glm::length(pole_out) > 1e-3F ? unit_or(pole_out, kept_out) : kept_out;
 
@@ -94,13 +95,17 @@ LimbTurns solve(const TwoBoneIkJob& job, const LimbPlaces& posed, const glm::vec
           .middle = turn_pair(second, normal, new_second, new_normal)};
 }
 
-/// Turns `joint` part of the way to where `solved` has it, seen from its parent.
-void blend_joint(const TwoBoneIkJob& job, int joint, const ChainMotion& posed, const ChainMotion& solved) {
-  const auto local = [joint](const ChainMotion& motions) {
-    return glm::conjugate(parent_rotation(motions, joint)) * motions[static_cast<std::size_t>(joint)].rotation;
-  };
-  const int bone = job.limb->chain.bones[static_cast<std::size_t>(joint)];
-  job.pose.set_rotation(bone, mix_rotations(local(posed), local(solved), job.weight));
+/// Turns joints part of the way to where `solved` has them, each seen from its parent.
+void blend_joints(const TwoBoneIkJob& job, std::span<const JointTurn> turns, std::span<const JointMotion> posed,
+                  std::span<const JointMotion> solved) {
+  for (const JointTurn& turn : turns) {
+    const auto local = [&turn](std::span<const JointMotion> motions) {
+      return glm::conjugate(parent_rotation(motions, turn.joint)) *
+             motions[static_cast<std::size_t>(turn.joint)].rotation;
+    };
+    const int bone = job.limb->chain.bones[static_cast<std::size_t>(turn.joint)];
+    job.pose.set_rotation(bone, mix_rotations(local(posed), local(solved), job.weight));
+  }
 }
 
 }  // namespace
@@ -125,7 +130,7 @@ Result<TwoBoneLimb> make_two_bone_limb(const Skeleton& skeleton, int upper, int 
   }
   const glm::vec3 direction = glm::normalize(first);
   const glm::vec3 bent_as_asked =
-      unit_or(glm::cross(perpendicular_part(bend_direction, direction), direction), any_perpendicular(direction));
+      unit_or_perpendicular(glm::cross(perpendicular_part(bend_direction, direction), direction), direction);
   limb.hinge = bend_normal(direction, glm::normalize(second), bent_as_asked);
   return limb;
 }
@@ -136,29 +141,37 @@ float limb_length(const TwoBoneLimb& limb, std::span<const JointMotion> motions)
 }
 
 float solve_two_bone_ik(const TwoBoneIkJob& job) {
+  if (!is_within(job.limb->chain, job.pose)) return 0.0F;
+  ChainMotion motions;
+  pose_chain(job.limb->chain, job.pose, motions);
+  return solve_two_bone_ik(job, motions);
+}
+
+float solve_two_bone_ik(const TwoBoneIkJob& job, std::span<JointMotion> motions) {
   assert(job.weight >= 0.0F && job.weight <= 1.0F && job.softness >= 0.0F && job.softness <= 0.5F);
   const TwoBoneLimb& limb = *job.limb;
-  if (!is_within(limb.chain, job.pose) || !is_place(job.target)) return 0.0F;
-  ChainMotion posed;
-  pose_chain(limb.chain, job.pose, posed);
-  const LimbPlaces places = places_of(limb, posed);
+  if (!is_place(job.target)) return 0.0F;
+  const LimbPlaces places = places_of(limb, motions);
   const bool has_length = glm::distance(places.upper, places.middle) > shortest_bone &&
                           glm::distance(places.middle, places.end) > shortest_bone;
   if (job.weight <= 0.0F || !has_length) return glm::distance(places.end, job.target);
 
-  const auto rotation = [&posed](int joint) { return posed[static_cast<std::size_t>(joint)].rotation; };
-  const LimbTurns turns = solve(job, places, rotation(limb.upper) * limb.hinge);
-  ChainMotion solved = posed;
-  turn_joint(limb.chain, limb.upper, turns.upper * rotation(limb.upper), job.pose, solved);
-  turn_joint(limb.chain, limb.middle, turns.middle * rotation(limb.middle), job.pose, solved);
-  if (job.turn_end) turn_joint(limb.chain, limb.end(), job.end_rotation, job.pose, solved);
+  const auto rotation = [&motions](int joint) { return motions[static_cast<std::size_t>(joint)].rotation; };
+  const LimbTurns limb_turns = solve(job, places, rotation(limb.upper) * limb.hinge);
+  const std::array<JointTurn, 3> all_turns = {{{limb.upper, limb_turns.upper * rotation(limb.upper)},
+                                               {limb.middle, limb_turns.middle * rotation(limb.middle)},
+                                               {limb.end(), job.end_rotation}}};
+  const std::span turns = std::span(all_turns).first(job.turn_end ? 3 : 2);
+  ChainMotion posed;
   if (job.weight < 1.0F) {
-    blend_joint(job, limb.upper, posed, solved);
-    blend_joint(job, limb.middle, posed, solved);
-    if (job.turn_end) blend_joint(job, limb.end(), posed, solved);
-    pose_chain(limb.chain, job.pose, solved, limb.upper);
+    std::ranges::copy(motions.first(static_cast<std::size_t>(limb.chain.count)), std::span<JointMotion>(posed).begin());
   }
-  return glm::distance(solved[static_cast<std::size_t>(limb.end())].position, job.target);
+  turn_joints(limb.chain, turns, job.pose, motions);
+  if (job.weight < 1.0F) {
+    blend_joints(job, turns, posed, motions);
+    pose_chain(limb.chain, job.pose, motions, limb.upper);
+  }
+  return glm::distance(motions[static_cast<std::size_t>(limb.end())].position, job.target);
 }
 
 }  // namespace throng::anim

@@ -53,4 +53,8 @@ struct TwoBoneIkJob {
 /// there.
 float solve_two_bone_ik(const TwoBoneIkJob& job);
 
+/// The same where the limb's chain, which the level of detail has, is posed already: `motions` [chain.count] are the
+/// pose's, and follow it.
+float solve_two_bone_ik(const TwoBoneIkJob& job, std::span<JointMotion> motions);
+
 }  // namespace throng::anim

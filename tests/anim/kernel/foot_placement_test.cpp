@@ -52,9 +52,9 @@ class PersonOnGround : public testing::Test {
             .seconds = frame};
   }
   FootPlacementResult stand_on(const Slope& slope, std::span<const float> are_planted) {
-    glm::vec3 ankles[2];
-    EXPECT_TRUE(find_ankles(rig_, pose_.view(), ankles));
-    for (std::size_t i = 0; i < 2; ++i) contacts_[i] = slope.under(ankles[i]);
+    PosedLegs legs;
+    EXPECT_TRUE(pose_legs(rig_, pose_.view(), legs));
+    for (std::size_t i = 0; i < 2; ++i) contacts_[i] = slope.under(ankle_of(rig_, legs, i));
     return place_feet(job(are_planted));
   }
   /// Height of heel and ball of a foot above the ground, by the definition of the pose.

@@ -56,7 +56,8 @@ TEST_F(ChainOfAnArm, TurnsAJointInModelSpaceAndWhatIsBelowFollows) {
   const JointMotion hand = joint_by_definition(skeleton_, pose_.view(), "hand.L");
   const glm::quat turn = glm::angleAxis(0.8F, glm::vec3(0.0F, 0.0F, 1.0F));
 
-  turn_joint(chain_, chain_.find(bone("forearm.L")), turn * elbow.rotation, pose_.view(), motions);
+  const JointTurn turned_elbow{chain_.find(bone("forearm.L")), turn * elbow.rotation};
+  turn_joints(chain_, {&turned_elbow, 1}, pose_.view(), motions);
 
   const JointMotion turned = joint_by_definition(skeleton_, pose_.view(), "hand.L");
   EXPECT_LT(angle_between(turned.rotation, turn * hand.rotation), 2e-6F);

@@ -85,7 +85,7 @@ KernelSubject::KernelSubject(const anim::Character& character, const anim::Kerne
       palettes_(&palettes),
       clocks_(character.clips.size()),
       stores_(anim::store_policy_for(palettes.floats().size_bytes())) {
-  const std::size_t lanes = anim::widest_tile;
+  const std::size_t lanes = anim::widest_strip;
   const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count) + 1;
   const std::size_t floats = packet_floats(character) * lanes + slots * anim::branch_slot_floats * lanes;
   scratch_ = anim::allocate_aligned(floats * sizeof(float));
@@ -98,8 +98,8 @@ void KernelSubject::run() {
   for (std::size_t clip = 0; clip < clocks_.size(); ++clip) {
     clocks_[clip] = (clocks_[clip] + frame_step) % std::max<anim::Ticks>(character_->clips[clip].duration, 1);
   }
-  for (std::size_t first = 0; first < agents_.size(); first += anim::widest_tile) {
-    run_tile(agents_.subspan(first, std::min<std::size_t>(anim::widest_tile, agents_.size() - first)), first);
+  for (std::size_t first = 0; first < agents_.size(); first += anim::widest_strip) {
+    run_tile(agents_.subspan(first, std::min<std::size_t>(anim::widest_strip, agents_.size() - first)), first);
   }
   kernels_->fence_stores();
 }
@@ -126,7 +126,7 @@ void KernelSubject::find_moments(std::span<const BenchAgent> agents) {
 
 void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t first) {
   find_moments(agents);
-  std::array<anim::PaletteDestination, anim::widest_tile> palettes{};
+  std::array<anim::PaletteDestination, anim::widest_strip> palettes{};
   for (std::size_t i = 0; i < agents.size(); ++i) palettes[i] = palettes_->of(first + i);
   const int bones = character_->skeleton.bone_count();
   const int components = character_->skeleton.components();
@@ -138,7 +138,7 @@ void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t fir
     kernels_->model_palette({.hierarchy = &character_->hierarchy,
                              .packet = packet,
                              .bone_count = bones,
-                             .width = anim::widest_tile,
+                             .width = anim::widest_strip,
                              .characters = static_cast<int>(agents.size()),
                              .local = local_,
                              .displaced = clips.displaced,

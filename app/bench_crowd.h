@@ -78,9 +78,9 @@ class KernelSubject {
   const anim::Kernels* kernels_;
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
-  std::vector<anim::Ticks> clocks_;                            ///< [clip], within it
-  std::array<anim::ClipMoment, anim::widest_tile> from_, to_;  ///< of the tile that is posed
-  std::array<anim::ShownClips, anim::widest_tile> shown_;
+  std::vector<anim::Ticks> clocks_;                             ///< [clip], within it
+  std::array<anim::ClipMoment, anim::widest_strip> from_, to_;  ///< of the tile that is posed
+  std::array<anim::ShownClips, anim::widest_strip> shown_;
   anim::ClipStrip clips_;  ///< of these
   anim::StorePolicy stores_;
   anim::AlignedBytes scratch_;

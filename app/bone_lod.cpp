@@ -153,13 +153,13 @@ BoneLodChoice with_bone_moved(std::span<const int> parents, BoneLodChoice choice
 
 double nanoseconds_a_bone() {
   const anim::CostModel cost;
-  return (cost.player_packet + cost.tile_packet / anim::widest_tile) / anim::packet_bones;
+  return (cost.player_packet + cost.tile_packet / anim::widest_strip) / anim::packet_bones;
 }
 
 double nanoseconds_at_level(const anim::Skeleton& skeleton, std::size_t level) {
   const anim::CostModel cost;
   const int packets = anim::packets_for(skeleton.level_bone_counts[level]);
-  return cost.of_agent({.players = 1}, packets) + cost.of_tile(packets) / anim::widest_tile;
+  return cost.of_agent({.players = 1}, packets) + cost.of_tile(packets) / anim::widest_strip;
 }
 
 BoneLodFile::BoneLodFile(const fs::path& model) : file_(model, ".lod.json", "The order of the bones") {}

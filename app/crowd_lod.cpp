@@ -125,7 +125,7 @@ std::array<std::uint32_t, anim::most_bone_levels> update_costs(const anim::Skele
   std::array<std::uint32_t, anim::most_bone_levels> costs{};
   for (std::size_t level = 0; level < skeleton.level_bone_counts.size(); ++level) {
     const int packets = anim::packets_for(skeleton.level_bone_counts[level]);
-    const double tile = cost.of_tile(packets) / anim::widest_tile;
+    const double tile = cost.of_tile(packets) / anim::widest_strip;
     costs[level] = static_cast<std::uint32_t>(cost.of_agent({.players = 1}, packets) + tile);
   }
   return costs;

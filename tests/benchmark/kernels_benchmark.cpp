@@ -21,7 +21,7 @@ void register_dense_rows();  // dense_rows_benchmark.cpp
 }  // namespace throng::anim
 
 /// The fused pipeline of one PU without anything around it: two samples, one blend, model space and palette, 62 bones,
-/// tiles of 16 characters, every character at times and a weight of its own. Read ns_per_bone; compare only within one
+/// strips of 16 characters, every character at times and a weight of its own. Read ns_per_bone; compare only within one
 /// run.
 namespace throng::anim {
 namespace {
@@ -128,15 +128,15 @@ class Crowd {
   }
 
   void animate(const Kernels& kernels) {
-    for (std::size_t first = 0; first < characters_.size(); first += widest_tile) animate_tile(kernels, first);
+    for (std::size_t first = 0; first < characters_.size(); first += widest_strip) animate_strip(kernels, first);
   }
   std::size_t size() const { return characters_.size(); }
 
  private:
-  void animate_tile(const Kernels& kernels, std::size_t first) {
-    PaletteDestination palettes[widest_tile];
-    SamplePoint points[2][widest_tile];
-    const int count = static_cast<int>(std::min(characters_.size() - first, std::size_t{widest_tile}));
+  void animate_strip(const Kernels& kernels, std::size_t first) {
+    PaletteDestination palettes[widest_strip];
+    SamplePoint points[2][widest_strip];
+    const int count = static_cast<int>(std::min(characters_.size() - first, std::size_t{widest_strip}));
     for (int lane = 0; lane < count; ++lane) {
       const std::size_t character = first + static_cast<std::size_t>(lane);
       const std::size_t lines = format_ == PaletteFormat::packed ? packed_lines : palette_lines;
@@ -169,10 +169,10 @@ class Crowd {
   HierarchyProgram program_;
   Lines first_, second_;
   std::vector<Character> characters_;
-  Lines local_ = floats(widest_tile * packet_floats);
+  Lines local_ = floats(widest_strip * packet_floats);
   Lines other_ = floats(packet_floats);
-  Lines carry_ = floats(branch_slot_floats * widest_tile);
-  Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
+  Lines carry_ = floats(branch_slot_floats * widest_strip);
+  Lines slots_ = floats(64 * branch_slot_floats * widest_strip);
   Lines palettes_;
 };
 
@@ -188,7 +188,7 @@ void pipeline(benchmark::State& state, const Kernels& kernels, PaletteFormat for
   report(state, crowd.size() * bones);
 }
 
-/// One kernel alone over a tile of 16 characters whose data stays in the first cache.
+/// One kernel alone over a strip of 16 characters whose data stays in the first cache.
 class Workbench {
  public:
   SampleJob sample() {
@@ -219,10 +219,10 @@ class Workbench {
         .from = from_.front().floats, .out = from_.front().floats, .moment = &noise_moment_, .bone_weights = nullptr};
     return {.characters = {&shaken_, 1}, .packet = 1, .bone_count = bones};
   }
-  /// Two clips for each character of a tile, or as many that show one.
+  /// Two clips for each character of a strip, or as many that show one.
   PoseClipsJob pose_clips(bool blended) {
-    for (int lane = 0; lane < widest_tile; ++lane) {
-      const Ticks time = ticks_per_second * lane / widest_tile;
+    for (int lane = 0; lane < widest_strip; ++lane) {
+      const Ticks time = ticks_per_second * lane / widest_strip;
       clips_[lane] = {&as_stream(stream_), locate(as_stream(stream_), time)};
       blended_[lane] = {&as_stream(stream_), locate(as_stream(stream_), ticks_per_second - 1 - time)};
       shown_[lane] = {&clips_[lane], blended ? &blended_[lane] : nullptr, 0.3F};
@@ -230,7 +230,7 @@ class Workbench {
     return {.characters = shown_, .local = local_.front().floats};
   }
   ModelPaletteJob model_palette() {
-    for (int lane = 0; lane < widest_tile; ++lane) {
+    for (int lane = 0; lane < widest_strip; ++lane) {
       destinations_[lane] = PaletteDestination(reinterpret_cast<std::byte*>(palettes_.data() + lane * palette_lines));
     }
     ModelPaletteJob job;
@@ -254,13 +254,13 @@ class Workbench {
   const float* sources_[4] = {from_.front().floats, to_.front().floats, from_.front().floats, to_.front().floats};
   const float* masks_[4] = {mask_.front().floats, nullptr, mask_.front().floats, nullptr};
   float shares_[4] = {0.1F, 0.2F, 0.3F, 0.4F};
-  ClipMoment clips_[widest_tile], blended_[widest_tile];
-  ShownClips shown_[widest_tile];
-  Lines local_ = floats(widest_tile * packet_floats);
-  Lines carry_ = floats(branch_slot_floats * widest_tile);
-  Lines slots_ = floats(64 * branch_slot_floats * widest_tile);
-  Lines palettes_ = floats(widest_tile * palette_lines * 16);
-  PaletteDestination destinations_[widest_tile];
+  ClipMoment clips_[widest_strip], blended_[widest_strip];
+  ShownClips shown_[widest_strip];
+  Lines local_ = floats(widest_strip * packet_floats);
+  Lines carry_ = floats(branch_slot_floats * widest_strip);
+  Lines slots_ = floats(64 * branch_slot_floats * widest_strip);
+  Lines palettes_ = floats(widest_strip * palette_lines * 16);
+  PaletteDestination destinations_[widest_strip];
 };
 
 /// One kernel over one packet of one character.
@@ -281,7 +281,7 @@ void pose_clips_alone(benchmark::State& state, const Kernels& kernels, bool blen
   for ([[maybe_unused]] const auto& round : state) {
     for (job.packet = 0; job.packet < packets; ++job.packet) kernels.pose_clips(job);
   }
-  report(state, widest_tile * bones);
+  report(state, widest_strip * bones);
 }
 
 void model_palette_alone(benchmark::State& state, const Kernels& kernels, PaletteFormat format) {
@@ -291,7 +291,7 @@ void model_palette_alone(benchmark::State& state, const Kernels& kernels, Palett
   for ([[maybe_unused]] const auto& round : state) {
     for (job.packet = 0; job.packet < packets; ++job.packet) kernels.model_palette(job);
   }
-  report(state, widest_tile * bones);
+  report(state, widest_strip * bones);
 }
 
 /// Writing as many bytes and nothing else: what no kernel can beat.

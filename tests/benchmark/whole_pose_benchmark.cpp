@@ -87,11 +87,11 @@ void gaze(benchmark::State& state) {
 BENCHMARK(gaze);
 
 /// Sixteen characters at once, on each target.
-void gazes_of_a_tile(benchmark::State& state, const Kernels& kernels) {
-  std::vector<Person> people(widest_tile);
+void gazes_of_a_strip(benchmark::State& state, const Kernels& kernels) {
+  std::vector<Person> people(widest_strip);
   const CharacterRigs& rigs = people.front().rigs;
   if (!rigs.look_at()) return state.SkipWithError("no head was found");
-  std::vector<LookAtState> memories(widest_tile);
+  std::vector<LookAtState> memories(widest_strip);
   std::vector<LookAtJob> jobs;
   for (std::size_t i = 0; i < people.size(); ++i) {
     jobs.push_back({.rig = &*rigs.look_at(),
@@ -102,12 +102,13 @@ void gazes_of_a_tile(benchmark::State& state, const Kernels& kernels) {
   }
   for ([[maybe_unused]] const auto& round : state) kernels.look_at(jobs);
   state.counters["ns_per_character"] = benchmark::Counter(
-      widest_tile * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      widest_strip * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 [[maybe_unused]] const bool registered = [] {
   for (const Kernels& kernels : runnable_kernels()) {
-    benchmark::RegisterBenchmark((std::string("gazes_of_a_tile/") + kernels.target).c_str(), gazes_of_a_tile, kernels);
+    benchmark::RegisterBenchmark((std::string("gazes_of_a_strip/") + kernels.target).c_str(), gazes_of_a_strip,
+                                 kernels);
   }
   return true;
 }();

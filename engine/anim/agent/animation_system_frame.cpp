@@ -147,7 +147,7 @@ void AnimationSystem::report_work(const WorkOrder& order) {
       const auto entries = static_cast<std::uint64_t>(palette_count_for_bones(skeleton, bones));
       report_.bones_evaluated += agents_by_level[cast][level] * static_cast<std::uint64_t>(bones);
       report_.palette_bytes += agents_by_level[cast][level] * entries * entry_bytes;
-      const auto width = static_cast<std::uint64_t>(widest_tile);  // whatever the store holds: budgets decide by this
+      const auto width = static_cast<std::uint64_t>(widest_strip);  // whatever the store holds: budgets decide by this
       const std::uint64_t tiles = (agents_by_level[cast][level] + width - 1) / width;
       report_.predicted_nanoseconds += static_cast<double>(tiles) * options_.cost.of_tile(packets_for(bones));
     }

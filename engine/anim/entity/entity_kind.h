@@ -144,9 +144,9 @@ struct EntityKind {
   int whole_bones = std::numeric_limits<int>::max();
   int whole_pose_work = 1;  ///< what pose_whole takes, in gazes: CostModel::post_process
   bool displaces = true;    ///< false: positions are those of its only source
-  /// For up to widest_tile characters at once, each as pose_whole would, to the bit and whoever the others are; called
+  /// For up to widest_strip characters at once, each as pose_whole would, to the bit and whoever the others are; called
   /// where these stand side by side. Null: pose_whole is called for each.
-  void (*pose_tile)(const PosedEntities& all) = nullptr;
+  void (*pose_strip)(const PosedEntities& all) = nullptr;
   /// The same of pose_packet, where it changes bones where they lie.
   void (*pose_packets)(const PacketsJob& job) = nullptr;
 

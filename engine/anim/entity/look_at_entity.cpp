@@ -1,6 +1,8 @@
 #include "engine/anim/entity/look_at_entity.h"
 
 #include <array>
+#include <cstddef>
+#include <new>
 
 #include "engine/anim/entity/whole_pose_step.h"
 
@@ -13,23 +15,23 @@ void advance_look(const EntityInStore& entity, const SourcesInStore& sources) {
   advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, sources).elapsed);
 }
 
-/// Part by part: a whole job would be copied, which waits for the parts that were just written.
-void set_job(const EntityInStore& entity, const PoseView& pose, LookAtJob& job) {
-  const auto& look = entity.as<LookAtEntity>();
-  auto& memory = entity.private_as<LookAtMemory>();
-  job.rig = &entity.resource_as<LookAtRig>();
-  job.state = &memory.gaze;
-  job.pose = pose;
-  job.target = {look.target[0], look.target[1], look.target[2]};
-  job.seconds = entity.prepared_as<WholePoseStep>().seconds;
-  job.weight = value(look.weight);
-  job.limits = memory.limits;
-}
-
 void turn_all_to_targets(const PosedEntities& all) {
-  std::array<LookAtJob, widest_tile> jobs;
-  for (std::size_t i = 0; i < all.size(); ++i) set_job(all.entity(i), all.pose(i), jobs[i]);
-  all.alike.assets->kernels->look_at(std::span(jobs).first(all.size()));
+  // Made in their places: initialised first, or copied, they would be written twice.
+  alignas(LookAtJob) std::array<std::byte, widest_strip * sizeof(LookAtJob)> room;
+  auto* const jobs = reinterpret_cast<LookAtJob*>(room.data());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const EntityInStore entity = all.entity(i);
+    const auto& look = entity.as<LookAtEntity>();
+    auto& memory = entity.private_as<LookAtMemory>();
+    ::new (&jobs[i]) LookAtJob{.rig = &entity.resource_as<LookAtRig>(),
+                               .state = &memory.gaze,
+                               .pose = all.pose(i),
+                               .target = {look.target[0], look.target[1], look.target[2]},
+                               .seconds = entity.prepared_as<WholePoseStep>().seconds,
+                               .limits = memory.limits,
+                               .weight = value(look.weight)};
+  }
+  all.alike.assets->kernels->look_at({jobs, all.size()});
 }
 
 void turn_to_target(const EntityInStore& entity, const PoseView& pose) {
@@ -50,7 +52,7 @@ EntityKind look_at_kind(const LookAtRig& rig) {
           .pose_whole = turn_to_target,
           .whole_bones = rig.chain.bones[static_cast<std::size_t>(rig.chain.tip())] + 1,
           .displaces = false,
-          .pose_tile = turn_all_to_targets,
+          .pose_strip = turn_all_to_targets,
           .resource = &rig};
 }
 

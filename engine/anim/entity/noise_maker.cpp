@@ -46,7 +46,7 @@ void shake_packet(const EntityInStore& entity, const PacketJob& job) {
 }
 
 void shake_packets(const PacketsJob& job) {
-  std::array<ShakenBones, widest_tile> bones;
+  std::array<ShakenBones, widest_strip> bones;
   for (std::size_t i = 0; i < job.all.size(); ++i) {
     float* const pose = job.bones_of(i);
     set_bones(job.all.entity(i).prepared_as<Shaking>(), job.packet, pose, pose, bones[i]);

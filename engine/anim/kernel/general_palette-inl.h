@@ -118,7 +118,7 @@ inline int first_entry_from(const HierarchyProgram& program, int begin, int end)
   return 0;
 }
 
-/// The bones [begin, end) of one packet, for one vector of characters of a tile of `width`:
+/// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`:
 ///     global = parent's global * prefix * T * R * S,   entry = global * post
 template <int width, class D>
 HWY_INLINE void general_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end) {

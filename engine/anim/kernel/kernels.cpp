@@ -35,7 +35,7 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
 template <int width>
-void model_palette_tile(const ModelPaletteJob& job) {
+void model_palette_strip(const ModelPaletteJob& job) {
   using D = LanesUpTo<width>;
   const int begin = job.packet * packet_bones;
   const int end = HWY_MIN(begin + packet_bones, job.bone_count);
@@ -55,15 +55,15 @@ void model_palette_tile(const ModelPaletteJob& job) {
 void model_palette(const ModelPaletteJob& job) {
   switch (job.width) {
     case 1:
-      return model_palette_tile<1>(job);
+      return model_palette_strip<1>(job);
     case 2:
-      return model_palette_tile<2>(job);
+      return model_palette_strip<2>(job);
     case 4:
-      return model_palette_tile<4>(job);
+      return model_palette_strip<4>(job);
     case 8:
-      return model_palette_tile<8>(job);
+      return model_palette_strip<8>(job);
     default:
-      return model_palette_tile<widest_tile>(job);
+      return model_palette_strip<widest_strip>(job);
   }
 }
 

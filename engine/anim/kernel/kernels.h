@@ -16,7 +16,7 @@ namespace throng::anim {
 
 struct LookAtJob;
 
-inline constexpr int widest_tile = 16;  ///< characters
+inline constexpr int widest_strip = 16;  ///< characters
 
 /// Pure functions over shaped spans: across bones up to the local pose, across characters from
 /// there. Inside: no allocation, no lock, no global. All pointers are 64-byte aligned unless said.
@@ -29,7 +29,7 @@ struct SampleJob {
   float* pose = nullptr;  ///< out, [components][16]
 };
 
-/// Pose clips: one packet of characters of a tile straight from their clips, one or a blend of two, to the bit what
+/// Pose clips: one packet of characters of a strip straight from their clips, one or a blend of two, to the bit what
 /// SampleJob and then BlendJob give.
 struct ClipMoment {
   const SampledStream* stream = nullptr;
@@ -41,7 +41,7 @@ struct ShownClips {
   float fraction = 0.0F;                ///< of `blended`, above 0 and below 1
 };
 struct PoseClipsJob {
-  std::span<const ShownClips> characters;  ///< at most widest_tile; those that show something else are not touched
+  std::span<const ShownClips> characters;  ///< at most widest_strip; those that show something else are not touched
   int packet = 0;
   int components = rigid_components;
   QuadMask displaced = all_quads;  ///< on rigid skeletons: positions of others are 0, neither read nor written
@@ -112,8 +112,8 @@ struct ModelPaletteJob {
   const HierarchyProgram* hierarchy = nullptr;
   int packet = 0;
   int bone_count = 0;              ///< of the level: bones at and above it are not touched
-  int width = widest_tile;         ///< 1, 2, 4, 8 or 16
-  int characters = widest_tile;    ///< 1 to width; further lanes are computed from garbage-free input, not written
+  int width = widest_strip;        ///< 1, 2, 4, 8 or 16
+  int characters = widest_strip;   ///< 1 to width; further lanes are computed from garbage-free input, not written
   const float* local = nullptr;    ///< [width][components][16]
   QuadMask displaced = all_quads;  ///< on rigid skeletons: positions of others are 0, and are not read
   StorePolicy stores = StorePolicy::prefetched;
@@ -163,7 +163,7 @@ struct Kernels {
   void (*capture_offset)(const OffsetCaptureJob& job);
   void (*apply_offset)(const OffsetApplyJob& job);
   void (*noise)(const NoiseJob& job);
-  void (*look_at)(std::span<const LookAtJob> jobs);  ///< at most widest_tile, all of one rig; see look_at.h
+  void (*look_at)(std::span<const LookAtJob> jobs);  ///< at most widest_strip, all of one rig; see look_at.h
   void (*model_palette)(const ModelPaletteJob& job);
   void (*write_lines)(const WriteLinesJob& job);
   void (*copy_blocks)(const CopyBlocksJob& job);

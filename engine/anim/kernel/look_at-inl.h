@@ -206,7 +206,7 @@ HWY_INLINE std::size_t lookers_of(std::span<const LookAtJob> jobs, const LookAtJ
 
 inline void look_at(std::span<const LookAtJob> jobs) {
   using D = BoneLanes;
-  const LookAtJob* all[widest_tile];
+  const LookAtJob* all[widest_strip];
   const std::span<const LookAtJob* const> lookers(all, lookers_of(jobs, all));
   LookLanes<D> lanes;
   for (std::size_t first = 0; first < lookers.size(); first += std::size_t{lane_count<D>}) {

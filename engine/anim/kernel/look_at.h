@@ -72,7 +72,7 @@ struct LookAtJob {
 };
 static_assert(offsetof(LookAtJob, seconds) == offsetof(LookAtJob, target) + 12, "read together");
 
-/// One alone, by the best kernels (Kernels::look_at solves up to a tile at once, to the same bits). Returns what
+/// One alone, by the best kernels (Kernels::look_at solves up to a strip at once, to the same bits). Returns what
 /// remains.
 float look_at(const LookAtJob& job);
 

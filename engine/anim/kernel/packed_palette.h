@@ -51,7 +51,7 @@ constexpr std::size_t palette_entry_bytes(PaletteFormat format) {
 }
 
 /// Bytes from one palette to the next where many lie in a row: whole cache lines, and an odd number of them. The
-/// palettes of a tile are written side by side; an even number of lines apart, several of them would meet in the same
+/// palettes of a strip are written side by side; an even number of lines apart, several of them would meet in the same
 /// few places of the nearest cache and push each other out.
 constexpr std::size_t palette_stride(std::size_t entries, PaletteFormat format) {
   constexpr std::size_t line_bytes = 64;

@@ -116,7 +116,7 @@ HWY_INLINE void pose_blends(const PoseClipsJob& job, const Blends<count>& blends
 
 inline void pose_clips(const PoseClipsJob& shared) {
   const PoseClipsJob job = shared;  // or it would be read again after every store
-  std::uint8_t blended[widest_tile];
+  std::uint8_t blended[widest_strip];
   std::size_t blends = 0;
   for (std::size_t character = 0; character < job.characters.size(); ++character) {
     const ShownClips& shown = job.characters[character];

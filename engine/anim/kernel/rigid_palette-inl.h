@@ -122,13 +122,13 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
   store(d, motion, job.carry + lane, width);
 }
 
-/// The bones [begin, end) of one packet, for one vector of characters of a tile of `width`.
+/// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`.
 template <template <class> class MotionOf, int width, class D>
 HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end) {
   constexpr int lanes = lane_count<D>;
   const AnyPacket packet = any_packet(job, lane, lanes);
   const auto write = [&](auto known) { rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, known); };
-  if constexpr (width == widest_tile) {
+  if constexpr (width == widest_strip) {
     write_as_usual<lanes>(packet, write);
   } else {
     write(packet);

@@ -70,7 +70,7 @@ void FusedTasks::pose_held_clips(const Characters& characters, int packet) const
   if (has_heads()) clear_others(poses, characters.context->packet_floats(), clips.displaced);
 }
 
-void FusedTasks::compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) {
+void FusedTasks::compute_held(const Characters& characters, StripPalettes& palettes, CopyEngine& engine) {
   for (int packet = 0; packet < characters.held_packets; ++packet) {
     pose_held_clips(characters, packet);
     engine.advance();

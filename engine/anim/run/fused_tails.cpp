@@ -9,7 +9,7 @@ namespace {
 
 void pose_whole_round(const PosedEntities& round, int packets) {
   const EntityKind& kind = *round.alike.layout->kind;
-  if (kind.pose_tile != nullptr) return kind.pose_tile(round);
+  if (kind.pose_strip != nullptr) return kind.pose_strip(round);
   for (std::size_t i = 0; i < round.size(); ++i) {
     const PoseView pose = round.pose(i);
     pose_entity(round.entity(i), {&pose, 1}, pose, packets, nullptr);

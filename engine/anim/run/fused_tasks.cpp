@@ -231,14 +231,14 @@ void FusedTasks::pose(const Characters& strip, CopyEngine& engine) {
   if (strip.work.size() < static_cast<std::size_t>(strip.width)) {
     std::ranges::fill(held ? scratch_.held : scratch_.model.local, 0.0F);
   }
-  TilePalettes palettes(*strip.context, scratch_.model, strip.work, strip.width, stores_);
+  StripPalettes palettes(*strip.context, scratch_.model, strip.work, strip.width, stores_);
   if (held) compute_held(strip, palettes, engine);
   compute_streaming(strip, palettes, engine);
   palettes.store_hashes();
 }
 
 // What all packets need is looked up before the first: kernels leave nothing else in the nearest cache.
-void FusedTasks::compute_streaming(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) const {
+void FusedTasks::compute_streaming(const Characters& characters, StripPalettes& palettes, CopyEngine& engine) const {
   const EntityAssets& assets = characters.context->assets;
   const auto pose_clips = assets.kernels->pose_clips;
   const bool shows_clips = !clips_.empty(), composes = composed_count_ > 0;

@@ -12,9 +12,9 @@
 #include "engine/anim/run/local_store.h"
 #include "engine/anim/run/shared_sources.h"
 #include "engine/anim/run/step_walk.h"
+#include "engine/anim/run/strip_palettes.h"
 #include "engine/anim/run/task_content.h"
 #include "engine/anim/run/task_queue.h"
-#include "engine/anim/run/tile_palettes.h"
 
 namespace throng::anim {
 
@@ -125,8 +125,8 @@ class FusedTasks {
   ShownClips& shown(std::size_t step, std::size_t character) {
     return notes_->shown[step * most_characters + posed_ + character];
   }
-  void compute_streaming(const Characters& characters, TilePalettes& palettes, CopyEngine& engine) const;
-  void compute_held(const Characters& characters, TilePalettes& palettes, CopyEngine& engine);
+  void compute_streaming(const Characters& characters, StripPalettes& palettes, CopyEngine& engine) const;
+  void compute_held(const Characters& characters, StripPalettes& palettes, CopyEngine& engine);
   void compose_packet(const Characters& characters, const Composed& composed, std::size_t character, StepPlace place,
                       int packet) const;
   void compose_streamed_packet(const Characters& characters, int packet) const;
@@ -160,10 +160,10 @@ class FusedTasks {
   FusedNotes* notes_;
   std::array<std::size_t, 2> homes_{};  // [fetch buffer] which of the lists of homes is that of its tile
   std::size_t next_homes_ = 0;
-  std::array<bool, 2> rows_left_{};             // [fetch buffer] some are written back when its tile is done
-  std::size_t posed_ = 0;                       // characters of the tile before the strip that is posed
-  ClipStrip clips_;                             // what those of the strip show
-  std::array<Composed, widest_tile> composed_;  // those that show more than clips
+  std::array<bool, 2> rows_left_{};              // [fetch buffer] some are written back when its tile is done
+  std::size_t posed_ = 0;                        // characters of the tile before the strip that is posed
+  ClipStrip clips_;                              // what those of the strip show
+  std::array<Composed, widest_strip> composed_;  // those that show more than clips
   std::size_t composed_count_ = 0;
   std::size_t whole_rounds_ = 0;     // rounds of tails that come first, for all held packets
   bool composed_displaces_ = false;  // positions of some of them come from more than clips

@@ -98,7 +98,7 @@ void PaletteTasks::begin_tile(const UpdateContext& context, std::span<const Agen
   const auto width = static_cast<int>(std::bit_ceil(tile.size()));
   const ModelScratch scratch =
       ModelScratch::carve(carver, width, context.assets.components, context.hierarchy->slot_count, false);
-  palettes_ = TilePalettes(context, scratch, tile, width, stores_);
+  palettes_ = StripPalettes(context, scratch, tile, width, stores_);
 }
 
 void PaletteTasks::compute(const Task& task, int buffer, CopyEngine& engine) {

@@ -6,9 +6,9 @@
 #include "engine/anim/run/agent_work.h"
 #include "engine/anim/run/copy_engine.h"
 #include "engine/anim/run/local_store.h"
+#include "engine/anim/run/strip_palettes.h"
 #include "engine/anim/run/task_content.h"
 #include "engine/anim/run/task_queue.h"
-#include "engine/anim/run/tile_palettes.h"
 
 namespace throng::anim {
 
@@ -96,7 +96,7 @@ class PaletteTasks {
   TaskQueue::Taker queue_;
   const LocalStore* store_;
   PaletteStores stores_;
-  TilePalettes palettes_;
+  StripPalettes palettes_;
   std::optional<Task> last_;
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;

@@ -90,7 +90,7 @@ LocalStorePlan plan_for_width(std::span<const UpdateContext> contexts, const Loc
 }
 
 int widest(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, std::size_t size) {
-  int width = widest_tile;
+  int width = widest_strip;
   while (width > 0 && local_store_bytes(contexts, demand, width) > size) width /= 2;
   return width;
 }

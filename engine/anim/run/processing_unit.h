@@ -32,7 +32,7 @@ class alignas(block_alignment) ProcessingUnit {
   void divide_store(const LocalStorePlan& plan) {
     store_.divide(plan.fetch_bytes, plan.fetch_buffers, plan.scratch_bytes);
     engine_.reserve(2 * plan.all_fetch_bytes() / entity_header_bytes +
-                    2 * widest_tile);  // one tile out while one comes in
+                    2 * widest_strip);  // one tile out while one comes in
   }
 
   LocalStore& store() { return store_; }

@@ -34,7 +34,7 @@ class TailRounds {
     const EntityLayout* layout;
     std::uint16_t end;
   };
-  static constexpr std::size_t most_entities = PoseProgram::max_steps * widest_tile;
+  static constexpr std::size_t most_entities = PoseProgram::max_steps * widest_strip;
 
   std::array<PosedEntities::Place, most_entities> places_;
   std::array<Round, most_entities> rounds_;

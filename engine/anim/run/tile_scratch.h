@@ -27,16 +27,16 @@ class ScratchCarver {
   std::size_t used_ = 0;
 };
 
-/// Of one tile; each as wide as kernels work side by side, who call it a tile.
+/// Of one tile; each as wide as kernels work side by side.
 inline constexpr int most_strips = 2;
-inline constexpr int most_characters = most_strips * widest_tile;
+inline constexpr int most_characters = most_strips * widest_strip;
 
 /// What a PU is handed: agents of one skeleton and bone level, all held or all streaming. They come into its store
 /// together, and are posed strip by strip.
 struct Tile {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  std::uint32_t width = widest_tile;     ///< characters of a strip
+  std::uint32_t width = widest_strip;    ///< characters of a strip
   float cost = 0;                        ///< predicted, nanoseconds
   const PoseProgram* program = nullptr;  ///< of all of them; null: several
   StoreNeeds needs = {};                 ///< the widest of its agents

@@ -11,7 +11,7 @@ namespace {
 
 using namespace kernel_rig;
 
-/// One tile and a bit, so that the last tile of every width is partly filled.
+/// One strip and a bit, so that the last strip of every width is partly filled.
 std::vector<LocalPose> random_poses(const Skeleton& skeleton, int count = 19) {
   std::vector<LocalPose> poses;
   for (int i = 0; i < count; ++i) poses.push_back(random_pose(skeleton, static_cast<unsigned>(i)));
@@ -56,14 +56,14 @@ constexpr int all_widths[] = {1, 2, 4, 8, 16};
 TEST_P(ModelPalette, AgreesWithDoublePrecisionMatricesOnEveryTarget) {
   constexpr double hundredth_of_a_millimetre = 1e-5;
   for (const Kernels& kernels : runnable_kernels()) {
-    EXPECT_LT(largest_error(skeleton(), poses_, compute(kernels, widest_tile)), hundredth_of_a_millimetre)
+    EXPECT_LT(largest_error(skeleton(), poses_, compute(kernels, widest_strip)), hundredth_of_a_millimetre)
         << kernels.target;
   }
 }
 
-TEST_P(ModelPalette, IsTheSameToTheBitForEveryTileWidth) {
+TEST_P(ModelPalette, IsTheSameToTheBitForEveryStripWidth) {
   for (const Kernels& kernels : runnable_kernels()) {
-    const CrowdResult widest = compute(kernels, widest_tile);
+    const CrowdResult widest = compute(kernels, widest_strip);
     for (const int width : all_widths) {
       const CrowdResult result = compute(kernels, width);
       EXPECT_EQ(result.hashes, widest.hashes) << kernels.target << " " << width;
@@ -81,7 +81,7 @@ TEST_P(ModelPalette, IsTheSameToTheBitAmongTargetsThatFuseAndAmongThoseThatDoNot
     results.reserve(runnable_kernels().size());
     for (const Kernels& kernels : runnable_kernels()) {
       if (kernels.fused_multiply_add != fused) continue;
-      results.push_back(compute(kernels, widest_tile));
+      results.push_back(compute(kernels, widest_strip));
       if (first == nullptr) first = &results.front();
       EXPECT_EQ(results.back().hashes, first->hashes) << kernels.target;
       for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -128,7 +128,7 @@ TEST_P(ModelPalette, IsTheSameToTheBitHoweverItIsStored) {
 }
 
 TEST_P(ModelPalette, HashIsTheSumOfTheHashesOfWhatWasWritten) {
-  const CrowdResult result = compute(best_kernels(), widest_tile);
+  const CrowdResult result = compute(best_kernels(), widest_strip);
   for (std::size_t i = 0; i < states_.size(); ++i) {
     std::uint64_t expected = 0;
     for (std::size_t entry = 0; entry < result.palettes[i].size(); ++entry) {
@@ -138,9 +138,9 @@ TEST_P(ModelPalette, HashIsTheSumOfTheHashesOfWhatWasWritten) {
   }
 }
 
-TEST_P(ModelPalette, DoesNotDependOnTheNeighboursInTheTile) {
-  const CrowdResult together = compute(best_kernels(), widest_tile);
-  const CrowdResult alone = compute_palettes(best_kernels(), program_, {states_[7]}, widest_tile, program_.bone_count);
+TEST_P(ModelPalette, DoesNotDependOnTheNeighboursInTheStrip) {
+  const CrowdResult together = compute(best_kernels(), widest_strip);
+  const CrowdResult alone = compute_palettes(best_kernels(), program_, {states_[7]}, widest_strip, program_.bone_count);
   EXPECT_TRUE(same_bits(alone.palettes[0], together.palettes[7]));
 }
 
@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(Rigs, ModelPalette,
 TEST(RigidPalette, OfTheBindPoseIsTheIdentity) {
   const Skeleton skeleton = rigid_skeleton(branching_parents(62));
   const auto result = compute_palettes(best_kernels(), compile_hierarchy(skeleton),
-                                       states(skeleton, {rest_pose(skeleton)}), widest_tile, skeleton.bone_count());
+                                       states(skeleton, {rest_pose(skeleton)}), widest_strip, skeleton.bone_count());
   for (const PaletteMatrix& entry : result.palettes.front()) {
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) {
@@ -174,9 +174,9 @@ TEST(RigidPalette, IsTheSameToTheBitWhereFewQuadsAreDisplacedWhateverLiesInOther
       const std::vector<StatePose> whole = displaced_in(request.displaced, poses);
       const std::vector<StatePose> partly = displaced_in(request.displaced, poses, not_there);
       for (const Kernels& kernels : runnable_kernels()) {
-        const CrowdResult expected = compute_palettes(kernels, program, whole, widest_tile, skeleton.bone_count());
+        const CrowdResult expected = compute_palettes(kernels, program, whole, widest_strip, skeleton.bone_count());
         const CrowdResult result =
-            compute_palettes(kernels, program, partly, widest_tile, skeleton.bone_count(), request);
+            compute_palettes(kernels, program, partly, widest_strip, skeleton.bone_count(), request);
         EXPECT_TRUE(result.guards_intact) << kernels.target;
         for (std::size_t i = 0; i < poses.size(); ++i) {
           EXPECT_TRUE(same_bits(result.palettes[i], expected.palettes[i])) << kernels.target << " " << i;

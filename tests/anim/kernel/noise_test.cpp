@@ -232,29 +232,29 @@ TEST(Noise, TurnsEveryBoneByTheSameAmplitudeWithoutWeightsAndNoneAboveTheBoneCou
   }
 }
 
-TEST(Noise, ShakesEachCharacterOfATileAsItWouldAlone) {
+TEST(Noise, ShakesEachCharacterOfAStripAsItWouldAlone) {
   for (const Kernels& kernels : runnable_kernels()) {
-    std::array<Packet, widest_tile> from;
-    std::array<Packet, widest_tile> together{};
-    std::array<NoiseMoment, widest_tile> moments;
-    std::array<Amplitudes, widest_tile> shares;
-    std::array<ShakenBones, widest_tile> characters;
+    std::array<Packet, widest_strip> from;
+    std::array<Packet, widest_strip> together{};
+    std::array<NoiseMoment, widest_strip> moments;
+    std::array<Amplitudes, widest_strip> shares;
+    std::array<ShakenBones, widest_strip> characters;
     for (std::size_t i = 0; i < characters.size(); ++i) {
       const auto number = static_cast<float>(i);
       from[i] = random_packet(static_cast<unsigned>(i));
-      moments[i] = noise_moment(i, {5, number / widest_tile}, number / 10.0F);
-      shares[i] = even_amplitudes(number / widest_tile);
+      moments[i] = noise_moment(i, {5, number / widest_strip}, number / 10.0F);
+      shares[i] = even_amplitudes(number / widest_strip);
       characters[i] = {.from = from[i].data(),
                        .out = together[i].data(),
                        .moment = &moments[i],
                        .bone_weights = i % 2 == 0 ? nullptr : shares[i].of};
     }
-    const NoiseJob tile{.characters = characters, .packet = 1, .bone_count = packet_bones + 9};
-    kernels.noise(tile);
+    const NoiseJob strip{.characters = characters, .packet = 1, .bone_count = packet_bones + 9};
+    kernels.noise(strip);
     for (std::size_t i = 0; i < characters.size(); ++i) {
       Packet alone{};
       characters[i].out = alone.data();
-      NoiseJob job = tile;
+      NoiseJob job = strip;
       job.characters = {&characters[i], 1};
       kernels.noise(job);
       EXPECT_EQ(bits(alone), bits(together[i])) << kernels.target << " " << i;

@@ -36,7 +36,7 @@ std::ostream& operator<<(std::ostream& out, const Rig& rig) { return out << rig.
 class PackedPalette : public ::testing::TestWithParam<Rig> {
  protected:
   PackedPalette() {
-    for (unsigned i = 0; i < 19; ++i) {  // one tile and a bit
+    for (unsigned i = 0; i < 19; ++i) {  // one strip and a bit
       poses_.push_back(random_pose(skeleton(), i));
       states_.emplace_back(skeleton(), poses_.back());
     }
@@ -61,7 +61,7 @@ class PackedPalette : public ::testing::TestWithParam<Rig> {
 // each coordinate of a joint is at most 26 micrometres in these boxes.
 TEST_P(PackedPalette, AgreesWithDoublePrecisionMatricesToATenthOfAMillimetreAMetreFromTheJoint) {
   for (const Kernels& kernels : runnable_kernels()) {
-    const PackedCrowdResult result = compute(kernels, widest_tile);
+    const PackedCrowdResult result = compute(kernels, widest_strip);
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       const double error =
           largest_error(skeleton(), reference_palette(skeleton(), poses_[i]), unpacked(result.palettes[i]));
@@ -70,9 +70,9 @@ TEST_P(PackedPalette, AgreesWithDoublePrecisionMatricesToATenthOfAMillimetreAMet
   }
 }
 
-TEST_P(PackedPalette, IsTheSameToTheBitForEveryTileWidthAndStore) {
+TEST_P(PackedPalette, IsTheSameToTheBitForEveryStripWidthAndStore) {
   for (const Kernels& kernels : runnable_kernels()) {
-    const PackedCrowdResult widest = compute(kernels, widest_tile);
+    const PackedCrowdResult widest = compute(kernels, widest_strip);
     for (const int width : all_widths) {
       for (const StorePolicy stores : {StorePolicy::plain, StorePolicy::prefetched, StorePolicy::streaming}) {
         const PackedCrowdResult result = compute(kernels, width, stores);
@@ -87,18 +87,18 @@ TEST_P(PackedPalette, IsTheSameToTheBitForEveryTileWidthAndStore) {
 }
 
 TEST_P(PackedPalette, IsTheSameToTheBitAmongTargetsThatFuse) {
-  const PackedCrowdResult best = compute(best_kernels(), widest_tile);
+  const PackedCrowdResult best = compute(best_kernels(), widest_strip);
   for (const Kernels& kernels : runnable_kernels()) {
     if (kernels.fused_multiply_add != best_kernels().fused_multiply_add) continue;
-    EXPECT_EQ(compute(kernels, widest_tile).hashes, best.hashes) << kernels.target;
+    EXPECT_EQ(compute(kernels, widest_strip).hashes, best.hashes) << kernels.target;
   }
 }
 
 TEST_P(PackedPalette, OfALevelIsAPrefixOfTheWholeAndWritesNothingElse) {
   for (const Kernels& kernels : runnable_kernels()) {
-    const PackedCrowdResult whole = compute(kernels, widest_tile);
+    const PackedCrowdResult whole = compute(kernels, widest_strip);
     for (int bones = 1; bones <= skeleton().bone_count(); ++bones) {
-      const PackedCrowdResult level = compute_packed_palettes(kernels, program_, states_, widest_tile, bones);
+      const PackedCrowdResult level = compute_packed_palettes(kernels, program_, states_, widest_strip, bones);
       ASSERT_TRUE(level.guards_intact) << kernels.target << " " << bones;
       for (std::size_t i = 0; i < states_.size(); ++i) {
         const auto& all = whole.palettes[i];
@@ -113,9 +113,9 @@ TEST_P(PackedPalette, IsTheSameToTheBitWhereFewQuadsAreDisplacedWhateverLiesInOt
     const std::vector<StatePose> whole = displaced_in(request.displaced, states_);
     const std::vector<StatePose> partly = displaced_in(request.displaced, states_, not_there);
     for (const Kernels& kernels : runnable_kernels()) {
-      const auto expected = compute_packed_palettes(kernels, program_, whole, widest_tile, skeleton().bone_count());
+      const auto expected = compute_packed_palettes(kernels, program_, whole, widest_strip, skeleton().bone_count());
       const auto result =
-          compute_packed_palettes(kernels, program_, partly, widest_tile, skeleton().bone_count(), request);
+          compute_packed_palettes(kernels, program_, partly, widest_strip, skeleton().bone_count(), request);
       EXPECT_TRUE(result.guards_intact) << kernels.target;
       for (std::size_t i = 0; i < states_.size(); ++i) {
         EXPECT_TRUE(same_bits(result.palettes[i], expected.palettes[i])) << kernels.target << " " << i;
@@ -125,7 +125,7 @@ TEST_P(PackedPalette, IsTheSameToTheBitWhereFewQuadsAreDisplacedWhateverLiesInOt
 }
 
 TEST_P(PackedPalette, HashIsTheSumOfTheHashesOfWhatWasWritten) {
-  const PackedCrowdResult result = compute(best_kernels(), widest_tile);
+  const PackedCrowdResult result = compute(best_kernels(), widest_strip);
   for (std::size_t i = 0; i < states_.size(); ++i) {
     std::uint64_t expected = 0;
     for (std::size_t entry = 0; entry < result.palettes[i].size(); ++entry) {
@@ -135,10 +135,10 @@ TEST_P(PackedPalette, HashIsTheSumOfTheHashesOfWhatWasWritten) {
   }
 }
 
-TEST_P(PackedPalette, DoesNotDependOnTheNeighboursInTheTile) {
-  const PackedCrowdResult together = compute(best_kernels(), widest_tile);
+TEST_P(PackedPalette, DoesNotDependOnTheNeighboursInTheStrip) {
+  const PackedCrowdResult together = compute(best_kernels(), widest_strip);
   const PackedCrowdResult alone =
-      compute_packed_palettes(best_kernels(), program_, {states_[7]}, widest_tile, program_.bone_count);
+      compute_packed_palettes(best_kernels(), program_, {states_[7]}, widest_strip, program_.bone_count);
   EXPECT_TRUE(same_bits(alone.palettes[0], together.palettes[7]));
 }
 

@@ -54,9 +54,9 @@ struct alignas(64) Line {
   float floats[16];
 };
 
-/// Scratch of one tile, as a PU would lay it out.
-struct Tile {
-  Tile(int width, int components, int slots)
+/// Scratch of one strip, as a PU would lay it out.
+struct Strip {
+  Strip(int width, int components, int slots)
       : local(static_cast<std::size_t>(width * components)),
         carry(static_cast<std::size_t>(branch_slot_floats * width)),
         slots_(static_cast<std::size_t>(std::max(slots, 1) * branch_slot_floats * width)) {}
@@ -79,7 +79,7 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
   CrowdResultOf<Entry> result;
   result.hashes.assign(characters.size(), 0);
   const int components = characters.front().components();
-  Tile tile(width, components, program.slot_count);
+  Strip strip(width, components, program.slot_count);
   for (std::size_t first = 0; first < characters.size(); first += static_cast<std::size_t>(width)) {
     ModelPaletteJob job;
     job.hierarchy = &program;
@@ -89,10 +89,10 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
     job.displaced = request.displaced;
     job.format = std::is_same_v<Entry, PackedPaletteEntry> ? PaletteFormat::packed : PaletteFormat::matrices;
     job.characters = static_cast<int>(std::min(characters.size() - first, static_cast<std::size_t>(width)));
-    job.local = tile.local.front().floats;
-    job.carry = tile.carry.front().floats;
-    job.branch_slots = tile.slots_.front().floats;
-    std::array<PaletteDestination, widest_tile> destinations{};
+    job.local = strip.local.front().floats;
+    job.carry = strip.carry.front().floats;
+    job.branch_slots = strip.slots_.front().floats;
+    std::array<PaletteDestination, widest_strip> destinations{};
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(job.characters); ++lane) {
       destinations[lane] = palettes[first + lane].entries();
     }
@@ -101,7 +101,7 @@ CrowdResultOf<Entry> compute_palettes_of(const Kernels& kernels, const Hierarchy
     for (job.packet = 0; job.packet < packets_for(bone_count); ++job.packet) {
       for (int lane = 0; lane < width; ++lane) {
         const std::size_t character = std::min(first + static_cast<std::size_t>(lane), characters.size() - 1);
-        std::memcpy(tile.local[static_cast<std::size_t>(lane) * static_cast<std::size_t>(components)].floats,
+        std::memcpy(strip.local[static_cast<std::size_t>(lane) * static_cast<std::size_t>(components)].floats,
                     characters[character].packet(job.packet), packet_bytes(components));
       }
       kernels.model_palette(job);

@@ -26,7 +26,7 @@ inline constexpr PaletteRequest usual_requests[] = {
     {.stores = StorePolicy::streaming, .displaced = 0b1010, .hashed = false, .whole_lines = true},
     {.stores = StorePolicy::prefetched, .displaced = 0b0100, .hashed = true, .whole_lines = true}};
 
-/// Palettes and hashes of characters, computed in tiles of `width`; a last tile may be partly filled. Every palette
+/// Palettes and hashes of characters, computed in strips of `width`; a last strip may be partly filled. Every palette
 /// lies between guard bytes, and so do entries of bones above `bone_count`.
 template <typename Entry>
 struct CrowdResultOf {

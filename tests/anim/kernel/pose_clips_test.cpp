@@ -18,11 +18,11 @@ struct alignas(64) Line {
   float floats[packet_bones];
 };
 
-/// One packet of a tile, each character's poison until it is posed.
+/// One packet of a strip, each character's poison until it is posed.
 class Local {
  public:
   explicit Local(int components)
-      : components_(components), lines_(static_cast<std::size_t>(widest_tile * components), poison()) {}
+      : components_(components), lines_(static_cast<std::size_t>(widest_strip * components), poison()) {}
   float* data() { return lines_.front().floats; }
   std::vector<float> character(int index, int components) const {
     const float* first = lines_[static_cast<std::size_t>(index * components_)].floats;
@@ -46,11 +46,11 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
 constexpr int bones = 37;
 constexpr int packets = packets_for(bones);
 
-/// Some characters of a tile, but not all, play one clip; every second of them is blended with another.
+/// Some characters of a strip, but not all, play one clip; every second of them is blended with another.
 class PoseClips : public ::testing::TestWithParam<int> {
  protected:
   PoseClips() {
-    for (int character = 0; character < widest_tile; ++character) {
+    for (int character = 0; character < widest_strip; ++character) {
       const auto index = static_cast<std::size_t>(character);
       clips_[index] = moment(first_, 7 * character);
       blended_[index] = moment(second_, 11 * character);
@@ -93,8 +93,8 @@ class PoseClips : public ::testing::TestWithParam<int> {
 
   const StreamBlock first_ = StreamBlock(wavy_rows(bones, GetParam(), 24));
   const StreamBlock second_ = StreamBlock(still_rows(bones, GetParam(), 24));
-  std::array<ClipMoment, widest_tile> clips_, blended_;
-  std::array<ShownClips, widest_tile> shown_;
+  std::array<ClipMoment, widest_strip> clips_, blended_;
+  std::array<ShownClips, widest_strip> shown_;
 };
 
 TEST_P(PoseClips, GivesTheBitsOfSamplingAndBlendingOnEveryTarget) {
@@ -102,7 +102,7 @@ TEST_P(PoseClips, GivesTheBitsOfSamplingAndBlendingOnEveryTarget) {
     for (int packet = 0; packet < packets; ++packet) {
       Local local(GetParam());
       kernels.pose_clips(job(packet, local));
-      for (int character = 0; character < widest_tile; ++character) {
+      for (int character = 0; character < widest_strip; ++character) {
         const ShownClips& shown = shown_[static_cast<std::size_t>(character)];
         if (shown.clip == nullptr) continue;
         const Local expected = one_by_one(kernels, shown, packet);

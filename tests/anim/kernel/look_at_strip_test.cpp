@@ -15,7 +15,7 @@
 namespace throng::anim {
 namespace {
 
-constexpr std::size_t characters = widest_tile;
+constexpr std::size_t characters = widest_strip;
 
 /// Characters who stand, look and are told otherwise, each by numbers of its own.
 class Onlookers {
@@ -70,26 +70,26 @@ float largest_difference(const std::vector<float>& a, const std::vector<float>& 
   return largest;
 }
 
-TEST(LookAtTile, AgreesWithTheDefinitionOnEveryTarget) {
+TEST(LookAtStrip, AgreesWithTheDefinitionOnEveryTarget) {
   for (const Kernels& kernels : runnable_kernels()) {
-    Onlookers tile(7);
+    Onlookers strip(7);
     Onlookers defined(7);
     for (int frame = 0; frame < 60; ++frame) {
-      tile.pose();
+      strip.pose();
       defined.pose();
-      kernels.look_at(tile.jobs());
+      kernels.look_at(strip.jobs());
       for (std::size_t i = 0; i < characters; ++i) {
-        EXPECT_NEAR(tile.state(i).remaining, look_at_by_definition(defined.job(i)), 2e-5F)
+        EXPECT_NEAR(strip.state(i).remaining, look_at_by_definition(defined.job(i)), 2e-5F)
             << kernels.target << " " << i;
-        EXPECT_LT(largest_difference(tile.floats(i), defined.floats(i)), 5e-6F) << kernels.target << " " << i;
-        EXPECT_NEAR(tile.state(i).yaw.value, defined.state(i).yaw.value, 1e-5F) << kernels.target << " " << i;
-        EXPECT_NEAR(tile.state(i).pitch.value, defined.state(i).pitch.value, 1e-5F) << kernels.target << " " << i;
+        EXPECT_LT(largest_difference(strip.floats(i), defined.floats(i)), 5e-6F) << kernels.target << " " << i;
+        EXPECT_NEAR(strip.state(i).yaw.value, defined.state(i).yaw.value, 1e-5F) << kernels.target << " " << i;
+        EXPECT_NEAR(strip.state(i).pitch.value, defined.state(i).pitch.value, 1e-5F) << kernels.target << " " << i;
       }
     }
   }
 }
 
-TEST(LookAtTile, IsTheSameToTheBitWhoeverTheNeighboursAre) {
+TEST(LookAtStrip, IsTheSameToTheBitWhoeverTheNeighboursAre) {
   for (const Kernels& kernels : runnable_kernels()) {
     Onlookers together(8);
     Onlookers alone(8);
@@ -107,7 +107,7 @@ TEST(LookAtTile, IsTheSameToTheBitWhoeverTheNeighboursAre) {
   }
 }
 
-TEST(LookAtTile, IsTheSameToTheBitAmongTargetsThatFuse) {
+TEST(LookAtStrip, IsTheSameToTheBitAmongTargetsThatFuse) {
   for (const Kernels& kernels : runnable_kernels()) {
     if (kernels.fused_multiply_add != best_kernels().fused_multiply_add) continue;
     Onlookers best(9);
@@ -122,7 +122,7 @@ TEST(LookAtTile, IsTheSameToTheBitAmongTargetsThatFuse) {
   }
 }
 
-TEST(LookAtTile, PassesByThoseWhoDoNotLook) {
+TEST(LookAtStrip, PassesByThoseWhoDoNotLook) {
   for (const Kernels& kernels : runnable_kernels()) {
     Onlookers some(10);
     Onlookers all(10);

@@ -99,7 +99,7 @@ void KernelSubject::run() {
     clocks_[clip] = (clocks_[clip] + frame_step) % std::max<anim::Ticks>(character_->clips[clip].duration, 1);
   }
   for (std::size_t first = 0; first < agents_.size(); first += anim::widest_strip) {
-    run_tile(agents_.subspan(first, std::min<std::size_t>(anim::widest_strip, agents_.size() - first)), first);
+    run_strip(agents_.subspan(first, std::min<std::size_t>(anim::widest_strip, agents_.size() - first)), first);
   }
   kernels_->fence_stores();
 }
@@ -124,7 +124,7 @@ void KernelSubject::find_moments(std::span<const BenchAgent> agents) {
   clips_.add(0, agents.size());
 }
 
-void KernelSubject::run_tile(std::span<const BenchAgent> agents, std::size_t first) {
+void KernelSubject::run_strip(std::span<const BenchAgent> agents, std::size_t first) {
   find_moments(agents);
   std::array<anim::PaletteDestination, anim::widest_strip> palettes{};
   for (std::size_t i = 0; i < agents.size(); ++i) palettes[i] = palettes_->of(first + i);

@@ -70,7 +70,7 @@ class KernelSubject {
   void run();
 
  private:
-  void run_tile(std::span<const BenchAgent> agents, std::size_t first);
+  void run_strip(std::span<const BenchAgent> agents, std::size_t first);
   anim::ClipMoment moment(int clip_index, anim::Ticks start) const;
   void find_moments(std::span<const BenchAgent> agents);
 
@@ -79,7 +79,7 @@ class KernelSubject {
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
   std::vector<anim::Ticks> clocks_;                             ///< [clip], within it
-  std::array<anim::ClipMoment, anim::widest_strip> from_, to_;  ///< of the tile that is posed
+  std::array<anim::ClipMoment, anim::widest_strip> from_, to_;  ///< of the strip that is posed
   std::array<anim::ShownClips, anim::widest_strip> shown_;
   anim::ClipStrip clips_;  ///< of these
   anim::StorePolicy stores_;

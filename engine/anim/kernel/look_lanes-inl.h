@@ -6,6 +6,7 @@
 #define THRONG_KERNEL_LOOK_LANES_INL_H
 #endif
 
+#include <cstddef>
 #include <span>
 
 #include "engine/anim/kernel/angles-inl.h"
@@ -84,6 +85,7 @@ class LookLanes {
     Lane<D> parts[4 * quad_bones];
   };
 
+  static_assert(sizeof(LookAtLimits) == 4 * sizeof(float) && offsetof(LookAtState, pitch) == 2 * sizeof(float));
   void load_gazes() {
     load_four(&target[0], &target[1], &target[2], &seconds, [](const LookAtJob& job) { return &job.target.x; });
     load_four(&most_yaw, &most_up, &most_down, &smooth_seconds, [](const LookAtJob& job) { return &job.limits.yaw; });

@@ -181,14 +181,24 @@ HWY_INLINE void look_at_lanes(D d, const LookAtRig& rig, LookLanes<D>& lanes) {
   const Gazes<V> last{hn::IfThenElse(started, lanes.yaw.load(d), from.yaw),
                       hn::IfThenElse(started, lanes.pitch.load(d), from.pitch)};
 
-  // The eyes move with the turn; seen from where they were turned to last, the gaze settles on the target exactly.
+  // The eyes move with the turn; seen from where they were left last, the gaze settles on the target exactly.
   LookingChain<V> turned;
-  turn_chain(d, rig, lanes, from, last, posed, turned);
-  const Gazes<V> wanted = wanted_gaze(d, rig, lanes, last, to_target_from(eyes_of(d, rig, turned.head)));
+  Vectors<V> eyes{lanes.eyes[0].load(d), lanes.eyes[1].load(d), lanes.eyes[2].load(d)};
+  if (!hn::AllTrue(d, started)) {
+    turn_chain(d, rig, lanes, from, from, posed, turned);
+    const Vectors<V> posed_eyes = eyes_of(d, rig, turned.head);
+    eyes = {hn::IfThenElse(started, eyes.x, posed_eyes.x), hn::IfThenElse(started, eyes.y, posed_eyes.y),
+            hn::IfThenElse(started, eyes.z, posed_eyes.z)};
+  }
+  const Gazes<V> wanted = wanted_gaze(d, rig, lanes, last, to_target_from(eyes));
   turn_chain(d, rig, lanes, from, follow(d, lanes, last, wanted), posed, turned);
   store_rotations(d, rig, turned, lanes);
+  eyes = eyes_of(d, rig, turned.head);
+  lanes.eyes[0].store(d, eyes.x);
+  lanes.eyes[1].store(d, eyes.y);
+  lanes.eyes[2].store(d, eyes.z);
   const Vectors<V> facing = rotated(turned.head.rotation, forward);
-  const Vectors<V> to_target = to_target_from(eyes_of(d, rig, turned.head));
+  const Vectors<V> to_target = to_target_from(eyes);
   const Vectors<V> across = cross(facing, to_target);
   lanes.remaining.store(d, angle_of(d, hn::Sqrt(dot(across, across)), dot(facing, to_target)));
 }

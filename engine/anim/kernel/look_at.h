@@ -50,12 +50,18 @@ struct alignas(16) LookAtLimits {
 };
 
 /// The gaze that an entity keeps from frame to frame, radians; a new one starts where the pose looks.
+///
+///      0      8       16         28          32
+///     [ yaw | pitch | eyes x y z | remaining | started, padding ]
 struct alignas(16) LookAtState {
   DampedValue yaw;         ///< to the left is positive
   DampedValue pitch;       ///< up is positive
+  glm::vec3 eyes{0.0F};    ///< metres, where the last update left them, seen from what carries the first joint
   float remaining = 0.0F;  ///< from the gaze to the target after the last update (0 to pi); 0 where nothing was turned
   bool started = false;
 };
+static_assert(offsetof(LookAtState, pitch) == 8 && offsetof(LookAtState, eyes) == 16, "read and written by fours");
+static_assert(offsetof(LookAtState, remaining) == 28);
 static_assert(std::is_trivially_copyable_v<LookAtState>);
 
 /// Turns the joints so that the head faces the target, or as near to it as the limits allow. A target behind is looked

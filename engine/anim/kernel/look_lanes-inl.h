@@ -43,7 +43,7 @@ class LookLanes {
   using V = hn::Vec<D>;
 
   Lane<D> target[3], weight, seconds, most_yaw, most_up, most_down, smooth_seconds, started;
-  Lane<D> yaw, yaw_velocity, pitch, pitch_velocity, remaining;
+  Lane<D> yaw, yaw_velocity, pitch, pitch_velocity, eyes[3], remaining;
 
   void load(const LookAtRig& rig, std::span<const LookAtJob* const> lookers) {
     for (int lane = 0; lane < lanes; ++lane) {
@@ -85,11 +85,12 @@ class LookLanes {
     Lane<D> parts[4 * quad_bones];
   };
 
-  static_assert(sizeof(LookAtLimits) == 4 * sizeof(float) && offsetof(LookAtState, pitch) == 2 * sizeof(float));
+  static_assert(sizeof(LookAtLimits) == 4 * sizeof(float));
   void load_gazes() {
     load_four(&target[0], &target[1], &target[2], &seconds, [](const LookAtJob& job) { return &job.target.x; });
     load_four(&most_yaw, &most_up, &most_down, &smooth_seconds, [](const LookAtJob& job) { return &job.limits.yaw; });
     load_four(&yaw, &yaw_velocity, &pitch, &pitch_velocity, [](const LookAtJob& job) { return &job.state->yaw.value; });
+    load_four(&eyes[0], &eyes[1], &eyes[2], &remaining, [](const LookAtJob& job) { return &job.state->eyes.x; });
     for (int lane = 0; lane < lanes; ++lane) {
       weight.of[lane] = jobs_[lane]->weight;
       started.of[lane] = jobs_[lane]->state->started ? 1.0F : 0.0F;
@@ -111,12 +112,10 @@ class LookLanes {
     const D d;
     float* to[lane_count<D>];
     for (int lane = 0; lane < lanes; ++lane) to[lane] = &jobs_[lane]->state->yaw.value;
-    const FourVectors<V> four{{yaw.load(d), yaw_velocity.load(d), pitch.load(d), pitch_velocity.load(d)}};
-    store_rows_of_four<1>(d, &four, to, 0);
-    for (int lane = 0; lane < lanes; ++lane) {
-      jobs_[lane]->state->remaining = remaining.of[lane];
-      jobs_[lane]->state->started = true;
-    }
+    const FourVectors<V> fours[2] = {{{yaw.load(d), yaw_velocity.load(d), pitch.load(d), pitch_velocity.load(d)}},
+                                     {{eyes[0].load(d), eyes[1].load(d), eyes[2].load(d), remaining.load(d)}}};
+    store_rows_of_four<2>(d, fours, to, 4);
+    for (int lane = 0; lane < lanes; ++lane) jobs_[lane]->state->started = true;
   }
 
   float* lane_of(int job, int bone) const { return jobs_[job]->pose.packet(bone / packet_bones) + bone % packet_bones; }

@@ -48,6 +48,10 @@ glm::quat turn_of(const Body& body, const Gaze& from, const Gaze& to, float shar
   return turn_about(body.up, yaw) * turn_about(-body.left, pitch) * turn_about(-body.up, from.yaw);
 }
 
+JointMotion carrier_of(const LookAtRig& rig, const ChainMotion& motions) {
+  return rig.joints[0] > 0 ? motions[static_cast<std::size_t>(rig.joints[0] - 1)] : JointMotion{};
+}
+
 glm::vec3 eyes_of(const LookAtRig& rig, const ChainMotion& motions) {
   const JointMotion& head = motions[static_cast<std::size_t>(rig.chain.tip())];
   return head.position + head.rotation * rig.eyes;
@@ -108,17 +112,23 @@ float look_at_by_definition(const LookAtJob& job) {
   const Body body = body_of(rig, posed);
   const glm::quat head = posed[static_cast<std::size_t>(rig.chain.tip())].rotation;
   const Gaze from = gaze_along(body, head * rig.forward);
-  if (!state.started) state = {.yaw = {from.yaw, 0.0F}, .pitch = {from.pitch, 0.0F}, .started = true};
+  const JointMotion carrier = carrier_of(rig, posed);
+  const auto as_carrier_sees = [&carrier](const glm::vec3& place) {
+    return glm::conjugate(carrier.rotation) * (place - carrier.position);
+  };
+  if (!state.started) {
+    const glm::vec3 posed_eyes = as_carrier_sees(eyes_of(rig, turned_chain(job, body, from, from, posed)));
+    state = {.yaw = {from.yaw, 0.0F}, .pitch = {from.pitch, 0.0F}, .eyes = posed_eyes, .started = true};
+  }
 
-  // The eyes move with the turn; seen from where they were turned to last, the gaze settles on the target exactly.
-  const Gaze last{.yaw = state.yaw.value, .pitch = state.pitch.value};
-  const glm::vec3 eyes = eyes_of(rig, turned_chain(job, body, from, last, posed));
-  const Gaze wanted = wanted_gaze(job, body, eyes);
+  // The eyes move with the turn; seen from where they were left last, the gaze settles on the target exactly.
+  const Gaze wanted = wanted_gaze(job, body, carrier.position + carrier.rotation * state.eyes);
   state.yaw = smooth_damp(state.yaw, wanted.yaw, job.limits.smooth_seconds, job.seconds);
   state.pitch = smooth_damp(state.pitch, wanted.pitch, job.limits.smooth_seconds, job.seconds);
 
   const ChainMotion turned = turned_chain(job, body, from, {.yaw = state.yaw.value, .pitch = state.pitch.value}, posed);
   write(rig, job.pose, turned);
+  state.eyes = as_carrier_sees(eyes_of(rig, turned));
   const glm::vec3 facing = turned[static_cast<std::size_t>(rig.chain.tip())].rotation * rig.forward;
   const glm::vec3 to_target = unit_or(job.target - eyes_of(rig, turned), facing);
   return angle_of(glm::length(glm::cross(facing, to_target)), glm::dot(facing, to_target));

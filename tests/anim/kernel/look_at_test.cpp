@@ -89,6 +89,21 @@ TEST_F(PersonLooking, TurnsFromTheBodyThatCarriesIt) {
   EXPECT_LT(off({10.0F, 1.65F, 0.0F}), 0.02F) << "1.57 from the front is within the limit of 1.3 from these hips";
 }
 
+TEST_F(PersonLooking, KeepsATargetNearbyInViewWhileTheNeckMoves) {
+  // Eyes count from where the last frame left them: a head that nods this fast has moved them by a few millimetres.
+  const glm::vec3 target{0.4F, 1.5F, 1.0F};
+  look_for(180, target);
+  for (int i = 0; i < 120; ++i) {
+    pose_ = HeldPose(skeleton_);
+    const float nod = 0.3F * std::sin(6.0F * static_cast<float>(i) * frame);
+    pose_.view().set_rotation(find_bone(skeleton_, "neck"), glm::angleAxis(nod, glm::vec3(1.0F, 0.0F, 0.0F)));
+    LookAtJob look = job(target);
+    look.limits.smooth_seconds = 0.0F;
+    look_at(look);
+    EXPECT_LT(off(target), 0.01F) << i;
+  }
+}
+
 TEST_F(PersonLooking, StopsAtItsLimits) {
   look_for(180, {10.0F, 1.65F, -2.0F});
   EXPECT_NEAR(yaw(), 1.3F, 1e-3F);

@@ -171,9 +171,6 @@ HWY_INLINE void look_at_lanes(D d, const LookAtRig& rig, LookLanes<D>& lanes) {
                          hn::Sub(lanes.target[1].load(d), carrier.position.y),
                          hn::Sub(lanes.target[2].load(d), carrier.position.z)};
   const Vectors<V> target = rotated(conjugate(carrier.rotation), place);
-  const auto to_target_from = [&](const Vectors<V>& eyes) {
-    return Vectors<V>{hn::Sub(target.x, eyes.x), hn::Sub(target.y, eyes.y), hn::Sub(target.z, eyes.z)};
-  };
   LookingChain<V> posed;
   pose_looking_joints(d, rig, lanes, posed);
   const Gazes<V> from = gaze_along(d, rig, rotated(posed.head.rotation, forward));
@@ -190,7 +187,7 @@ HWY_INLINE void look_at_lanes(D d, const LookAtRig& rig, LookLanes<D>& lanes) {
     eyes = {hn::IfThenElse(started, eyes.x, posed_eyes.x), hn::IfThenElse(started, eyes.y, posed_eyes.y),
             hn::IfThenElse(started, eyes.z, posed_eyes.z)};
   }
-  const Gazes<V> wanted = wanted_gaze(d, rig, lanes, last, to_target_from(eyes));
+  const Gazes<V> wanted = wanted_gaze(d, rig, lanes, last, difference(target, eyes));
   turn_chain(d, rig, lanes, from, follow(d, lanes, last, wanted), posed, turned);
   store_rotations(d, rig, turned, lanes);
   eyes = eyes_of(d, rig, turned.head);
@@ -198,7 +195,7 @@ HWY_INLINE void look_at_lanes(D d, const LookAtRig& rig, LookLanes<D>& lanes) {
   lanes.eyes[1].store(d, eyes.y);
   lanes.eyes[2].store(d, eyes.z);
   const Vectors<V> facing = rotated(turned.head.rotation, forward);
-  const Vectors<V> to_target = to_target_from(eyes);
+  const Vectors<V> to_target = difference(target, eyes);
   const Vectors<V> across = cross(facing, to_target);
   lanes.remaining.store(d, angle_of(d, hn::Sqrt(dot(across, across)), dot(facing, to_target)));
 }

@@ -167,6 +167,21 @@ TEST(TileCutter, PutsTwoStripsIntoATileWhereTheStoreHoldsTheirCharacters) {
   EXPECT_THAT(counts, testing::ElementsAre(32, 16, 16, 16));
 }
 
+TEST(TileCutter, NarrowsTheTileOfWhoeverNeedsMuchRoomAndNoneBehindIt) {
+  Crowd crowd(66);
+  PoseProgram large = *crowd.work.front().program;
+  large.needs.fetch_bytes = static_cast<std::uint32_t>(crowd.plan().fetch_bytes) / 3;
+  crowd.work.front().program = &large;
+  std::array<int, 2> shares{};
+  std::vector<std::uint32_t> widths, counts;
+  for (const Tile& tile : crowd.cut(shares)) {
+    widths.push_back(tile.width);
+    counts.push_back(tile.count);
+  }
+  EXPECT_THAT(widths, testing::ElementsAre(2, 16, 16));
+  EXPECT_THAT(counts, testing::ElementsAre(2, 32, 32)) << "who comes next joins it as long as there is room";
+}
+
 TEST(TileCutter, CutsBetweenStripsBeforeItCutsAStrip) {
   Crowd crowd(96);
   std::array<int, 3> shares{};

@@ -65,11 +65,12 @@ class Step {
   void see(const Body& other) {
     if (other.agent == self_.agent) return;
     const glm::vec2 apart = other.position - self_.position;
-    const float distance = glm::length(apart);
-    if (distance > reach_.sight) return;
+    const float square = squared(apart);
+    if (square > reach_.sight * reach_.sight) return;
     const float radii = self_.radius + other.radius;
     avoid(other, apart, radii);
-    if (distance < radii + reach_.closing) limit(other, apart, distance, radii);
+    const float close = radii + reach_.closing;
+    if (square < close * close) limit(other, apart, std::sqrt(square), radii);
   }
 
   glm::vec2 velocity(float spacing, float most_speed) {

@@ -39,7 +39,7 @@ namespace throng::app {
 ///                 a bit for each agent whose hash changed, from the lowest; their hashes, u16
 ///     end         frames u64, ByteHash u64 of all bytes of the file before it
 inline constexpr std::string_view recording_magic = "THRONGRC";
-inline constexpr std::uint32_t recording_version = 2;
+inline constexpr std::uint32_t recording_version = 3;
 inline constexpr std::uint32_t recorded_nobody = 0xFFFFFFFFU;
 inline constexpr std::uint32_t end_payload_bytes = 16;
 enum class RecordKind : std::uint8_t {

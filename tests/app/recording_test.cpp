@@ -168,7 +168,7 @@ TEST_F(Recordings, OfAnotherKindAreRefusedInWords) {
   std::string other = bytes();
   other[recording_magic.size()] = 9;
   put(other);
-  EXPECT_THAT(complaint(), HasSubstr("is a recording of version 9; this throng reads version 2"));
+  EXPECT_THAT(complaint(), HasSubstr("is a recording of version 9; this throng reads version 3"));
 }
 
 TEST_F(Recordings, CutShortAnywhereSaySo) {

@@ -123,13 +123,8 @@ struct ModelPaletteJob {
   const PaletteDestination* palettes =
       nullptr;                      ///< [characters], 16-byte aligned; the kernel writes entries in ascending
                                     ///< order, whole cache lines where it can, and never reads them
-  std::uint64_t* hashes = nullptr;  ///< [characters] or null: adds each written entry's hash, see palette_entry_hash
+  std::uint64_t* hashes = nullptr;  ///< [characters] or null: adds each written entry's hash, see palette_hash.h
 };
-
-/// The hash of one palette entry: of its bits, those of 12 floats or of 4 words, under its joint index. A pose's hash
-/// is the sum over its entries, so it does not depend on the order in which they are written.
-std::uint64_t palette_entry_hash(std::uint32_t joint, const PaletteMatrix& matrix);
-std::uint64_t palette_entry_hash(std::uint32_t joint, const PackedPaletteEntry& entry);
 
 /// Whole cache lines of one value and nothing else, in order: the floor under every kernel that writes palettes, and
 /// the probe that tells how palettes are best written (run/store_choice.h).

@@ -1,24 +1,20 @@
+#include "engine/anim/kernel/palette_hash.h"
+
 #include <array>
 #include <bit>
 #include <span>
 
-#include "engine/anim/base/hash.h"
-#include "engine/anim/kernel/kernels.h"
-
 namespace throng::anim {
 namespace {
 
-/// Odd, so that multiplying loses nothing: the fractional digits of the golden ratio.
-constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;
-
-/// Words by twos.
 std::uint64_t hash_of_words(std::uint32_t joint, std::span<const std::uint32_t> words) {
-  std::uint64_t hash = golden * (joint + 1U);
-  for (std::size_t pair = 0; pair < words.size(); pair += 2) {
-    const std::uint64_t bits = words[pair] | (std::uint64_t{words[pair + 1]} << 32U);
-    hash = (std::rotl(hash, 23) ^ bits ^ (bits >> 29U)) * golden;
+  std::uint64_t hash = 0;
+  for (std::size_t i = 0; i < words.size(); i += 2) {
+    const std::uint32_t first = words[i] + palette_hash_factor(joint) * palette_hash_keys[i];
+    const std::uint32_t second = words[i + 1] + palette_hash_factor(joint) * palette_hash_keys[i + 1];
+    hash += std::uint64_t{first} * second;
   }
-  return mix_bits(hash);
+  return hash;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "engine/anim/kernel/kernels.h"
+#include "engine/anim/kernel/palette_hash.h"
 #include "engine/anim/kernel/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -160,6 +161,47 @@ class PaletteStage {
 
   /// Of `count` entries of the group before.
   void add_hashes(const std::int16_t* joints, int count, std::uint64_t* hashes) const {
+    if constexpr (lanes >= block_floats) {
+      add_hashes_by_fours(joints, count, hashes);
+    } else {
+      add_hashes_one_by_one(joints, count, hashes);
+    }
+  }
+
+ private:
+  static constexpr int entry_floats = rows * block_floats;
+  static constexpr int line_floats = 16;
+  static constexpr int group_stride = entries * entry_floats;
+  static constexpr int lines = group_stride / line_floats;
+
+  /// palette_entry_hash of a row of every fourth character at a time.
+  void add_hashes_by_fours(const std::int16_t* joints, int count, std::uint64_t* hashes) const {
+    const hn::RebindToUnsigned<D> words;
+    const hn::RepartitionToWide<decltype(words)> sums;
+    using Sums = hn::Vec<decltype(sums)>;
+    Sums sum[4] = {hn::Zero(sums), hn::Zero(sums), hn::Zero(sums), hn::Zero(sums)};
+    for (int entry = 0; entry < count; ++entry) {
+      const auto factor = hn::Set(words, palette_hash_factor(static_cast<std::uint32_t>(joints[entry])));
+      for (int row = 0; row < rows; ++row) {
+        const auto keys = hn::Mul(hn::LoadDup128(words, palette_hash_keys + row * block_floats), factor);
+        for (int k = 0; k < 4; ++k) {
+          const float* const from = written_ + ((k * entries + entry) * rows + row) * lanes;
+          const auto keyed = hn::Add(hn::BitCast(words, hn::Load(D(), from)), keys);
+          const auto next = hn::BitCast(words, hn::ShiftRight<32>(hn::BitCast(sums, keyed)));
+          sum[k] = hn::Add(sum[k], hn::MulEven(keyed, next));
+        }
+      }
+    }
+    for (int k = 0; k < 4; ++k) {
+      alignas(64) std::uint64_t halves[std::size_t{lanes / 2}];
+      hn::Store(sum[k], sums, halves);
+      for (int character = k; character < packet_.characters; character += 4) {
+        hashes[character] += halves[character / 4 * 2] + halves[character / 4 * 2 + 1];
+      }
+    }
+  }
+
+  void add_hashes_one_by_one(const std::int16_t* joints, int count, std::uint64_t* hashes) const {
     for (int character = 0; character < packet_.characters; ++character) {
       for (int entry = 0; entry < count; ++entry) {
         FloatArray<entry_floats> written;
@@ -171,12 +213,6 @@ class PaletteStage {
       }
     }
   }
-
- private:
-  static constexpr int entry_floats = rows * block_floats;
-  static constexpr int line_floats = 16;
-  static constexpr int group_stride = entries * entry_floats;
-  static constexpr int lines = group_stride / line_floats;
 
   /// Sixteen characters, whose lines come out of one transposition.
   bool all_together() const { return lanes == 16 && packet_.characters == lanes; }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/anim/kernel/palette_hash.h"
 #include "tests/anim/kernel/palette_rig.h"
 
 namespace throng::anim {

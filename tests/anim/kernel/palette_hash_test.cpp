@@ -1,9 +1,9 @@
+#include "engine/anim/kernel/palette_hash.h"
+
 #include <cstring>
 #include <set>
 
 #include <gtest/gtest.h>
-
-#include "engine/anim/kernel/kernels.h"
 
 namespace throng::anim {
 namespace {

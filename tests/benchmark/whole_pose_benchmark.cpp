@@ -7,6 +7,7 @@
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/asset/character.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/kernel/foot_placement.h"
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/keyframe_player.h"
 #include "engine/anim/kernel/look_at.h"
@@ -56,6 +57,11 @@ void report(benchmark::State& state) {
       benchmark::Counter(1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+void report_strip(benchmark::State& state) {
+  state.counters["ns_per_character"] = benchmark::Counter(
+      widest_strip * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 void two_bone_ik(benchmark::State& state) {
   Person person;
   const LegBones leg_bones = legs_of(person.character->skeleton).front();
@@ -101,38 +107,54 @@ void gazes_of_a_strip(benchmark::State& state, const Kernels& kernels) {
                     .seconds = frame_seconds});
   }
   for ([[maybe_unused]] const auto& round : state) kernels.look_at(jobs);
-  state.counters["ns_per_character"] = benchmark::Counter(
-      widest_strip * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  report_strip(state);
+}
+
+void feet_of_a_strip(benchmark::State& state, const Kernels& kernels) {
+  std::vector<Person> people(widest_strip);
+  const Skeleton& skeleton = people.front().character->skeleton;
+  const auto rig = make_foot_placement_rig(skeleton, legs_of(skeleton));
+  if (!rig) return state.SkipWithError(rig.error().message.c_str());
+  std::vector<PlacedBody> bodies(widest_strip);
+  std::vector<PlacedFoot> feet(std::size_t{widest_strip} * max_legs);
+  std::vector<FootPlacementJob> jobs;
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    jobs.push_back({.rig = &*rig,
+                    .body = &bodies[i],
+                    .feet = &feet[i * max_legs],
+                    .pose = people[i].bind_pose(),
+                    .seconds = frame_seconds});
+    feet[i * max_legs].ground.place.y = -0.01F * static_cast<float>(i);
+  }
+  for ([[maybe_unused]] const auto& round : state) kernels.place_feet(jobs);
+  report_strip(state);
+}
+
+void limbs_of_a_strip(benchmark::State& state, const Kernels& kernels) {
+  std::vector<Person> people(widest_strip);
+  const Skeleton& skeleton = people.front().character->skeleton;
+  const LegBones leg = legs_of(skeleton).front();
+  const auto limb = make_two_bone_limb(skeleton, leg.hip, leg.knee, leg.ankle, {0.0F, 0.0F, 1.0F});
+  if (!limb) return state.SkipWithError(limb.error().message.c_str());
+  std::vector<TwoBoneIkJob> jobs;
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    jobs.push_back(
+        {.limb = &*limb, .pose = people[i].bind_pose(), .target = {0.1F, 0.3F + 0.01F * static_cast<float>(i), 0.2F}});
+  }
+  std::vector<float> missed_by(widest_strip);
+  for ([[maybe_unused]] const auto& round : state) kernels.two_bone_ik(jobs, missed_by.data());
+  report_strip(state);
 }
 
 [[maybe_unused]] const bool registered = [] {
   for (const Kernels& kernels : runnable_kernels()) {
-    benchmark::RegisterBenchmark((std::string("gazes_of_a_strip/") + kernels.target).c_str(), gazes_of_a_strip,
-                                 kernels);
+    const std::string target = kernels.target;
+    benchmark::RegisterBenchmark(("gazes_of_a_strip/" + target).c_str(), gazes_of_a_strip, kernels);
+    benchmark::RegisterBenchmark(("limbs_of_a_strip/" + target).c_str(), limbs_of_a_strip, kernels);
+    benchmark::RegisterBenchmark(("feet_of_a_strip/" + target).c_str(), feet_of_a_strip, kernels);
   }
   return true;
 }();
-
-void foot_placement(benchmark::State& state) {
-  Person person;
-  const auto made = make_foot_placement_rig(person.character->skeleton, legs_of(person.character->skeleton));
-  if (!made) return state.SkipWithError(made.error().message.c_str());
-  const FootPlacementRig& rig = *made;
-  FootPlacementState memory;
-  const PoseView pose = person.bind_pose();
-  const std::vector<GroundContact> contacts(static_cast<std::size_t>(rig.leg_count));
-  const std::vector<float> planted(static_cast<std::size_t>(rig.leg_count), 1.0F);
-  for ([[maybe_unused]] const auto& round : state) {
-    benchmark::DoNotOptimize(place_feet({.rig = &rig,
-                                         .state = &memory,
-                                         .pose = pose,
-                                         .contacts = contacts,
-                                         .planted = planted,
-                                         .seconds = frame_seconds}));
-  }
-  report(state);
-}
-BENCHMARK(foot_placement);
 
 void ragdoll(benchmark::State& state) {
   Person person;

@@ -32,27 +32,32 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
   /// Of a leg at the last update, as the animation has it before it is placed; world space. Once it was added.
   glm::vec3 ankle(const EntityPools& pools, int leg) const {
     const auto& memory = pools.private_as<FootPlacementMemory>(entity());
-    return memory.model_in_world.position + memory.model_in_world.rotation * memory.ankles[leg];
+    const JointMotion& model = memory.body.model_in_world;
+    return model.position + model.rotation * memory.feet[leg].ankle;
   }
   /// Metres that the pelvis was lowered at the last update.
   float drop(const EntityPools& pools) const { return pools.as<FootPlacementEntity>(entity()).drop; }
   const FootLock& lock(const EntityPools& pools, int leg) const {
-    return pools.private_as<FootPlacementMemory>(entity()).feet.feet[static_cast<std::size_t>(leg)];
+    return pools.private_as<FootPlacementMemory>(entity()).feet[leg].lock;
   }
 
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<FootPlacementProcess>(*this); }
 
  private:
   void begin_private(const EntityBuilder& build, Handle feet) const override {
-    auto& memory = build.private_as<FootPlacementMemory>(feet);
-    memory.options = options_;
-    memory.feet = {};
+    build.private_as<FootPlacementMemory>(feet).body = {.options = options_};
+    std::ranges::fill(feet_at(build, feet), PlacedFoot{});
   }
   void write(const EntityBuilder& build, Handle feet) const override {
-    auto& memory = build.private_as<FootPlacementMemory>(feet);
-    std::ranges::copy(ground_, memory.ground);
-    std::ranges::copy(planted_, memory.planted);
-    memory.model_in_world = model_in_world_;
+    build.private_as<FootPlacementMemory>(feet).body.model_in_world = model_in_world_;
+    for (std::size_t leg = 0; PlacedFoot & foot : feet_at(build, feet)) {
+      foot.ground = ground_[leg];
+      foot.planted = planted_[leg++];
+    }
+  }
+
+  static std::span<PlacedFoot> feet_at(const EntityBuilder& build, Handle feet) {
+    return feet_of(build.pools().kind(feet), build.private_as<FootPlacementMemory>(feet));
   }
 
   FootPlacementOptions options_;

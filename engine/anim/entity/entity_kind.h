@@ -124,8 +124,10 @@ struct EntityKind {
   EntityType type = EntityType::user;
   /// The block's sources, to be read in this order; null: none, as a player.
   std::span<Handle> (*sources)(std::byte* block, const EntityLayout& layout) = nullptr;
-  /// Behind header and transforms; changed by updates. Null: none.
-  std::size_t (*private_bytes)(int bone_count, int components) = nullptr;
+  /// Behind header and transforms; changed by updates: what the kind asks for, and what poses of this size do. Null:
+  /// nothing.
+  std::size_t private_bytes = 0;
+  std::size_t (*private_bytes_for)(int bone_count, int components) = nullptr;
   /// Its transforms are state of its own, kept from update to update: resident under every schedule.
   bool keeps_transforms = false;
   std::size_t prepared_bytes = 0;  ///< a multiple of 64, at most most_prepared_bytes
@@ -143,7 +145,8 @@ struct EntityKind {
   /// pose_whole reads and changes the bones below this one alone: the others need not be there yet.
   int whole_bones = std::numeric_limits<int>::max();
   int whole_pose_work = 1;  ///< what pose_whole takes, in gazes: CostModel::post_process
-  bool displaces = true;    ///< false: positions are those of its only source
+  /// Positions of the bones of other quads are those of its only source. On general skeletons all are displaced.
+  std::uint64_t displaced_quads = ~std::uint64_t{0};
   /// For up to widest_strip characters at once, each as pose_whole would, to the bit and whoever the others are; called
   /// where these stand side by side. Null: pose_whole is called for each.
   void (*pose_strip)(const PosedEntities& all) = nullptr;
@@ -170,6 +173,13 @@ const Resource& EntityInStore::resource_as() const {
 template <typename Entity>
 std::span<Handle> only_source(std::byte* block, const EntityLayout&) {
   return {&reinterpret_cast<Entity*>(block)->source, 1};
+}
+
+/// EntityKind::pose_whole where pose_strip does it for one as for many.
+template <void (*pose_strip)(const PosedEntities& all)>
+void pose_alone(const EntityInStore& entity, const PoseView& pose) {
+  const PosedEntities::Place place{.block = entity.block, .prepared = entity.prepared, .pose = pose.first};
+  pose_strip({.places = {&place, 1}, .alike = entity, .poses_alike = pose});
 }
 
 /// The entity moves as its source does.

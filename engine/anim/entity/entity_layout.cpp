@@ -22,7 +22,8 @@ void fill_with_identity(float* pose, int bone_count, int components) {
 EntityLayout entity_layout(const EntityKind& kind, Residency residency, int bone_count, int components) {
   const bool resident = residency == Residency::resident || kind.keeps_transforms;
   const std::size_t transforms = resident ? pose_bytes(bone_count, components) : 0;
-  const std::size_t private_part = kind.private_bytes == nullptr ? 0 : kind.private_bytes(bone_count, components);
+  const std::size_t for_pose = kind.private_bytes_for == nullptr ? 0 : kind.private_bytes_for(bone_count, components);
+  const std::size_t private_part = kind.private_bytes + for_pose;
   const std::size_t private_offset = entity_header_bytes + transforms;
   const std::size_t total = (private_offset + private_part + 63) / 64 * 64;
   return {.kind = &kind,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <type_traits>
+#include <span>
 
 #include "engine/anim/entity/entity_kind.h"
 #include "engine/anim/entity/fading_weight.h"
@@ -11,7 +11,7 @@ namespace throng::anim {
 
 /// Puts the feet of its source on uneven ground (kernel/foot_placement.h).
 ///
-///     [header 96 | foot placement 32 | transforms if resident | FootPlacementMemory]
+///     [header 96 | foot placement 32 | transforms if resident | body 80 | a foot 112, a foot 112, ...]
 struct alignas(64) FootPlacementEntity {
   AnimationStateHeader state;  //   0
   Handle source;               //  96
@@ -22,23 +22,22 @@ struct alignas(64) FootPlacementEntity {
 static_assert(sizeof(FootPlacementEntity) == entity_header_bytes);
 static_assert(offsetof(FootPlacementEntity, source) == 96 && offsetof(FootPlacementEntity, weight) == 112);
 
-/// The ground of each leg is a plane, sampled by the host where the ankle was last. The entity finds the plane's height
-/// under the ankle as the pose has it now: exact on a plane, however old the sample; an update late on anything else.
+/// The ground of each foot is a plane, sampled by the host where the ankle was last. The entity finds the plane's
+/// height under the foot as the pose has it now: exact on a plane, however old the sample; an update late on anything
+/// else. There are as many feet as the rig has legs.
 struct FootPlacementMemory {
-  // To be set by whoever makes the entity, and at any frame boundary.
-  Footing ground[max_legs];    ///< world space
-  float planted[max_legs];     ///< 0 to 1, or planted_by_pose
-  JointMotion model_in_world;  ///< turned about the vertical only
-  FootPlacementOptions options;
-  // Of the last update.
-  FootPlacementState feet;
-  glm::vec3 ankles[max_legs];  ///< model space, as the source has them: where to sample the ground
-  float missed_by[max_legs];   ///< metres that the ankle is from where it should be
+  PlacedBody body;
+  PlacedFoot feet[max_legs];
 };
-static_assert(std::is_trivially_copyable_v<FootPlacementMemory>);
+static_assert(offsetof(FootPlacementMemory, feet) == sizeof(PlacedBody));
+
+inline std::span<PlacedFoot> feet_of(const EntityKind& kind, FootPlacementMemory& memory) {
+  const auto& rig = *static_cast<const FootPlacementRig*>(kind.resource);
+  return {memory.feet, static_cast<std::size_t>(rig.leg_count)};
+}
 
 /// EntityKind::whole_pose_work.
-inline constexpr int foot_placement_work = 16;
+inline constexpr int foot_placement_work = 3;
 
 /// The placed feet of a skeleton; the rig outlives them. A level of detail without all legs is left as it is, and where
 /// feet were locked is forgotten.

@@ -157,7 +157,7 @@ bool is_over(const Inertialiser& inertialiser) {
 const EntityKind inertialiser_kind = {.name = "inertialiser",
                                       .type = EntityType::inertialiser,
                                       .sources = sources,
-                                      .private_bytes = private_bytes,
+                                      .private_bytes_for = private_bytes,
                                       .prepared_bytes = 64,
                                       .reads_identity = false,
                                       .advance = advance_each<advance_inertialiser>,

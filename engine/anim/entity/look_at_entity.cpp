@@ -9,8 +9,6 @@
 namespace throng::anim {
 namespace {
 
-std::size_t private_bytes(int, int) { return sizeof(LookAtMemory); }
-
 void advance_look(const EntityInStore& entity, const SourcesInStore& sources) {
   advance_weight(entity.as<LookAtEntity>().weight, begin_whole_pose(entity, sources).elapsed);
 }
@@ -34,24 +32,19 @@ void turn_all_to_targets(const PosedEntities& all) {
   all.alike.assets->kernels->look_at({jobs, all.size()});
 }
 
-void turn_to_target(const EntityInStore& entity, const PoseView& pose) {
-  const PosedEntities::Place place{.block = entity.block, .prepared = entity.prepared, .pose = pose.first};
-  turn_all_to_targets({.places = {&place, 1}, .alike = entity, .poses_alike = pose});
-}
-
 }  // namespace
 
 EntityKind look_at_kind(const LookAtRig& rig) {
   return {.name = "look-at",
           .type = EntityType::look_at,
           .sources = only_source<LookAtEntity>,
-          .private_bytes = private_bytes,
+          .private_bytes = sizeof(LookAtMemory),
           .prepared_bytes = whole_pose_prepared_bytes,
           .reads_identity = false,
           .advance = advance_each<advance_look>,
-          .pose_whole = turn_to_target,
-          .whole_bones = rig.chain.bones[static_cast<std::size_t>(rig.chain.tip())] + 1,
-          .displaces = false,
+          .pose_whole = pose_alone<turn_all_to_targets>,
+          .whole_bones = rig.chain.bone_end(),
+          .displaced_quads = 0,
           .pose_strip = turn_all_to_targets,
           .resource = &rig};
 }

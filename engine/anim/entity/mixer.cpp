@@ -14,8 +14,6 @@ struct Shares {
   float of[max_sources];
 };
 
-std::size_t private_bytes(int, int) { return sizeof(MixerSources); }
-
 std::span<Handle> sources(std::byte* block, const EntityLayout& layout) {
   return {mixer_sources(block, layout).sources, reinterpret_cast<const Mixer*>(block)->source_count};
 }
@@ -60,7 +58,7 @@ void mix_packet(const EntityInStore& entity, const PacketJob& job) {
 const EntityKind mixer_kind = {.name = "mixer",
                                .type = EntityType::mixer,
                                .sources = sources,
-                               .private_bytes = private_bytes,
+                               .private_bytes = sizeof(MixerSources),
                                .prepared_bytes = 64,
                                .reads_identity = false,
                                .final_once_advanced = true,

@@ -64,7 +64,7 @@ const EntityKind noise_maker_kind = {.name = "noise maker",
                                      .final_once_advanced = true,
                                      .advance = advance_each<advance_noise>,
                                      .pose_packet = shake_packet,
-                                     .displaces = false,
+                                     .displaced_quads = 0,
                                      .pose_packets = shake_packets};
 
 }  // namespace throng::anim

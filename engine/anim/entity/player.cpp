@@ -201,7 +201,7 @@ const EntityKind sampled_player_kind = {.name = "sampled player",
 
 const EntityKind keyframe_player_kind = {.name = "keyframe player",
                                          .type = EntityType::keyframe_player,
-                                         .private_bytes = interpolation_bytes,
+                                         .private_bytes_for = interpolation_bytes,
                                          .prepared_bytes = prepared_pose_bytes,
                                          .reads_identity = false,
                                          .advance = advance_each<advance_keyframed>,

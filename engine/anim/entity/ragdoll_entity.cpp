@@ -117,7 +117,7 @@ EntityKind ragdoll_kind(const RagdollRig& rig) {
   return {.name = "rag-doll",
           .type = EntityType::ragdoll,
           .sources = sources,
-          .private_bytes = private_bytes,
+          .private_bytes_for = private_bytes,
           .keeps_transforms = true,
           .prepared_bytes = 64,
           .reads_identity = false,

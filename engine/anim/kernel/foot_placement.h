@@ -17,6 +17,7 @@
 namespace throng::anim {
 
 inline constexpr int max_legs = 8;
+inline constexpr int most_leg_quads = 64;  ///< quads (pose.h) that the bones of all legs may lie in
 
 /// Bones of one leg, by index.
 struct LegBones {
@@ -35,14 +36,17 @@ struct PlacedLeg {
 /// skeleton.
 struct FootPlacementRig {
   int leg_count = 0;
-  int pelvis = 0;  ///< place in every leg's chain: the lowest joint above all hips
+  int pelvis = 0;    ///< place in every leg's chain: the lowest joint above all hips
+  int bone_end = 0;  ///< bones from here on are neither read nor changed
   std::array<PlacedLeg, max_legs> legs{};
+
+  int pelvis_bone() const { return legs.data()->limb.chain.bones.data()[pelvis]; }
 };
 static_assert(std::is_trivially_copyable_v<FootPlacementRig>);
 
 /// `sole_height` is the height of the soles in the bind pose, model space, metres: 0 where the model stands on the
-/// origin; `forward` is where it faces. Refused: no legs or more than max_legs, legs that no joint carries, and what
-/// make_two_bone_limb refuses.
+/// origin; `forward` is where it faces. Refused: no legs or more than max_legs, legs that no joint carries, bones in
+/// more than most_leg_quads, and what make_two_bone_limb refuses.
 Result<FootPlacementRig> make_foot_placement_rig(const Skeleton& skeleton, std::span<const LegBones> legs,
                                                  float sole_height = 0.0F,
                                                  const glm::vec3& forward = {0.0F, 0.0F, 1.0F});
@@ -62,47 +66,58 @@ struct FootPlacementOptions {
   FootLockOptions lock{};
 };
 
-/// What an entity keeps from frame to frame. A new one starts without easing.
-struct FootPlacementState {
-  std::array<FootLock, max_legs> feet{};
-  DampedValue drop;
-  bool started = false;
+/// What the feet of a character share, by fours of floats. A new one starts without easing.
+///
+///      0                      28        32        72         80
+///     [ where its model is   | started | options | drop     ]
+struct alignas(16) PlacedBody {
+  JointMotion model_in_world{};    ///< to be set by its owner; turned about the vertical only
+  bool started = false;            ///< was updated
+  FootPlacementOptions options{};  ///< to be set by its owner
+  DampedValue drop{};              ///< metres that the pelvis is to be lowered, of the last update
 };
-static_assert(std::is_trivially_copyable_v<FootPlacementState>);
+inline constexpr int placed_body_rows = 5;
+static_assert(sizeof(PlacedBody) == placed_body_rows * 16);
+static_assert(offsetof(PlacedBody, started) == 28 && offsetof(PlacedBody, options) == 32);
+static_assert(offsetof(FootPlacementOptions, lock) == 28 && offsetof(PlacedBody, drop) == 72);
+static_assert(std::is_trivially_copyable_v<PlacedBody>);
+
+/// A foot from frame to frame, by fours of floats.
+///
+///      0        24        28          32     96      112
+///     [ ground | planted | missed_by | lock | ankle ]
+struct alignas(16) PlacedFoot {
+  // To be set by its owner.
+  Footing ground{};                 ///< the plane to stand on, world space; too steep or broken, it counts as flat
+  float planted = planted_by_pose;  ///< 0 (in the air) to 1 (on the ground), or planted_by_pose
+  // Of the last update.
+  float missed_by = 0.0F;  ///< metres that the ankle is from where it should be
+  FootLock lock{};
+  glm::vec3 ankle{0.0F};  ///< model space, before it was placed: where to look for the ground
+};
+static_assert(sizeof(PlacedFoot) == 112 && offsetof(PlacedFoot, missed_by) == 28 && offsetof(PlacedFoot, lock) == 32);
+static_assert(offsetof(PlacedFoot, ankle) == 96);
+static_assert(std::is_trivially_copyable_v<PlacedFoot>);
 
 /// Puts feet on uneven ground: what the pose does over flat ground at height 0, it does over the ground given. Feet
 /// keep their height above it, tilted with it; planted ones touch it with the lowest point of the sole and stay where
-/// they came down; the pelvis is lowered for the legs to reach.
+/// they came down; the pelvis is lowered for the legs to reach. Levels of detail without all legs are left alone.
 struct FootPlacementJob {
   const FootPlacementRig* rig = nullptr;
-  FootPlacementState* state = nullptr;
-  PoseView pose;
-  std::span<const GroundContact> contacts;  ///< one a leg: model space, under the ankle as the pose has it
-  std::span<const float> planted;           ///< one a leg, 0 (in the air) to 1 (on the ground), or planted_by_pose
-  JointMotion model_in_world{};             ///< turned about the vertical only
-  float seconds = 0.0F;                     ///< since the last frame, not negative
-  float weight = 1.0F;                      ///< 0 leaves the pose to the bit and forgets the state
-  FootPlacementOptions options{};
+  PlacedBody* body = nullptr;
+  PlacedFoot* feet = nullptr;  ///< [rig->leg_count]
+  PoseView pose;               ///< that may displace rig->pelvis_bone()
+  float seconds = 0.0F;        ///< since the last frame, not negative
+  float weight = 1.0F;         ///< 0 leaves the pose to the bit and forgets what was, but for where ankles are
 };
 
-struct FootPlacementResult {
-  float drop = 0.0F;                        ///< metres that the pelvis was lowered
-  std::array<float, max_legs> missed_by{};  ///< metres that the ankle is from where it should be, one a leg
-};
+inline bool has_all_legs(const FootPlacementRig& rig, const PoseView& pose) { return rig.bone_end <= pose.bone_count; }
 
-/// The legs' chains, in model space.
-using PosedLegs = std::array<ChainMotion, max_legs>;
+/// As if they had never been placed; what their owner set stays.
+void forget_feet(const FootPlacementJob& job);
 
-/// The legs as the pose has them. False, and nothing is written, where the level of detail lacks a leg.
-bool pose_legs(const FootPlacementRig& rig, const PoseView& pose, PosedLegs& legs);
-
-/// Where an ankle is, model space: where to look for the ground.
-glm::vec3 ankle_of(const FootPlacementRig& rig, const PosedLegs& legs, std::size_t leg);
-
-/// `legs` are as the pose has them, and follow it.
-FootPlacementResult place_feet(const FootPlacementJob& job, PosedLegs& legs);
-
-/// Poses the legs, too. Levels of detail without all of them are left alone.
-FootPlacementResult place_feet(const FootPlacementJob& job);
+/// One character alone, by the best kernels (Kernels::place_feet places up to a strip at once, to the same bits).
+/// Returns how far the pelvis was lowered, metres.
+float place_feet(const FootPlacementJob& job);
 
 }  // namespace throng::anim

@@ -68,31 +68,4 @@ glm::quat parent_rotation(std::span<const JointMotion> motions, int joint) {
   return joint == 0 ? JointMotion{}.rotation : motions[static_cast<std::size_t>(joint) - 1].rotation;
 }
 
-void turn_joints(const JointChain& chain, std::span<const JointTurn> turns, const PoseView& pose,
-                 std::span<JointMotion> motions) {
-  assert(!turns.empty() && turns.front().joint >= 0 && turns.back().joint < chain.count);
-  for (int joint = turns.front().joint; joint < chain.count; ++joint) {
-    const auto j = static_cast<std::size_t>(joint);
-    if (!turns.empty() && joint == turns.front().joint) {
-      const glm::quat local = glm::conjugate(parent_rotation(motions, joint)) * turns.front().rotation;
-      pose.set_rotation(chain.bones[j], glm::normalize(local));
-      turns = turns.subspan(1);
-    }
-    pose_joint(chain, j, pose, motions);
-  }
-}
-
-void shift_joint(const JointChain& chain, int joint, const glm::vec3& model_shift, const PoseView& pose,
-                 std::span<JointMotion> motions) {
-  assert(joint >= 0 && joint < chain.count);
-  const int bone = chain.bones[static_cast<std::size_t>(joint)];
-  const glm::vec3 local = glm::conjugate(parent_rotation(motions, joint)) * model_shift;
-  pose.set_position(bone, pose.position(bone) + local);
-  follow_shift(chain, joint, model_shift, motions);
-}
-
-void follow_shift(const JointChain& chain, int joint, const glm::vec3& model_shift, std::span<JointMotion> motions) {
-  for (int j = joint; j < chain.count; ++j) motions[static_cast<std::size_t>(j)].position += model_shift;
-}
-
 }  // namespace throng::anim

@@ -24,6 +24,8 @@ struct JointChain {
   std::array<glm::vec3, max_joints> offsets{};   ///< metres, bind pose: from the joint before; of the root, its origin
 
   int tip() const { return count - 1; }
+  /// Above all bones of the chain.
+  int bone_end() const { return bones.data()[tip()] + 1; }
   /// Place of a bone in the chain, or -1.
   int find(int bone) const;
 };
@@ -51,20 +53,12 @@ class ChainMotion {
   alignas(JointMotion) std::byte room_[JointChain::max_joints * sizeof(JointMotion)];
 };
 
-/// What a joint is to be, model space.
-struct JointTurn {
-  int joint;  ///< place in the chain
-  glm::quat rotation;
-};
-
 /// The chain that ends at `bone`. Refused, in one sentence: a bone that the skeleton lacks, more than max_joints, and
 /// skeletons on the general path, whose scales and sheared prefixes rotations alone do not describe.
 Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone);
 
 /// Whether the pose has all of the chain. Levels of detail drop limb ends; then there is nothing to do.
-inline bool is_within(const JointChain& chain, const PoseView& pose) {
-  return chain.bones.data()[chain.tip()] < pose.bone_count;
-}
+inline bool is_within(const JointChain& chain, const PoseView& pose) { return chain.bone_end() <= pose.bone_count; }
 
 /// Poses the joints from `first` on; those before it are as posed before. `motions` has at least chain.count elements;
 /// the pose's rotations are unit to a thousandth.
@@ -74,17 +68,5 @@ void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMo
 
 /// Rotation of a joint's parent in model space; the identity for the root.
 glm::quat parent_rotation(std::span<const JointMotion> motions, int joint);
-
-/// Writes the local rotations that give joints these in model space, one or more, in ascending order; what is below
-/// them follows, in `motions` too.
-void turn_joints(const JointChain& chain, std::span<const JointTurn> turns, const PoseView& pose,
-                 std::span<JointMotion> motions);
-
-/// Moves `joint` by metres in model space; what is below follows, in `motions` too.
-void shift_joint(const JointChain& chain, int joint, const glm::vec3& model_shift, const PoseView& pose,
-                 std::span<JointMotion> motions);
-
-/// The same where the pose was changed for another chain that `joint` is in.
-void follow_shift(const JointChain& chain, int joint, const glm::vec3& model_shift, std::span<JointMotion> motions);
 
 }  // namespace throng::anim

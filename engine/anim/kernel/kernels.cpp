@@ -19,6 +19,7 @@
 #include "engine/anim/kernel/add-inl.h"
 #include "engine/anim/kernel/blend-inl.h"
 #include "engine/anim/kernel/copy_blocks-inl.h"
+#include "engine/anim/kernel/foot_placement-inl.h"
 #include "engine/anim/kernel/general_palette-inl.h"
 #include "engine/anim/kernel/look_at-inl.h"
 #include "engine/anim/kernel/mix-inl.h"
@@ -29,6 +30,7 @@
 #include "engine/anim/kernel/rigid_palette-inl.h"
 #include "engine/anim/kernel/sample-inl.h"
 #include "engine/anim/kernel/subtract-inl.h"
+#include "engine/anim/kernel/two_bone_ik-inl.h"
 #include "engine/anim/kernel/write_lines-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -82,6 +84,8 @@ Kernels kernel_set() {
           .apply_offset = &apply_offset,
           .noise = &noise,
           .look_at = &look_at,
+          .two_bone_ik = &two_bone_ik,
+          .place_feet = &place_feet,
           .model_palette = &model_palette,
           .write_lines = &write_lines,
           .copy_blocks = &copy_blocks,

@@ -14,7 +14,9 @@
 
 namespace throng::anim {
 
+struct FootPlacementJob;
 struct LookAtJob;
+struct TwoBoneIkJob;
 
 inline constexpr int widest_strip = 16;  ///< characters
 
@@ -159,6 +161,8 @@ struct Kernels {
   void (*apply_offset)(const OffsetApplyJob& job);
   void (*noise)(const NoiseJob& job);
   void (*look_at)(std::span<const LookAtJob> jobs);  ///< at most widest_strip, all of one rig; see look_at.h
+  void (*two_bone_ik)(std::span<const TwoBoneIkJob> jobs, float* missed_by);  ///< of one limb; missed_by [jobs.size()]
+  void (*place_feet)(std::span<const FootPlacementJob> jobs);                 ///< of one rig; see foot_placement.h
   void (*model_palette)(const ModelPaletteJob& job);
   void (*write_lines)(const WriteLinesJob& job);
   void (*copy_blocks)(const CopyBlocksJob& job);

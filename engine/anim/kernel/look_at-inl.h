@@ -7,8 +7,10 @@
 #define THRONG_KERNEL_LOOK_AT_INL_H
 #endif
 
+#include "engine/anim/kernel/chain_lanes-inl.h"
 #include "engine/anim/kernel/look_lanes-inl.h"
 #include "engine/anim/kernel/rotations.h"
+#include "engine/anim/kernel/smooth_damp-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
@@ -17,12 +19,6 @@ namespace throng::anim::HWY_NAMESPACE {
 inline constexpr float behind = 2.6F;
 /// Metres from the eyes, squared.
 inline constexpr float nearest_target_square = 1e-8F;
-
-template <class V>
-struct JointMotions {
-  Quaternions<V> rotation;
-  Vectors<V> position;
-};
 
 /// The looking joints and those between them, by their places in the chain, as their carrier sees them.
 template <class V>
@@ -121,22 +117,6 @@ HWY_INLINE Gazes<V> wanted_gaze(D d, const LookAtRig& rig, const LookLanes<D>& l
   return {hn::IfThenElse(too_near, last.yaw, gaze.yaw), hn::IfThenElse(too_near, last.pitch, gaze.pitch)};
 }
 
-/// smooth_damp.h
-template <class D, class V>
-HWY_INLINE DampedValues<V> damped(D d, const DampedValues<V>& from, V target, V smooth_seconds, V seconds) {
-  const V zero = hn::Zero(d);
-  const V stiffness = hn::Div(hn::Set(d, 2.0F), smooth_seconds);
-  constexpr float growth[] = {1.0F, 1.0F, 0.48F, 0.235F};
-  const V decay = hn::Div(hn::Set(d, 1.0F), polynomial(d, hn::Mul(stiffness, seconds), growth));
-  const V distance = hn::Sub(from.value, target);
-  const V pull = hn::Mul(hn::MulAdd(stiffness, distance, from.velocity), seconds);
-  const V value = hn::MulAdd(hn::Add(distance, pull), decay, target);
-  const V velocity = hn::Mul(hn::NegMulAdd(stiffness, pull, from.velocity), decay);
-  const auto beyond = hn::Lt(hn::Mul(hn::Sub(value, target), distance), zero);
-  const auto there = hn::Or(beyond, hn::Le(smooth_seconds, zero));
-  return {hn::IfThenElse(there, target, value), hn::IfThenElse(there, zero, velocity)};
-}
-
 /// The gaze of each character, a step nearer to where it wants to look.
 template <class D, class V>
 HWY_INLINE Gazes<V> follow(D d, LookLanes<D>& lanes, const Gazes<V>& last, const Gazes<V>& wanted) {
@@ -159,7 +139,7 @@ HWY_INLINE void store_rotations(D d, const LookAtRig& rig, const LookingChain<V>
   for (int i = 0; i < rig.joint_count; ++i) {
     const int joint = rig.joints.data()[i];
     const Quaternions<V> parent = joint == rig.joints.front() ? no_rotation(d) : turned.rotations[joint - 1];
-    lanes.turn(d, i, renormalised(d, product(conjugate(parent), turned.rotations[joint])));
+    lanes.turn(d, joint, renormalised(d, product(conjugate(parent), turned.rotations[joint])));
   }
 }
 

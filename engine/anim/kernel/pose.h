@@ -24,6 +24,9 @@ constexpr bool is_in(QuadMask quads, int quad) { return (quads >> quad & 1U) != 
 
 /// Sets of quads of a whole pose: four bits a packet, those from packet 15 on share the last four.
 constexpr int first_quad_bit(int packet) { return packet_quads * (packet < 15 ? packet : 15); }
+constexpr std::uint64_t quads_with(int bone) {
+  return std::uint64_t{1} << (first_quad_bit(bone / packet_bones) + bone % packet_bones / quad_bones);
+}
 constexpr QuadMask quads_of_packet(std::uint64_t quads, int packet) {
   return static_cast<QuadMask>(quads >> first_quad_bit(packet)) & all_quads;
 }

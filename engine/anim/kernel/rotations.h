@@ -40,9 +40,9 @@ glm::quat mix_rotations(const glm::quat& from, const glm::quat& to, float weight
 bool is_finite(const glm::vec3& v);
 
 /// Finite and within a million kilometres, so that distances to it are finite too.
+inline constexpr float farthest_place = 1e9F;  ///< metres
 inline bool is_place(const glm::vec3& v) {
-  constexpr float farthest = 1e9F;
-  return std::fabs(v.x) < farthest && std::fabs(v.y) < farthest && std::fabs(v.z) < farthest;
+  return std::fabs(v.x) < farthest_place && std::fabs(v.y) < farthest_place && std::fabs(v.z) < farthest_place;
 }
 
 }  // namespace throng::anim

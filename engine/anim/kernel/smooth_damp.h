@@ -10,7 +10,7 @@ struct DampedValue {
 
 /// One step of a critically damped spring, stable for any step (T. Lowe, "Critically Damped Ease-In/Ease-Out
 /// Smoothing", Game Programming Gems 4). It is within 10 % of a new target after about twice `smooth_seconds`; 0 is
-/// there at once. `seconds` is not negative.
+/// there at once. `seconds` is not negative; without any the value keeps its bits.
 inline DampedValue smooth_damp(const DampedValue& from, float target, float smooth_seconds, float seconds) {
   if (smooth_seconds <= 0.0F) return {target, 0.0F};
   const float stiffness = 2.0F / smooth_seconds;
@@ -18,7 +18,8 @@ inline DampedValue smooth_damp(const DampedValue& from, float target, float smoo
   const float decay = 1.0F / (1.0F + x + 0.48F * x * x + 0.235F * x * x * x);
   const float distance = from.value - target;
   const float pull = (from.velocity + stiffness * distance) * seconds;
-  DampedValue to{target + (distance + pull) * decay, (from.velocity - stiffness * pull) * decay};
+  const float value = seconds > 0.0F ? target + (distance + pull) * decay : from.value;
+  DampedValue to{value, (from.velocity - stiffness * pull) * decay};
   const bool overshot = distance > 0.0F ? to.value < target : to.value > target;
   if (overshot && from.value != target) to = {target, 0.0F};
   return to;

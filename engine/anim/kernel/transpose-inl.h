@@ -6,6 +6,8 @@
 #define THRONG_KERNEL_TRANSPOSE_INL_H
 #endif
 
+#include <cstring>
+
 #include "engine/anim/kernel/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -105,7 +107,8 @@ HWY_INLINE void load_rows_of_four(D d, const float* const* from, int offset, int
     for (int row = 0; row < rows; ++row) {
       alignas(64) float lanes[block_floats][lane_count<D>];
       for (int i = 0; i < block_floats; ++i) {
-        for (int lane = 0; lane < lane_count<D>; ++lane) lanes[i][lane] = from[lane][offset + row * stride + i];
+        for (int lane = 0; lane < lane_count<D>; ++lane)
+          std::memcpy(&lanes[i][lane], from[lane] + offset + row * stride + i, sizeof(float));
       }
       out[row] = {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2]), hn::Load(d, lanes[3])}};
     }
@@ -145,7 +148,7 @@ HWY_INLINE void store_rows_of_four(D d, const FourVectors<V>* in, float* const* 
       alignas(64) float lanes[block_floats][lane_count<D>];
       for (int i = 0; i < block_floats; ++i) hn::Store(in[row].v[i], d, lanes[i]);
       for (int lane = 0; lane < lane_count<D>; ++lane) {
-        for (int i = 0; i < block_floats; ++i) to[lane][row * stride + i] = lanes[i][lane];
+        for (int i = 0; i < block_floats; ++i) std::memcpy(to[lane] + row * stride + i, &lanes[i][lane], sizeof(float));
       }
     }
   }

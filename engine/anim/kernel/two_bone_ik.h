@@ -23,14 +23,26 @@ struct TwoBoneLimb {
 };
 static_assert(std::is_trivially_copyable_v<TwoBoneLimb>);
 
+/// Metres: limbs with a shorter bone are not solved.
+inline constexpr float shortest_limb_bone = 1e-6F;
+
 /// `bend_direction` (model space) says where the middle points when it bends, for limbs that are straight in the bind
 /// pose: +Z for knees, -Z for elbows. Refused as make_joint_chain refuses, and where `middle` is not below `upper`,
 /// `end` not below `middle`, or two of them are at the same place.
 Result<TwoBoneLimb> make_two_bone_limb(const Skeleton& skeleton, int upper, int middle, int end,
                                        const glm::vec3& bend_direction);
 
-/// Posed length of the limb when straight, metres.
-float limb_length(const TwoBoneLimb& limb, std::span<const JointMotion> motions);
+/// Sine of the angle at the middle joint below which the hinge alone says how a limb bends, and above which the pose
+/// does.
+inline constexpr float straight_below = 0.02F;
+inline constexpr float bent_above = 0.1F;
+
+/// Axis about which a limb bends whose bones point there, unit vectors. One that is all but straight says nothing about
+/// it; then its hinge does.
+glm::vec3 bend_normal(const glm::vec3& first, const glm::vec3& second, const glm::vec3& hinge);
+
+/// A fraction of the limb's length.
+inline constexpr float default_limb_softness = 0.005F;
 
 /// Two-bone IK (paper 2.2.1 names IK among an animation system's tasks): turns the upper and the middle joint so that
 /// the end is at `target`. A target out of reach is reached for.
@@ -40,21 +52,18 @@ struct TwoBoneIkJob {
   glm::vec3 target{0.0F};                          ///< model space, metres
   glm::vec3 pole{0.0F};                            ///< model space: where the middle is to point; zero keeps the pose's
   float weight = 1.0F;                             ///< 0 leaves the pose to the bit, 1 reaches
-  float softness = 0.005F;                         ///< 0 to 0.5: this last fraction of the length is never quite used
+  float softness = default_limb_softness;          ///< 0 to 0.5: this last fraction of the length is never quite used
                                                    ///< up, so that the middle does not snap straight
   bool turn_end = false;                           ///< also give the end joint `end_rotation`
   glm::quat end_rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< model space, from the bind pose, unit
 };
 
-/// Returns how far the end is from the target now, in metres. A limb that this level of detail lacks, one of no length,
-/// and a target that is no place (see is_place) leave the pose alone; the first and the last return 0.
+/// One alone, by the best kernels (Kernels::two_bone_ik solves up to a strip at once, to the same bits). Returns how
+/// far the end is from the target now, in metres. A limb that this level of detail lacks, one of no length, and a
+/// target that is no place (see is_place) leave the pose alone; the first and the last return 0.
 ///
 /// A limb that the pose has straighter than softness allows may stay so: a target where the end already is leaves it
 /// there.
 float solve_two_bone_ik(const TwoBoneIkJob& job);
-
-/// The same where the limb's chain, which the level of detail has, is posed already: `motions` [chain.count] are the
-/// pose's, and follow it.
-float solve_two_bone_ik(const TwoBoneIkJob& job, std::span<JointMotion> motions);
 
 }  // namespace throng::anim

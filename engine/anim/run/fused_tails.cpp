@@ -56,7 +56,7 @@ void FusedTasks::add_rounds(const Characters& characters, EndOfSteps end) {
     }
     if (common == nullptr) return;
     notes_->tails.end_round(*common);
-    composed_displaces_ = composed_displaces_ || common->kind->displaces;
+    composed_displaces_ |= common->kind->displaced_quads;
   }
 }
 

@@ -85,20 +85,20 @@ std::size_t FusedTasks::base_of(const PoseProgram& program, std::size_t characte
   return Composed::no_base;
 }
 
-/// Some step before the tail may give bones other positions than the clips below it do.
-bool FusedTasks::head_displaces(const EntityPools& pools, const Composed& composed) {
-  if (composed.base == Composed::no_base) return true;
+/// Where some step before the tail may give bones other positions than the clips below it do.
+std::uint64_t FusedTasks::quads_displaced_by_head(const EntityPools& pools, const Composed& composed) {
+  constexpr std::uint64_t all = ~std::uint64_t{0};
+  if (composed.base == Composed::no_base) return all;
+  std::uint64_t quads = 0;
   for (std::size_t i = 0; i < composed.program().tail; ++i) {
     const PoseStep& step = composed.program().steps[i];
-    if (composed.poses(i) && (step.is_shared() || step.layout(pools).kind->displaces)) return true;
+    if (composed.poses(i)) quads |= step.is_shared() ? all : step.layout(pools).kind->displaced_quads;
   }
-  return false;
+  return quads;
 }
 
 /// The quads whose bones may have positions other than 0.
-std::uint64_t FusedTasks::displaced_quads() const {
-  return composed_displaces_ ? ~std::uint64_t{0} : clips_.displaced_quads();
-}
+std::uint64_t FusedTasks::displaced_quads() const { return composed_displaces_ | clips_.displaced_quads(); }
 
 /// Those whose poses are not clips alone; who follows one that is composed in the same way joins it.
 void FusedTasks::find_composed(const Characters& characters, const AlikeRun& alike, StepPlace place) {
@@ -131,7 +131,7 @@ FusedTasks::Composed& FusedTasks::begin_composed(const Characters& characters, c
     return composed;
   }
   composed.wanted = steps_over(program, base, [](std::size_t) { return false; });
-  composed_displaces_ = composed_displaces_ || head_displaces(*characters.context->pools, composed);
+  composed_displaces_ |= quads_displaced_by_head(*characters.context->pools, composed);
   return composed;
 }
 
@@ -146,7 +146,7 @@ void FusedTasks::advance_entities(const Characters& tile, StepPlace place) {
 void FusedTasks::plan_poses(const Characters& strip, StepPlace& place) {
   clips_.begin(std::span(notes_->shown_last).subspan(posed_, strip.work.size()));
   composed_count_ = 0;
-  composed_displaces_ = false;
+  composed_displaces_ = 0;
   for_each_alike(strip.work, strip.program, [&](const AlikeRun& alike) {
     if (!clips_.all_show(alike.first, alike.end)) find_composed(strip, alike, place);
     clips_.add(alike.first, alike.end);

@@ -131,7 +131,7 @@ class FusedTasks {
                       int packet) const;
   void compose_streamed_packet(const Characters& characters, int packet) const;
   std::size_t base_of(const PoseProgram& program, std::size_t character);
-  static bool head_displaces(const EntityPools& pools, const Composed& composed);
+  static std::uint64_t quads_displaced_by_head(const EntityPools& pools, const Composed& composed);
   std::uint64_t displaced_quads() const;
   std::size_t held_stride(const Characters& characters) const;
   std::span<float> held_packet(const Characters& characters, int packet) const;
@@ -165,8 +165,8 @@ class FusedTasks {
   ClipStrip clips_;                              // what those of the strip show
   std::array<Composed, widest_strip> composed_;  // those that show more than clips
   std::size_t composed_count_ = 0;
-  std::size_t whole_rounds_ = 0;     // rounds of tails that come first, for all held packets
-  bool composed_displaces_ = false;  // positions of some of them come from more than clips
+  std::size_t whole_rounds_ = 0;          // rounds of tails that come first, for all held packets
+  std::uint64_t composed_displaces_ = 0;  // quads whose positions come from more than clips
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;
 };

@@ -60,7 +60,7 @@ TEST_P(PersonOnASlope, HasPlantedFeetWithinACentimetreOfIt) {
     crowd_.step();
     for (std::size_t leg = 0; leg < 2; ++leg) {
       const float over = sole_over(slope, leg == 0 ? "foot.L" : "foot.R", leg);
-      const bool is_locked = feet().lock(crowd_.system().pools(), static_cast<int>(leg)).locked;
+      const bool is_locked = feet().lock(crowd_.system().pools(), static_cast<int>(leg)).locked();
       if (is_locked && lift(static_cast<int>(leg)) < 0.02F) {
         ++planted;
         EXPECT_NEAR(over, 0.0F, 0.01F) << "frame " << frame << ", leg " << leg;

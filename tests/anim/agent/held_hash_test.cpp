@@ -72,7 +72,7 @@ const EntityKind wanderer_kind = {.name = "wanderer",
                                   .sources = source_of_wanderer,
                                   .advance = advance_each<advance_wanderer>,
                                   .pose_whole = turn_by_positions,
-                                  .displaces = false};
+                                  .displaced_quads = 0};
 
 /// The same, but its pose is state of its own: not changed where it lies, and brought to memory with all positions.
 EntityKind keeping(EntityKind kind) {

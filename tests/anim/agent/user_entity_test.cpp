@@ -55,7 +55,7 @@ void sway_packet(const EntityInStore& entity, const PacketJob& job) {
 
 // 4. The kind. Bytes that advance() prepares for the packets are asked for here.
 const EntityKind sway_kind = {.name = "sway",
-                              .private_bytes = share_bytes,
+                              .private_bytes_for = share_bytes,
                               .prepared_bytes = 64,
                               .advance = advance_each<advance_sway>,
                               .pose_packet = sway_packet};

@@ -29,7 +29,7 @@ std::size_t tail_links(int bone_count, int) { return static_cast<std::size_t>(bo
 void rest(const EntityInStore& entity, const SourcesInStore&) { entity.as<Tail>().state.delta_time = 0; }
 void keep(const EntityInStore&, const PacketJob&) {}
 const EntityKind tail_kind = {.name = "tail",
-                              .private_bytes = tail_links,
+                              .private_bytes_for = tail_links,
                               .keeps_transforms = true,
                               .advance = advance_each<rest>,
                               .pose_packet = keep};

@@ -53,6 +53,12 @@ JointMotion joint_by_definition(const Skeleton& skeleton, const PoseView& pose, 
   return joint_by_definition(skeleton, pose, find_bone(skeleton, bone));
 }
 
+float largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
+  float largest = 0.0F;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::fabs(a[i] - b[i]));
+  return largest;
+}
+
 float random_between(std::mt19937& random, float low, float high) {
   return low + (high - low) * static_cast<float>(random() >> 8U) / static_cast<float>(1U << 24U);
 }

@@ -33,6 +33,9 @@ JointMotion joint_by_definition(const Skeleton& skeleton, const PoseView& pose, 
 /// The same by the name of the bone.
 JointMotion joint_by_definition(const Skeleton& skeleton, const PoseView& pose, std::string_view bone);
 
+/// Between floats at the same places of two poses.
+float largest_difference(const std::vector<float>& a, const std::vector<float>& b);
+
 /// The same numbers on every machine.
 float random_between(std::mt19937& random, float low, float high);
 glm::vec3 random_direction(std::mt19937& random);

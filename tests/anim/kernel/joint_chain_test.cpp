@@ -47,36 +47,6 @@ TEST_F(ChainOfAnArm, GoesFromTheRootToTheTip) {
   EXPECT_EQ(chain_.find(bone("head")), -1);
 }
 
-TEST_F(ChainOfAnArm, TurnsAJointInModelSpaceAndWhatIsBelowFollows) {
-  std::mt19937 random(5);
-  pose_.shake(random, 0.5F);
-  ChainMotion motions;
-  pose_chain(chain_, pose_.view(), motions);
-  const JointMotion elbow = joint_by_definition(skeleton_, pose_.view(), "forearm.L");
-  const JointMotion hand = joint_by_definition(skeleton_, pose_.view(), "hand.L");
-  const glm::quat turn = glm::angleAxis(0.8F, glm::vec3(0.0F, 0.0F, 1.0F));
-
-  const JointTurn turned_elbow{chain_.find(bone("forearm.L")), turn * elbow.rotation};
-  turn_joints(chain_, {&turned_elbow, 1}, pose_.view(), motions);
-
-  const JointMotion turned = joint_by_definition(skeleton_, pose_.view(), "hand.L");
-  EXPECT_LT(angle_between(turned.rotation, turn * hand.rotation), 2e-6F);
-  EXPECT_LT(glm::distance(turned.position, elbow.position + turn * (hand.position - elbow.position)), 1e-6F);
-  EXPECT_LT(glm::distance(motions[6].position, turned.position), 1e-6F) << "the motions at hand are kept up to date";
-}
-
-TEST_F(ChainOfAnArm, ShiftsAJointInModelSpaceAndWhatIsBelowFollows) {
-  std::mt19937 random(6);
-  pose_.shake(random, 0.5F);
-  ChainMotion motions;
-  pose_chain(chain_, pose_.view(), motions);
-  const glm::vec3 hand = motions[6].position;
-  const glm::vec3 shift(0.1F, -0.2F, 0.3F);
-  shift_joint(chain_, chain_.find(bone("hips")), shift, pose_.view(), motions);
-  EXPECT_LT(glm::distance(joint_by_definition(skeleton_, pose_.view(), "hand.L").position, hand + shift), 1e-6F);
-  EXPECT_LT(glm::distance(motions[6].position, hand + shift), 1e-6F);
-}
-
 TEST_F(ChainOfAnArm, IsNotWithinALevelOfDetailThatLacksItsTip) {
   PoseView view = pose_.view();
   EXPECT_TRUE(is_within(chain_, view));

@@ -64,12 +64,6 @@ class Onlookers {
   std::array<LookAtJob, characters> jobs_{};
 };
 
-float largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-  float largest = 0.0F;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::fabs(a[i] - b[i]));
-  return largest;
-}
-
 TEST(LookAtStrip, AgreesWithTheDefinitionOnEveryTarget) {
   for (const Kernels& kernels : runnable_kernels()) {
     Onlookers strip(7);

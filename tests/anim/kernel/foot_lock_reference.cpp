@@ -1,8 +1,6 @@
-#include "engine/anim/kernel/foot_lock.h"
+#include "tests/anim/kernel/foot_lock_reference.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -37,52 +35,49 @@ Footing free_footing(const FootLock& lock, const Footing& posed, const FootLockO
 }
 
 void let_go(FootLock& lock, const Footing& posed) {
-  lock.locked = false;
+  lock.flags &= ~FootLock::is_locked;
   lock.released_for = 0.0F;
   lock.offset = lock.place - posed.place;
   lock.offset.y = lock.place.y - ground_height(posed, lock.place.x, lock.place.z);
 }
 
-}  // namespace
+void set(FootLock& lock, std::uint32_t flag, bool on) { lock.flags = on ? lock.flags | flag : lock.flags & ~flag; }
 
-float ground_height(const Footing& footing, float x, float z) {
-  return footing.place.y -
-         ((x - footing.place.x) * footing.normal.x + (z - footing.place.z) * footing.normal.z) / footing.normal.y;
-}
+}  // namespace
 
 Footing step_foot_lock(FootLock& lock, const Footing& posed, float planted, const FootLockOptions& options,
                        float seconds) {
   assert(seconds >= 0.0F);
   const bool is_planted = planted >= planted_from && options.enabled;
-  if (!is_planted) lock.overstretched = false;
-  const bool too_far = lock.locked && horizontal_distance(lock.place, posed.place) > options.farthest;
-  if (lock.locked && (!is_planted || too_far)) {
+  if (!is_planted) set(lock, FootLock::is_overstretched, false);
+  const bool too_far = lock.locked() && horizontal_distance(lock.place, posed.place) > options.farthest;
+  if (lock.locked() && (!is_planted || too_far)) {
     let_go(lock, posed);
-    lock.overstretched = too_far && is_planted;
-  } else if (!lock.locked) {
+    set(lock, FootLock::is_overstretched, too_far && is_planted);
+  } else if (!lock.locked()) {
     lock.released_for += seconds;
     if (lock.released_for >= options.release_seconds) lock.offset = glm::vec3(0.0F);
   }
-  if (!lock.locked && is_planted && !lock.overstretched) {
+  if (!lock.locked() && is_planted && (lock.flags & FootLock::is_overstretched) == 0) {
     const Footing here = free_footing(lock, posed, options);
-    lock.locked = true;
+    set(lock, FootLock::is_locked, true);
     lock.place = here.place;
     lock.normal = here.normal;
   }
-  if (lock.locked) return {.place = lock.place, .normal = lock.normal};
+  if (lock.locked()) return {.place = lock.place, .normal = lock.normal};
   return free_footing(lock, posed, options);
 }
 
 void measure_slide(FootLock& lock, const glm::vec3& ball, float planted, float seconds) {
   const bool is_planted = planted >= planted_from;
-  if (is_planted && lock.standing) {
+  if (is_planted && (lock.flags & FootLock::is_standing) != 0) {
     lock.slid += horizontal_distance(ball, lock.last_ball);
     lock.standing_seconds += seconds;
   } else if (is_planted) {
     lock.slid = 0.0F;
     lock.standing_seconds = 0.0F;
   }
-  lock.standing = is_planted;
+  set(lock, FootLock::is_standing, is_planted);
   lock.last_ball = ball;
 }
 

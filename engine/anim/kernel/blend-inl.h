@@ -12,20 +12,33 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
 /// normalise(from * (1 - w) + to * w) of unit quaternions, `to` taken on from's hemisphere. How long the sum is follows
-/// from the cosine between the two, so that both come in with shares, one of them with a sign, that make it unit.
+/// from the cosine between the two, so that both come in with shares, one of them with a sign, that make it unit. Of
+/// `count` pairs side by side, step by step. `out` may be `from`.
+template <std::size_t count, class D, class V>
+HWY_INLINE void blend_rotations(D d, const Quaternions<V>* from, const Quaternions<V>* to, const V* weights,
+                                Quaternions<V>* out) {
+  const V one = hn::Set(d, 1.0F);
+  V from_weights[count], twice_both[count], cosines[count], squared_lengths[count], to_unit[count];
+  for (std::size_t k = 0; k < count; ++k) from_weights[k] = hn::Sub(one, weights[k]);
+  for (std::size_t k = 0; k < count; ++k) twice_both[k] = hn::Mul(hn::Add(weights[k], weights[k]), from_weights[k]);
+  dots<count>(from, to, cosines);
+  for (std::size_t k = 0; k < count; ++k) {
+    squared_lengths[k] = hn::MulAdd(twice_both[k], hn::Abs(cosines[k]), hn::Sub(one, twice_both[k]));
+  }
+  inverse_lengths_of_blends<count>(d, squared_lengths, to_unit);
+  for (std::size_t k = 0; k < count; ++k) {
+    const V to_share = hn::CopySignToAbs(hn::Mul(weights[k], to_unit[k]), cosines[k]);
+    const Quaternions<V> share = scaled(from[k], hn::Mul(from_weights[k], to_unit[k]));
+    out[k] = {hn::MulAdd(to[k].x, to_share, share.x), hn::MulAdd(to[k].y, to_share, share.y),
+              hn::MulAdd(to[k].z, to_share, share.z), hn::MulAdd(to[k].w, to_share, share.w)};
+  }
+}
+
 template <class D, class V>
 HWY_INLINE Quaternions<V> blend_rotations(D d, const Quaternions<V>& from, const Quaternions<V>& to, V weight) {
-  const V one = hn::Set(d, 1.0F);
-  const V from_weight = hn::Sub(one, weight);
-  const V twice_both = hn::Mul(hn::Add(weight, weight), from_weight);
-  const V cosine = dot(from, to);
-  const V squared_length = hn::MulAdd(twice_both, hn::Abs(cosine), hn::Sub(one, twice_both));
-  const V to_unit = inverse_length_of_blend(d, squared_length);
-  const V from_share = hn::Mul(from_weight, to_unit);
-  const V to_share = hn::CopySignToAbs(hn::Mul(weight, to_unit), cosine);
-  return {
-      hn::MulAdd(to.x, to_share, hn::Mul(from.x, from_share)), hn::MulAdd(to.y, to_share, hn::Mul(from.y, from_share)),
-      hn::MulAdd(to.z, to_share, hn::Mul(from.z, from_share)), hn::MulAdd(to.w, to_share, hn::Mul(from.w, from_share))};
+  Quaternions<V> blended;
+  blend_rotations<1>(d, &from, &to, &weight, &blended);
+  return blended;
 }
 
 /// A bone of weight 0 keeps the bits of `from`, one of weight 1 takes those of `to`: what a mask leaves out is

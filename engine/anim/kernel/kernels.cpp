@@ -45,7 +45,7 @@ void model_palette_strip(const ModelPaletteJob& job) {
   if (begin >= end) return;
   for (int lane = 0; lane < job.characters; lane += lane_count<D>) {
     if (job.format == PaletteFormat::packed) {
-      rigid_palette_lanes<JointMotion, width>(D(), job, lane, begin, end);
+      rigid_palette_lanes<PackedMotion, width>(D(), job, lane, begin, end);
     } else if (job.hierarchy->rigid) {
       rigid_palette_lanes<RigidMotion, width>(D(), job, lane, begin, end);
     } else {

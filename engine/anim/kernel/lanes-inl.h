@@ -39,13 +39,17 @@ HWY_INLINE V inverse_square_root(D d, V x) {
 
 /// 1 / sqrt(x) for x from 1/2 to 1, to 4e-7: what two unit quaternions on one hemisphere blend to has that for the
 /// square of its length. A cubic, then a Newton step whose error is split evenly around zero; scaled so that the step
-/// is three operations.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V inverse_length_of_blend(D d, V x) {
-  V y = hn::MulAdd(x, hn::Set(d, -0.75938344F), hn::Set(d, 2.37379403F));
-  y = hn::MulAdd(x, y, hn::Set(d, -2.88898049F));
-  y = hn::MulAdd(x, y, hn::Set(d, 2.06789192F));
-  return hn::Mul(y, hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.88988179F)));
+/// is three operations. Of `count` side by side, step by step, so that none waits for its own sums.
+template <std::size_t count, class D, class V>
+HWY_INLINE void inverse_lengths_of_blends(D d, const V* x, V* y) {
+  const V cubic = hn::Set(d, -0.75938344F), quadratic = hn::Set(d, 2.37379403F);
+  const V linear = hn::Set(d, -2.88898049F), constant = hn::Set(d, 2.06789192F), newton = hn::Set(d, 1.88988179F);
+  V step[count];
+  for (std::size_t k = 0; k < count; ++k) y[k] = hn::MulAdd(x[k], cubic, quadratic);
+  for (std::size_t k = 0; k < count; ++k) y[k] = hn::MulAdd(x[k], y[k], linear);
+  for (std::size_t k = 0; k < count; ++k) y[k] = hn::MulAdd(x[k], y[k], constant);
+  for (std::size_t k = 0; k < count; ++k) step[k] = hn::NegMulAdd(hn::Mul(x[k], y[k]), y[k], newton);
+  for (std::size_t k = 0; k < count; ++k) y[k] = hn::Mul(y[k], step[k]);
 }
 
 template <class V>
@@ -56,6 +60,15 @@ struct Quaternions {
 template <class V>
 HWY_INLINE V dot(const Quaternions<V>& a, const Quaternions<V>& b) {
   return hn::MulAdd(a.w, b.w, hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))));
+}
+
+/// Of `count` pairs side by side, step by step.
+template <std::size_t count, class V>
+HWY_INLINE void dots(const Quaternions<V>* a, const Quaternions<V>* b, V* sums) {
+  for (std::size_t k = 0; k < count; ++k) sums[k] = hn::Mul(a[k].x, b[k].x);
+  for (std::size_t k = 0; k < count; ++k) sums[k] = hn::MulAdd(a[k].y, b[k].y, sums[k]);
+  for (std::size_t k = 0; k < count; ++k) sums[k] = hn::MulAdd(a[k].z, b[k].z, sums[k]);
+  for (std::size_t k = 0; k < count; ++k) sums[k] = hn::MulAdd(a[k].w, b[k].w, sums[k]);
 }
 
 template <class V>
@@ -107,11 +120,6 @@ HWY_INLINE Vectors<V> difference(const Vectors<V>& a, const Vectors<V>& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
 
-template <class V>
-HWY_INLINE Matrices<V> difference(const Matrices<V>& a, const Matrices<V>& b) {
-  return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
-}
-
 /// row * v + start
 template <class V>
 HWY_INLINE V dot_add(const Vectors<V>& row, const Vectors<V>& v, V start) {
@@ -122,6 +130,18 @@ HWY_INLINE V dot_add(const Vectors<V>& row, const Vectors<V>& v, V start) {
 template <class V>
 HWY_INLINE Vectors<V> transform_add(const Matrices<V>& m, const Vectors<V>& v, const Vectors<V>& start) {
   return {dot_add(m.x, v, start.x), dot_add(m.y, v, start.y), dot_add(m.z, v, start.z)};
+}
+
+/// start - row * v
+template <class V>
+HWY_INLINE V dot_subtract(const Vectors<V>& row, const Vectors<V>& v, V start) {
+  return hn::NegMulAdd(row.z, v.z, hn::NegMulAdd(row.y, v.y, hn::NegMulAdd(row.x, v.x, start)));
+}
+
+/// start - m * v
+template <class V>
+HWY_INLINE Vectors<V> subtract_transformed(const Matrices<V>& m, const Vectors<V>& v, const Vectors<V>& start) {
+  return {dot_subtract(m.x, v, start.x), dot_subtract(m.y, v, start.y), dot_subtract(m.z, v, start.z)};
 }
 
 inline constexpr float root_of_two = 1.41421356F;

@@ -11,30 +11,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// How a bone is turned from its bind pose, and where its joint is, in model space: what a packed entry says.
+/// What a packed entry says.
 template <class V>
-struct JointMotion {
+struct PackedMotion : JointMotion<V> {
   static constexpr int palette_rows = packed_rows;
-  Quaternions<V> rotation;
-  Vectors<V> joint;
 };
-static_assert(branch_slot_floats >= 4 + 3);
 
 template <class D, class V>
-HWY_INLINE void reset(D d, JointMotion<V>& motion) {
+HWY_INLINE void reset(D d, PackedMotion<V>& motion) {
   const V zero = hn::Zero(d);
-  motion = {{zero, zero, zero, hn::Set(d, 1.0F)}, {zero, zero, zero}};
-}
-
-template <class D, class V>
-HWY_INLINE void load(D d, const float* slot, int stride, JointMotion<V>& motion) {
-  motion = {load_quaternions(d, slot, stride), load_vectors(d, slot + 4 * stride, stride)};
-}
-
-template <class D, class V>
-HWY_INLINE void store(D d, const JointMotion<V>& motion, float* slot, int stride) {
-  store(d, motion.rotation, slot, stride);
-  store(d, motion.joint, slot + 4 * stride, stride);
+  motion = {{{zero, zero, zero, hn::Set(d, 1.0F)}, {zero, zero, zero}}};
 }
 
 /// a.y * b.z - a.z * b.y and so on, added to `start`.
@@ -53,11 +39,10 @@ HWY_INLINE Vectors<V> rotate_add(const Quaternions<V>& q, const Vectors<V>& v, c
   return cross_add(q, twice, sum(start, v));
 }
 
-/// `motion` of the parent becomes that of a bone: where its joint is follows from the parent alone.
-///     R = R_parent * R',   joint = joint_parent + R_parent * (offset + displacement)
+/// As of matrices, without one.
 template <class D, class V>
 HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Quaternions<V>& rotation,
-                        const float* displacement, int stride, JointMotion<V>& motion) {
+                        const float* displacement, int stride, PackedMotion<V>& motion) {
   const auto offset = broadcast_vector(d, program.offsets.data() + 3 * bone);
   motion.joint = rotate_add(motion.rotation, displaced(d, offset, displacement, stride), motion.joint);
   motion.rotation = product(motion.rotation, rotation);
@@ -81,7 +66,7 @@ HWY_INLINE V within(D d, V x, float limit) {
 }
 
 template <class D, class V, class Packet>
-HWY_INLINE void put(D d, const HierarchyProgram& program, int entry, const JointMotion<V>& motion,
+HWY_INLINE void put(D d, const HierarchyProgram& program, int bone, const PackedMotion<V>& motion,
                     PaletteStage<D, packed_rows, Packet>& stage) {
   const hn::RebindToUnsigned<D> u;
   const V one = hn::Set(d, packed_rotation_one);
@@ -95,7 +80,8 @@ HWY_INLINE void put(D d, const HierarchyProgram& program, int entry, const Joint
   const auto z = rounded_bits(d, within(d, motion.joint.z, limit), steps);
   const auto joint_low = join_bits<packed_joint_bits>(u, x, y);
   const auto joint_high = join_bits<10>(u, hn::ShiftRight<11>(y), z);
-  stage.put_row(d, entry, 0, Vectors<V>{hn::BitCast(d, xy), hn::BitCast(d, zw), hn::BitCast(d, joint_low)},
+  stage.put_row(d, bone % stage.entries, 0,
+                Vectors<V>{hn::BitCast(d, xy), hn::BitCast(d, zw), hn::BitCast(d, joint_low)},
                 hn::BitCast(d, joint_high));
 }
 

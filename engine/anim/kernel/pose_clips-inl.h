@@ -15,7 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
 /// Blends that are made side by side, step by step, so that none waits for its own sums where a processor looks no
-/// further ahead than one of them is long. With 16 registers some are spilled, and it is faster all the same.
+/// further ahead than one of them is long. With 16 registers some are spilled, and it is faster all the same; three or
+/// four at once are no faster.
 inline constexpr std::size_t blended_together = 2;
 
 HWY_INLINE float* local_of(const PoseClipsJob& job, std::size_t character) {
@@ -63,7 +64,6 @@ HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<co
   constexpr std::size_t both = 2 * count;
   const ClipMoment* moments[both];
   Quaternions<Floats> q[both];
-  Floats factors[both];
   for (std::size_t k = 0; k < count; ++k) moments[k] = blends.shown[k]->clip;
   for (std::size_t k = 0; k < count; ++k) moments[count + k] = blends.shown[k]->blended;
   for (std::size_t k = 0; k < both; ++k) {
@@ -71,13 +71,18 @@ HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<co
     q[k] =
         moving ? moving_rotations(moments[k]->point, packet, bone) : weighed_rotations(moments[k]->point, packet, bone);
   }
-  for (std::size_t k = 0; k < both; ++k) {
-    factors[k] = moving ? sampled_to_unit(d, dot(q[k], q[k])) : factor_to_unit(packet_of(job, *moments[k]), q[k]);
+  Floats factors[both];
+  if constexpr (moving) {
+    Floats squared_lengths[both];
+    dots<both>(q, q, squared_lengths);
+    sampled_to_unit<both>(d, squared_lengths, factors);
+  } else {
+    for (std::size_t k = 0; k < both; ++k) factors[k] = factor_to_unit(packet_of(job, *moments[k]), q[k]);
   }
   for (std::size_t k = 0; k < both; ++k) q[k] = scaled(q[k], factors[k]);
-  for (std::size_t k = 0; k < count; ++k) {
-    q[k] = blend_rotations(d, q[k], q[count + k], hn::Set(d, blends.shown[k]->fraction));
-  }
+  Floats weights[count];
+  for (std::size_t k = 0; k < count; ++k) weights[k] = hn::Set(d, blends.shown[k]->fraction);
+  blend_rotations<count>(d, q, q + count, weights, q);
   for (std::size_t k = 0; k < count; ++k) store(d, q[k], blends.local[k] + bone, packet_bones);
 }
 

@@ -10,37 +10,45 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// How a bone has moved from its bind pose, in model space: point -> matrix * point + translation. The palette is this
-/// as it is. A branch slot holds no matrix: to make it again takes less than to bring it back.
+/// How a bone is turned from its bind pose, and where its joint is, in model space.
 template <class V>
-struct RigidMotion {
-  static constexpr int palette_rows = matrix_rows;
-  Quaternions<V> rotation;  ///< of length root_of_two
-  Matrices<V> matrix;
-  Vectors<V> translation;
+struct JointMotion {
+  Quaternions<V> rotation;
+  Vectors<V> joint;
 };
 static_assert(branch_slot_floats >= 4 + 3);
+
+template <class D, class V>
+HWY_INLINE void load(D d, const float* slot, int stride, JointMotion<V>& motion) {
+  motion = {load_quaternions(d, slot, stride), load_vectors(d, slot + 4 * stride, stride)};
+}
+
+template <class D, class V>
+HWY_INLINE void store(D d, const JointMotion<V>& motion, float* slot, int stride) {
+  store(d, motion.rotation, slot, stride);
+  store(d, motion.joint, slot + 4 * stride, stride);
+}
+
+/// With what a palette of matrices needs. A branch slot holds no matrix: to make it again takes less than to bring it
+/// back.
+template <class V>
+struct RigidMotion : JointMotion<V> {  ///< rotations of length root_of_two
+  static constexpr int palette_rows = matrix_rows;
+  Matrices<V> matrix;
+};
 
 template <class D, class V>
 HWY_INLINE void reset(D d, RigidMotion<V>& motion) {
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, 1.0F);
-  motion = {{zero, zero, zero, hn::Set(d, root_of_two)},
-            {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}},
-            {zero, zero, zero}};
+  motion = {{{zero, zero, zero, hn::Set(d, root_of_two)}, {zero, zero, zero}},
+            {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
 }
 
 template <class D, class V>
 HWY_INLINE void load(D d, const float* slot, int stride, RigidMotion<V>& motion) {
-  motion.rotation = load_quaternions(d, slot, stride);
+  load(d, slot, stride, static_cast<JointMotion<V>&>(motion));
   motion.matrix = rotation_matrices(d, motion.rotation);
-  motion.translation = load_vectors(d, slot + 4 * stride, stride);
-}
-
-template <class D, class V>
-HWY_INLINE void store(D d, const RigidMotion<V>& motion, float* slot, int stride) {
-  store(d, motion.rotation, slot, stride);
-  store(d, motion.translation, slot + 4 * stride, stride);
 }
 
 /// A vector of the bind pose, displaced.
@@ -49,27 +57,25 @@ HWY_INLINE Vectors<V> displaced(D d, const Vectors<V>& at_rest, const float* dis
   return displacement == nullptr ? at_rest : sum(at_rest, load_vectors(d, displacement, stride));
 }
 
-/// `motion` of the parent becomes that of a bone turned by `rotation` about its pivot, which was moved by
-/// `displacement`, if that is not null (ReferenceFrame):
-///     R = R_parent * R',   t = t_parent + R_parent * displacement + (R_parent - R) * pivot
-/// The difference first: translations of a chain of bones wait for each other, matrices need not wait for them.
+/// `motion` of the parent becomes that of a bone turned by `rotation` about its joint, which was moved by
+/// `displacement`, if that is not null:
+///     R = R_parent * R',   joint = joint_parent + R_parent * (offset + displacement)
+/// The parent's matrix is needed no longer than that: with 16 registers, both would not stay in them.
 template <class D, class V>
 HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Quaternions<V>& rotation,
                         const float* displacement, int stride, RigidMotion<V>& motion) {
-  const Matrices<V> parent = motion.matrix;
-  if (displacement != nullptr) {
-    motion.translation = transform_add(parent, load_vectors(d, displacement, stride), motion.translation);
-  }
   motion.rotation = product(motion.rotation, rotation);
+  const auto offset = broadcast_vector(d, program.offsets.data() + 3 * bone);
+  motion.joint = transform_add(motion.matrix, displaced(d, offset, displacement, stride), motion.joint);
   motion.matrix = rotation_matrices(d, motion.rotation);
-  const auto pivot = broadcast_vector(d, program.pivots.data() + 3 * bone);
-  motion.translation = transform_add(difference(parent, motion.matrix), pivot, motion.translation);
 }
 
+/// point -> R * (point - pivot) + joint, pivot being where the joint is in the bind pose (ReferenceFrame).
 template <class D, class V, class Packet>
-HWY_INLINE void put(D d, const HierarchyProgram& /*program*/, int entry, const RigidMotion<V>& motion,
+HWY_INLINE void put(D d, const HierarchyProgram& program, int bone, const RigidMotion<V>& motion,
                     PaletteStage<D, matrix_rows, Packet>& stage) {
-  stage.put(d, entry, motion.matrix, motion.translation);
+  const auto pivot = broadcast_vector(d, program.pivots.data() + 3 * bone);
+  stage.put(d, bone % stage.entries, motion.matrix, subtract_transformed(motion.matrix, pivot, motion.joint));
 }
 
 /// What rigid_palette_lanes does, with a packet of which the compiler may know something.
@@ -108,7 +114,7 @@ HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, 
       move_on(d, program, bone, load_quaternions(d, input, lanes), displaced ? input + 4 * lanes : nullptr, lanes,
               motion);
       if (step.store >= 0) store(d, motion, branch_slots + step.store * branch_slot_floats * width, width);
-      put(d, program, i, motion, stage);
+      put(d, program, bone, motion, stage);
       if (one_before) stage.write_part(i);
     }
     for (int part = count; part < group && one_before; ++part) stage.write_part(part);

@@ -96,14 +96,18 @@ HWY_INLINE const std::int16_t* group_words(const std::byte* row, std::int32_t of
 }
 
 /// 1 / length of what lies between two rows, times row_weight_unit / 32767: a polynomial in what the squared length
-/// lacks of 1, which is at most a tenth (least_row_dot), to 3e-7.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V sampled_to_unit(D d, V squared_length) {
+/// lacks of 1, which is at most a tenth (least_row_dot), to 3e-7. Of `count` side by side, step by step.
+template <std::size_t count, class D, class V>
+HWY_INLINE void sampled_to_unit(D d, const V* squared_lengths, V* factors) {
   constexpr float unit = row_weight_unit / 32767.0F;
-  const V lack = hn::NegMulAdd(squared_length, hn::Set(d, unit * unit), hn::Set(d, 1.0F));
-  V y = hn::MulAdd(lack, hn::Set(d, 0.37481848F * unit), hn::Set(d, 0.37095027F * unit));
-  y = hn::MulAdd(lack, y, hn::Set(d, 0.50008201F * unit));
-  return hn::MulAdd(lack, y, hn::Set(d, 0.99999975F * unit));
+  const V one = hn::Set(d, 1.0F), square = hn::Set(d, unit * unit);
+  const V cubic = hn::Set(d, 0.37481848F * unit), quadratic = hn::Set(d, 0.37095027F * unit);
+  const V linear = hn::Set(d, 0.50008201F * unit), constant = hn::Set(d, 0.99999975F * unit);
+  V lack[count];
+  for (std::size_t k = 0; k < count; ++k) lack[k] = hn::NegMulAdd(squared_lengths[k], square, one);
+  for (std::size_t k = 0; k < count; ++k) factors[k] = hn::MulAdd(lack[k], cubic, quadratic);
+  for (std::size_t k = 0; k < count; ++k) factors[k] = hn::MulAdd(lack[k], factors[k], linear);
+  for (std::size_t k = 0; k < count; ++k) factors[k] = hn::MulAdd(lack[k], factors[k], constant);
 }
 
 /// Between the two rows, of a packet whose rotations move; sampled_to_unit brings them to unit length.
@@ -124,7 +128,11 @@ HWY_INLINE Quaternions<Floats> weighed_rotations(const SamplePoint& point, const
 
 HWY_INLINE Floats factor_to_unit(const SampledPacket& packet, const Quaternions<Floats>& weighed) {
   const BoneLanes d;
-  return packet.rotation_offset < 0 ? hn::Set(d, 1.0F) : sampled_to_unit(d, dot(weighed, weighed));
+  if (packet.rotation_offset < 0) return hn::Set(d, 1.0F);
+  const Floats squared_length = dot(weighed, weighed);
+  Floats factor;
+  sampled_to_unit<1>(d, &squared_length, &factor);
+  return factor;
 }
 
 HWY_INLINE Quaternions<Floats> sampled_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {

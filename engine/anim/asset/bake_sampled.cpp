@@ -18,6 +18,9 @@ constexpr Ticks most_floats = 1 << 25;
 /// A higher rate must be better by this: what is left may be quantisation, which no rate mends.
 constexpr double worthwhile = 0.9;
 
+/// Positions closer than this part of the error bound are one: 2 micrometres of a person.
+constexpr double rounding_of_bound = 0.01;
+
 /// Where between two rows errors are looked for: on a row, midway (CUBICSPLINE), and where a chord strays most from
 /// its arc.
 constexpr double probes[] = {0.0, 0.21, 0.5, 0.79};
@@ -68,8 +71,34 @@ void fill_rows(const SampleSource& source, SampledRows& rows) {
   }
 }
 
+/// What a component of a position does over all rows: where it is nothing but the rounding of 32-bit keys and bind
+/// poses, it stands still, at the bind pose if it is there. Exporters leave a micrometre on most bones, and kernels
+/// would have to sample and add it.
+void drop_rounding(SampledRows& rows, std::size_t component, std::size_t pose_floats, float negligible) {
+  float lowest = rows.rows[component], highest = lowest;
+  for (std::size_t at = component; at < rows.rows.size(); at += pose_floats) {
+    lowest = std::min(lowest, rows.rows[at]);
+    highest = std::max(highest, rows.rows[at]);
+  }
+  if (highest - lowest > negligible) return;
+  const bool is_at_rest = std::max(-lowest, highest) <= negligible;
+  const float still = is_at_rest ? 0.0F : 0.5F * lowest + 0.5F * highest;
+  for (std::size_t at = component; at < rows.rows.size(); at += pose_floats) rows.rows[at] = still;
+}
+
+void drop_rounding_of_positions(SampledRows& rows, float negligible) {
+  const std::size_t packet_floats = static_cast<std::size_t>(rows.components) * packet_bones;
+  const std::size_t pose_floats = packet_floats * static_cast<std::size_t>(packets_for(rows.bone_count));
+  for (std::size_t packet = 0; packet < pose_floats; packet += packet_floats) {
+    for (std::size_t lane = 4 * packet_bones; lane < 7 * packet_bones; ++lane) {
+      drop_rounding(rows, packet + lane, pose_floats, negligible);
+    }
+  }
+}
+
 SampledBake encode(const SampleSource& source, SampledRows& rows) {
   fill_rows(source, rows);
+  drop_rounding_of_positions(rows, static_cast<float>(rounding_of_bound * source.error_bound));
   const std::size_t size = sampled_stream_bytes(rows);
   SampledBake bake{.block = allocate_aligned(size),
                    .rate = static_cast<double>(ticks_per_second) / static_cast<double>(rows.row_step)};

@@ -164,6 +164,34 @@ TEST(Bake, KeepsAStillClipInOneRow) {
   EXPECT_LT(clip.sampled_error, 1e-7);
 }
 
+/// The rod, swinging, with a position that trembles by `tremble` metres around `x`.
+const SampledStream& swing_at(float x, float tremble, BakedClip& clip) {
+  BoneTracks tracks = swing(0.1F, 30);
+  tracks.translation = sampled_track(
+      [=](float seconds) { return glm::vec3(x + tremble * std::sin(20.0F * seconds), 0.0F, 0.0F); }, 30.0, 30);
+  clip = bake_one(rod_model(), tracks, 1.0);
+  return *clip.sampled();
+}
+
+TEST(Bake, TakesAMicrometreOffTheBindPoseForTheRoundingOfKeys) {
+  BakedClip clip;
+  EXPECT_EQ(swing_at(0.5e-6F, 0.5e-6F, clip).displaced_quads, 0U);
+  EXPECT_GT(clip.sampled_error, 0.0);
+}
+
+TEST(Bake, KeepsBonesThatRoundingMovesWhereTheyStand) {
+  BakedClip clip;
+  const SampledPacket& packet = swing_at(0.1F, 0.5e-6F, clip).packets()[0];
+  EXPECT_LT(packet.position_offset[0], 0);
+  EXPECT_NEAR(packet.position_base[0][0], 0.1F, 1e-6F);
+}
+
+TEST(Bake, KeepsATwentiethOfAMillimetre) {
+  BakedClip clip;
+  EXPECT_EQ(swing_at(5e-5F, 0.0F, clip).displaced_quads, 1U);
+  EXPECT_GE(swing_at(0.0F, 5e-5F, clip).packets()[0].position_offset[0], 0);
+}
+
 TEST(Bake, KnowsALoopByItsSeam) { EXPECT_TRUE(bake_one(rod_model(), swing(0.3F, 30), 1.0).loops); }
 
 TEST(Bake, SaysThatALastKeyOneStepEarlyMakesNoLoop) {

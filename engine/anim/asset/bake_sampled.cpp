@@ -52,9 +52,9 @@ void extend_drift(const SampleSource& source, double seconds_outside, std::span<
     if (source.skeleton.bones[static_cast<std::size_t>(bone)].parent >= 0) continue;
     const glm::dvec3 drift = drift_of_root(source.skeleton, bone, per_second * seconds_outside);
     const int first = (bone / packet_bones * source.exact.components + 4) * packet_bones + bone % packet_bones;
+    float* const position = &pose[static_cast<std::size_t>(first)];
     for (int axis = 0; axis < 3; ++axis) {
-      float& component = pose[static_cast<std::size_t>(first + axis * packet_bones)];
-      component -= static_cast<float>(drift[axis]);
+      position[axis * packet_bones] -= static_cast<float>(drift[axis]);
     }
   }
 }

@@ -57,11 +57,6 @@ struct Quaternions {
   V x, y, z, w;
 };
 
-template <class V>
-HWY_INLINE V dot(const Quaternions<V>& a, const Quaternions<V>& b) {
-  return hn::MulAdd(a.w, b.w, hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))));
-}
-
 /// Of `count` pairs side by side, step by step.
 template <std::size_t count, class V>
 HWY_INLINE void dots(const Quaternions<V>* a, const Quaternions<V>* b, V* sums) {
@@ -69,6 +64,13 @@ HWY_INLINE void dots(const Quaternions<V>* a, const Quaternions<V>* b, V* sums) 
   for (std::size_t k = 0; k < count; ++k) sums[k] = hn::MulAdd(a[k].y, b[k].y, sums[k]);
   for (std::size_t k = 0; k < count; ++k) sums[k] = hn::MulAdd(a[k].z, b[k].z, sums[k]);
   for (std::size_t k = 0; k < count; ++k) sums[k] = hn::MulAdd(a[k].w, b[k].w, sums[k]);
+}
+
+template <class V>
+HWY_INLINE V dot(const Quaternions<V>& a, const Quaternions<V>& b) {
+  V sum;
+  dots<1>(&a, &b, &sum);
+  return sum;
 }
 
 template <class V>

@@ -39,7 +39,7 @@ HWY_INLINE Vectors<V> rotate_add(const Quaternions<V>& q, const Vectors<V>& v, c
   return cross_add(q, twice, sum(start, v));
 }
 
-/// As of matrices, without one.
+/// As for a RigidMotion, with the rotation itself in place of a matrix.
 template <class D, class V>
 HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Quaternions<V>& rotation,
                         const float* displacement, int stride, PackedMotion<V>& motion) {

@@ -72,7 +72,7 @@ void fill_rows(const SampleSource& source, SampledRows& rows) {
 }
 
 /// What a component of a position does over all rows: where it is nothing but the rounding of 32-bit keys and bind
-/// poses, it stands still, at the bind pose if it is there. Exporters leave a micrometre on most bones, and kernels
+/// poses, it stands still, at the bind pose if it is there. Exporters leave a micrometre on many bones, and kernels
 /// would have to sample and add it.
 void drop_rounding(SampledRows& rows, std::size_t component, std::size_t pose_floats, float negligible) {
   float lowest = rows.rows[component], highest = lowest;

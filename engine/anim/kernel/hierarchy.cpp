@@ -94,14 +94,14 @@ float joint_step(const Skeleton& skeleton) {
   return std::ldexp(1.0F, octave + packed_box_octaves - (packed_joint_bits - 1));
 }
 
-void copy_pivots(const Skeleton& skeleton, HierarchyProgram& program) {
-  program.pivots.assign(program.steps.size() * 3, 0.0F);
+void copy_origins(const Skeleton& skeleton, HierarchyProgram& program) {
+  program.to_model_origin.assign(program.steps.size() * 3, 0.0F);
   program.offsets.assign(program.steps.size() * 3, 0.0F);
   for (std::size_t bone = 0; bone < skeleton.references.size(); ++bone) {
     const glm::dvec3 origin = origin_of(skeleton, static_cast<int>(bone));
     const glm::dvec3 offset = origin - origin_of(skeleton, skeleton.bones[bone].parent);
     for (int axis = 0; axis < 3; ++axis) {
-      program.pivots[bone * 3 + static_cast<std::size_t>(axis)] = static_cast<float>(origin[axis]);
+      program.to_model_origin[bone * 3 + static_cast<std::size_t>(axis)] = static_cast<float>(-origin[axis]);
       program.offsets[bone * 3 + static_cast<std::size_t>(axis)] = static_cast<float>(offset[axis]);
     }
   }
@@ -152,7 +152,7 @@ HierarchyProgram compile_hierarchy(const Skeleton& skeleton) {
   plan_branch_slots(skeleton, program);
   assign_entries(skeleton, program);
   if (skeleton.rigid) {
-    copy_pivots(skeleton, program);
+    copy_origins(skeleton, program);
   } else {
     copy_matrices(skeleton, program);
   }

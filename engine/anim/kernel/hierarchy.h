@@ -26,8 +26,8 @@ struct HierarchyProgram {
   int bone_count = 0;
   int slot_count = 0;                    ///< branch slots live at once over the whole skeleton
   std::vector<HierarchyStep> steps;      ///< one a bone
-  std::vector<float> pivots;             ///< rigid: origin x, y, z a bone
-  std::vector<float> offsets;            ///< rigid: the same from the parent's origin, a bone
+  std::vector<float> to_model_origin;    ///< rigid: x, y, z from the bone's origin to the model's, a bone
+  std::vector<float> offsets;            ///< rigid: x, y, z from the parent's origin to the bone's, a bone
   float joint_step = 0;                  ///< of packed palettes, see PackingFrame; 0 where they cannot be packed
   std::vector<float> prefixes;           ///< general: 3x4 row-major a bone, only where has_prefix
   std::vector<std::uint8_t> has_prefix;  ///< general: one a bone

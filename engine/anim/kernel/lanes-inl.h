@@ -134,18 +134,6 @@ HWY_INLINE Vectors<V> transform_add(const Matrices<V>& m, const Vectors<V>& v, c
   return {dot_add(m.x, v, start.x), dot_add(m.y, v, start.y), dot_add(m.z, v, start.z)};
 }
 
-/// start - row * v
-template <class V>
-HWY_INLINE V dot_subtract(const Vectors<V>& row, const Vectors<V>& v, V start) {
-  return hn::NegMulAdd(row.z, v.z, hn::NegMulAdd(row.y, v.y, hn::NegMulAdd(row.x, v.x, start)));
-}
-
-/// start - m * v
-template <class V>
-HWY_INLINE Vectors<V> subtract_transformed(const Matrices<V>& m, const Vectors<V>& v, const Vectors<V>& start) {
-  return {dot_subtract(m.x, v, start.x), dot_subtract(m.y, v, start.y), dot_subtract(m.z, v, start.z)};
-}
-
 inline constexpr float root_of_two = 1.41421356F;
 
 /// Of quaternions of length root_of_two: products of two components are then what a matrix asks for, twice those of

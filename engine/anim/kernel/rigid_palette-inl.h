@@ -70,12 +70,12 @@ HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Qu
   motion.matrix = rotation_matrices(d, motion.rotation);
 }
 
-/// point -> R * (point - pivot) + joint, pivot being where the joint is in the bind pose (ReferenceFrame).
+/// point -> R * (point - where the joint is in the bind pose) + joint
 template <class D, class V, class Packet>
 HWY_INLINE void put(D d, const HierarchyProgram& program, int bone, const RigidMotion<V>& motion,
                     PaletteStage<D, matrix_rows, Packet>& stage) {
-  const auto pivot = broadcast_vector(d, program.pivots.data() + 3 * bone);
-  stage.put(d, bone % stage.entries, motion.matrix, subtract_transformed(motion.matrix, pivot, motion.joint));
+  const auto back = broadcast_vector(d, program.to_model_origin.data() + 3 * bone);
+  stage.put(d, bone % stage.entries, motion.matrix, transform_add(motion.matrix, back, motion.joint));
 }
 
 /// What rigid_palette_lanes does, with a packet of which the compiler may know something.

@@ -87,7 +87,7 @@ TEST(HierarchyProgram, HashesEntriesUnderIndicesThatDoNotDependOnTheBoneOrder) {
 TEST(HierarchyProgram, IsPaddedToWholePackets) {
   const HierarchyProgram rigid = compile(chain_parents(17));
   EXPECT_EQ(rigid.steps.size(), 32U);
-  EXPECT_EQ(rigid.pivots.size(), 3U * 32U);
+  EXPECT_EQ(rigid.to_model_origin.size(), 3U * 32U);
   const HierarchyProgram general = compile_hierarchy(general_skeleton(chain_parents(17)));
   EXPECT_EQ(general.prefixes.size(), 12U * 32U);
   EXPECT_EQ(general.has_prefix.size(), 32U);

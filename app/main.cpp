@@ -4,14 +4,14 @@
 #include <string>
 #include <variant>
 
-#include "app/atomic_file.h"
-#include "app/bench_command.h"
-#include "app/demo.h"
-#include "app/exit_status.h"
-#include "app/inspect_command.h"
-#include "app/lod_command.h"
-#include "app/options.h"
-#include "app/pose_command.h"
+#include "app/command_line/options.h"
+#include "app/commands/bench/command.h"
+#include "app/commands/inspect/command.h"
+#include "app/commands/lod/command.h"
+#include "app/commands/pose/command.h"
+#include "app/demo/demo.h"
+#include "app/files/atomic_file.h"
+#include "app/files/exit_status.h"
 
 namespace throng::app {
 namespace {

@@ -1,6 +1,6 @@
 // Skinning by the two palette slots of an instance. Wants instance_record.glsl.
 
-// Three rows of 3x4 an entry, as floats; of packed slots one, as engine/anim/kernel/packed_palette.h draws it.
+// Three rows of 3x4 an entry, as floats; of packed slots one, as engine/anim/kernel/palette/packed_palette.h draws it.
 layout(std430, binding = 1) readonly buffer PalettePage { uvec4 palette_rows[]; };
 // What unpacks an entry: where its joint rests, and metres a unit of its position.
 layout(std430, binding = 3) readonly buffer PackingFrames { vec4 packing_frames[]; };

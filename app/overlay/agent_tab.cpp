@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "app/overlay/choices.h"
 #include "app/overlay/layer_rows.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
+#include "app/settings/choices.h"
+#include "engine/anim/lod/lod.h"
 
 namespace throng::app {
 namespace {
 
 constexpr std::size_t history_shown = 240, bytes_a_line = 12, most_bytes_shown = 384, most_events_shown = 8;
-constexpr int interval_colours = 8, level_colours = 4, longest_interval = 16;
 
 void show_who(const TabContext& context, const SelectionReport& selected) {
   Widgets& widgets = context.widgets;
@@ -63,12 +63,13 @@ void show_history(const TabContext& context, const SelectionReport& selected) {
   const float step = plot.width() / static_cast<float>(history_shown), levels = theme.px(6);
   float x = plot.to.x - step * static_cast<float>(selected.history.size());
   for (const LodOfFrame& moment : selected.history) {
-    const float tall = (plot.height() - levels - theme.px(2)) * static_cast<float>(moment.interval) / longest_interval;
+    const float tall =
+        (plot.height() - levels - theme.px(2)) * static_cast<float>(moment.interval) / anim::longest_interval;
     if (moment.visible) {
       draw.AddRectFilled({x, plot.to.y - levels - tall}, {x + step, plot.to.y - levels},
-                         colour::step(moment.interval - 1, interval_colours));
+                         colour::interval(moment.interval));
       draw.AddRectFilled({x, plot.to.y - levels + theme.px(1)}, {x + step, plot.to.y},
-                         colour::step(moment.bone_level, level_colours));
+                         colour::bone_level(moment.bone_level));
     }
     x += step;
   }

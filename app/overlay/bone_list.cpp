@@ -11,9 +11,7 @@
 namespace throng::app {
 namespace {
 
-constexpr float row_height = 18, border_height = 17, least_height = 150, scroll_a_frame = 6;
-
-ImU32 level_colour(int level) { return colour::step(level, 4); }
+constexpr float bone_height = 18, border_height = 17, least_height = 150, scroll_a_frame = 6;
 
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(),
@@ -37,7 +35,7 @@ std::vector<int> parents_of(const FrameReport& report) {
 void draw_levels_kept(const Theme& theme, ImVec2 right_middle, int last_level, int levels) {
   for (int kept = 0; kept < levels; ++kept) {
     const float x = right_middle.x - theme.px(12) - theme.px(11) * static_cast<float>(levels - 1 - kept);
-    const ImU32 ink = kept <= last_level ? level_colour(kept) : colour::well_hovered;
+    const ImU32 ink = kept <= last_level ? colour::bone_level(kept) : colour::well_hovered;
     ImGui::GetWindowDrawList()->AddCircleFilled({x, right_middle.y}, theme.px(3), ImGui::GetColorU32(ink));
   }
 }
@@ -61,8 +59,8 @@ void draw_bone(const Theme& theme, const Area& row, const BoneRow& bone, std::si
 // While something is dragged to the edge of the list, the list comes along.
 void scroll_with_drag() {
   const float y = ImGui::GetIO().MousePos.y, top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
-  if (y < top + row_height) ImGui::SetScrollY(ImGui::GetScrollY() - scroll_a_frame);
-  if (y > bottom - row_height) ImGui::SetScrollY(ImGui::GetScrollY() + scroll_a_frame);
+  if (y < top + bone_height) ImGui::SetScrollY(ImGui::GetScrollY() - scroll_a_frame);
+  if (y > bottom - bone_height) ImGui::SetScrollY(ImGui::GetScrollY() + scroll_a_frame);
 }
 
 }  // namespace
@@ -106,7 +104,7 @@ void BoneList::show_row(const TabContext& context, std::size_t place) {
   const Theme& theme = context.widgets.theme();
   const BoneRow& bone = context.report.bones[place];
   const ImVec2 from = ImGui::GetCursorScreenPos();
-  const Area row{.from = from, .to = {from.x + ImGui::GetContentRegionAvail().x, from.y + theme.px(row_height)}};
+  const Area row{.from = from, .to = {from.x + ImGui::GetContentRegionAvail().x, from.y + theme.px(bone_height)}};
   const std::string name = "Bone " + std::to_string(place);
   context.widgets.clickable(name, row);
   const bool hovered = ImGui::IsMouseHoveringRect(row.from, row.to);
@@ -135,11 +133,11 @@ void BoneList::show_border(const TabContext& context, int level, std::size_t bon
   context.widgets.clickable("Border " + std::to_string(level), row);
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
   if (ImGui::IsItemActivated()) drag_ = {.from = static_cast<std::size_t>(level), .border = true, .over = bones - 1};
-  const ImU32 ink = ImGui::GetColorU32(level_colour(level));
+  const ImU32 ink = ImGui::GetColorU32(colour::bone_level(level));
   const std::string words = "level " + std::to_string(level) + " keeps the " + std::to_string(bones) + " above";
   const float width = theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, 0, words.c_str()).x;
   const float middle = from.y + theme.px(8);
-  draw_text(theme.small, {from.x + theme.px(32), from.y}, level_colour(level), words);
+  draw_text(theme.small, {from.x + theme.px(32), from.y}, colour::bone_level(level), words);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddLine({from.x, middle}, {from.x + theme.px(26), middle}, ink);
   draw.AddLine({from.x + width + theme.px(40), middle}, {row.to.x, middle}, ink);

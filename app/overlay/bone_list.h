@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bone_lod.h"
+#include "app/character/bone_lod.h"
 #include "app/overlay/tabs.h"
 
 namespace throng::app {

@@ -15,8 +15,6 @@ constexpr std::array<const char*, 3> level_distance_labels = {"Level 1 from", "L
 constexpr std::array<const char*, 5> mesh_words = {"auto", "0", "1", "2", "3"};
 constexpr float longest_distance = 150;
 
-ImU32 level_colour(int level) { return colour::step(level, 4); }
-
 /// Levels follow each other: the neighbours of a distance that was moved give way.
 void keep_in_order(Tuning& tuning, int moved) {
   auto& distance = tuning.bone_level_distance;
@@ -67,7 +65,7 @@ void show_band(const TabContext& context) {
     const float to = level == levels - 1 ? band.to.x : x_of(tuning.bone_level_distance[level]) - theme.px(1);
     if (to <= from) continue;
     draw.AddRectFilled({from, band.from.y}, {to, band.to.y},
-                       ImGui::GetColorU32(colour::with_alpha(level_colour(level), 0.85F)), theme.px(3));
+                       ImGui::GetColorU32(colour::with_alpha(colour::bone_level(level), 0.85F)), theme.px(3));
     const std::string words = bones_of(context.report, level);
     if (to - from > theme.px(20)) {
       draw_text(theme.small, {(from + to) / 2, band.from.y + theme.px(6)}, colour::on_accent, words, 0.5F);
@@ -113,7 +111,7 @@ void show_agents_by_level(const TabContext& context) {
   const FrameReport& report = context.report;
   draw_bars(context.widgets.theme(), plot,
             {.counts = counts,
-             .colour_of = [](int i) { return level_colour(i); },
+             .colour_of = [](int i) { return colour::bone_level(i); },
              .name_of = [&report](int i) { return "level " + std::to_string(i) + ": " + bones_of(report, i); }});
 }
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/bone_lod.h"
+#include "app/character/bone_lod.h"
 
 namespace throng::app {
 

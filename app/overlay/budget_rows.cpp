@@ -9,7 +9,6 @@
 namespace throng::app {
 namespace {
 
-constexpr std::size_t frames_shown = 240;
 constexpr float smoothing = 0.08F;  // the share of a new frame: a dozen frames
 
 std::vector<float> smoothed(const std::vector<float>& values) {

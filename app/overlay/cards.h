@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "app/frame_report.h"
 #include "app/overlay/widgets.h"
+#include "app/report/frame_report.h"
 
 namespace throng::app {
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "app/frame_report.h"
-#include "app/input.h"
+#include "app/report/frame_report.h"
+#include "app/view/input.h"
 
 namespace throng::app {
 

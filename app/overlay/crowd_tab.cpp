@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/tabs.h"
+#include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/selection_report.h"
+#include "app/report/selection_report.h"
 
 namespace throng::app {
 

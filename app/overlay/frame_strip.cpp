@@ -9,19 +9,19 @@ namespace throng::app {
 namespace {
 
 constexpr float display_interval_ms = 16.7F;
-constexpr std::size_t frames_shown = 240;
 constexpr float numbers_width = 232;
 
-std::string milliseconds(float value) { return fixed(static_cast<double>(value), value < 9.995F ? 2 : 1); }
+std::string short_milliseconds(float value) { return fixed(static_cast<double>(value), value < 9.995F ? 2 : 1); }
 
 void draw_figure(const Theme& theme, ImVec2 at, const char* name, ImU32 ink, float now, float middle) {
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + theme.px(3)}, {at.x + theme.px(3), at.y + theme.px(39)}, ink,
                                             theme.px(1));
   draw_text(theme.small, {at.x + theme.px(11), at.y}, colour::dim, name);
-  draw_text(theme.large, {at.x + theme.px(11), at.y + theme.px(15)}, colour::text, milliseconds(now));
-  const float width = theme.large->CalcTextSizeA(theme.large->FontSize, FLT_MAX, 0, milliseconds(now).c_str()).x;
+  draw_text(theme.large, {at.x + theme.px(11), at.y + theme.px(15)}, colour::text, short_milliseconds(now));
+  const float width = theme.large->CalcTextSizeA(theme.large->FontSize, FLT_MAX, 0, short_milliseconds(now).c_str()).x;
   draw_text(theme.small, {at.x + width + theme.px(15), at.y + theme.px(22)}, colour::dim, "ms");
-  draw_text(theme.small, {at.x + theme.px(11), at.y + theme.px(39)}, colour::faint, "median " + milliseconds(middle));
+  draw_text(theme.small, {at.x + theme.px(11), at.y + theme.px(39)}, colour::faint,
+            "median " + short_milliseconds(middle));
 }
 
 /// The version up to its first blank, the renderer up to its details.
@@ -38,7 +38,7 @@ void draw_numbers(const Theme& theme, ImVec2 at, const FrameReport& report) {
   const float rate = report.frame_ms > 0 ? 1000 / report.frame_ms : 0;
   draw_text(theme.small, {at.x, at.y + theme.px(66)}, colour::dim,
             fixed(static_cast<double>(rate), rate < 10 ? 1 : 0) + " frames/s,  drawing " +
-                milliseconds(report.draw_ms) + " ms");
+                short_milliseconds(report.draw_ms) + " ms");
   draw_text(theme.small, {at.x, at.y + theme.px(84)}, colour::faint, drawn_by(report));
 }
 
@@ -72,8 +72,8 @@ void show_frame_under_pointer(const Area& graph, const FrameReport& report) {
   const float x = graph.to.x - step * static_cast<float>(frames_ago);
   ImGui::GetWindowDrawList()->AddLine({x, graph.from.y}, {x, graph.to.y}, colour::faint);
   ImGui::BeginTooltip();
-  ImGui::TextUnformatted(("frame " + milliseconds(report.frame_ms_history[index]) + " ms, animation " +
-                          milliseconds(report.update_ms_history[index]) + " ms")
+  ImGui::TextUnformatted(("frame " + short_milliseconds(report.frame_ms_history[index]) + " ms, animation " +
+                          short_milliseconds(report.update_ms_history[index]) + " ms")
                              .c_str());
   ImGui::EndTooltip();
 }

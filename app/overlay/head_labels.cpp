@@ -6,12 +6,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-#include "app/fly_camera.h"
+#include "app/view/fly_camera.h"
 
 namespace throng::app {
 namespace {
-
-constexpr int interval_colours = 8;
 
 std::optional<ImVec2> on_screen(const glm::mat4& view_projection, const HeadFigures& head, ImVec2 size) {
   const glm::vec4 clip = view_projection * glm::vec4(head.x, head.y, head.z, 1.0F);
@@ -30,7 +28,7 @@ void draw_label(const Theme& theme, ImVec2 at, const HeadFigures& head) {
   const float left = at.x - width / 2, top = at.y - theme.small->FontSize;
   const ImVec2 from(left - theme.px(4), top - theme.px(1)), to(left + width + theme.px(4), at.y + theme.px(1));
   ImGui::GetWindowDrawList()->AddRectFilled(from, to, colour::panel, theme.px(3));
-  draw_text(theme.small, {left, top}, colour::step(head.interval - 1, interval_colours), words);
+  draw_text(theme.small, {left, top}, colour::interval(head.interval), words);
 }
 
 }  // namespace

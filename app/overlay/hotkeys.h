@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/frame_report.h"
-#include "app/input.h"
-#include "app/settings.h"
+#include "app/report/frame_report.h"
+#include "app/settings/settings.h"
+#include "app/view/input.h"
 
 namespace throng::app {
 

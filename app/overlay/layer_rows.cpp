@@ -9,7 +9,7 @@
 namespace throng::app {
 namespace {
 
-constexpr float row_height = 19, indent = 12, bar_width = 62, percent_width = 44, clip_time_width = 84;
+constexpr float layer_height = 19, indent = 12, bar_width = 62, percent_width = 44, clip_time_width = 84;
 constexpr float right_margin = 20;  // as wide as the column of resets, which facts leave free too
 
 /// A share of what there is, 0 to 1, between the words and the figure.
@@ -42,7 +42,7 @@ void draw_entity(const Theme& theme, const Area& row, const EntityRow& entity) {
 }
 
 Area row_of(Widgets& widgets, const std::string& name) {
-  Area row = widgets.area(name.c_str(), row_height);
+  Area row = widgets.area(name.c_str(), layer_height);
   row.to.x -= widgets.theme().px(right_margin);
   return row;
 }

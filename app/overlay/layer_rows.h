@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/overlay/widgets.h"
-#include "app/selection_report.h"
+#include "app/report/selection_report.h"
 
 namespace throng::app {
 

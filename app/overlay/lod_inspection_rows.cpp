@@ -3,13 +3,13 @@
 #include <array>
 #include <span>
 
-#include "app/overlay/choices.h"
 #include "app/overlay/tabs.h"
+#include "app/settings/choices.h"
+#include "engine/anim/lod/lod.h"
 
 namespace throng::app {
 namespace {
 
-constexpr int longest_interval = 16;
 constexpr std::array<const char*, 5> level_words = {"rule", "0", "1", "2", "3"};
 
 void show_looking(const TabContext& context) {
@@ -52,7 +52,7 @@ void show_forcing(const TabContext& context) {
   widgets.section("Try");
   ImGui::BeginDisabled(tuning.lod == LodRule::off);
   widgets.number("Force interval", look.forced_interval, plain.forced_interval,
-                 {.lowest = 0, .highest = longest_interval, .zero_word = "rule"},
+                 {.lowest = 0, .highest = anim::longest_interval, .zero_word = "rule"},
                  {.what = "Everyone in view is updated this rarely, whatever the rule says.",
                   .unit = "frames, 1 to 16; rule: as the rule has it"});
   ImGui::EndDisabled();

@@ -2,16 +2,15 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
 #include "app/overlay/tabs.h"
+#include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {
 
 /// As the debug view over the crowd has them.
-constexpr int colour_steps = 8;
 
 void show_distances(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
@@ -85,7 +84,7 @@ void show_intervals_over_distance(const TabContext& context) {
              {.longest = std::max(nearest_reach, reach),
               .largest = tuning.largest_interval,
               .value_at = [&](float metres) { return interval_at(report.thresholds, metres); },
-              .colour_of = [](int interval) { return colour::step(interval - 1, colour_steps); }});
+              .colour_of = [](int interval) { return colour::interval(interval); }});
   if (report.threshold_clip.empty()) return;
   context.widgets.caption("Of " + report.threshold_clip + ", which most of those in view play, at " +
                           fixed(static_cast<double>(report.lod_tolerance_px), 2) +
@@ -100,7 +99,7 @@ void show_agents_by_interval(const TabContext& context) {
   const Area plot = context.widgets.area("Agents by interval", 112);
   draw_bars(context.widgets.theme(), plot,
             {.counts = counts,
-             .colour_of = [](int i) { return colour::step(i, colour_steps); },
+             .colour_of = [](int i) { return colour::interval(i + 1); },
              .name_of = [](int i) { return std::to_string(i + 1); }});
   double work = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) work += counts[i] / static_cast<double>(i + 1);

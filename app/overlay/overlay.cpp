@@ -22,6 +22,12 @@
 #include "app/overlay/tabs.h"
 
 namespace throng::app {
+
+struct ClipboardText {
+  Clipboard clipboard;
+  std::string last;  ///< ImGui reads it after the function has returned
+};
+
 namespace {
 
 constexpr float column_width = 380, strip_height = 132, header_height = 38, tab_height = 28;
@@ -54,11 +60,6 @@ constexpr std::array<std::pair<int, Key>, 21> edit_keys = {{
     {ImGuiKey_Y, Key::y},
     {ImGuiKey_Z, Key::z},
 }};
-
-struct ClipboardText {
-  Clipboard clipboard;
-  std::string last;  ///< ImGui reads it after the function has returned
-};
 
 const char* read_clipboard(void* user) {
   auto& text = *static_cast<ClipboardText*>(user);

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/frame_report.h"
-#include "app/input.h"
 #include "app/overlay/ui_map.h"
-#include "app/settings.h"
+#include "app/report/frame_report.h"
+#include "app/settings/settings.h"
+#include "app/view/input.h"
 
 struct ImDrawData;
 

@@ -5,10 +5,13 @@
 #include <span>
 #include <string>
 
-#include "app/frame_report.h"
 #include "app/overlay/widgets.h"
+#include "app/report/frame_report.h"
 
 namespace throng::app {
+
+/// The newest frames, which graphs over frames show.
+inline constexpr std::size_t frames_shown = 240;
 
 /// A line over an area, 0 at the bottom and `highest` at the top: the last value at the right edge, one step of
 /// `1 / (capacity - 1)` of the width a value.

@@ -9,7 +9,7 @@ namespace throng::app {
 namespace {
 
 constexpr std::array<const char*, 2> pair_words = {"A", "B"};
-constexpr float row_height = 28, button_width = 66;
+constexpr float preset_height = 28, button_width = 66;
 
 }  // namespace
 
@@ -70,7 +70,7 @@ void PresetsTab::show_names(const TabContext& context) {
     }
     ImGui::PopID();
     ImGui::SetCursorScreenPos(at);
-    ImGui::Dummy({0, theme.px(row_height)});
+    ImGui::Dummy({0, theme.px(preset_height)});
   }
 }
 

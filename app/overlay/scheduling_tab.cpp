@@ -4,10 +4,10 @@
 #include <array>
 #include <string>
 
-#include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
-#include "app/tuning_sweep.h"
+#include "app/report/tuning_sweep.h"
+#include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {

@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include "app/overlay/cards.h"
-#include "app/overlay/choices.h"
 #include "app/overlay/entity_words.h"
 #include "app/overlay/numbers.h"
+#include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {
 
-constexpr float card_width = 620, margin = 14, gap = 12;
-constexpr float title_height = 25, line_height = 19, row_height = 18, button_height = 34;
+constexpr float widest_card = 620, card_margin = 14, card_gap = 12;
+constexpr float title_height = 25, text_height = 19, entity_height = 18, button_height = 34;
 constexpr std::size_t most_rows = 16;  // of a longer graph, the end: what is nearest to the pose
 
 struct Column {
@@ -81,20 +81,21 @@ std::string blocks(const SelectionReport& selected) {
 }
 
 float draw_words(const Theme& theme, const Area& card, const SelectionReport& selected) {
-  ImVec2 at(card.from.x + theme.px(margin), card.from.y + theme.px(margin - 3));
-  const float right = card.to.x - theme.px(margin);
+  ImVec2 at(card.from.x + theme.px(card_margin), card.from.y + theme.px(card_margin - 3));
+  const float right = card.to.x - theme.px(card_margin);
   draw_text(theme.strong, at, colour::accent, "Agent " + with_thousands(selected.agent));
   draw_text(theme.regular, {right, at.y}, colour::text, doing(selected), 1);
   at.y += theme.px(title_height);
   draw_text(theme.small, at, colour::dim, whereabouts(selected));
   draw_text(theme.small, {right, at.y}, colour::dim, detail(selected), 1);
-  return at.y + theme.px(line_height + 4);
+  return at.y + theme.px(text_height + 4);
 }
 
 float draw_graph(Widgets& widgets, const Area& card, float y, const SelectionReport& selected) {
   const Theme& theme = widgets.theme();
-  Area row{.from = {card.from.x + theme.px(margin), y}, .to = {card.to.x - theme.px(margin), y + theme.px(row_height)}};
-  const auto next = [&] { row.from.y += theme.px(row_height), row.to.y += theme.px(row_height); };
+  Area row{.from = {card.from.x + theme.px(card_margin), y},
+           .to = {card.to.x - theme.px(card_margin), y + theme.px(entity_height)}};
+  const auto next = [&] { row.from.y += theme.px(entity_height), row.to.y += theme.px(entity_height); };
   Cells titles;
   std::ranges::transform(columns, titles.begin(), &Column::title);
   draw_row(theme, row, colour::faint, titles);
@@ -128,15 +129,15 @@ void show_selection_card(Widgets& widgets, const Area& place, const SelectionRep
   const Theme& theme = widgets.theme();
   const auto rows = static_cast<float>(std::min(selected.entities.size(), most_rows) + 1);
   const float height =
-      theme.px(2 * margin + title_height + line_height + 1 + row_height * (rows + 1) + 6 + button_height);
-  const float width = std::min(theme.px(card_width), place.width() - 2 * theme.px(gap));
-  const ImVec2 from(place.from.x + theme.px(gap), place.from.y + theme.px(gap));
+      theme.px(2 * card_margin + title_height + text_height + 1 + entity_height * (rows + 1) + 6 + button_height);
+  const float width = std::min(theme.px(widest_card), place.width() - 2 * theme.px(card_gap));
+  const ImVec2 from(place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap));
   const Area card{.from = from, .to = {from.x + width, from.y + height}};
   begin_fixed_window("Selected", card, theme.px(10));
   widgets.record("Selected", card);
   const float y = draw_words(theme, card, selected);
   const float below = draw_graph(widgets, card, y, selected);
-  show_buttons(widgets, {card.from.x + theme.px(margin), below}, selected, commands);
+  show_buttons(widgets, {card.from.x + theme.px(card_margin), below}, selected, commands);
   ImGui::End();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/frame_report.h"
 #include "app/overlay/widgets.h"
+#include "app/report/frame_report.h"
 
 namespace throng::app {
 

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <string>
 
-#include "app/overlay/choices.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
+#include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {

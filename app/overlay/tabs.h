@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/frame_report.h"
 #include "app/overlay/widgets.h"
-#include "app/settings.h"
+#include "app/report/frame_report.h"
+#include "app/settings/settings.h"
 
 namespace throng::app {
 

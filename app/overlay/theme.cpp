@@ -4,7 +4,8 @@
 #include <cmath>
 #include <system_error>
 
-#include "app/agent_colors.h"
+#include "app/settings/agent_colors.h"
+#include "engine/anim/asset/skeleton.h"
 
 namespace throng::app {
 namespace {
@@ -81,6 +82,8 @@ void set_shapes(ImGuiStyle& style, float scale) {
 }  // namespace
 
 ImU32 colour::step(int place, int steps) { return step_color(place, steps) | IM_COL32_A_MASK; }
+ImU32 colour::interval(int frames) { return step(frames - 1, 8); }
+ImU32 colour::bone_level(int level) { return step(level, anim::max_bone_levels); }
 
 ImU32 colour::with_alpha(ImU32 colour, float alpha) {
   const auto scaled = static_cast<ImU32>(alpha * static_cast<float>(colour >> IM_COL32_A_SHIFT));

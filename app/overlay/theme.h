@@ -30,6 +30,8 @@ inline constexpr ImU32 frame = IM_COL32(122, 178, 232, 255);
 ImU32 with_alpha(ImU32 colour, float alpha);
 /// What the debug views lay over an agent, opaque: `place` 0 of `steps` is full detail.
 ImU32 step(int place, int steps);
+ImU32 interval(int frames);  ///< of an agent that is updated every so many frames; the longest share one
+ImU32 bone_level(int level);
 }  // namespace colour
 
 /// Fonts and measures; a length written in pixels of a plain screen is multiplied by the scale of the overlay.

@@ -2,8 +2,8 @@
 
 #include <deque>
 
-#include "app/frame_report.h"
 #include "app/overlay/widgets.h"
+#include "app/report/frame_report.h"
 
 namespace throng::app {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/settings.h"
+#include "app/settings/settings.h"
 
 namespace throng::app {
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/overlay/choices.h"
+#include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {

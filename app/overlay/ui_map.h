@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/frame_report.h"
+#include "app/report/frame_report.h"
 
 namespace throng::app {
 

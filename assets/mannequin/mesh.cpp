@@ -18,7 +18,7 @@ using glm::dvec3;
 using Triangle = std::array<std::size_t, 3>;
 
 /// The nearest multiple of `step`; never the negative zero, whose sign depends on the last bit of what was rounded.
-dvec3 rounded(dvec3 value, double step) { return glm::round(value / step) * step + dvec3(0); }
+dvec3 rounded_floats(dvec3 value, double step) { return glm::round(value / step) * step + dvec3(0); }
 
 /// Cuts off the corner whose neighbours are nearest to each other, until a triangle is left. On a tie the first, so
 /// that both halves of the body agree.
@@ -99,7 +99,7 @@ class Assembly {
     if (!fresh) return found->second;
     const SkinPoint& point = skin_.points[at];
     MeshVertex made{};
-    made.position = rounded(point.position, position_step);
+    made.position = rounded_floats(point.position, position_step);
     made.normal = point.normal;
     strongest_four(only_kept(point.weights, kept_), made);
     const dvec3 colour = paint * point.openness;
@@ -140,7 +140,8 @@ void compute_normals(Skin& skin) {
     }
   }
   for (std::size_t p = 0; p < normals.size(); ++p) {
-    skin.points[p].normal = normals[p] == dvec3(0) ? normals[p] : rounded(glm::normalize(normals[p]), normal_step);
+    skin.points[p].normal =
+        normals[p] == dvec3(0) ? normals[p] : rounded_floats(glm::normalize(normals[p]), normal_step);
   }
 }
 

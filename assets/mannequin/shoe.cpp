@@ -9,7 +9,7 @@ namespace {
 using glm::dvec3;
 
 /// Inner, middle and outer vertex of a cross-section.
-using Row = std::array<std::size_t, 3>;
+using ShoeRow = std::array<std::size_t, 3>;
 using Outline = std::array<std::size_t, 12>;
 constexpr dvec3 sole_paint{0.55, 0.55, 0.55};
 
@@ -46,13 +46,13 @@ Outline add_outline(Cage& cage, double height, double grow, double toe_spring) {
   return outline;
 }
 
-Row add_top_row(Cage& cage, double z, double x, double half_width, double height, double ridge) {
+ShoeRow add_top_row(Cage& cage, double z, double x, double half_width, double height, double ridge) {
   const Weights weights = foot_weights(z, 0.5);
   return {cage.add({x - half_width, height, z}, weights), cage.add({x, height + ridge, z}, weights),
           cage.add({x + half_width, height, z}, weights)};
 }
 
-void bridge_rows(Cage& cage, const Row& behind, const Row& ahead, bool facing_down) {
+void bridge_rows(Cage& cage, const ShoeRow& behind, const ShoeRow& ahead, bool facing_down) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (facing_down) {
       cage.add_face({behind[i], behind[i + 1], ahead[i + 1], ahead[i]}, Region::shoes, sole_paint);
@@ -69,20 +69,20 @@ void bridge_sole(Cage& cage, const Outline& o) {
     const double x = 0.5 * (cage.vertices[o[9 + i]].position.x + cage.vertices[o[5 - i]].position.x);
     middle[i] = cage.add({x, 0.0, along[i]}, foot_weights(along[i], 0.8));
   }
-  const std::array<Row, 5> rows{{{o[8], o[7], o[6]},
-                                 {o[9], middle[0], o[5]},
-                                 {o[10], middle[1], o[4]},
-                                 {o[11], middle[2], o[3]},
-                                 {o[0], o[1], o[2]}}};
+  const std::array<ShoeRow, 5> rows{{{o[8], o[7], o[6]},
+                                     {o[9], middle[0], o[5]},
+                                     {o[10], middle[1], o[4]},
+                                     {o[11], middle[2], o[3]},
+                                     {o[0], o[1], o[2]}}};
   for (std::size_t r = 0; r + 1 < rows.size(); ++r) bridge_rows(cage, rows[r], rows[r + 1], true);
 }
 
 }  // namespace
 
 void add_shoe(Cage& cage, const LimbRing& cuff) {
-  const Row ankle{cuff[0], cuff[1], cuff[2]};
-  const Row ball = add_top_row(cage, 0.090, 0.109, 0.033, 0.063, 0.006);
-  const Row toe = add_top_row(cage, 0.140, 0.109, 0.028, 0.050, 0.004);
+  const ShoeRow ankle{cuff[0], cuff[1], cuff[2]};
+  const ShoeRow ball = add_top_row(cage, 0.090, 0.109, 0.033, 0.063, 0.006);
+  const ShoeRow toe = add_top_row(cage, 0.140, 0.109, 0.028, 0.050, 0.004);
   bridge_rows(cage, ankle, ball, false);
   bridge_rows(cage, ball, toe, false);
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "engine/anim/asset/reference_pose.h"
-#include "engine/anim/kernel/packed_palette.h"
+#include "engine/anim/kernel/palette/packed_palette.h"
 #include "engine/render/camera.h"
 
 namespace throng::sheet {

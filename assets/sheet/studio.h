@@ -8,8 +8,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/character_look.h"
-#include "app/character_source.h"
+#include "app/character/source.h"
+#include "app/crowd/character_look.h"
 #include "assets/mannequin/pose.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"

@@ -4,7 +4,7 @@ namespace throng::render {
 namespace {
 
 constexpr GLint sun_side_location = 0;
-constexpr GLsizei corners = 4;
+constexpr GLsizei corners_of_a_disc = 4;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ DrawCounts ContactPass::draw(std::uint32_t instance_count, bool with_sun_side) c
   glUseProgram(shaders_->id(program_));
   glUniform1f(sun_side_location, with_sun_side ? 1.0F : 0.0F);
   glBindVertexArray(no_vertices_.id());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners, static_cast<GLsizei>(instance_count));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners_of_a_disc, static_cast<GLsizei>(instance_count));
   glDisable(GL_BLEND);
   return {1, std::uint64_t{2} * instance_count};
 }

@@ -10,20 +10,20 @@
 namespace throng::render {
 namespace {
 
-constexpr GLuint vertex_binding = 0;
+constexpr GLuint overlay_binding = 0;
 constexpr GLint to_clip_location = 0;
 
-enum Attribute : GLuint { position_attribute, texture_coord_attribute, color_attribute };
+enum OverlayAttribute : GLuint { position_attribute, texture_coord_attribute, ink_attribute };
 
-gl::VertexArray create_layout() {
+gl::VertexArray create_overlay_layout() {
   gl::VertexArray array = gl::create_vertex_array();
   const GLuint id = array.id();
   glVertexArrayAttribFormat(id, position_attribute, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
   glVertexArrayAttribFormat(id, texture_coord_attribute, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
-  glVertexArrayAttribFormat(id, color_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
-  for (const GLuint attribute : {position_attribute, texture_coord_attribute, color_attribute}) {
+  glVertexArrayAttribFormat(id, ink_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
+  for (const GLuint attribute : {position_attribute, texture_coord_attribute, ink_attribute}) {
     glEnableVertexArrayAttrib(id, attribute);
-    glVertexArrayAttribBinding(id, attribute, vertex_binding);
+    glVertexArrayAttribBinding(id, attribute, overlay_binding);
   }
   return array;
 }
@@ -85,10 +85,10 @@ Result<OverlayRenderer> OverlayRenderer::create(ShaderLibrary& shaders) {
 OverlayRenderer::OverlayRenderer(const ShaderLibrary& shaders, ProgramHandle program)
     : shaders_(&shaders),
       program_(program),
-      vertex_array_(create_layout()),
+      vertex_array_(create_overlay_layout()),
       vertices_(gl::create_buffer()),
       indices_(gl::create_buffer()) {
-  glVertexArrayVertexBuffer(vertex_array_.id(), vertex_binding, vertices_.id(), 0, sizeof(ImDrawVert));
+  glVertexArrayVertexBuffer(vertex_array_.id(), overlay_binding, vertices_.id(), 0, sizeof(ImDrawVert));
   glVertexArrayElementBuffer(vertex_array_.id(), indices_.id());
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr GLuint left_unit = 0, right_unit = 1;
 constexpr GLint divider_location = 0, amplification_location = 1;
-constexpr GLsizei corners = 3;
+constexpr GLsizei corners_of_the_picture = 3;
 constexpr float amplification = 8.0F;
 
 }  // namespace
@@ -42,7 +42,7 @@ DrawCounts SplitPass::draw(const ImageTarget& target, const SplitView& split) co
   glBindTextureUnit(left_unit, left_.pixels.id());
   glBindTextureUnit(right_unit, right_.pixels.id());
   glBindVertexArray(no_vertices_.id());
-  glDrawArrays(GL_TRIANGLES, 0, corners);
+  glDrawArrays(GL_TRIANGLES, 0, corners_of_the_picture);
   return {1, 1};
 }
 

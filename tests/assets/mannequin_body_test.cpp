@@ -10,7 +10,7 @@
 
 #include "tests/assets/character_file.h"
 
-namespace throng::test {
+namespace throng::test::mannequin_body_test {
 namespace {
 
 /// The triangles of one mesh, the full one (0) or a LOD (1 to 3), with vertices at one place taken as one.
@@ -155,4 +155,4 @@ TEST_P(MannequinBody, GivesEveryTriangleOneOfFiveRegionsOrNone) {
 INSTANTIATE_TEST_SUITE_P(Meshes, MannequinBody, ::testing::Values(0, 1, 2, 3), ::testing::PrintToStringParamName());
 
 }  // namespace
-}  // namespace throng::test
+}  // namespace throng::test::mannequin_body_test

@@ -12,7 +12,7 @@
 #include "tests/assets/character_file.h"
 #include "tests/assets/clip_list.h"
 
-namespace throng::test {
+namespace throng::test::mannequin_contact_test {
 namespace {
 
 using glm::dvec3;
@@ -141,4 +141,4 @@ TEST_P(MannequinContact, KeepsForearmsHandsShinsAndFeetOutOfTheRestOfTheBody) {
 INSTANTIATE_TEST_SUITE_P(Clips, MannequinContact, ::testing::ValuesIn(clip_list), spaceless_clip_name);
 
 }  // namespace
-}  // namespace throng::test
+}  // namespace throng::test::mannequin_contact_test

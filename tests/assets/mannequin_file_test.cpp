@@ -8,7 +8,7 @@
 #include "assets/mannequin/shape.h"
 #include "tests/assets/character_file.h"
 
-namespace throng::test {
+namespace throng::test::mannequin_file_test {
 namespace {
 
 /// The step to which the generator rounds an accessor of the character, by what it is used for.
@@ -99,4 +99,4 @@ TEST(MannequinFile, LeavesOutTracksThatDoNotMove) {
 }
 
 }  // namespace
-}  // namespace throng::test
+}  // namespace throng::test::mannequin_file_test

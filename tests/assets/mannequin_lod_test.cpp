@@ -13,7 +13,7 @@
 #include "engine/anim/import/import.h"
 #include "tests/assets/character_file.h"
 
-namespace throng::test {
+namespace throng::test::mannequin_lod_test {
 namespace {
 
 anim::Model imported() {
@@ -75,4 +75,4 @@ TEST(MannequinLods, StandOutsideOfTheSceneThatOthersShow) {
 }
 
 }  // namespace
-}  // namespace throng::test
+}  // namespace throng::test::mannequin_lod_test

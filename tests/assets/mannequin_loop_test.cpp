@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "assets/mannequin/clip.h"
-#include "engine/anim/asset/character.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
 #include "tests/assets/clip_list.h"
 
-namespace throng::test {
+namespace throng::test::mannequin_loop_test {
 namespace {
 
 using mannequin::joint_count;
@@ -126,4 +126,4 @@ TEST(MannequinLoops, JoinWhereOneIsMeantToFollowTheOther) {
 }
 
 }  // namespace
-}  // namespace throng::test
+}  // namespace throng::test::mannequin_loop_test

@@ -8,7 +8,7 @@
 #include "tests/assets/character_file.h"
 #include "tests/assets/clip_list.h"
 
-namespace throng::test {
+namespace throng::test::mannequin_motion_test {
 namespace {
 
 constexpr double key_rate = 30;
@@ -112,4 +112,4 @@ TEST(MannequinWalk, TurnsShouldersAgainstHipsAndKeepsTheHeadCalm) {
 }
 
 }  // namespace
-}  // namespace throng::test
+}  // namespace throng::test::mannequin_motion_test

@@ -10,7 +10,7 @@
 #include "tests/assets/character_file.h"
 #include "tests/assets/clip_list.h"
 
-namespace throng::test {
+namespace throng::test::mannequin_range_test {
 namespace {
 
 using glm::dquat;
@@ -166,4 +166,4 @@ TEST_P(MannequinRange, MovesNoTwoJointsInLockstep) {
 INSTANTIATE_TEST_SUITE_P(Clips, MannequinRange, ::testing::ValuesIn(clip_list), spaceless_clip_name);
 
 }  // namespace
-}  // namespace throng::test
+}  // namespace throng::test::mannequin_range_test

@@ -89,7 +89,7 @@ THRONG_WITH_AVX512 inline Group load_then_expand(const std::int16_t* words, unsi
   return {_mm512_mask_expand_epi64(still.low, low, first), _mm512_mask_expand_epi64(still.high, high, second)};
 }
 
-/// Unit rotations between two rows, as engine/anim/kernel/sample-inl.h has them.
+/// Unit rotations between two rows, as engine/anim/kernel/pose/sample-inl.h has them.
 THRONG_WITH_AVX512 inline void rotations_between(const Group& from, const Group& to, int fraction, float* out) {
   const __m512i weights = _mm512_set1_epi32(static_cast<int>((static_cast<unsigned>(fraction - 32768) & 0xFFFFU) |
                                                              (static_cast<unsigned>(-fraction) << 16U)));

@@ -13,8 +13,8 @@
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/base/aligned_bytes.h"
-#include "engine/anim/kernel/hierarchy.h"
 #include "engine/anim/kernel/kernels.h"
+#include "engine/anim/kernel/palette/hierarchy.h"
 
 namespace throng::anim {
 void register_dense_rows();  // dense_rows_benchmark.cpp

@@ -12,7 +12,7 @@
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/picture_tolerance.h"
 
-namespace throng::render::test {
+namespace throng::render::test::contexts_test {
 namespace {
 
 using MakeContext = std::function<Result<std::unique_ptr<gl::Context>>()>;
@@ -88,4 +88,4 @@ TEST(WindowContext, WithoutADisplayNamesTheWayWithoutOne) {
 }
 
 }  // namespace
-}  // namespace throng::render::test
+}  // namespace throng::render::test::contexts_test

@@ -6,7 +6,7 @@
 #include "tests/gl/gl_test.h"
 #include "tests/gl/picture_tolerance.h"
 
-namespace throng::render::test {
+namespace throng::render::test::crowd_picture_test {
 namespace {
 
 constexpr std::size_t crowd_size = 15;
@@ -147,4 +147,4 @@ TEST_F(CrowdPicture, IsTheSameWhicheverOfTwoEqualCharactersEachRunIs) {
 }
 
 }  // namespace
-}  // namespace throng::render::test
+}  // namespace throng::render::test::crowd_picture_test

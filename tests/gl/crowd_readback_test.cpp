@@ -11,7 +11,7 @@
 #include "tests/gl/gl_test.h"
 #include "tests/gl/staged_crowd.h"
 
-namespace throng::app::test {
+namespace throng::app::test::crowd_readback_test {
 namespace {
 
 constexpr std::array<std::uint32_t, 3> watched{0, 16, 39};  // a walker, the first who stands, the last
@@ -330,4 +330,4 @@ TEST_F(BlendedCrowd, IsReportedAsRightWithPalettesWrittenAnewAsMeant) {
 }
 
 }  // namespace
-}  // namespace throng::app::test
+}  // namespace throng::app::test::crowd_readback_test

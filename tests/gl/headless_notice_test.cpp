@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/demo.h"
+#include "app/demo/demo.h"
 
-namespace throng::app {
+namespace throng::app::headless_notice_test {
 namespace {
 
 using testing::HasSubstr;
@@ -51,4 +51,4 @@ TEST(HeadlessNotice, IsNotNeededForASinglePictureOfFullQuality) {
 }
 
 }  // namespace
-}  // namespace throng::app
+}  // namespace throng::app::headless_notice_test

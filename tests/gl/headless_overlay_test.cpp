@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/demo.h"
+#include "app/demo/demo.h"
 
-namespace throng::app {
+namespace throng::app::headless_overlay_test {
 namespace {
 
 TEST(HeadlessOverlay, WritesTheMapOfTheLastFrame) {
@@ -31,4 +31,4 @@ TEST(HeadlessOverlay, WritesTheMapOfTheLastFrame) {
 }
 
 }  // namespace
-}  // namespace throng::app
+}  // namespace throng::app::headless_overlay_test

@@ -8,7 +8,7 @@
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/gl_test.h"
 
-namespace throng::render::test {
+namespace throng::render::test::overlay_renderer_test {
 namespace {
 
 constexpr ImU32 orange = IM_COL32(255, 128, 64, 255);
@@ -104,4 +104,4 @@ TEST_F(Overlay, HonoursVertexOffsetsBeyondSixteenBits) {
 }
 
 }  // namespace
-}  // namespace throng::render::test
+}  // namespace throng::render::test::overlay_renderer_test

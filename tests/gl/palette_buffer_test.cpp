@@ -8,7 +8,7 @@
 #include "engine/render/frame_fences.h"
 #include "tests/gl/gl_test.h"
 
-namespace throng::render::test {
+namespace throng::render::test::palette_buffer_test {
 namespace {
 
 class PalettePages : public SoftwareGlTest {};
@@ -62,4 +62,4 @@ TEST_F(Fences, CompleteAFrameThatIsDrawnAgainWhenItsLastDrawIs) {
 }
 
 }  // namespace
-}  // namespace throng::render::test
+}  // namespace throng::render::test::palette_buffer_test

@@ -6,9 +6,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/character_source.h"
-#include "app/crowd.h"
-#include "app/settings.h"
+#include "app/character/source.h"
+#include "app/crowd/crowd.h"
+#include "app/settings/settings.h"
 #include "engine/anim/asset/reference_pose.h"
 
 namespace throng::app::test {

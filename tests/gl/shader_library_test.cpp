@@ -8,7 +8,7 @@
 
 #include "tests/gl/gl_test.h"
 
-namespace throng::render::test {
+namespace throng::render::test::shader_library_test {
 namespace {
 
 class ShaderLibraryFolder : public SoftwareGlTest {
@@ -74,4 +74,4 @@ TEST_F(ShaderLibraryFolder, NamesTheFolderThatHasNoShaders) {
 }
 
 }  // namespace
-}  // namespace throng::render::test
+}  // namespace throng::render::test::shader_library_test

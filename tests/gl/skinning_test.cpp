@@ -6,7 +6,7 @@
 #include "tests/gl/doll_crowd.h"
 #include "tests/gl/gl_test.h"
 
-namespace throng::render::test {
+namespace throng::render::test::skinning_test {
 namespace {
 
 constexpr double third = 1.0 / 3.0;
@@ -112,4 +112,4 @@ TEST_F(Skinning, LowerBoneLevelFollowsTheNearestKeptJoint) {
 }
 
 }  // namespace
-}  // namespace throng::render::test
+}  // namespace throng::render::test::skinning_test

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/show.h"
+#include "app/show/show.h"
 #include "engine/render/image.h"
 #include "tests/gl/picture_tolerance.h"
 
-namespace throng::app {
+namespace throng::app::split_view_test {
 namespace {
 
 using render::Image;
@@ -99,4 +99,4 @@ TEST_F(SplitView, LeavesTheUsualPictureAsItWas) {
 }
 
 }  // namespace
-}  // namespace throng::app
+}  // namespace throng::app::split_view_test

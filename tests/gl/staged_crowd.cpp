@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/fly_camera.h"
-#include "app/scenes.h"
+#include "app/view/fly_camera.h"
+#include "app/view/scenes.h"
 
 namespace throng::app::test {
 namespace {

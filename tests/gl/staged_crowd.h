@@ -6,8 +6,8 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "app/picture.h"
-#include "app/stage.h"
+#include "app/show/picture.h"
+#include "app/stage/stage.h"
 #include "engine/render/renderer.h"
 #include "tests/gl/reference_crowd.h"
 

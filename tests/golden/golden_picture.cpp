@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/demo.h"
+#include "app/demo/demo.h"
 
 namespace throng::app::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/settings.h"
+#include "app/settings/settings.h"
 #include "engine/render/image.h"
 
 namespace throng::app::test {

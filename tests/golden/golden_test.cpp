@@ -4,7 +4,7 @@
 
 #include "tests/golden/golden_picture.h"
 
-namespace throng::app::test {
+namespace throng::app::test::golden_test {
 namespace {
 
 class GoldenPicture : public testing::TestWithParam<ContextKind> {};
@@ -86,4 +86,4 @@ INSTANTIATE_TEST_SUITE_P(Headless, GoldenPicture, testing::Values(ContextKind::e
                          [](const auto& run) { return run.param == ContextKind::egl ? "Egl" : "OSMesa"; });
 
 }  // namespace
-}  // namespace throng::app::test
+}  // namespace throng::app::test::golden_test

@@ -7,7 +7,7 @@
 
 #include "tests/golden/golden_picture.h"
 
-namespace throng::app::test {
+namespace throng::app::test::overlay_golden_test {
 namespace {
 
 struct TabPicture {
@@ -46,4 +46,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace throng::app::test
+}  // namespace throng::app::test::overlay_golden_test

@@ -4,11 +4,13 @@
 #include <array>
 #include <fstream>
 #include <map>
-#include <optional>
+#include <ranges>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string_view>
+
+#include "tests/house/floors.h"
 
 namespace throng::house {
 namespace {
@@ -62,26 +64,9 @@ Findings findings_among(const std::vector<Include>& includes, const std::string&
 
 void append(Findings& findings, const Findings& more) { findings.insert(findings.end(), more.begin(), more.end()); }
 
-/// A room of engine/anim and how high it lies; two rooms of one height do not see each other.
-const std::map<std::string, int>& floors() {
-  static const std::map<std::string, int> heights{{"base", 0}, {"asset", 1},  {"import", 2}, {"kernel", 2},
-                                                  {"bake", 3}, {"entity", 3}, {"run", 4},    {"agent", 5}};
-  return heights;
-}
-
-/// "kernel" for engine/anim/kernel/blend.h; nothing for a file outside the rooms.
-std::optional<std::string> room_of(const std::string& path) {
-  constexpr std::string_view animation = "engine/anim/";
-  const std::size_t end = path.find('/', animation.size());
-  if (!path.starts_with(animation) || end == std::string::npos) return {};
-  return path.substr(animation.size(), end - animation.size());
-}
-
-bool climbs(const Include& include) {
-  const auto from = room_of(include.file->path);
-  const auto to = room_of(include.target);
-  if (!from || !to || *from == *to) return false;
-  return !floors().contains(*from) || !floors().contains(*to) || floors().at(*to) >= floors().at(*from);
+bool climbs_in_its_house(const Include& include) {
+  return std::ranges::any_of(houses(),
+                             [&](const House& house) { return climbs(house, include.file->path, include.target); });
 }
 
 bool leaves_the_engine(const Include& include) {
@@ -99,8 +84,8 @@ const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       {"tiny_gltf", {"engine/anim/import/"}},
       {"imgui", {"engine/render/overlay_renderer.cpp", "app/overlay/"}},
-      {"CLI/", {"app/option_reader.cpp"}},
-      {"GLFW/", {"engine/render/gl/window_context.cpp", "app/window_input.cpp"}},
+      {"CLI/", {"app/command_line/option_reader.cpp"}},
+      {"GLFW/", {"engine/render/gl/window_context.cpp", "app/demo/window_input.cpp"}},
       {"EGL/", {"engine/render/gl/egl_context.cpp"}},
       {"GL/osmesa", {"engine/render/gl/osmesa_context.cpp"}},
       {"glad/", {"engine/render/"}},
@@ -143,9 +128,39 @@ Tree read_project(const fs::path& project) {
 }
 
 Findings includes_that_climb(const Tree& tree) {
-  const std::vector<Include> includes = includes_of(tree, "engine/");
-  Findings findings = findings_among(includes, "a file sees its own floor of engine/anim and lower ones", climbs);
-  append(findings, findings_among(includes, "nothing under engine/ needs it", leaves_the_engine));
+  Findings findings;
+  for (const House& house : houses()) {
+    append(findings, findings_among(includes_of(tree, house.folder), "a file sees its own room and lower floors",
+                                    climbs_in_its_house));
+  }
+  append(findings, findings_among(includes_of(tree, "engine/"), "nothing under engine/ needs it", leaves_the_engine));
+  return findings;
+}
+
+Findings rooms_without_files(const Tree& tree) {
+  Findings findings;
+  for (const House& house : houses()) {
+    for (const std::string& room : std::views::join(house.floors)) {
+      const std::string folder = house.folder + room + "/";
+      if (std::ranges::none_of(tree, [&](const SourceFile& file) { return file.path.starts_with(folder); })) {
+        findings.push_back(folder + ": is planned and has no file");
+      }
+    }
+  }
+  return findings;
+}
+
+Findings rooms_too_full(const Tree& tree) {
+  constexpr std::size_t most_files = 60;
+  std::map<std::string, std::size_t> files;
+  for (const SourceFile& file : tree) {
+    if (is_code(file.path) && !file.path.starts_with("tests/"))
+      ++files[fs::path(file.path).parent_path().generic_string()];
+  }
+  Findings findings;
+  for (const auto& [folder, count] : files) {
+    if (count > most_files) findings.push_back(finding(folder, count, "files: which rooms are inside?"));
+  }
   return findings;
 }
 

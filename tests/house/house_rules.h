@@ -22,8 +22,15 @@ Tree read_project(const std::filesystem::path& project);
 /// One line each, "path:line: what is wrong"; empty when the rule is kept.
 using Findings = std::vector<std::string>;
 
-/// A file of engine/anim includes its own floor or lower ones; nothing under engine/ includes app/, assets/ or tests/.
+/// A file of engine/anim or of app includes its own room or lower floors; nothing under engine/ includes app/, assets/
+/// or tests/.
 Findings includes_that_climb(const Tree& tree);
+
+/// A room that the plan of the house has and the tree has not.
+Findings rooms_without_files(const Tree& tree);
+
+/// No folder of engine/, app/, assets/ or shaders/ holds more than 60 files of code.
+Findings rooms_too_full(const Tree& tree);
 
 /// engine/render and engine/anim never meet; app/ joins them.
 Findings includes_across_animation_and_drawing(const Tree& tree);

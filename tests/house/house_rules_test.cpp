@@ -4,12 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace throng::house {
+namespace throng::house::house_rules_test {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 Tree one(const std::string& path, const std::string& text) { return {source_file(path, text)}; }
@@ -26,8 +29,34 @@ TEST(Floors, AllowOnesOwnFloorAndLowerOnes) {
 }
 
 TEST(Floors, KeepRoomsOfOneHeightApart) {
-  const Tree tree = one("engine/anim/import/import.cpp", "#include \"engine/anim/kernel/blend.h\"\n");
+  const Tree tree = one("engine/anim/import/import.cpp", "#include \"engine/anim/kernel/lanes/rotations.h\"\n");
   EXPECT_THAT(includes_that_climb(tree), testing::SizeIs(1));
+}
+
+TEST(Floors, LieInsideARoomToo) {
+  const std::string table = "#include \"engine/anim/kernel/kernels.h\"\n";
+  EXPECT_THAT(includes_that_climb(one("engine/anim/kernel/pose/blend.cpp", table)), testing::SizeIs(1));
+  EXPECT_THAT(includes_that_climb(one("engine/anim/bake/bake.cpp", table)), IsEmpty());
+}
+
+TEST(Floors, OfTheProgramAreKeptToo) {
+  EXPECT_THAT(includes_that_climb(one("app/stage/stage.h", "#include \"app/overlay/overlay.h\"\n")), IsEmpty());
+  EXPECT_THAT(includes_that_climb(one("app/overlay/overlay.h", "#include \"app/stage/stage.h\"\n")),
+              testing::SizeIs(1));
+  EXPECT_THAT(includes_that_climb(one("app/main.cpp", "#include \"app/demo/demo.h\"\n")), IsEmpty());
+}
+
+TEST(Room, IsMissedWhereItHasNoFile) {
+  EXPECT_THAT(rooms_without_files(one("app/stage/stage.h", "")),
+              AllOf(Contains(StartsWith("app/overlay/")), Not(Contains(StartsWith("app/stage/")))));
+}
+
+TEST(Room, HoldsAtMost60Files) {
+  Tree tree;
+  for (int i = 0; i < 60; ++i) tree.push_back(source_file("app/stage/" + std::to_string(i) + ".h", ""));
+  EXPECT_THAT(rooms_too_full(tree), IsEmpty());
+  tree.push_back(source_file("app/stage/61.h", ""));
+  EXPECT_THAT(rooms_too_full(tree), ElementsAre(StartsWith("app/stage:61:")));
 }
 
 TEST(Floors, LetNobodyOfTheLibraryIncludeTheImporter) {
@@ -41,24 +70,25 @@ TEST(Floors, RefuseARoomThatIsNotPlanned) {
 }
 
 TEST(Floors, RefuseTheProgramInsideTheEngine) {
-  const Tree tree = one("engine/render/camera.cpp", "#  include \"app/settings.h\"\n");
-  EXPECT_THAT(includes_that_climb(tree), ElementsAre(HasSubstr("app/settings.h")));
+  const Tree tree = one("engine/render/camera.cpp", "#  include \"app/settings/settings.h\"\n");
+  EXPECT_THAT(includes_that_climb(tree), ElementsAre(HasSubstr("app/settings/settings.h")));
 }
 
 TEST(Joint, IsRefusedFromEitherSide) {
   const Tree tree{source_file("engine/render/camera.h", "#include \"engine/anim/base/units.h\"\n"),
-                  source_file("engine/anim/run/lod.h", "#include \"engine/render/camera.h\"\n")};
+                  source_file("engine/anim/lod/lod.h", "#include \"engine/render/camera.h\"\n")};
   EXPECT_THAT(includes_across_animation_and_drawing(tree), testing::SizeIs(2));
 }
 
 TEST(Joint, IsWhatAppIsFor) {
-  const Tree tree = one("app/stage.h", "#include \"engine/anim/run/lod.h\"\n#include \"engine/render/camera.h\"\n");
+  const Tree tree =
+      one("app/stage/stage.h", "#include \"engine/anim/lod/lod.h\"\n#include \"engine/render/camera.h\"\n");
   EXPECT_THAT(includes_across_animation_and_drawing(tree), IsEmpty());
 }
 
 TEST(Parts, AreRefusedWhereTheyAreNotNamed) {
   const Tree tree{source_file("engine/anim/asset/model.cpp", "#include <tiny_gltf.h>\n"),
-                  source_file("app/demo.cpp", "#include <imgui.h>\n")};
+                  source_file("app/demo/demo.cpp", "#include <imgui.h>\n")};
   EXPECT_THAT(parts_seen_elsewhere(tree), testing::SizeIs(2));
 }
 
@@ -70,12 +100,12 @@ TEST(Parts, AreSeenWhereTheyAreNamed) {
 
 TEST(Main, MayNotCompute) {
   EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include <cmath>\n")), testing::SizeIs(1));
-  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include \"engine/anim/run/lod.h\"\n")), testing::SizeIs(1));
+  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include \"engine/anim/lod/lod.h\"\n")), testing::SizeIs(1));
   EXPECT_THAT(maths_in_main(one("app/main.cpp", "const float half = 1 / 2.0F;\n")), testing::SizeIs(1));
 }
 
 TEST(Main, MayParseAndDispatch) {
-  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include <variant>\n#include \"app/demo.h\"\n")), IsEmpty());
+  EXPECT_THAT(maths_in_main(one("app/main.cpp", "#include <variant>\n#include \"app/demo/demo.h\"\n")), IsEmpty());
 }
 
 TEST(Length, IsRefusedAbove350Lines) {
@@ -105,9 +135,9 @@ TEST(MachinePath, IsNotEveryPathWithSuchAFolder) {
 }
 
 TEST(Readme, IsMissedInAFolderThatHasNone) {
-  const Tree tree{source_file("engine/anim/run/lod.h", ""), source_file("engine/anim/base/units.h", ""),
+  const Tree tree{source_file("engine/anim/lod/lod.h", ""), source_file("engine/anim/base/units.h", ""),
                   source_file("engine/anim/base/README.md", "")};
-  EXPECT_THAT(folders_without_readme(tree), ElementsAre("engine/anim/run"));
+  EXPECT_THAT(folders_without_readme(tree), ElementsAre("engine/anim/lod"));
 }
 
 TEST(ReadmeProgram, IsRefusedFromTheFirstLineThatDiffers) {
@@ -140,4 +170,4 @@ TEST(PaperTable, NamesNeitherAFileNorATestThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace throng::house
+}  // namespace throng::house::house_rules_test

@@ -9,7 +9,7 @@
 
 // Real characters, where a folder of them was named when the project was configured (THRONG_CORPUS).
 
-namespace throng::import::testing {
+namespace throng::import::testing::corpus_test {
 namespace {
 
 std::filesystem::path models_folder() { return std::filesystem::path(THRONG_CORPUS) / "models"; }
@@ -41,4 +41,4 @@ INSTANTIATE_TEST_SUITE_P(Models, Corpus, ::testing::ValuesIn(corpus_models()),
                          [](const auto& instance) { return as_test_name(instance.param); });
 
 }  // namespace
-}  // namespace throng::import::testing
+}  // namespace throng::import::testing::corpus_test

@@ -7,7 +7,7 @@
 #include "engine/anim/import/import.h"
 #include "tests/import/test_files.h"
 
-namespace throng::import::testing {
+namespace throng::import::testing::data_keys_test {
 namespace {
 
 using nlohmann::json;
@@ -88,4 +88,4 @@ TEST(DataKeysOfAFile, AreNotSoughtInOtherExtras) {
 }
 
 }  // namespace
-}  // namespace throng::import::testing
+}  // namespace throng::import::testing::data_keys_test

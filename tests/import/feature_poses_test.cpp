@@ -10,7 +10,7 @@
 
 // Every feature file, posed straight from what was imported, against what the independent implementation found.
 
-namespace throng::import::testing {
+namespace throng::import::testing::feature_poses_test {
 namespace {
 
 using nlohmann::json;
@@ -153,4 +153,4 @@ INSTANTIATE_TEST_SUITE_P(Features, FeaturePoses, ::testing::ValuesIn(model_files
                          [](const auto& instance) { return as_test_name(instance.param); });
 
 }  // namespace
-}  // namespace throng::import::testing
+}  // namespace throng::import::testing::feature_poses_test

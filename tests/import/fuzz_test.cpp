@@ -12,7 +12,7 @@
 
 // Damage at random, the same on every run: import answers or refuses, and never harms. Worth most under asan and ubsan.
 
-namespace throng::import::testing {
+namespace throng::import::testing::fuzz_test {
 namespace {
 
 constexpr int rounds = 150;
@@ -67,4 +67,4 @@ INSTANTIATE_TEST_SUITE_P(Files, Damaged,
                          [](const auto& instance) { return as_test_name(instance.param); });
 
 }  // namespace
-}  // namespace throng::import::testing
+}  // namespace throng::import::testing::fuzz_test

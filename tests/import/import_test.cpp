@@ -11,7 +11,7 @@
 
 #include "tests/import/test_files.h"
 
-namespace throng::import::testing {
+namespace throng::import::testing::import_test {
 namespace {
 
 using nlohmann::json;
@@ -152,4 +152,4 @@ TEST(Import, RefusesWhatHasNoSkinOrIsNoFile) {
 }
 
 }  // namespace
-}  // namespace throng::import::testing
+}  // namespace throng::import::testing::import_test

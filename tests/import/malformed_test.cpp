@@ -9,7 +9,7 @@
 
 // Every broken file, treated as its manifest demands.
 
-namespace throng::import::testing {
+namespace throng::import::testing::malformed_test {
 namespace {
 
 struct Case {
@@ -55,4 +55,4 @@ TEST(MalformedManifest, NamesEveryFile) {
 }
 
 }  // namespace
-}  // namespace throng::import::testing
+}  // namespace throng::import::testing::malformed_test

@@ -6,7 +6,7 @@
 #include "engine/anim/import/import.h"
 #include "tests/import/test_files.h"
 
-namespace throng::import::testing {
+namespace throng::import::testing::mesh_lods_test {
 namespace {
 
 using nlohmann::json;
@@ -78,4 +78,4 @@ TEST(MeshLodsOfAFile, AreCheckedAsAllElseIs) {
 }
 
 }  // namespace
-}  // namespace throng::import::testing
+}  // namespace throng::import::testing::mesh_lods_test

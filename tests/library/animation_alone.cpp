@@ -5,9 +5,9 @@
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/bone_mask.h"
-#include "engine/anim/asset/character.h"
 #include "engine/anim/asset/synthetic_model.h"
-#include "engine/anim/run/lod.h"
+#include "engine/anim/bake/character.h"
+#include "engine/anim/lod/lod.h"
 
 using namespace throng;
 

@@ -4,12 +4,12 @@
 
 #include <gmock/gmock.h>
 
-#include "engine/anim/run/executor.h"
+#include "engine/anim/base/executor.h"
 
 namespace throng::anim {
 
-/// What engine/anim/run/executor.h promises, frame after frame. Counts are plain integers: the caller sees them only if
-/// the executor made the stores of its jobs visible.
+/// What engine/anim/base/executor.h promises, frame after frame. Counts are plain integers: the caller sees them only
+/// if the executor made the stores of its jobs visible.
 inline void expect_each_job_once(Executor& executor, int jobs) {
   for (int frame = 0; frame < 100; ++frame) {
     std::vector<int> runs(static_cast<std::size_t>(jobs), 0);

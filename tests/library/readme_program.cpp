@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/anim/agent/animation_system.h"
-#include "engine/anim/asset/character.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
 
 using namespace throng;

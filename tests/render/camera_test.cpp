@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-namespace throng::render {
+namespace throng::render::camera_test {
 namespace {
 
 constexpr float quarter_turn = 1.57079632679F;
@@ -123,4 +123,4 @@ TEST(FrameSphere, JustFitsItKeepingTheDirection) {
 }
 
 }  // namespace
-}  // namespace throng::render
+}  // namespace throng::render::camera_test

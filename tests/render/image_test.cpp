@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::render {
+namespace throng::render::image_test {
 namespace {
 
 /// A folder of the test's own that goes away with it.
@@ -112,4 +112,4 @@ TEST(ImageDifference, IsRefusedForDifferentSizes) {
 }
 
 }  // namespace
-}  // namespace throng::render
+}  // namespace throng::render::image_test

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::render {
+namespace throng::render::mesh_lod_test {
 namespace {
 
 constexpr double full_turn = 6.283185307179586;
@@ -150,4 +150,4 @@ TEST(PickMeshLod, WantsLessDetailOnASoftwareRenderer) {
 }
 
 }  // namespace
-}  // namespace throng::render
+}  // namespace throng::render::mesh_lod_test

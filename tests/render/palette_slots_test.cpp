@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::render {
+namespace throng::render::palette_slots_test {
 namespace {
 
 constexpr std::size_t bytes_of(std::size_t lines) { return lines * palette_line_bytes; }
@@ -179,4 +179,4 @@ TEST(PaletteSlots, ThousandAgentsThatMoveOnEveryFrameKeepToOnePage) {
 }
 
 }  // namespace
-}  // namespace throng::render
+}  // namespace throng::render::palette_slots_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::render {
+namespace throng::render::shader_source_test {
 namespace {
 
 class ShaderFolder : public testing::Test {
@@ -60,4 +60,4 @@ TEST_F(ShaderFolder, KeepsAComplaintThatNamesNoLineOfIt) {
 }
 
 }  // namespace
-}  // namespace throng::render
+}  // namespace throng::render::shader_source_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::render {
+namespace throng::render::surface_test {
 namespace {
 
 /// Two parts of one quad each, of two materials.
@@ -96,4 +96,4 @@ TEST(Surface, PutsEndsOfBonesBehindItsVerticesMovedByTheirEntryAlone) {
 }
 
 }  // namespace
-}  // namespace throng::render
+}  // namespace throng::render::surface_test

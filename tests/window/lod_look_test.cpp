@@ -2,7 +2,7 @@
 
 #include "tests/window/window_driver.h"
 
-namespace throng::app {
+namespace throng::app::lod_look_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -66,4 +66,4 @@ TEST_F(LookAtLod, TheCrowdIsTakenBackInTime) {
 }
 
 }  // namespace
-}  // namespace throng::app
+}  // namespace throng::app::lod_look_test

@@ -2,7 +2,7 @@
 
 #include "tests/window/window_driver.h"
 
-namespace throng::app {
+namespace throng::app::model_drop_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -33,4 +33,4 @@ TEST_F(DroppedModel, ABadOneChangesNothingAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace throng::app
+}  // namespace throng::app::model_drop_test

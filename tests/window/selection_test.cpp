@@ -2,7 +2,7 @@
 
 #include "tests/window/window_driver.h"
 
-namespace throng::app {
+namespace throng::app::selection_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -69,4 +69,4 @@ TEST_F(LoneAgent, IsPushedOverByTheButtonAndGetsUp) {
 }
 
 }  // namespace
-}  // namespace throng::app
+}  // namespace throng::app::selection_test

@@ -6,7 +6,7 @@
 
 #include "tests/window/window_driver.h"
 
-namespace throng::app {
+namespace throng::app::whole_overlay_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -160,4 +160,4 @@ TEST_F(WholeOverlay, IsDrivenThroughByAScript) {
 }
 
 }  // namespace
-}  // namespace throng::app
+}  // namespace throng::app::whole_overlay_test

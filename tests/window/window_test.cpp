@@ -3,7 +3,7 @@
 
 #include "tests/window/window_driver.h"
 
-namespace throng::app {
+namespace throng::app::window_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -132,4 +132,4 @@ TEST_F(Window, EscapeEndsItWithStatusZero) {
 }
 
 }  // namespace
-}  // namespace throng::app
+}  // namespace throng::app::window_test

@@ -8,7 +8,7 @@
 #include "engine/anim/asset/root_curve.h"
 #include "engine/anim/entity/entity_pools.h"
 #include "engine/anim/entity/player.h"
-#include "engine/anim/run/pose_program.h"
+#include "engine/anim/run/program/pose_program.h"
 
 namespace throng::anim {
 

@@ -8,7 +8,7 @@
 #include "engine/anim/agent/channel.h"
 #include "engine/anim/agent/post_process.h"
 #include "engine/anim/base/result.h"
-#include "engine/anim/run/program_table.h"
+#include "engine/anim/run/program/program_table.h"
 
 namespace throng::anim {
 

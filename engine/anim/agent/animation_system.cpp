@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "engine/anim/run/store_choice.h"
-#include "engine/anim/run/stream_reads.h"
+#include "engine/anim/run/program/stream_reads.h"
+#include "engine/anim/run/store/store_choice.h"
 
 namespace throng::anim {
 namespace {

@@ -12,7 +12,7 @@
 #include "engine/anim/agent/cast.h"
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/asset/bone_mask.h"
-#include "engine/anim/asset/character.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/base/result.h"
 #include "engine/anim/run/pu_threads.h"
 #include "engine/anim/run/scheduler.h"
@@ -32,7 +32,7 @@ struct SystemOptions {
   Tracing trace = Tracing::on;  ///< record what each PU does, for units() and update_time()
   bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
   CostModel cost{};             ///< what orders tasks and cuts tiles
-  std::optional<StorePolicy> stores{};  ///< how palettes are written; none: by their size (run/store_choice.h)
+  std::optional<StorePolicy> stores{};  ///< how palettes are written; none: by their size (run/store/store_choice.h)
   /// What is written: `packed` of the characters that can be packed (see palette_format), matrices of all others.
   PaletteFormat palettes = PaletteFormat::matrices;
   const Kernels* kernels = nullptr;  ///< null: the best that this machine runs

@@ -7,9 +7,9 @@
 
 #include "engine/anim/agent/agents.h"
 #include "engine/anim/asset/bone_mask.h"
-#include "engine/anim/asset/character.h"
-#include "engine/anim/run/agent_work.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/run/local_store_plan.h"
+#include "engine/anim/run/program/agent_work.h"
 
 namespace throng::anim {
 

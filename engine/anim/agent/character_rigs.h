@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "engine/anim/agent/animation_system.h"
-#include "engine/anim/asset/limbs.h"
 #include "engine/anim/entity/entity_kind.h"
-#include "engine/anim/kernel/foot_placement.h"
-#include "engine/anim/kernel/look_at.h"
-#include "engine/anim/kernel/ragdoll.h"
+#include "engine/anim/kernel/limb/foot_placement.h"
+#include "engine/anim/kernel/limb/look_at.h"
+#include "engine/anim/kernel/ragdoll/ragdoll.h"
+#include "engine/anim/rig/limbs.h"
 
 namespace throng::anim {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/anim/run/pose_program.h"
+#include "engine/anim/run/program/pose_program.h"
 
 namespace throng::anim {
 namespace {

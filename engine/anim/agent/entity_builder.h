@@ -5,7 +5,7 @@
 #include <span>
 
 #include "engine/anim/agent/agent_motion.h"
-#include "engine/anim/asset/character.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/entity/ease_blender.h"
 #include "engine/anim/entity/entity_pools.h"
 #include "engine/anim/entity/player.h"

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/anim/kernel/pose.h"
+#include "engine/anim/base/pose.h"
 
 namespace throng::anim {
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
-#include "engine/anim/kernel/pose.h"
+#include "engine/anim/base/pose.h"
 
 namespace throng::anim {
 

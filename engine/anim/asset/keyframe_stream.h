@@ -7,8 +7,8 @@
 #include "engine/anim/asset/clip.h"
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/base/aligned_bytes.h"
+#include "engine/anim/base/pose.h"
 #include "engine/anim/base/units.h"
-#include "engine/anim/kernel/pose.h"
 
 namespace throng::anim {
 

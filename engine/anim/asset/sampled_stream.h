@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/anim/base/pose.h"
 #include "engine/anim/base/units.h"
-#include "engine/anim/kernel/pose.h"
 
 namespace throng::anim {
 

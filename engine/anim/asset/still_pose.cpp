@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/anim/asset/reference_pose.h"
-#include "engine/anim/kernel/pose.h"
+#include "engine/anim/base/pose.h"
 
 namespace throng::anim {
 

@@ -8,7 +8,7 @@
 namespace throng::anim {
 namespace {
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+std::span<Handle> sources_of_layer(std::byte* block, const EntityLayout&) {
   static_assert(offsetof(AdditiveLayer, reference) == offsetof(AdditiveLayer, base) + 2 * sizeof(Handle));
   return {&reinterpret_cast<AdditiveLayer*>(block)->base, 3};
 }
@@ -45,7 +45,7 @@ void add_packet(const EntityInStore& entity, const PacketJob& job) {
 
 const EntityKind additive_layer_kind = {.name = "additive layer",
                                         .type = EntityType::additive_layer,
-                                        .sources = sources,
+                                        .sources = sources_of_layer,
                                         .reads_identity = false,
                                         .advance = advance_each<advance_layer>,
                                         .pose_packet = add_packet};

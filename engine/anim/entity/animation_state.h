@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "engine/anim/base/pose.h"
 #include "engine/anim/base/units.h"
-#include "engine/anim/kernel/pose.h"
 
 namespace throng::anim {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "engine/anim/entity/animation_state.h"
-#include "engine/anim/kernel/pose_view.h"
+#include "engine/anim/kernel/pose/pose_view.h"
 
 namespace throng::anim {
 

@@ -9,7 +9,7 @@
 namespace throng::anim {
 namespace {
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+std::span<Handle> sources_of_blender(std::byte* block, const EntityLayout&) {
   static_assert(offsetof(EaseBlender, to) == offsetof(EaseBlender, from) + sizeof(Handle));
   return {&reinterpret_cast<EaseBlender*>(block)->from, 2};
 }
@@ -35,7 +35,7 @@ void advance_entity(const EntityInStore& entity, const SourcesInStore& sources) 
   blend_velocities(blender, sources[0], sources[1]);
 }
 
-ShownClips shown_clips(const EntityInStore& entity, const SourcesInStore& sources) {
+ShownClips clips_of_blender(const EntityInStore& entity, const SourcesInStore& sources) {
   const auto& blender = entity.as<EaseBlender>();
   const ShownClips &from = sources.shown(0), &to = sources.shown(1);
   if (entity.assets->mask(blender.mask) != nullptr || from.clip == nullptr || to.clip == nullptr) return {};
@@ -73,10 +73,10 @@ void advance_blender(EaseBlender& blender) {
 
 const EntityKind ease_blender_kind = {.name = "ease blender",
                                       .type = EntityType::ease_blender,
-                                      .sources = sources,
+                                      .sources = sources_of_blender,
                                       .reads_identity = false,
                                       .final_once_advanced = true,
-                                      .advance = advance_each<advance_entity, shown_clips>,
+                                      .advance = advance_each<advance_entity, clips_of_blender>,
                                       .pose_packet = blend_packet};
 
 }  // namespace throng::anim

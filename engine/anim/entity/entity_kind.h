@@ -10,7 +10,7 @@
 #include "engine/anim/base/pool.h"
 #include "engine/anim/entity/animation_state.h"
 #include "engine/anim/kernel/kernels.h"
-#include "engine/anim/kernel/pose_view.h"
+#include "engine/anim/kernel/pose/pose_view.h"
 
 namespace throng::anim {
 

@@ -5,11 +5,11 @@
 
 #include "engine/anim/entity/entity_kind.h"
 #include "engine/anim/entity/fading_weight.h"
-#include "engine/anim/kernel/foot_placement.h"
+#include "engine/anim/kernel/limb/foot_placement.h"
 
 namespace throng::anim {
 
-/// Puts the feet of its source on uneven ground (kernel/foot_placement.h).
+/// Puts the feet of its source on uneven ground (kernel/limb/foot_placement.h).
 ///
 ///     [header 96 | foot placement 32 | transforms if resident | body 80 | a foot 112, a foot 112, ...]
 struct alignas(64) FootPlacementEntity {

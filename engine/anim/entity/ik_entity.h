@@ -7,11 +7,11 @@
 
 #include "engine/anim/entity/entity_kind.h"
 #include "engine/anim/entity/fading_weight.h"
-#include "engine/anim/kernel/two_bone_ik.h"
+#include "engine/anim/kernel/limb/two_bone_ik.h"
 
 namespace throng::anim {
 
-/// Makes one limb of its source reach (kernel/two_bone_ik.h).
+/// Makes one limb of its source reach (kernel/limb/two_bone_ik.h).
 ///
 ///     [header 96 | inverse kinematics 32 | transforms if resident | IkMemory]
 struct alignas(64) IkEntity {

@@ -28,11 +28,11 @@ struct Plan {
 };
 constexpr OffsetDecay undiminished = {.offset = 1.0F, .velocity = 0.0F};
 
-std::size_t private_bytes(int bone_count, int) {
+std::size_t offset_bytes(int bone_count, int) {
   return static_cast<std::size_t>(packets_for(bone_count)) * sizeof(Offsets);
 }
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+std::span<Handle> source_of_inertialiser(std::byte* block, const EntityLayout&) {
   static_assert(offsetof(Inertialiser, leaving) == offsetof(Inertialiser, target) + sizeof(Handle));
   auto& inertialiser = *reinterpret_cast<Inertialiser*>(block);
   return {&inertialiser.target, has_left(inertialiser) ? 1U : 2U};
@@ -156,8 +156,8 @@ bool is_over(const Inertialiser& inertialiser) {
 
 const EntityKind inertialiser_kind = {.name = "inertialiser",
                                       .type = EntityType::inertialiser,
-                                      .sources = sources,
-                                      .private_bytes_for = private_bytes,
+                                      .sources = source_of_inertialiser,
+                                      .private_bytes_for = offset_bytes,
                                       .prepared_bytes = 64,
                                       .reads_identity = false,
                                       .advance = advance_each<advance_inertialiser>,

@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "engine/anim/entity/entity_kind.h"
-#include "engine/anim/kernel/offset.h"
+#include "engine/anim/kernel/pose/offset.h"
 
 namespace throng::anim {
 
 /// Follows one source and smooths every change of it: the new source is taken at once, and what it lacks to the old one
-/// is added and decays (kernel/offset.h). However often it is interrupted it never reads more than two sources, and
-/// nothing snaps.
+/// is added and decays (kernel/pose/offset.h). However often it is interrupted it never reads more than two sources,
+/// and nothing snaps.
 ///
 ///     [header 96 | inertialiser 32 | transforms if resident | packets x ( float [6][16] offsets, [6][16] velocities )]
 ///

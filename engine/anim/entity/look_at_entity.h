@@ -5,11 +5,11 @@
 
 #include "engine/anim/entity/entity_kind.h"
 #include "engine/anim/entity/fading_weight.h"
-#include "engine/anim/kernel/look_at.h"
+#include "engine/anim/kernel/limb/look_at.h"
 
 namespace throng::anim {
 
-/// Turns spine, neck and head of its source towards a target (kernel/look_at.h).
+/// Turns spine, neck and head of its source towards a target (kernel/limb/look_at.h).
 ///
 ///     [header 96 | look-at 32 | transforms if resident | LookAtMemory]
 struct alignas(64) LookAtEntity {

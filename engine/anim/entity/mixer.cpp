@@ -14,7 +14,7 @@ struct Shares {
   float of[max_sources];
 };
 
-std::span<Handle> sources(std::byte* block, const EntityLayout& layout) {
+std::span<Handle> sources_of_mixer(std::byte* block, const EntityLayout& layout) {
   return {mixer_sources(block, layout).sources, reinterpret_cast<const Mixer*>(block)->source_count};
 }
 
@@ -57,7 +57,7 @@ void mix_packet(const EntityInStore& entity, const PacketJob& job) {
 
 const EntityKind mixer_kind = {.name = "mixer",
                                .type = EntityType::mixer,
-                               .sources = sources,
+                               .sources = sources_of_mixer,
                                .private_bytes = sizeof(MixerSources),
                                .prepared_bytes = 64,
                                .reads_identity = false,

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/anim/entity/entity_kind.h"
-#include "engine/anim/kernel/noise.h"
+#include "engine/anim/kernel/pose/noise.h"
 
 namespace throng::anim {
 

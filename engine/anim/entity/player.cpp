@@ -150,14 +150,14 @@ void advance_keyframed(const EntityInStore& entity, const SourcesInStore&) {
   advance_keyframes(*pose.stream, pose.time, player.cursor, pose.interpolations);
 }
 
-ShownClips shown_clips(const EntityInStore& entity, const SourcesInStore&) {
+ShownClips clip_of_player(const EntityInStore& entity, const SourcesInStore&) {
   const auto& pose = entity.prepared_as<SampledPose>();
   return {.clip = pose.bones == nullptr ? &pose.moment : nullptr};
 }
 
 /// Hints come once all of a run stand, out of the way of the loop that moves them.
 void advance_sampled_players(const EntityRun& run) {
-  advance_each<advance_sampled, shown_clips>(run);
+  advance_each<advance_sampled, clip_of_player>(run);
   if (!run.first.assets->prefetch) return;
   for (std::size_t i = 0; i < run.count; ++i) {
     const ClipMoment& moment = run.entity(i).prepared_as<SampledPose>().moment;

@@ -11,7 +11,7 @@
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/entity/entity_kind.h"
 #include "engine/anim/kernel/kernels.h"
-#include "engine/anim/kernel/keyframe_player.h"
+#include "engine/anim/kernel/keyframe/keyframe_player.h"
 
 namespace throng::anim {
 

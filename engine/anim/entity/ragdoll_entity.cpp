@@ -17,11 +17,11 @@ struct Elapsed {
   Ticks ticks;
 };
 
-std::size_t private_bytes(int bone_count, int components) {
+std::size_t memory_bytes(int bone_count, int components) {
   return sizeof(RagdollMemory) + pose_bytes(bone_count, components);
 }
 
-std::span<Handle> sources(std::byte* block, const EntityLayout&) {
+std::span<Handle> source_of_ragdoll(std::byte* block, const EntityLayout&) {
   auto& ragdoll = *reinterpret_cast<RagdollEntity*>(block);
   return {&ragdoll.source, ragdoll.source.valid() ? 1U : 0U};
 }
@@ -116,8 +116,8 @@ void let_go(RagdollEntity& ragdoll) {
 EntityKind ragdoll_kind(const RagdollRig& rig) {
   return {.name = "rag-doll",
           .type = EntityType::ragdoll,
-          .sources = sources,
-          .private_bytes_for = private_bytes,
+          .sources = source_of_ragdoll,
+          .private_bytes_for = memory_bytes,
           .keeps_transforms = true,
           .prepared_bytes = 64,
           .reads_identity = false,

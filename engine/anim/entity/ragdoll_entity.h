@@ -5,12 +5,12 @@
 #include <type_traits>
 
 #include "engine/anim/entity/entity_kind.h"
-#include "engine/anim/kernel/ragdoll.h"
+#include "engine/anim/kernel/ragdoll/ragdoll.h"
 
 namespace throng::anim {
 
-/// A rag-doll (paper 2.2.6, kernel/ragdoll.h). It passes its source on until it is let go; from then on it falls and
-/// its source may be taken away. Bones without bodies keep what the source had when it was.
+/// A rag-doll (paper 2.2.6, kernel/ragdoll/ragdoll.h). It passes its source on until it is let go; from then on it
+/// falls and its source may be taken away. Bones without bodies keep what the source had when it was.
 ///
 ///     [header 96 | rag-doll 32 | transforms, always | RagdollMemory | a pose]
 ///

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/anim/entity/entity_kind.h"
-#include "engine/anim/kernel/joint_chain.h"
+#include "engine/anim/kernel/limb/joint_chain.h"
 
 namespace throng::anim {
 

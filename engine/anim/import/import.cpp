@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/anim/asset/bone_importance.h"
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/import/animations.h"
 #include "engine/anim/import/document.h"
@@ -17,6 +16,7 @@
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/skeleton_builder.h"
 #include "engine/anim/import/skins.h"
+#include "engine/anim/survey/bone_importance.h"
 
 namespace throng::import {
 

@@ -1,6 +1,5 @@
 #include "engine/anim/kernel/kernels.h"
 
-#include <cassert>
 #include <vector>
 
 // Every target that this compiler can write, the one-lane SCALAR target among them, which the others are measured
@@ -16,58 +15,23 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
-#include "engine/anim/kernel/add-inl.h"
-#include "engine/anim/kernel/blend-inl.h"
-#include "engine/anim/kernel/copy_blocks-inl.h"
-#include "engine/anim/kernel/foot_placement-inl.h"
-#include "engine/anim/kernel/general_palette-inl.h"
-#include "engine/anim/kernel/look_at-inl.h"
-#include "engine/anim/kernel/mix-inl.h"
-#include "engine/anim/kernel/noise-inl.h"
-#include "engine/anim/kernel/offset-inl.h"
-#include "engine/anim/kernel/packed_palette-inl.h"
-#include "engine/anim/kernel/pose_clips-inl.h"
-#include "engine/anim/kernel/rigid_palette-inl.h"
-#include "engine/anim/kernel/sample-inl.h"
-#include "engine/anim/kernel/subtract-inl.h"
-#include "engine/anim/kernel/two_bone_ik-inl.h"
-#include "engine/anim/kernel/write_lines-inl.h"
+#include "engine/anim/kernel/lanes/copy_blocks-inl.h"
+#include "engine/anim/kernel/limb/foot_placement-inl.h"
+#include "engine/anim/kernel/limb/look_at-inl.h"
+#include "engine/anim/kernel/limb/two_bone_ik-inl.h"
+#include "engine/anim/kernel/palette/model_palette-inl.h"
+#include "engine/anim/kernel/palette/write_lines-inl.h"
+#include "engine/anim/kernel/pose/add-inl.h"
+#include "engine/anim/kernel/pose/blend-inl.h"
+#include "engine/anim/kernel/pose/mix-inl.h"
+#include "engine/anim/kernel/pose/noise-inl.h"
+#include "engine/anim/kernel/pose/offset-inl.h"
+#include "engine/anim/kernel/pose/pose_clips-inl.h"
+#include "engine/anim/kernel/pose/sample-inl.h"
+#include "engine/anim/kernel/pose/subtract-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
-
-template <int width>
-void model_palette_strip(const ModelPaletteJob& job) {
-  using D = LanesUpTo<width>;
-  const int begin = job.packet * packet_bones;
-  const int end = HWY_MIN(begin + packet_bones, job.bone_count);
-  assert((job.format == PaletteFormat::matrices || job.hierarchy->packs()) && "palettes that cannot be packed");
-  if (begin >= end) return;
-  for (int lane = 0; lane < job.characters; lane += lane_count<D>) {
-    if (job.format == PaletteFormat::packed) {
-      rigid_palette_lanes<PackedMotion, width>(D(), job, lane, begin, end);
-    } else if (job.hierarchy->rigid) {
-      rigid_palette_lanes<RigidMotion, width>(D(), job, lane, begin, end);
-    } else {
-      general_palette_lanes<width>(D(), job, lane, begin, end);
-    }
-  }
-}
-
-void model_palette(const ModelPaletteJob& job) {
-  switch (job.width) {
-    case 1:
-      return model_palette_strip<1>(job);
-    case 2:
-      return model_palette_strip<2>(job);
-    case 4:
-      return model_palette_strip<4>(job);
-    case 8:
-      return model_palette_strip<8>(job);
-    default:
-      return model_palette_strip<widest_strip>(job);
-  }
-}
 
 void fence_stores() { hwy::FlushStream(); }
 

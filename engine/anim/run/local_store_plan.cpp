@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "engine/anim/run/fused_scratch.h"
-#include "engine/anim/run/level_tasks.h"
+#include "engine/anim/run/fused/scratch.h"
+#include "engine/anim/run/levels/level_tasks.h"
 
 namespace throng::anim {
 namespace {

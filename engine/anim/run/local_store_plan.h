@@ -5,29 +5,17 @@
 #include <span>
 #include <string>
 
-#include "engine/anim/asset/character.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/base/result.h"
-#include "engine/anim/run/agent_work.h"
-#include "engine/anim/run/double_buffer.h"
+#include "engine/anim/run/program/agent_work.h"
+#include "engine/anim/run/store/double_buffer.h"
+#include "engine/anim/run/store/local_store.h"
 
 namespace throng::anim {
 
 enum class Schedule : std::uint8_t {
   fused,   ///< ours: whole trees of a tile in one stay in the local store, no barrier
   levels,  ///< the paper's: players, then blenders priority by priority, a barrier in between
-};
-
-/// How a local store is divided for one schedule.
-struct LocalStorePlan {
-  int width = 1;                ///< characters a strip, which kernels pose side by side
-  int strips = 1;               ///< of a tile, where that many fit
-  std::size_t fetch_bytes = 0;  ///< of each fetch buffer
-  int fetch_buffers = 2;        ///< 1 without double buffering
-  std::size_t scratch_bytes = 0;
-  std::size_t shared_bytes = 0;  ///< of a fetch buffer, for what others own
-
-  /// What the rare entity of `levels` that one buffer cannot hold has, by itself.
-  std::size_t all_fetch_bytes() const { return fetch_bytes * static_cast<std::size_t>(fetch_buffers); }
 };
 
 /// What the store must hold: tiles of usual graphs, up to four players and the blenders over them, and at least one

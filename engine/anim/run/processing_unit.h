@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "engine/anim/run/double_buffer.h"
-#include "engine/anim/run/fused_notes.h"
-#include "engine/anim/run/local_store.h"
+#include "engine/anim/run/fused/notes.h"
 #include "engine/anim/run/local_store_plan.h"
-#include "engine/anim/run/trace.h"
+#include "engine/anim/run/store/double_buffer.h"
+#include "engine/anim/run/store/local_store.h"
+#include "engine/anim/run/store/trace.h"
 
 namespace throng::anim {
 

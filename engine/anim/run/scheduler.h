@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "engine/anim/run/agent_work.h"
-#include "engine/anim/run/executor.h"
-#include "engine/anim/run/fused_tasks.h"
-#include "engine/anim/run/level_tasks.h"
+#include "engine/anim/base/executor.h"
+#include "engine/anim/run/fused/tasks.h"
+#include "engine/anim/run/levels/level_tasks.h"
 #include "engine/anim/run/processing_unit.h"
-#include "engine/anim/run/task_queue.h"
+#include "engine/anim/run/program/agent_work.h"
+#include "engine/anim/run/program/work_order.h"
+#include "engine/anim/run/store/task_queue.h"
 #include "engine/anim/run/tile_cutter.h"
-#include "engine/anim/run/work_order.h"
 
 namespace throng::anim {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/anim/run/fused_scratch.h"
+#include "engine/anim/run/fused/scratch.h"
 
 namespace throng::anim {
 namespace {

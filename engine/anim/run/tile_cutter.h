@@ -3,12 +3,12 @@
 #include <span>
 #include <vector>
 
-#include "engine/anim/run/agent_work.h"
-#include "engine/anim/run/cost_model.h"
 #include "engine/anim/run/local_store_plan.h"
-#include "engine/anim/run/shared_sources.h"
-#include "engine/anim/run/tile_scratch.h"
-#include "engine/anim/run/work_order.h"
+#include "engine/anim/run/program/agent_work.h"
+#include "engine/anim/run/program/cost_model.h"
+#include "engine/anim/run/program/shared_sources.h"
+#include "engine/anim/run/program/work_order.h"
+#include "engine/anim/run/store/tile_scratch.h"
 
 namespace throng::anim {
 

@@ -10,7 +10,7 @@
 #include "engine/anim/agent/blend_space_channel.h"
 #include "tests/anim/agent/crowd_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::blend_space_test {
 namespace {
 
 // Clips of 0.9, 1 and 1.1 s: seconds a cycle differ, as a walk's and a run's do.
@@ -134,4 +134,4 @@ TEST(BlendSpace, IsTheSameUnderEverySchedule) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::blend_space_test

@@ -10,7 +10,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/synthetic_model.h"
 
-namespace throng::anim {
+namespace throng::anim::bone_fade_test {
 namespace {
 
 constexpr std::uint8_t coarser = 1;
@@ -116,4 +116,4 @@ TEST(BoneFade, TakesTwoStepsOfAboutHalfThePopEach) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::bone_fade_test

@@ -7,9 +7,9 @@
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/synthetic_model.h"
-#include "engine/anim/kernel/pose.h"
+#include "engine/anim/base/pose.h"
 
-namespace throng::anim {
+namespace throng::anim::bone_masks_test {
 namespace {
 
 constexpr Ticks frame = ticks_per_second / 60;
@@ -152,4 +152,4 @@ TEST(MaskedBlend, IsTheSamePoseUnderBothSchedules) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::bone_masks_test

@@ -7,7 +7,7 @@
 #include "tests/anim/agent/person_crowd.h"
 #include "tests/anim/asset/clip_fixtures.h"
 
-namespace throng::anim {
+namespace throng::anim::character_rigs_test {
 namespace {
 
 using Limb = CharacterRigs::Limb;
@@ -56,4 +56,4 @@ TEST(CharacterRigs, GiveASystemOnlyTheKindsThatTheCharacterHas) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::character_rigs_test

@@ -7,7 +7,7 @@
 #include "tests/anim/agent/crowd_rig.h"
 #include "tests/anim/agent/every_kind.h"
 
-namespace throng::anim {
+namespace throng::anim::exact_poses_test {
 namespace {
 
 constexpr Ticks fade = 20 * frame_ticks;
@@ -135,4 +135,4 @@ TEST(PoseExactly, GivesEachOfManyAgentsItsOwnPalette) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::exact_poses_test

@@ -7,7 +7,7 @@
 #include "engine/anim/agent/simple_channel.h"
 #include "engine/anim/asset/synthetic_model.h"
 
-namespace throng::anim {
+namespace throng::anim::fades_test {
 namespace {
 
 constexpr Ticks frame = ticks_per_second / 60;
@@ -143,4 +143,4 @@ TEST(Fade, ARequestBetweenUpdatesStartsWhenItWasMade) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::fades_test

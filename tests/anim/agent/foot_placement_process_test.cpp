@@ -9,7 +9,7 @@
 
 #include "tests/anim/agent/person_crowd.h"
 
-namespace throng::anim {
+namespace throng::anim::foot_placement_process_test {
 namespace {
 
 constexpr float twenty_degrees = 20.0F * std::numbers::pi_v<float> / 180.0F;
@@ -97,4 +97,4 @@ TEST_P(PersonOnASlope, StandsOnGroundThatTheHostSamplesUnderEachAnkle) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::foot_placement_process_test

@@ -9,7 +9,7 @@
 
 #include "tests/anim/agent/crowd_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::interruption_test {
 namespace {
 
 constexpr int requests = 11;  // ten of them interrupt
@@ -139,4 +139,4 @@ TEST(Interruption, IsOverByTheClockWhetherTheAgentIsPosedMeanwhileOrNot) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::interruption_test

@@ -10,7 +10,7 @@
 #include "engine/anim/asset/bone_mask.h"
 #include "tests/anim/agent/crowd_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::layers_test {
 namespace {
 
 constexpr int walk = 0;
@@ -167,4 +167,4 @@ TEST(Layer, MakesAnAutomaticStoreGrow) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::layers_test

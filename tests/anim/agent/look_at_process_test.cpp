@@ -8,7 +8,7 @@
 #include "engine/anim/agent/reach_process.h"
 #include "tests/anim/agent/person_crowd.h"
 
-namespace throng::anim {
+namespace throng::anim::look_at_process_test {
 namespace {
 
 class PersonWhoIsTold : public testing::Test {
@@ -74,4 +74,4 @@ TEST_F(PersonWhoIsTold, ReachesForAPlaceWithAHand) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::look_at_process_test

@@ -9,7 +9,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/synthetic_model.h"
 
-namespace throng::anim {
+namespace throng::anim::packed_palettes_test {
 namespace {
 
 constexpr std::uint32_t agents = 37;
@@ -117,4 +117,4 @@ TEST(PackedPalettes, AreRefusedToSkeletonsThatAreNotRigidWhichKeepMatrices) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::packed_palettes_test

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "engine/anim/asset/bone_mask.h"
-#include "tests/anim/kernel/held_pose.h"
-#include "tests/anim/kernel/ragdoll_stage.h"
+#include "tests/anim/kernel/pose/held_pose.h"
+#include "tests/anim/kernel/ragdoll/ragdoll_stage.h"
 
 namespace throng::anim {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/character_rigs.h"
-#include "engine/anim/kernel/joint_chain.h"
+#include "engine/anim/kernel/limb/joint_chain.h"
 
 namespace throng::anim {
 

@@ -13,7 +13,7 @@
 #include "engine/anim/agent/system_snapshot.h"
 #include "tests/anim/agent/person_crowd.h"
 
-namespace throng::anim {
+namespace throng::anim::post_processes_test {
 namespace {
 
 constexpr std::uint32_t people = 21;
@@ -172,4 +172,4 @@ TEST(PostProcesses, GiveEveryEntityBackWhenTheyAreRemoved) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::post_processes_test

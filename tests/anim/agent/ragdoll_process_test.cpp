@@ -8,7 +8,7 @@
 
 #include "tests/anim/agent/person_crowd.h"
 
-namespace throng::anim {
+namespace throng::anim::ragdoll_process_test {
 namespace {
 
 using Phase = RagdollProcess::Phase;
@@ -144,4 +144,4 @@ TEST_F(PersonPushedOver, FallsTheWayItIsPushed) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::ragdoll_process_test

@@ -12,7 +12,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/synthetic_model.h"
 
-namespace throng::anim {
+namespace throng::anim::several_characters_test {
 namespace {
 
 constexpr Ticks frame = ticks_per_second / 60;
@@ -167,4 +167,4 @@ TEST(CutScene, PlacesAgentsACameraAndAPropByTheirAbsoluteRoots) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::several_characters_test

@@ -9,10 +9,10 @@
 
 #include "engine/anim/agent/blend_space_channel.h"
 #include "engine/anim/agent/simple_channel.h"
-#include "engine/anim/run/fused_tasks.h"
+#include "engine/anim/run/fused/tasks.h"
 #include "tests/anim/agent/crowd_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::shared_sources_test {
 namespace {
 
 constexpr std::size_t kib = 1024;
@@ -236,4 +236,4 @@ TEST(SharedSources, ThatPlayNothingOrHaveACycleAreRefused) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::shared_sources_test

@@ -5,7 +5,7 @@
 #include "engine/anim/agent/simple_channel.h"
 #include "tests/anim/agent/every_kind.h"
 
-namespace throng::anim {
+namespace throng::anim::snapshot_test {
 namespace {
 
 constexpr int ten_seconds = 600;
@@ -137,4 +137,4 @@ TEST(Snapshot, ThatWasNeverTakenIsRefused) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::snapshot_test

@@ -7,7 +7,7 @@
 
 #include "tests/anim/agent/person_crowd.h"
 
-namespace throng::anim {
+namespace throng::anim::socket_process_test {
 namespace {
 
 constexpr Schedule schedules[] = {Schedule::fused, Schedule::levels};
@@ -77,4 +77,4 @@ TEST(Socket, IsRefusedAtABoneThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::socket_process_test

@@ -6,7 +6,7 @@
 
 #include "tests/anim/agent/crowd_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::user_channel_test {
 namespace {
 
 /// Stands about: plays one idle of a list after the other, in random order, each once to its end.
@@ -115,4 +115,4 @@ TEST(UserChannel, PlaysTheSameIdlesAgainAfterARewind) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::user_channel_test

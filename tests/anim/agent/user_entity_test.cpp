@@ -10,7 +10,7 @@
 #include "engine/anim/entity/entity_run.h"
 #include "tests/anim/agent/crowd_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::user_entity_test {
 namespace {
 
 // 1. The block. It is copied, moved and written to disk as bytes: no pointers, nothing that owns.
@@ -151,4 +151,4 @@ TEST(UserEntity, OfAKindThatIsNewSinceASnapshotKeepsItFromBeingRestored) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::user_entity_test

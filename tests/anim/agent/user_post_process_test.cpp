@@ -10,7 +10,7 @@
 #include "engine/anim/entity/entity_run.h"
 #include "tests/anim/agent/crowd_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::user_post_process_test {
 namespace {
 
 // 1. The block: a header that every entity begins with, then what is yours.
@@ -161,4 +161,4 @@ TEST(UserPostProcess, GoesAndGivesItsEntityBack) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::user_post_process_test

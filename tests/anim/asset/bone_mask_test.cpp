@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/asset/synthetic_model.h"
-#include "engine/anim/kernel/pose.h"
+#include "engine/anim/base/pose.h"
 
-namespace throng::anim {
+namespace throng::anim::bone_mask_test {
 namespace {
 
 class BoneMaskOf62 : public testing::Test {
@@ -55,4 +55,4 @@ TEST_F(BoneMaskOf62, LiesInPacketsWithNothingAboveTheLastBone) {
 TEST_F(BoneMaskOf62, FindsNoBoneOfAnUnknownName) { EXPECT_EQ(find_bone(skeleton_, "tentacle"), -1); }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::bone_mask_test

@@ -7,7 +7,7 @@
 #include "engine/anim/asset/clip.h"
 #include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/model.h"
-#include "engine/anim/kernel/keyframe_player.h"
+#include "engine/anim/kernel/keyframe/keyframe_player.h"
 
 namespace throng::anim {
 

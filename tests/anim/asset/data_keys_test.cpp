@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::anim {
+namespace throng::anim::data_keys_test {
 namespace {
 
 constexpr Ticks second = ticks_per_second;
@@ -202,4 +202,4 @@ TEST(DataKeys, OfAMotionInPiecesAreThoseOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::data_keys_test

@@ -4,7 +4,7 @@
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/asset/synthetic_model.h"
 
-namespace throng::anim {
+namespace throng::anim::joint_place_test {
 namespace {
 
 glm::dvec3 carried(const ReferencePose& pose, const JointPlace& place) {
@@ -37,4 +37,4 @@ TEST(JointPlace, OfAnyOtherSkeletonIsCarriedToThePosedJointThroughTheBindMatrix)
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::joint_place_test

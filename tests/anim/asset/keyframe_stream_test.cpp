@@ -8,7 +8,7 @@
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/anim/asset/clip_fixtures.h"
 
-namespace throng::anim {
+namespace throng::anim::keyframe_stream_test {
 namespace {
 
 const glm::quat turned = glm::angleAxis(0.7F, glm::vec3(0.0F, 0.0F, 1.0F));
@@ -109,4 +109,4 @@ TEST(KeyframeStream, HasASeekPointEverySoManyEvents) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::keyframe_stream_test

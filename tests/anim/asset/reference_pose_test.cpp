@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::anim {
+namespace throng::anim::reference_pose_test {
 namespace {
 
 Track<glm::vec3> vectors(Interpolation interpolation, std::vector<glm::vec3> values) {
@@ -75,4 +75,4 @@ TEST(PaletteCount, IsThatOfTheBonesBelow) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::reference_pose_test

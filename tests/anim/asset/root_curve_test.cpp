@@ -12,7 +12,7 @@
 
 #include "engine/anim/asset/data_keys.h"
 
-namespace throng::anim {
+namespace throng::anim::root_curve_test {
 namespace {
 
 constexpr Ticks second = ticks_per_second;
@@ -170,4 +170,4 @@ TEST(RootMotion, OfADayOfWalkingIsExactToAMicrometre) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::root_curve_test

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace throng::anim {
+namespace throng::anim::skeleton_order_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -122,4 +122,4 @@ TEST(ReorderBones, KeepsWhatEveryIndexNames) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::skeleton_order_test

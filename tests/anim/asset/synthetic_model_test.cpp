@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/anim/asset/character.h"
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/bake/character.h"
 
-namespace throng::anim {
+namespace throng::anim::synthetic_model_test {
 namespace {
 
 class SyntheticModel : public testing::TestWithParam<int> {
@@ -85,4 +85,4 @@ TEST(SyntheticModel, IsSampledAtItsOwnThirtyHertzAndLoops) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::synthetic_model_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::anim {
+namespace throng::anim::aligned_bytes_test {
 namespace {
 
 constexpr std::size_t page = 4096;
@@ -33,4 +33,4 @@ TEST(AlignedBytes, GivenBackPagesLeaveWhatLiesAroundThemAsItIs) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::aligned_bytes_test

@@ -7,7 +7,7 @@
 #include "engine/anim/base/guard.h"
 #include "engine/anim/base/pool.h"
 
-namespace throng::anim {
+namespace throng::anim::pool_compaction_test {
 namespace {
 
 constexpr std::size_t block_size = 128;
@@ -189,4 +189,4 @@ TEST(PoolCompaction, GuardsCoverEveryBlockBeforeAndAfter) {
 #endif
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::pool_compaction_test

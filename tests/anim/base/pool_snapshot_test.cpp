@@ -10,7 +10,7 @@
 
 #include "engine/anim/base/pool.h"
 
-namespace throng::anim {
+namespace throng::anim::pool_snapshot_test {
 namespace {
 
 constexpr std::size_t block_size = 64;
@@ -249,4 +249,4 @@ TEST(PoolSnapshot, TenThousandRandomChangesAgreeWithAModel) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::pool_snapshot_test

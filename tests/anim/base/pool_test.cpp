@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::anim {
+namespace throng::anim::pool_test {
 namespace {
 
 TEST(Pool, HandsOutZeroedAlignedBlocks) {
@@ -128,4 +128,4 @@ TEST(Handle, PacksPoolGenerationAndIndex) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::pool_test

@@ -4,7 +4,7 @@
 
 #include "tests/anim/entity/entity_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::additive_layer_test {
 namespace {
 
 struct Lean {
@@ -92,4 +92,4 @@ TEST(AdditiveLayer, MovesAsItsBaseDoes) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::additive_layer_test

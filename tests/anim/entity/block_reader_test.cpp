@@ -12,7 +12,7 @@
 #include "engine/anim/entity/entity_run.h"
 #include "engine/anim/entity/player.h"
 
-namespace throng::anim {
+namespace throng::anim::block_reader_test {
 namespace {
 
 constexpr int bones = 20;
@@ -118,4 +118,4 @@ TEST(BlockReader, LeavesABlockThatDoesNotFitWhereItIs) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::block_reader_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::anim {
+namespace throng::anim::ease_blender_test {
 namespace {
 
 void advance(EaseBlender& blender, Ticks delta) {
@@ -57,4 +57,4 @@ TEST(EaseBlender, WithoutDurationIsItsTarget) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::ease_blender_test

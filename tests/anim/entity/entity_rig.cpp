@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/entity/entity_run.h"
-#include "engine/anim/run/pose_entity.h"
-#include "engine/anim/run/program_table.h"
+#include "engine/anim/run/program/program_table.h"
+#include "engine/anim/run/store/pose_entity.h"
 
 namespace throng::anim {
 

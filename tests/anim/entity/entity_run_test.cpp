@@ -7,14 +7,14 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/anim/asset/character.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/entity/ease_blender.h"
 #include "engine/anim/entity/entity_layout.h"
 #include "engine/anim/entity/held_state.h"
 #include "engine/anim/entity/player.h"
 
-namespace throng::anim {
+namespace throng::anim::entity_run_test {
 namespace {
 
 constexpr std::size_t characters = 3;
@@ -173,4 +173,4 @@ TEST_F(RunOfEntities, ThatAreBlendersShowBothClipsOrTheOneThatIsLeft) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::entity_run_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::anim {
+namespace throng::anim::fading_weight_test {
 namespace {
 
 TEST(FadingWeight, IsNothingToBeginWith) { EXPECT_EQ(value(FadingWeight{}), 0.0F); }
@@ -62,4 +62,4 @@ TEST(FadingWeight, ThatIsSetAtOnceCanBeWoundBackToThatMomentAndBeyond) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::fading_weight_test

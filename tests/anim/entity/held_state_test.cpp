@@ -4,7 +4,7 @@
 
 #include "tests/anim/entity/entity_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::held_state_test {
 namespace {
 
 TEST(HeldState, BeginsAsTheBindPose) {
@@ -48,4 +48,4 @@ TEST(HeldState, HasItsTransformsUnderEverySchedule) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::held_state_test

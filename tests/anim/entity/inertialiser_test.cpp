@@ -7,7 +7,7 @@
 
 #include "tests/anim/entity/entity_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::inertialiser_test {
 namespace {
 
 constexpr Ticks frame = ticks_per_second / 60;
@@ -143,4 +143,4 @@ TEST(Inertialiser, MovesAsItsTargetDoes) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::inertialiser_test

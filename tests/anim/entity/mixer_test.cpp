@@ -6,7 +6,7 @@
 
 #include "tests/anim/entity/entity_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::mixer_test {
 namespace {
 
 struct Part {
@@ -96,4 +96,4 @@ TEST(Mixer, UsesUpItsDeltaTime) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::mixer_test

@@ -7,7 +7,7 @@
 
 #include "tests/anim/entity/entity_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::noise_maker_test {
 namespace {
 
 constexpr float amplitude = 0.05F;  // radians
@@ -74,4 +74,4 @@ TEST(NoiseMaker, OfNoAmplitudeOrOutsideItsMaskChangesNoBit) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::noise_maker_test

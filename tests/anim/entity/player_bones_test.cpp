@@ -5,15 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/anim/asset/character.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/bake/character.h"
 #include "engine/anim/entity/entity_pools.h"
 #include "engine/anim/entity/entity_run.h"
 #include "engine/anim/entity/player.h"
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/asset/clip_fixtures.h"
 
-namespace throng::anim {
+namespace throng::anim::player_bones_test {
 namespace {
 
 /// A player a third through a clip, posed as a PU would.
@@ -195,4 +195,4 @@ TEST(BoneSelection, KeepsTheRestTransformOfADroppedBoneOnTheGeneralPath) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::player_bones_test

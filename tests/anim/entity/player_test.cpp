@@ -6,7 +6,7 @@
 
 #include "engine/anim/entity/entity_layout.h"
 
-namespace throng::anim {
+namespace throng::anim::player_test {
 namespace {
 
 constexpr Ticks second = ticks_per_second;
@@ -226,4 +226,4 @@ TEST(EntityLayout, ConversionKeepsAllButTheTransforms) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::player_test

@@ -7,10 +7,10 @@
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/entity/entity_pools.h"
 #include "engine/anim/entity/entity_run.h"
-#include "tests/anim/kernel/held_pose.h"
-#include "tests/anim/kernel/ragdoll_stage.h"
+#include "tests/anim/kernel/pose/held_pose.h"
+#include "tests/anim/kernel/ragdoll/ragdoll_stage.h"
 
-namespace throng::anim {
+namespace throng::anim::ragdoll_entity_test {
 namespace {
 
 using Phase = RagdollEntity::Phase;
@@ -115,4 +115,4 @@ TEST_F(RagdollOfAPerson, SeesNoMovementInAChangeOfDetail) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::ragdoll_entity_test

@@ -13,10 +13,10 @@
 #include "engine/anim/entity/ik_entity.h"
 #include "engine/anim/entity/look_at_entity.h"
 #include "engine/anim/entity/whole_pose_step.h"
-#include "tests/anim/asset/named_skeleton.h"
-#include "tests/anim/kernel/held_pose.h"
+#include "tests/anim/kernel/pose/held_pose.h"
+#include "tests/anim/rig/named_skeleton.h"
 
-namespace throng::anim {
+namespace throng::anim::whole_pose_kinds_test {
 namespace {
 
 constexpr FadingWeight whole_weight{.from = 1.0F, .to = 1.0F, .elapsed = 0.0F, .total = 0.0F};
@@ -138,4 +138,4 @@ TEST_F(WholePoseKinds, DisplaceNoBonesButThoseOfTheQuadsThatTheyName) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::whole_pose_kinds_test

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/anim/asset/skeleton.h"
+#include "engine/anim/base/pose.h"
 #include "engine/anim/base/transform.h"
-#include "engine/anim/kernel/hierarchy.h"
-#include "engine/anim/kernel/pose.h"
+#include "engine/anim/kernel/palette/hierarchy.h"
 
 /// Small hand-made skeletons, poses of them, and the palettes that plain double-precision matrices give.
 namespace throng::anim::kernel_rig {

@@ -8,7 +8,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/synthetic_model.h"
 
-namespace throng::anim {
+namespace throng::anim::copy_counts_test {
 namespace {
 
 constexpr std::uint32_t agents = 37;
@@ -74,4 +74,4 @@ TEST(CopyCounts, LevelsMovesWholeStatesAndNeverWritesASourceBack) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::copy_counts_test

@@ -9,7 +9,7 @@
 #include "tests/anim/agent/crowd_rig.h"
 #include "tests/counting/hot_path_counter.h"
 
-namespace throng::anim {
+namespace throng::anim::hot_path_test {
 namespace {
 
 constexpr std::uint32_t agents = 200;
@@ -82,4 +82,4 @@ TEST(BytesPerAgent, OfTwoPlayersAndABlenderAreAtMostAKibibyte) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::hot_path_test

@@ -8,7 +8,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/synthetic_model.h"
 
-namespace throng::anim {
+namespace throng::anim::local_store_plan_test {
 namespace {
 
 using testing::AllOf;
@@ -95,4 +95,4 @@ TEST(LocalStorePlan, AutomaticIs64KiBUntilACharacterNeedsMore) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::local_store_plan_test

@@ -11,7 +11,7 @@
 
 #include "tests/anim/agent/crowd_rig.h"
 
-namespace throng::anim {
+namespace throng::anim::tile_cutter_test {
 namespace {
 
 const CostModel cost;
@@ -214,4 +214,4 @@ TEST(PusWorthWaking, AreFewForLittleWork) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::tile_cutter_test

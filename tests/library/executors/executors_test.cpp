@@ -7,7 +7,7 @@
 #include "tests/library/executor_promises.h"
 #include "tests/library/executors/host_jobs.h"
 
-namespace throng::anim {
+namespace throng::anim::executors_test {
 namespace {
 
 TEST(Executors, PuThreadsRunEachJobOnce) {
@@ -28,4 +28,4 @@ TEST(Executors, AHostsJobSystemGivesThePosesOfOurOwnThreads) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::executors_test

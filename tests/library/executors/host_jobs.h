@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/anim/run/executor.h"
+#include "engine/anim/base/executor.h"
 
 namespace throng::anim {
 

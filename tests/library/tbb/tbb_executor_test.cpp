@@ -11,7 +11,7 @@
 #include "tests/library/crowd_hash.h"
 #include "tests/library/executor_promises.h"
 
-namespace throng::anim {
+namespace throng::anim::tbb_executor_test {
 namespace {
 
 TEST(TbbExecutor, RunsEachJobOnce) {
@@ -85,4 +85,4 @@ TEST(TbbExecutor, GivesThePosesOfOurOwnThreads) {
 }
 
 }  // namespace
-}  // namespace throng::anim
+}  // namespace throng::anim::tbb_executor_test

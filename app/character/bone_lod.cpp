@@ -1,0 +1,185 @@
+#include "app/character/bone_lod.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/anim/base/pose.h"
+#include "engine/anim/kernel/kernels.h"
+#include "engine/anim/run/program/cost_model.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int version = 1;
+constexpr const char* remedy = "; mend it, or delete it to have the order computed again";
+
+anim::Error wrong(const fs::path& file, const std::string& what) { return {file.string() + ": " + what + remedy}; }
+
+// Words for people: a permutation, each bone after its parent.
+anim::Status check_order(const anim::Skeleton& skeleton, std::span<const int> bones) {
+  const std::vector<std::string> names = bone_keys(skeleton);
+  std::vector<bool> seen(names.size(), false);
+  for (const int bone : bones) {
+    if (bone < 0 || bone >= skeleton.bone_count()) return anim::Error{"a bone that the model does not have"};
+    const auto index = static_cast<std::size_t>(bone);
+    const int parent = skeleton.bones[index].parent;
+    if (seen[index]) return anim::Error{"bone \"" + names[index] + "\" is listed twice"};
+    if (parent >= 0 && !seen[static_cast<std::size_t>(parent)]) {
+      return anim::Error{"bone \"" + names[index] + "\" comes before its parent \"" +
+                         names[static_cast<std::size_t>(parent)] + "\""};
+    }
+    seen[index] = true;
+  }
+  const auto missing = std::ranges::find(seen, false);
+  if (missing == seen.end()) return anim::Done{};
+  return anim::Error{"bone \"" + names[static_cast<std::size_t>(missing - seen.begin())] + "\" is missing"};
+}
+
+anim::Status check_levels(std::span<const int> counts, int bones) {
+  if (counts.empty() || counts.size() > anim::max_bone_levels) {
+    return anim::Error{"there must be 1 to " + std::to_string(anim::max_bone_levels) + " levels"};
+  }
+  if (counts.front() != bones) return anim::Error{"level 0 must keep all " + std::to_string(bones) + " bones"};
+  for (std::size_t level = 1; level < counts.size(); ++level) {
+    if (counts[level] >= 1 && counts[level] < counts[level - 1]) continue;
+    return anim::Error{"level " + std::to_string(level) + " must keep at least 1 bone and fewer than level " +
+                       std::to_string(level - 1)};
+  }
+  return anim::Done{};
+}
+
+anim::Result<std::vector<int>> bones_in(const Json& names, const anim::Skeleton& skeleton, const fs::path& file) {
+  if (!names.is_array()) return wrong(file, "\"bones\" must be a list of bone names");
+  const bool whole = std::ranges::all_of(names, [](const Json& name) { return name.is_string(); });
+  if (!whole) return wrong(file, "\"bones\" must hold names only");
+  auto bones = bones_named(names.get<std::vector<std::string>>(), skeleton);
+  return bones ? std::move(bones) : wrong(file, "\"bones\": " + bones.error().message);
+}
+
+anim::Result<std::vector<int>> counts_in(const Json& numbers, const fs::path& file) {
+  std::vector<int> counts;
+  const bool whole = numbers.is_array() && std::ranges::all_of(numbers, [](const Json& number) {
+                       return number.is_number_unsigned() && number.get<std::uint64_t>() <= anim::max_bones;
+                     });
+  if (!whole) return wrong(file, "\"level_counts\" must be a list of whole numbers of bones");
+  for (const Json& number : numbers) counts.push_back(number.get<int>());
+  return counts;
+}
+
+anim::Result<BoneLodChoice> choice_in(const Json& table, const anim::Skeleton& skeleton, const fs::path& file) {
+  if (!table.is_object()) return wrong(file, "must be an object with \"version\", \"bones\" and \"level_counts\"");
+  for (const auto& [key, value] : table.items()) {
+    if (key == "version" || key == "bones" || key == "level_counts") continue;
+    return wrong(file, "unknown key \"" + key + "\"; it knows version, bones, level_counts");
+  }
+  if (!table.contains("version") || table["version"] != version) {
+    return wrong(file, "\"version\" must be " + std::to_string(version));
+  }
+  if (!table.contains("bones")) return wrong(file, "\"bones\" is missing");
+  if (!table.contains("level_counts")) return wrong(file, "\"level_counts\" is missing");
+  auto bones = bones_in(table["bones"], skeleton, file);
+  if (!bones) return bones.error();
+  auto counts = counts_in(table["level_counts"], file);
+  if (!counts) return counts.error();
+  BoneLodChoice choice{.bones = std::move(*bones), .level_counts = std::move(*counts)};
+  if (const auto checked = check_bone_lod(skeleton, choice); !checked) return wrong(file, checked.error().message);
+  return choice;
+}
+
+}  // namespace
+
+std::vector<std::string> bone_keys(const anim::Skeleton& skeleton) {
+  std::map<std::string_view, int> uses;
+  for (const anim::Bone& bone : skeleton.bones) ++uses[bone.name];
+  std::vector<std::string> keys;
+  for (const anim::Bone& bone : skeleton.bones) {
+    const bool alone = !bone.name.empty() && uses[bone.name] == 1;
+    keys.push_back(alone ? bone.name : bone.name + "#" + std::to_string(bone.node));
+  }
+  return keys;
+}
+
+anim::Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton) {
+  const std::vector<std::string> all = bone_keys(skeleton);
+  std::map<std::string_view, int> by_key;
+  for (std::size_t bone = 0; bone < all.size(); ++bone) by_key.emplace(all[bone], static_cast<int>(bone));
+  std::vector<int> bones;
+  for (const std::string& key : keys) {
+    const auto found = by_key.find(key);
+    if (found == by_key.end()) return anim::Error{"the model has no bone \"" + key + "\""};
+    bones.push_back(found->second);
+  }
+  return bones;
+}
+
+anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice) {
+  const anim::Status order = check_order(skeleton, choice.bones);
+  return order ? check_levels(choice.level_counts, skeleton.bone_count()) : order;
+}
+
+BoneLodChoice present_bone_lod(const anim::Skeleton& skeleton) {
+  BoneLodChoice choice{.bones = std::vector<int>(skeleton.bones.size()), .level_counts = skeleton.level_bone_counts};
+  std::iota(choice.bones.begin(), choice.bones.end(), 0);
+  return choice;
+}
+
+BoneLodChoice with_bone_moved(std::span<const int> parents, BoneLodChoice choice, std::size_t from, std::size_t to) {
+  std::vector<int>& bones = choice.bones;
+  const int moved = bones[from];
+  const auto is_above = [&](int above, int bone) {
+    for (; bone >= 0; bone = parents[static_cast<std::size_t>(bone)]) {
+      if (bone == above) return true;
+    }
+    return false;
+  };
+  const auto at = [&](std::size_t place) { return bones.begin() + static_cast<std::ptrdiff_t>(place); };
+  if (to < from) {
+    std::stable_partition(at(to), at(from) + 1, [&](int bone) { return is_above(bone, moved); });
+  } else {
+    std::stable_partition(at(from), at(to) + 1, [&](int bone) { return !is_above(moved, bone); });
+  }
+  return choice;
+}
+
+double nanoseconds_a_bone() {
+  const anim::CostModel cost;
+  return (cost.player_packet + cost.tile_packet / anim::widest_strip) / anim::packet_bones;
+}
+
+double nanoseconds_at_level(const anim::Skeleton& skeleton, std::size_t level) {
+  const anim::CostModel cost;
+  const int packets = anim::packets_for(skeleton.level_bone_counts[level]);
+  return cost.of_agent({.players = 1}, packets) + cost.of_tile(packets) / anim::widest_strip;
+}
+
+BoneLodFile::BoneLodFile(const fs::path& model) : file_(model, ".lod.json", "The order of the bones") {}
+
+anim::Result<std::optional<BoneLodChoice>> BoneLodFile::read(const anim::Skeleton& skeleton) const {
+  const fs::path file = file_.found();
+  if (file.empty()) return std::optional<BoneLodChoice>();
+  std::ifstream stream(file);
+  if (!stream) return anim::Error{file.string() + ": cannot be read"};
+  const Json table = Json::parse(stream, nullptr, false);
+  if (table.is_discarded()) return wrong(file, "is not JSON");
+  auto choice = choice_in(table, skeleton, file);
+  if (!choice) return choice.error();
+  return std::optional(std::move(*choice));
+}
+
+anim::Result<fs::path> BoneLodFile::write(const anim::Skeleton& skeleton) const {
+  const Json table = {
+      {"version", version}, {"bones", bone_keys(skeleton)}, {"level_counts", skeleton.level_bone_counts}};
+  return file_.write(table.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace throng::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include <glm/vec3.hpp>
+
+#include "app/character/source.h"
+#include "engine/anim/bake/character.h"
+
+namespace throng::app {
+
+/// What plays in a cut scene beside people (paper 2: "animation streams for characters, cameras, animated
+/// backgrounds"): characters of one bone each. `size` is CharacterRoles::size of the actor.
+
+inline constexpr double cut_scene_seconds = 14.0;
+inline constexpr double walk_on_seconds = 4.0;  ///< the actor comes to the scene's origin, along +Z
+inline constexpr double release_seconds = 4.6;  ///< it lets the balloon go
+
+/// The balloon's clips: beside whoever stands at the origin; up from there.
+enum BalloonClip : int { carried, rise };
+
+/// A balloon on a string; its bone is at the string's end.
+CharacterSource balloon(double size);
+
+/// Metres from the scene's origin, `seconds` after the release.
+glm::dvec3 balloon_place(double seconds, double size);
+
+/// A bone that looks along -Z, and one clip: before the actor while it comes, then up after the balloon, then down on
+/// the crowd.
+std::shared_ptr<const anim::Character> film_camera(double size);
+
+}  // namespace throng::app

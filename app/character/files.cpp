@@ -1,0 +1,33 @@
+#include "app/character/files.h"
+
+#include <utility>
+
+#include "app/character/bone_lod.h"
+#include "app/character/role_table.h"
+
+namespace throng::app {
+
+anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files) {
+  std::vector<CharacterSource> characters;
+  for (const std::string& file : files) {
+    const BoneLodFile kept(file);
+    auto character = load_character(file, file, &kept);
+    if (!character) return character.error();
+    characters.push_back(std::move(*character));
+    characters.back().file = file;
+  }
+  return characters;
+}
+
+anim::Status take_kept_roles(CharacterSource& character) {
+  const auto kept = RoleFile(character.file).read();
+  if (!kept) return kept.error();
+  RoleClips clips = character.roles.clips;
+  if (const auto chosen = choose_clips(*kept, character.clip_names, clips); !chosen) {
+    return anim::Error{"the roles kept for " + character.name + ": " + chosen.error().message};
+  }
+  assign_roles(character, clips);
+  return anim::Done{};
+}
+
+}  // namespace throng::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/character/source.h"
+
+namespace throng::app {
+
+/// A character a file, in this order. The error names the file and what is wrong with it.
+anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files);
+
+/// The roles that were kept for the character the last time, where there are any. The error names the file and the
+/// role that cannot be.
+anim::Status take_kept_roles(CharacterSource& character);
+
+}  // namespace throng::app

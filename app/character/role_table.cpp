@@ -1,0 +1,114 @@
+#include "app/character/role_table.h"
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int role_table_version = 1;
+
+// Insertions, deletions and exchanges that make one name the other (Levenshtein), whatever the case.
+std::size_t difference(std::string_view a, std::string_view b) {
+  const auto lower = [](char letter) { return letter >= 'A' && letter <= 'Z' ? letter - 'A' + 'a' : int{letter}; };
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t exchanged = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string nearest_names(std::string_view wanted, std::span<const std::string> names) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> nearest(names.begin(), names.end());
+  std::ranges::stable_sort(nearest, {}, [&](const std::string& name) { return difference(wanted, name); });
+  nearest.resize(std::min(nearest.size(), most));
+  std::string list;
+  for (const std::string& name : nearest) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+anim::Error wrong_table(const fs::path& file, const std::string& what) { return {file.string() + ": " + what}; }
+
+anim::Result<std::vector<RoleChoice>> choices_in(const Json& clips, const fs::path& file) {
+  if (!clips.is_object()) return wrong_table(file, "\"clips\" must be an object of roles and clip names");
+  std::vector<RoleChoice> choices;
+  for (const auto& [name, clip] : clips.items()) {
+    const auto role = role_named(name);
+    if (!role) return wrong_table(file, "\"clips\" has no role \"" + name + "\"; it knows " + known_roles());
+    if (!clip.is_string())
+      return wrong_table(file, "\"clips\": \"" + name + "\" must be the name of a clip, or \"none\"");
+    choices.push_back({*role, clip.get<std::string>()});
+  }
+  return choices;
+}
+
+}  // namespace
+
+anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names,
+                          RoleClips& clips) {
+  RoleClips chosen = clips;
+  for (const auto& [role, name] : choices) {
+    const auto found = std::ranges::find(clip_names, name);
+    const std::string which = std::string(role_names.at(index_of(role))) + "=" + name;
+    if (found == clip_names.end() && name != no_clip_name) {
+      if (clip_names.empty()) return anim::Error{which + ": the model has no clips; the only choice is none"};
+      return anim::Error{which + ": the model has no such clip; nearest are " + nearest_names(name, clip_names)};
+    }
+    chosen.at(index_of(role)) = found == clip_names.end() ? no_clip : static_cast<int>(found - clip_names.begin());
+  }
+  clips = chosen;
+  return anim::Done{};
+}
+
+std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names) {
+  std::vector<RoleChoice> choices;
+  for (std::size_t role = 0; role < role_count; ++role) {
+    const int clip = clips.at(role);
+    choices.push_back(
+        {static_cast<Role>(role), clip == no_clip ? no_clip_name : clip_names[static_cast<std::size_t>(clip)]});
+  }
+  return choices;
+}
+
+RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
+
+anim::Result<std::vector<RoleChoice>> RoleFile::read() const {
+  const fs::path file = file_.found();
+  if (file.empty()) return std::vector<RoleChoice>();
+  std::ifstream stream(file);
+  if (!stream) return wrong_table(file, "cannot be read");
+  const Json table = Json::parse(stream, nullptr, false);
+  if (table.is_discarded()) return wrong_table(file, "is not JSON; delete it to go by the clips' names again");
+  if (!table.is_object()) return wrong_table(file, "must be an object with \"version\" and \"clips\"");
+  for (const auto& [key, value] : table.items()) {
+    if (key != "version" && key != "clips")
+      return wrong_table(file, "unknown key \"" + key + "\"; it knows version, clips");
+  }
+  if (!table.contains("version") || table["version"] != role_table_version) {
+    return wrong_table(file, "\"version\" must be " + std::to_string(role_table_version));
+  }
+  return table.contains("clips") ? choices_in(table["clips"], file) : std::vector<RoleChoice>();
+}
+
+anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
+  Json clips = Json::object();
+  for (const auto& [role, clip] : choices) clips[role_names.at(index_of(role))] = clip;
+  const Json table = {{"version", role_table_version}, {"clips", clips}};
+  return file_.write(table.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace throng::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/character/roles.h"
+#include "app/files/kept_file.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Puts `choices` over `clips`. On error, which names the role, the clip and the names that come nearest, nothing has
+/// changed.
+anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names,
+                          RoleClips& clips);
+
+/// Every role with the name of its clip, or "none".
+std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names);
+
+/// MODEL.throng.json: which clip of a model plays which role, as a person chose it.
+///     {"version": 1, "clips": {"walk": "Walking_A", "cheer": "none"}}
+/// Roles that are not in it keep what the names suggest.
+class RoleFile {
+ public:
+  /// `model`: its file; empty for the built-in character.
+  explicit RoleFile(const std::filesystem::path& model);
+
+  /// Empty if there is no file. The error names the file and what is wrong in it.
+  anim::Result<std::vector<RoleChoice>> read() const;
+  /// Written whole or not at all. Where it lies, to tell people.
+  anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
+
+ private:
+  KeptFile file_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,172 @@
+#include "app/character/roles.h"
+
+#include <cctype>
+#include <limits>
+#include <string_view>
+
+namespace throng::app {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// "CharacterArmature|Walk_Gun" is walk, gun; "Robot_WalkJump" is robot, walk, jump; digits separate words.
+Words words_of(std::string_view name) {
+  if (const auto bar = name.rfind('|'); bar != std::string_view::npos) name.remove_prefix(bar + 1);
+  Words words;
+  bool inside = false, was_lower = false;
+  for (const char letter : name) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (std::isalpha(code) == 0) {
+      inside = was_lower = false;
+      continue;
+    }
+    const bool upper = std::isupper(code) != 0;
+    if (!inside || (upper && was_lower)) words.emplace_back();
+    words.back().push_back(static_cast<char>(std::tolower(code)));
+    inside = true;
+    was_lower = !upper;
+  }
+  return words;
+}
+
+bool any_begins_with(const Words& words, std::string_view beginning) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return word.starts_with(beginning); });
+}
+
+bool any_begins_with_one_of(const Words& words, std::span<const std::string_view> beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](auto word) { return any_begins_with(words, word); });
+}
+
+struct RoleWords {
+  Role role;
+  std::vector<std::string_view> wanted;    // best first
+  std::vector<std::string_view> unwanted;  // a name with such a word is another thing
+};
+
+const std::vector<std::string_view> not_straight_ahead{"back", "left", "right", "strafe", "jump", "stop", "start"};
+
+const std::vector<RoleWords>& vocabulary() {
+  static const std::vector<RoleWords> words{
+      {Role::stand,
+       {"idle", "survey", "breath", "stand"},
+       {"jump", "lie", "sit", "fall", "swim", "crouch", "up", "down"}},
+      {Role::look_around, {"look", "survey", "search"}, {}},
+      {Role::walk, {"walk", "jog", "run", "move"}, not_straight_ahead},
+      {Role::jog, {"jog", "trot"}, not_straight_ahead},
+      {Role::run, {"run", "sprint", "gallop"}, not_straight_ahead},
+      {Role::wave, {"wav", "greet", "hello"}, {}},
+      {Role::cheer,
+       {"cheer", "celebrat", "victor", "danc", "excited", "happy", "thumbs", "jump"},
+       {"idle", "land", "start", "end", "attack", "walk", "run"}},
+      {Role::clap, {"clap", "applau"}, {}},
+      {Role::sit, {"sit", "seat"}, {"down", "up", "pose", "stand", "start", "stop"}},
+  };
+  return words;
+}
+
+constexpr std::array<std::string_view, 12> not_for_a_crowd{"pose", "death", "die",  "dead", "land",   "start",
+                                                           "end",  "lie",   "fall", "hit",  "defeat", "down"};
+
+// Lower is plainer: first the word itself, then as few others beside it as possible ("Idle" before "Idle_Gun").
+std::size_t strangeness(const Words& words, const RoleWords& role) {
+  constexpr std::size_t another_thing = std::numeric_limits<std::size_t>::max();
+  if (any_begins_with_one_of(words, role.unwanted)) return another_thing;
+  for (std::size_t rank = 0; rank < role.wanted.size(); ++rank) {
+    if (!any_begins_with(words, role.wanted[rank])) continue;
+    const auto long_words = std::count_if(words.begin(), words.end(), [](const auto& word) { return word.size() > 1; });
+    return rank * 100 + static_cast<std::size_t>(long_words);
+  }
+  return another_thing;
+}
+
+int plainest(std::span<const Words> names, const RoleWords& role) {
+  int best = no_clip;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (std::size_t clip = 0; clip < names.size(); ++clip) {
+    const std::size_t strange = strangeness(names[clip], role);
+    if (strange >= least) continue;
+    least = strange;
+    best = static_cast<int>(clip);
+  }
+  return best;
+}
+
+/// The first clip whose name has words that begin so, in any order.
+int clip_with_words(std::span<const Words> names, std::string_view one, std::string_view other) {
+  const auto found = std::ranges::find_if(
+      names, [&](const Words& words) { return any_begins_with(words, one) && any_begins_with(words, other); });
+  return found == names.end() ? no_clip : static_cast<int>(found - names.begin());
+}
+
+std::vector<int> clips_for_any_role(std::span<const Words> names) {
+  std::vector<int> fit, all;
+  for (std::size_t clip = 0; clip < names.size(); ++clip) {
+    all.push_back(static_cast<int>(clip));
+    if (!any_begins_with_one_of(names[clip], not_for_a_crowd)) fit.push_back(static_cast<int>(clip));
+  }
+  return fit.empty() ? all : fit;
+}
+
+}  // namespace
+
+std::optional<Role> role_named(std::string_view name) {
+  const auto* const found = std::ranges::find(role_names, name);
+  if (found == role_names.end()) return std::nullopt;
+  return static_cast<Role>(found - role_names.begin());
+}
+
+std::string known_roles() {
+  std::string list;
+  for (std::size_t role = 0; role < role_count; ++role) {
+    list += (role == 0 ? "" : role + 1 == role_count ? " and " : ", ") + std::string(role_names.at(role));
+  }
+  return list;
+}
+
+double CharacterRoles::ground_speed(Role gait) const {
+  if (clip(gait) == no_clip) return 0.0;
+  switch (gait) {
+    case Role::walk:
+      return walk_speed;
+    case Role::jog:
+      return jog_speed;
+    case Role::run:
+      return run_speed;
+    default:
+      return 0.0;
+  }
+}
+
+std::optional<Role> CharacterRoles::playable(Role role) const {
+  switch (role) {
+    case Role::run:
+      return ground_speed(role) > 0.0 ? role : playable(Role::jog);
+    case Role::jog:
+      return ground_speed(role) > 0.0 ? role : playable(Role::walk);
+    case Role::walk:
+      return can_walk() ? std::optional(role) : std::nullopt;
+    case Role::look_around:
+    case Role::sit:
+      return clip(role) != no_clip ? role : playable(Role::stand);
+    default:
+      return clip(role) != no_clip ? std::optional(role) : std::nullopt;
+  }
+}
+
+CharacterRoles roles_by_name(std::span<const std::string> clip_names) {
+  std::vector<Words> names;
+  names.reserve(clip_names.size());
+  for (const std::string& name : clip_names) names.push_back(words_of(name));
+
+  CharacterRoles roles;
+  for (const RoleWords& role : vocabulary()) roles.clips[index_of(role.role)] = plainest(names, role);
+  for (const Role gait : {Role::jog, Role::run}) {  // what stands in for a walk is no faster one
+    if (roles.clip(gait) == roles.clip(Role::walk)) roles.clips[index_of(gait)] = no_clip;
+  }
+  roles.others = clips_for_any_role(names);
+  roles.sit_down.clip = clip_with_words(names, "sit", "down");
+  roles.stand_up.clip = clip_with_words(names, "stand", "up");
+  return roles;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,174 @@
+#include "app/character/source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "engine/anim/import/import.h"
+
+namespace throng::app {
+namespace {
+
+constexpr double least_gain = 1.15;  // of a gait over the one before it, to be worth changing to
+
+// Clips that end where they began can be repeated in place; where there are none, any.
+std::vector<int> loopable(const anim::Character& character, const std::vector<int>& clips) {
+  std::vector<int> loops;
+  const auto repeats = [&](int clip) { return character.clips[static_cast<std::size_t>(clip)].loops; };
+  std::ranges::copy_if(clips, std::back_inserter(loops), repeats);
+  return loops.empty() ? clips : loops;
+}
+
+double gait_speed(const CharacterSource& source, Role gait) {
+  const int clip = source.roles.clip(gait);
+  return clip == no_clip ? 0.0 : anim::ground_speed(*source.character, clip);
+}
+
+void guess_roles(CharacterSource& source) {
+  for (const anim::BakedClip& clip : source.character->clips) source.clip_names.push_back(clip.name);
+  source.roles = roles_by_name(source.clip_names);
+  source.roles.others = loopable(*source.character, source.roles.others);
+  source.roles.height = source.bounds.height;
+  source.roles.radius = source.bounds.body_radius;
+  source.suggested = source.roles.clips;
+  source.passages = {source.roles.sit_down, source.roles.stand_up};
+  for (Passage& passage : source.passages) {
+    if (passage.clip == no_clip) continue;
+    passage.seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(passage.clip)].duration);
+  }
+  assign_roles(source, source.suggested);
+}
+
+template <typename Float, typename Vector>
+std::span<const Float> flat(const std::vector<Vector>& vectors) {
+  return {reinterpret_cast<const Float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(Float)};
+}
+
+render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
+  return {.positions = flat<float>(mesh.positions),
+          .normals = flat<float>(mesh.normals),
+          .texture_coords = flat<float>(mesh.texture_coords),
+          .colors = flat<float>(mesh.colors),
+          .regions = mesh.regions,
+          .shapes = flat<float>(mesh.shapes),
+          .hair = flat<float>(mesh.hair),
+          .palette_entries = flat<std::uint16_t>(mesh.palette_entries),
+          .weights = flat<float>(mesh.weights),
+          .indices = mesh.indices,
+          .material = mesh.material};
+}
+
+render::MaterialData material_data(const anim::Material& material) {
+  render::MaterialData data{
+      .image = material.image, .double_sided = material.double_sided, .alpha_cutoff = material.alpha_cutoff};
+  for (int i = 0; i < 4; ++i) data.base_color[i] = material.base_color[i];
+  return data;
+}
+
+// What a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.
+std::vector<std::uint16_t> entries_at_level(const anim::Skeleton& skeleton, int bone_count) {
+  std::vector<std::uint16_t> entries;
+  for (const int entry : anim::kept_entries(skeleton, bone_count)) entries.push_back(static_cast<std::uint16_t>(entry));
+  return entries;
+}
+
+std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
+  std::vector<render::BoneEndData> ends;
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    const anim::JointPlace places[] = {anim::joint_place(skeleton, bone),
+                                       anim::joint_place(skeleton, std::max(parent, 0))};
+    if (parent < 0 || places[0].entry < 0 || places[1].entry < 0) continue;
+    for (const anim::JointPlace& place : places) {
+      const glm::vec3 position(place.position);
+      ends.push_back({{position.x, position.y, position.z}, static_cast<std::uint16_t>(place.entry)});
+    }
+  }
+  return ends;
+}
+
+}  // namespace
+
+anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
+                                             const BoneLodFile* kept) {
+  anim::Result<anim::ImportedFile> file = import::import_file(path);
+  if (!file) return file.error();
+  CharacterSource source;
+  source.name = name;
+  source.model = std::move(file->models.front());
+  if (kept != nullptr) {
+    const auto choice = kept->read(source.model.skeleton);
+    if (!choice) return choice.error();
+    if (*choice) anim::reorder_bones(source.model, **choice);
+  }
+  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
+  source.bounds = anim::measure_bounds(source.model);
+  guess_roles(source);
+  source.repairs = std::move(file->repairs);
+  return source;
+}
+
+ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice) {
+  anim::Model model;  // what baking reads of it
+  model.skeleton = source.model.skeleton;
+  model.skins = source.model.skins;
+  model.clips = source.model.clips;
+  model.meshes = source.model.meshes;
+  anim::reorder_bones(model, choice);
+  ReorderedCharacter reordered{.character = std::make_shared<const anim::Character>(anim::bake_character(model)),
+                               .places = std::vector<int>(choice.bones.size())};
+  for (std::size_t place = 0; place < choice.bones.size(); ++place) {
+    reordered.places[static_cast<std::size_t>(choice.bones[place])] = static_cast<int>(place);
+  }
+  return reordered;
+}
+
+void take_order(CharacterSource& source, const BoneLodChoice& choice) {
+  anim::reorder_bones(source.model, choice);
+  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
+}
+
+void assign_roles(CharacterSource& source, const RoleClips& clips) {
+  CharacterRoles& roles = source.roles;
+  roles.clips = clips;
+  const bool as_suggested =
+      roles.clip(Role::sit) == source.suggested[index_of(Role::sit)];  // who chose another seat fades
+  roles.sit_down = as_suggested ? source.passages[0] : Passage{};
+  roles.stand_up = as_suggested ? source.passages[1] : Passage{};
+  roles.walk_speed = gait_speed(source, Role::walk);
+  const double jog = gait_speed(source, Role::jog), run = gait_speed(source, Role::run);
+  roles.jog_speed = jog > least_gain * roles.walk_speed ? jog : 0.0;
+  roles.run_speed = run > least_gain * std::max(roles.walk_speed, roles.jog_speed) ? run : 0.0;
+  if (!roles.can_walk()) return;
+  const auto walk = static_cast<std::size_t>(roles.clip(Role::walk));
+  roles.walk_seconds = anim::to_seconds(source.character->clips[walk].duration);
+}
+
+std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton) {
+  std::vector<std::vector<std::uint16_t>> levels;
+  for (const int bones : skeleton.level_bone_counts) levels.push_back(entries_at_level(skeleton, bones));
+  return levels;
+}
+
+render::CrowdMeshData mesh_data(const anim::Model& model) {
+  render::CrowdMeshData data;
+  for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_data(mesh));
+  for (const anim::BakedMeshLod& lod : model.mesh_lods) {
+    render::BakedLodData& baked = data.baked_lods.emplace_back();
+    baked.error = static_cast<float>(lod.error);
+    for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_data(mesh));
+  }
+  for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));
+  for (const anim::Image& image : model.images) {
+    data.images.push_back({.width = image.width, .height = image.height, .rgba = image.rgba});
+  }
+  data.entry_at_level = entries_at_levels(model.skeleton);
+  for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
+    data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
+  }
+  data.bone_ends = bone_ends(model.skeleton);
+  return data;
+}
+
+}  // namespace throng::app

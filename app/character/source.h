@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/character/bone_lod.h"
+#include "app/character/roles.h"
+#include "engine/anim/asset/model.h"
+#include "engine/anim/bake/character.h"
+#include "engine/anim/base/result.h"
+#include "engine/anim/survey/character_bounds.h"
+#include "engine/render/crowd_mesh_data.h"
+
+namespace throng::app {
+
+/// A character as the demo needs it: what import found, its baked clips, and which clip is played for what.
+struct CharacterSource {
+  std::string name;   ///< shown to people
+  std::string file;   ///< that it is from; empty: the built-in character
+  anim::Model model;  ///< keeps the surface that `mesh` points into
+  std::shared_ptr<const anim::Character> character;
+  std::vector<std::string> clip_names;  ///< in the character's order
+  CharacterRoles roles;
+  RoleClips suggested;              ///< the roles' clips, as their names suggest
+  std::array<Passage, 2> passages;  ///< into the suggested seat and out of it
+  anim::CharacterBounds bounds;
+  std::vector<std::string> repairs;
+
+  bool has_surface() const { return !model.meshes.empty(); }
+};
+
+/// Imports and bakes the largest model of `path`; `kept`: the order of its bones that a person chose, if any.
+anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
+                                             const BoneLodFile* kept = nullptr);
+
+/// A character whose bones are in another order, and the new index of each bone.
+struct ReorderedCharacter {
+  std::shared_ptr<const anim::Character> character;
+  std::vector<int> places;
+};
+/// Bakes `source` in an order that check_bone_lod() let pass; `source` itself is as it was.
+ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice);
+
+/// Brings a character that is on no stage into such an order.
+void take_order(CharacterSource& source, const BoneLodChoice& choice);
+
+/// Plays `clips` for the roles, and measures how far the gaits among them get.
+void assign_roles(CharacterSource& source, const RoleClips& clips);
+
+/// For each bone level and palette entry, the entry that a mesh reads at that level.
+std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton);
+
+/// The surface as drawing takes it; spans point into `source.model`, which must outlive the call that uses them.
+render::CrowdMeshData mesh_data(const anim::Model& model);
+
+}  // namespace throng::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/commands/bench/options.h"
+#include "app/commands/inspect/options.h"
+#include "app/commands/lod/options.h"
+#include "app/commands/pose/options.h"
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// What --help or --version asked to be shown on standard output.
+struct ShowText {
+  std::string text;
+};
+
+/// Why a command line cannot be obeyed: one line that names the option and says what is allowed. Exit status 2.
+struct UsageError {
+  std::string message;
+};
+
+using ParsedCommand =
+    std::variant<DemoOptions, PoseOptions, InspectOptions, LodOptions, BenchOptions, ShowText, UsageError>;
+
+/// Reads a command line as the README documents it; `arguments` are without the program's own name. Of files, it
+/// only looks whether --data is there.
+ParsedCommand parse_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace throng::app

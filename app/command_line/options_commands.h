@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_line/options.h"
+
+namespace throng::app {
+
+/// One function a command; `arguments` are those after its name.
+ParsedCommand parse_demo(const std::vector<std::string>& arguments);
+ParsedCommand parse_pose(const std::vector<std::string>& arguments);
+ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
+ParsedCommand parse_lod(const std::vector<std::string>& arguments);
+ParsedCommand parse_bench(const std::vector<std::string>& arguments);
+
+}  // namespace throng::app

@@ -1,0 +1,224 @@
+#include <limits>
+#include <set>
+
+#include "app/command_line/option_reader.h"
+#include "app/command_line/options_commands.h"
+#include "app/command_line/options_scheduling.h"
+#include "app/settings/preset.h"
+#include "app/settings/preset_fields.h"
+
+namespace throng::app {
+namespace {
+
+// Before all others, which win over them.
+void declare_starting_values(OptionReader& reader, DemoOptions& options) {
+  reader.heading("Starting values; options given beside them win");
+  reader.value("--preset", "NAME|FILE", "A preset by its name in the overlay, or a file (none)",
+               preset_values(options));
+  reader.value("--set", "KEY=VALUE,...", "Any value of a preset by its key", set_values(options.tuning));
+}
+
+void declare_crowd(OptionReader& reader, DemoOptions& options) {
+  Tuning& tuning = options.tuning;
+  reader.heading("Crowd");
+  reader.value("--agents", "N", "Agents, 1 to 100000 (1000)", whole_number(tuning.agents, 1, 100000));
+  reader.value("--clips", "ROLE=NAME,...", "Clips to play for what, of each model that has them (guessed from names)",
+               role_choices(options.clips));
+  reader.value("--scene", "NAME", "plaza, parade, stadium, grid or film (plaza)",
+               choice<Scene>(tuning.scene, {{"plaza", Scene::plaza},
+                                            {"parade", Scene::parade},
+                                            {"stadium", Scene::stadium},
+                                            {"grid", Scene::grid},
+                                            {"film", Scene::film}}));
+  reader.value("--seed", "S", "Another seed, another crowd (1)", seed_number(tuning.seed));
+}
+
+std::vector<std::pair<std::string, LodRule>> lod_rule_names() {
+  return {{"off", LodRule::off}, {"distance", LodRule::distance}, {"budget", LodRule::budget}};
+}
+
+void declare_level_of_detail(OptionReader& reader, Tuning& tuning) {
+  reader.heading("Level of detail");
+  reader.value(
+      "--lod", "RULE",
+      "off, distance or budget (budget); off also turns off bone LOD, smoothing and mesh LOD, unless they are given",
+      choice<LodRule>(tuning.lod, lod_rule_names()));
+  reader.value("--error-px", "X", "Pixels that 99% of what is shown are off at most (1 without --budget-ms)",
+               number_above_zero(tuning.error_px, "pixels"));
+  reader.value("--budget-ms", "X", "Predicted milliseconds of all PUs that posing may cost a frame (no limit)",
+               number_above_zero(tuning.budget_ms, "milliseconds"));
+  reader.value("--bone-lod", "on|off", "Fewer bones far away (on)", on_or_off(tuning.bone_lod));
+  reader.value("--smooth", "on|off", "Blend between skipped updates (on)", on_or_off(tuning.smooth));
+  reader.value("--mesh-lod", "on|off|N", "By size on screen, the finest, or always number 0 to 3 (on)",
+               mesh_lod(tuning.mesh_lod));
+  reader.value(
+      "--error-sample", "WHICH",
+      "Whose error on screen is measured: some of those in view, all, or off for nobody (some)",
+      choice<ErrorSampling>(tuning.error_sample,
+                            {{"some", ErrorSampling::some}, {"all", ErrorSampling::all}, {"off", ErrorSampling::off}}));
+}
+
+void declare_scheduling(OptionReader& reader, Tuning& tuning) {
+  reader.heading("Scheduling");
+  reader.value("--pus", "N", "PUs, the calling thread among them, 1 to 256 (all cores)",
+               whole_number(tuning.pus, 1, 256));
+  declare_local_store(reader, tuning);
+  reader.value("--grain", "NS", "Work that another PU is woken for, in nanoseconds of one PU (10000)",
+               find_preset_field("--grain")->reader(tuning));
+  reader.value("--schedule", "NAME", "fused or levels (fused)", choice<Schedule>(tuning.schedule, schedule_names()));
+  reader.value("--stream", "NAME", "sampled or keyframe (sampled)", choice<Stream>(tuning.stream, stream_names()));
+  declare_palette(reader, tuning);
+}
+
+void declare_picture(OptionReader& reader, DemoOptions& options) {
+  reader.heading("Picture");
+  reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
+  reader.value("--camera", "PLACE", "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees",
+               camera(options));
+  reader.value(
+      "--camera-path", "NAME", "orbit around the crowd, or pan to both sides, from where --camera stands (none)",
+      choice<CameraPath>(options.camera_path,
+                         {{"none", CameraPath::none}, {"orbit", CameraPath::orbit}, {"pan", CameraPath::pan}}));
+  reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
+               choice<int>(options.msaa, {{"0", 0}, {"4", 4}}));
+  reader.value("--shadows", "on|off", "Shadows (on)", on_or_off(options.shadows));
+  reader.optional_value("--ui", "measured", "[=fixed]", "Overlay in a headless run; fixed: with times from a report",
+                        [&options](const std::string& text) {
+                          options.ui = true;
+                          return choice<bool>(options.ui_fixed, {{"measured", false}, {"fixed", true}})(text);
+                        });
+  reader.value("--ui-tab", "NAME",
+               "Tab that the overlay starts with: crowd, skipping, bones, scheduling, agent, presets",
+               choice<std::string>(options.ui_tab, {{"crowd", "Crowd"},
+                                                    {"skipping", "LOD skipping"},
+                                                    {"bones", "Per-bone LOD"},
+                                                    {"scheduling", "Scheduling"},
+                                                    {"agent", "Agent"},
+                                                    {"presets", "Presets"}}));
+  reader.value("--ui-scale", "X", "Size of the overlay, 0.5 to 4 (1)", number_between(options.ui_scale, 0.5, 4));
+  reader.value(
+      "--select", "AGENT", "The agent that is selected at first, counted from 0",
+      [&options](const std::string& text) { return whole_number(options.selected.emplace(), 0, 99'999)(text); });
+  reader.flag("--hide-ui", options.hide_ui, "No overlay in the window");
+}
+
+void declare_run(OptionReader& reader, DemoOptions& options) {
+  reader.heading("Run");
+  reader.optional_value("--headless", "auto", "[=egl|osmesa|none]",
+                        "No window: EGL, else OSMesa; none: no picture at all",
+                        choice<ContextKind>(options.context, {{"auto", ContextKind::headless_default},
+                                                              {"egl", ContextKind::egl},
+                                                              {"osmesa", ContextKind::osmesa},
+                                                              {"none", ContextKind::none}}));
+  reader.value(
+      "--draw", "WHICH", "Headless: last, all or none of the frames (last with --screenshot or --ui-map, else none)",
+      choice<DrawWhich>(options.draw, {{"last", DrawWhich::last}, {"all", DrawWhich::all}, {"none", DrawWhich::none}}));
+  reader.value("--frames", "N", "Frames (headless: 60; a window: until it is closed)",
+               whole_number(options.frames, 1, std::numeric_limits<int>::max()));
+  reader.value("--dt", "S", "Seconds a frame (headless: 1/60; a window: the clock)", seconds_above_zero(options.dt));
+  reader.value("--replay", "FILE", "Repeat a recording, and name the first frame and agent that differ",
+               file_name(options.replay));
+}
+
+void declare_files(OptionReader& reader, DemoOptions& options) {
+  reader.heading("Files");
+  reader.value("--screenshot", "FILE.png", "Write the last frame", png_file(options.screenshot));
+  reader.value("--stats", "FILE|-", "Write what the run did and how long it took, as JSON", any_text(options.stats));
+  reader.flag("--events", options.events, "Sum up in --stats what everybody met, and where everybody was");
+  reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
+  reader.value("--ui-map", "FILE", "Write where every widget of the overlay is, as JSON", file_name(options.ui_map));
+  reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
+  reader.value("--record", "FILE", "Record what is asked for and the poses that come of it", file_name(options.record));
+}
+
+/// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly. Who gives a
+/// limit asks for the rule that holds it.
+void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
+  const bool error_given = reader.given("--error-px"), budget_given = reader.given("--budget-ms");
+  if (!reader.given("--lod") && (error_given || budget_given)) tuning.lod = LodRule::budget;
+  if (budget_given && !error_given) tuning.error_px = 0.0F;
+  if (tuning.lod != LodRule::off || !reader.given("--lod")) return;
+  if (!reader.given("--bone-lod")) tuning.bone_lod = false;
+  if (!reader.given("--smooth")) tuning.smooth = false;
+  if (!reader.given("--mesh-lod")) tuning.mesh_lod = 0;
+}
+
+/// Limits without the rule that holds them.
+std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& tuning) {
+  for (const std::string limit : {"--error-px", "--budget-ms"}) {
+    if (reader.given(limit) && tuning.lod != LodRule::budget) return limit + ": goes with --lod budget";
+  }
+  return {};
+}
+
+/// What a recording says is not for the command line to say.
+std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
+  static const std::set<std::string> free_to_choose{
+      "MODEL",      "--replay",        "--pus",    "--local-store", "--tile",       "--grain",
+      "--schedule", "--double-buffer", "--size",   "--msaa",        "--shadows",    "--ui",
+      "--hide-ui",  "--headless",      "--draw",   "--frames",      "--screenshot", "--stats",
+      "--events",   "--trace",         "--ui-map", "--data"};
+  for (const std::string& name : options.given) {
+    if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
+  }
+  return {};
+}
+
+/// Options that are right alone and wrong together.
+std::optional<std::string> contradiction_in(const DemoOptions& options) {
+  if (!options.replay.empty()) {
+    if (auto contradiction = contradiction_of_replay(options)) return contradiction;
+  }
+  const bool draws_nothing = options.context == ContextKind::none;
+  const bool window = options.context == ContextKind::window;
+  if (draws_nothing && !options.screenshot.empty())
+    return "--screenshot: --headless=none draws nothing; use --headless";
+  if (draws_nothing && options.draw && *options.draw != DrawWhich::none) {
+    return "--draw: --headless=none draws nothing; use --headless";
+  }
+  if (draws_nothing && options.ui) return "--ui: --headless=none draws nothing; use --headless";
+  if (!window && options.ui && options.draw == DrawWhich::none) return "--ui: --draw none draws nothing";
+  if (!window && options.ui && drawn_frames(options) == DrawWhich::none) {
+    return "--ui: no frame is drawn; add --screenshot, --ui-map or --draw last";
+  }
+  if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
+  if (!options.screenshot.empty() && options.draw == DrawWhich::none) return "--screenshot: --draw none draws nothing";
+  if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";
+  if (options.ui && options.hide_ui) return "--ui: contradicts --hide-ui; give one of them";
+  return {};
+}
+
+}  // namespace
+
+ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
+  DemoOptions options;
+  OptionReader reader("throng", "Throng: a crowd of skinned characters, each in a pose of its own.");
+  reader.heading("What is shown");
+  reader.models(options.models, most_models,
+                "glTF files (.glb or .gltf), up to 16 in one crowd; without any, the built-in character");
+  declare_starting_values(reader, options);
+  declare_crowd(reader, options);
+  declare_level_of_detail(reader, options.tuning);
+  declare_scheduling(reader, options.tuning);
+  declare_picture(reader, options);
+  declare_run(reader, options);
+  declare_files(reader, options);
+  reader.footer(
+      "Other commands, each with a --help of its own:\n"
+      "  throng pose MODEL       the joints and palettes of every skin, as JSON\n"
+      "  throng inspect MODEL    what is in a file, what was repaired, what was refused\n"
+      "  throng bench [MODEL]    what an update of many agents costs");
+
+  if (auto stop = reader.read(arguments)) return *stop;
+  options.given = reader.all_given();
+  options.frames_given = reader.given("--frames");
+  options.agents_given =
+      reader.given("--agents") || reader.given("--preset") || options.tuning.agents != Tuning{}.agents;
+  options.shadows_given = reader.given("--shadows");
+  settle_level_of_detail(reader, options.tuning);
+  if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};
+  if (auto contradiction = contradiction_in(options)) return UsageError{*contradiction};
+  return options;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/bake/character.h"
+#include "engine/anim/run/fused/clip_strip.h"
+
+namespace throng::app {
+
+/// What one agent of a benchmark plays for good: two clips, each from its own phase, and how much of the second.
+struct BenchAgent {
+  static constexpr int none = -1;  ///< instead of a second clip
+
+  int from_clip, to_clip;
+  anim::Ticks from_start, to_start;
+  float fraction;
+};
+
+/// A pair of clips, phases and a weight for each agent; deterministic.
+std::vector<BenchAgent> bench_agents(const anim::Character& character, int agents);
+
+/// One palette slot an agent, 64-byte aligned, as a renderer would hand them out.
+class BenchPalettes {
+ public:
+  BenchPalettes(int agents, int entries, anim::PaletteFormat format = anim::PaletteFormat::matrices);
+  anim::PaletteFormat format() const { return format_; }
+  anim::PaletteDestination of(std::size_t agent) const {
+    return anim::PaletteDestination(memory_.get() + agent * slot_bytes_);
+  }
+  std::span<float> floats() const { return {reinterpret_cast<float*>(memory_.get()), size_ / sizeof(float)}; }
+
+ private:
+  anim::PaletteFormat format_;
+  std::size_t slot_bytes_;
+  std::size_t size_;
+  anim::AlignedBytes memory_;
+};
+
+/// The whole update: system, scheduler, local stores, kernels.
+class SystemSubject {
+ public:
+  static anim::Result<SystemSubject> create(std::shared_ptr<const anim::Character> character,
+                                            const anim::SystemOptions& options, std::span<const BenchAgent> agents,
+                                            const BenchPalettes& palettes);
+  void run();
+  /// Time that passes from one run to the next; 1/60 s unless set.
+  void set_step(anim::Ticks step) { step_ = step; }
+  /// To other options that are known to fit.
+  void configure(const anim::SystemOptions& options);
+  void record_trace(anim::Tracing tracing) { system_->record_trace(tracing); }
+  const anim::AnimationSystem& system() const { return *system_; }
+  anim::AnimationSystem& system() { return *system_; }
+
+ private:
+  std::unique_ptr<anim::AnimationSystem> system_;
+  anim::Ticks step_ = anim::ticks_per_second / 60;
+  std::vector<anim::AgentUpdate> updates_;
+};
+
+/// The bare kernels over the same agents: clips to palettes of their format, one thread, no blocks and no copies.
+class KernelSubject {
+ public:
+  KernelSubject(const anim::Character& character, const anim::Kernels& kernels, std::span<const BenchAgent> agents,
+                const BenchPalettes& palettes);
+  void run();
+
+ private:
+  void run_strip(std::span<const BenchAgent> agents, std::size_t first);
+  anim::ClipMoment moment(int clip_index, anim::Ticks start) const;
+  void find_moments(std::span<const BenchAgent> agents);
+
+  const anim::Character* character_;
+  const anim::Kernels* kernels_;
+  std::span<const BenchAgent> agents_;
+  const BenchPalettes* palettes_;
+  std::vector<anim::Ticks> clocks_;                             ///< [clip], within it
+  std::array<anim::ClipMoment, anim::widest_strip> from_, to_;  ///< of the strip that is posed
+  std::array<anim::ShownClips, anim::widest_strip> shown_;
+  anim::ClipStrip clips_;  ///< of these
+  anim::StorePolicy stores_;
+  anim::AlignedBytes scratch_;
+  float* local_;
+  float* carry_;
+  float* branches_;
+};
+
+}  // namespace throng::app

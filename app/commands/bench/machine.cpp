@@ -1,0 +1,196 @@
+#include "app/commands/bench/machine.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands/bench/case.h"
+#include "app/commands/bench/crowd.h"
+#include "app/commands/bench/machine_model.h"
+#include "app/commands/bench/rounds.h"
+#include "app/commands/bench/table.h"
+#include "app/figures/statistics.h"
+#include "app/files/data_folder.h"
+#include "engine/anim/asset/synthetic_model.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double frame_ns = 1e9 / 60.0;
+
+// The paper's practical result (3): 40 skeletons of 40 bones, different animations, 6% of a frame at 60 Hz.
+constexpr int paper_skeletons = 40;
+constexpr int paper_bones = 40;
+constexpr double paper_percent = 6.0;
+
+anim::Result<std::filesystem::path> machine_file(const BenchOptions& options) {
+  const bool is_preset = options.machine.find_first_of("/.") == std::string::npos;
+  if (!is_preset) return std::filesystem::path(options.machine);
+  return find_data(data_folders(options.data), "assets/machines/" + options.machine + ".json");
+}
+
+/// A crowd in the local store of the machine, on one PU, whose frames are recorded.
+class RecordedCrowd {
+ public:
+  static anim::Result<RecordedCrowd> create(std::shared_ptr<const anim::Character> character,
+                                            const anim::SystemOptions& options, std::vector<BenchAgent> agents) {
+    RecordedCrowd crowd;
+    crowd.agents_ = std::move(agents);
+    crowd.palettes_ =
+        std::make_unique<BenchPalettes>(static_cast<int>(crowd.agents_.size()), character->skeleton.palette_count());
+    auto subject = SystemSubject::create(std::move(character), options, crowd.agents_, *crowd.palettes_);
+    if (!subject) return subject.error();
+    crowd.subject_ = std::make_unique<SystemSubject>(std::move(*subject));
+    return crowd;
+  }
+
+  /// The fastest of some frames: what disturbed the others is not the task's.
+  std::vector<RecordedTask> tasks(int frames) {
+    std::vector<RecordedTask> fastest;
+    double least = 1e300;
+    for (int frame = 0; frame < frames; ++frame) {
+      subject_->run();
+      const anim::UpdateTime& time = system().update_time();
+      if (time.milliseconds >= least) continue;
+      least = time.milliseconds;
+      fastest = recorded_tasks(system().units().front().trace().spans(), time, beside_blocks());
+    }
+    return fastest;
+  }
+  void run() { subject_->run(); }
+  const anim::AnimationSystem& system() const { return subject_->system(); }
+  double agents() const { return static_cast<double>(agents_.size()); }
+
+ private:
+  BesideBlocks beside_blocks() const {
+    const anim::UpdateReport& report = system().report();
+    std::uint64_t players = 0;
+    for (std::uint32_t agent = 0; agent < system().agent_count(); ++agent)
+      players += system().program(agent).parts.players;
+    return {.bones = static_cast<double>(report.bones_evaluated),
+            .stream_bytes = system().stream_bytes(),
+            .stream_reads = 2 * players,
+            .palette_bytes = report.palette_bytes,
+            .palettes = report.agents_updated};
+  }
+
+  std::vector<BenchAgent> agents_;
+  std::unique_ptr<BenchPalettes> palettes_;
+  std::unique_ptr<SystemSubject> subject_;
+};
+
+anim::SystemOptions recorded_options(const BenchOptions& options, const Machine& machine) {
+  anim::SystemOptions recorded = bench_system_options(
+      options, {.pus = 1, .schedule = options.schedules.front(), .stream = options.streams.front()});
+  recorded.local_store_bytes = static_cast<std::size_t>(machine.local_store_kib) * 1024;
+  recorded.double_buffering = anim::DoubleBuffering::inline_copy;
+  recorded.trace = anim::Tracing::every_task;
+  return recorded;
+}
+
+bool holds_skeleton(const anim::SystemOptions& options, int bones) {
+  auto character = std::make_shared<const anim::Character>(anim::bake_character(anim::synthetic_model(bones, 1)));
+  return anim::AnimationSystem::create(std::move(character), options).has_value();
+}
+
+/// The most bones of a skeleton of which one character fits; 0: none.
+int largest_skeleton(const anim::SystemOptions& options) {
+  int fits = 0, too_many = anim::max_bones + 1;
+  while (too_many - fits > 1) {
+    const int bones = (fits + too_many) / 2;
+    (holds_skeleton(options, bones) ? fits : too_many) = bones;
+  }
+  return fits;
+}
+
+/// Forty agents, each with an animation of its own.
+std::vector<BenchAgent> paper_agents(const anim::Character& character) {
+  std::vector<BenchAgent> agents;
+  for (int i = 0; i < paper_skeletons; ++i) {
+    const auto clip = static_cast<std::size_t>(i) % character.clips.size();
+    agents.push_back({.from_clip = static_cast<int>(clip),
+                      .to_clip = BenchAgent::none,
+                      .from_start = character.clips[clip].duration * i / paper_skeletons,
+                      .to_start = 0,
+                      .fraction = 0});
+  }
+  return agents;
+}
+
+anim::Status add_paper_case(const BenchOptions& options, const Machine& machine, Json& json) {
+  const auto character = std::make_shared<const anim::Character>(
+      anim::bake_character(anim::synthetic_model(paper_bones, paper_skeletons)));
+  auto there = RecordedCrowd::create(character, recorded_options(options, machine), paper_agents(*character));
+  if (!there) return there.error();
+  const MachinePrediction predicted = predict(machine, there->tasks(options.frames));
+  anim::SystemOptions usual = bench_system_options(
+      options, {.pus = 1, .schedule = options.schedules.front(), .stream = options.streams.front()});
+  auto here = RecordedCrowd::create(character, usual, paper_agents(*character));
+  if (!here) return here.error();
+  BenchRounds rounds;
+  rounds.add({"here", [&] { here->run(); }});
+  rounds.run(options.frames, "the paper's case: ");
+  json["paper_case_reported_percent_of_frame"] = paper_percent;
+  json["paper_case_predicted_percent_of_frame"] = 100.0 * predicted.busy_ns / machine.pus / frame_ns;
+  json["paper_case_measured_here_percent_of_frame"] = 100.0 * rounds.times().median("here") / frame_ns;
+  json["paper_case_measured_here_us"] = rounds.times().median("here") / 1000.0;
+  return anim::Done{};
+}
+
+}  // namespace
+
+anim::Result<BenchReport> run_machine(const BenchOptions& options) {
+  const auto file = machine_file(options);
+  if (!file) return anim::Error{"--machine " + options.machine + ": no such preset: " + file.error().message};
+  const auto machine = read_machine(*file);
+  if (!machine) return machine.error();
+  const auto character = bench_character(options.model, options.bones.front(), options.clips.front());
+  if (!character) return character.error();
+
+  const anim::SystemOptions recorded = recorded_options(options, *machine);
+  auto crowd = RecordedCrowd::create(character->character, recorded,
+                                     bench_agents(*character->character, options.agents.front()));
+  if (!crowd) return crowd.error();
+  const std::vector<RecordedTask> tasks = crowd->tasks(options.frames);
+  const MachinePrediction prediction = predict(*machine, tasks);
+  anim::CopyCounts copies;
+  double recorded_ns = 0;
+  for (const RecordedTask& task : tasks) {
+    copies += task.before;
+    copies += task.while_computing;
+    copies += task.after;
+    recorded_ns += task.compute_ns;
+  }
+  const double agent_ns = prediction.busy_ns / crowd->agents();
+
+  BenchReport report;
+  Json& json = report.json;
+  json["machine"] = machine->name;
+  json["local_store_kib"] = machine->local_store_kib;
+  json["pus"] = machine->pus;
+  json["schedule"] = options.schedules.front() == Schedule::fused ? "fused" : "levels";
+  json["stream"] = options.streams.front() == Stream::sampled ? "sampled" : "keyframe";
+  json["agents"] = options.agents.front();
+  json["bones_per_agent"] = character->character->skeleton.bone_count();
+  json["tile"] = crowd->system().schedule().plan.width;
+  json["tasks"] = tasks.size();
+  json["recorded_compute_ns_per_agent"] = recorded_ns / crowd->agents();
+  json["dma_bytes_per_agent"] = static_cast<double>(copies.bytes_in + copies.bytes_out) / crowd->agents();
+  json["dma_transfers_per_agent"] = static_cast<double>(copies.transfers) / crowd->agents();
+  json["predicted_ns_per_agent"] = agent_ns;
+  json["predicted_dma_ns_per_agent"] = prediction.dma_ns / crowd->agents();
+  json["predicted_stall_percent"] = 100.0 * prediction.stall_ns / prediction.busy_ns;
+  json["predicted_overlap_percent"] = 100.0 * prediction.overlap();
+  json["largest_skeleton_bones"] = largest_skeleton(recorded);
+  json["characters_per_60hz_frame"] = static_cast<std::int64_t>(frame_ns / agent_ns * machine->pus);
+  if (const anim::Status added = add_paper_case(options, *machine, json); !added) return added.error();
+  report.text = figures_as_text({&json, 1}, {});
+  return report;
+}
+
+}  // namespace throng::app

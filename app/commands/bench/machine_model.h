@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/anim/base/result.h"
+#include "engine/anim/run/store/trace.h"
+
+namespace throng::app {
+
+/// A machine whose PUs see main memory through a DMA controller alone, as the paper's does (1.1, footnote 7).
+struct Machine {
+  std::string name;
+  int local_store_kib = 0;
+  int pus = 1;
+  double dma_latency_ns = 0;                                 ///< until the first byte of a transfer
+  double dma_gigabytes_per_second = 1;                       ///< of a PU
+  int dma_transfers_in_flight = 1;                           ///< whose latencies overlap
+  std::optional<double> compute_ns_per_bone = std::nullopt;  ///< or
+  double compute_times = 1;  ///< how many times as long computing takes as on the PU that was recorded
+  std::string notes = {};
+};
+
+/// Reads the JSON object of the README. The error names the file, the key and what is allowed there.
+anim::Result<Machine> read_machine(const std::filesystem::path& file);
+
+/// One task as it was recorded: what is copied while it is computed, which with double buffering is what the task
+/// before it leaves and the one after it needs.
+struct RecordedTask {
+  double compute_ns = 0;
+  double bones = 0;
+  anim::CopyCounts while_computing;
+  anim::CopyCounts before, after;  ///< what nothing hides: of the first task of a stage, of the last
+};
+
+struct MachinePrediction {
+  double busy_ns = 0;   ///< of one PU that does all of it
+  double stall_ns = 0;  ///< of these, waiting for copies
+  double dma_ns = 0;    ///< that copies take, hidden or not
+  double overlap() const { return dma_ns > 0 ? 1.0 - stall_ns / dma_ns : 1.0; }
+};
+
+/// Nanoseconds that a batch of transfers takes: latencies as far as they do not overlap, then bytes.
+double dma_time(const Machine& machine, const anim::CopyCounts& copies);
+
+/// Task after task with double buffering: the longer of computing and copying, plus what nothing hides.
+MachinePrediction predict(const Machine& machine, std::span<const RecordedTask> tasks);
+
+/// The tasks of a trace taken with DoubleBuffering::inline_copy on one PU, whose updates evaluated so many bones and
+/// moved so many bytes more than blocks: rows of streams in, palettes out, shared out evenly.
+struct BesideBlocks {
+  double bones = 0;
+  std::uint64_t stream_bytes = 0, stream_reads = 0;
+  std::uint64_t palette_bytes = 0, palettes = 0;
+};
+std::vector<RecordedTask> recorded_tasks(std::span<const anim::TraceSpan> spans, const anim::UpdateTime& time,
+                                         const BesideBlocks& beside);
+
+}  // namespace throng::app

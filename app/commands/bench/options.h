@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// One thing that a sweep of `throng bench` looks at instead of the table.
+enum class Sweep : std::uint8_t {
+  none,
+  grain,    ///< tile by tile and crowd by crowd: below which size tasks are too small
+  streams,  ///< key density, step and prefetch: what reading streams costs
+  cost,     ///< the coefficients of anim::CostModel
+};
+
+/// What `throng bench` was asked for. LOD and crowd logic are always off there. Lists: every combination is measured.
+struct BenchOptions {
+  std::string model;              ///< empty: a branching skeleton of `bones` bones with `clips` different clips
+  std::vector<int> agents{1000};  ///< each 1 to 100,000
+  std::vector<int> bones{62};     ///< each 1 to anim::max_bones
+  std::vector<int> clips{2};      ///< each 1 to 256
+  std::vector<int> pus{0};        ///< 0: all cores
+  std::vector<Schedule> schedules{Schedule::fused};
+  std::vector<Stream> streams{Stream::sampled};
+  int local_store_kib = 0;  ///< 0: auto
+  int tile = 0;             ///< characters a tile, 0: what fits; 1, 2, 4, 8, 16
+  DoubleBuffer double_buffer = DoubleBuffer::interleaved;
+  Palette palette = Palette::floats;
+  int frames = 60;
+  Sweep sweep = Sweep::none;
+  std::string machine;  ///< a file, or the name of a preset; empty: none
+  std::string data;     ///< where presets are, empty: the usual places
+  std::string json;     ///< a file, "-" for standard output, empty: lines for a person
+  std::string plot;     ///< an SVG file; empty: none
+  std::string trace;    ///< empty: none
+};
+
+/// One combination of the lists.
+struct BenchCase {
+  int agents = 1000, bones = 62, clips = 2, pus = 0;
+  Schedule schedule = Schedule::fused;
+  Stream stream = Stream::sampled;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,171 @@
+#include "app/commands/bench/sweeps.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands/bench/case.h"
+#include "app/commands/bench/crowd.h"
+#include "app/commands/bench/plot.h"
+#include "app/commands/bench/rounds.h"
+#include "app/commands/bench/table.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double counts_as_slower = 1.1;
+
+BenchCase first_case(const BenchOptions& options) {
+  return {options.agents.front(), options.bones.front(),     options.clips.front(),
+          options.pus.front(),    options.schedules.front(), options.streams.front()};
+}
+
+/// A crowd that is updated with one set of options after the other.
+struct SweptCrowd {
+  std::vector<BenchAgent> agents;
+  std::unique_ptr<BenchPalettes> palettes;
+  std::unique_ptr<SystemSubject> subject;
+  BenchRounds rounds;
+
+  double per_agent(const std::string& key) const {
+    return rounds.times().median(key) / static_cast<double>(agents.size());
+  }
+};
+
+anim::Status make(SweptCrowd& crowd, const BenchCharacter& character, const anim::SystemOptions& options, int agents) {
+  crowd.agents = bench_agents(*character.character, agents);
+  crowd.palettes = std::make_unique<BenchPalettes>(agents, character.character->skeleton.palette_count());
+  auto subject = SystemSubject::create(character.character, options, crowd.agents, *crowd.palettes);
+  if (!subject) return subject.error();
+  crowd.subject = std::make_unique<SystemSubject>(std::move(*subject));
+  return anim::Done{};
+}
+
+void add(SweptCrowd& crowd, const std::string& key, const anim::SystemOptions& options) {
+  crowd.rounds.add({key, [&crowd] { crowd.subject->run(); }, [&crowd, options] { crowd.subject->configure(options); }});
+}
+
+/// Tiles from 1 to the widest that fits: the same work in ever smaller tasks.
+anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
+  const BenchCase bench = first_case(options);
+  anim::SystemOptions system = bench_system_options(options, bench);
+  system.tile = 0;
+  SweptCrowd crowd;
+  if (anim::Status made = make(crowd, character, system, bench.agents); !made) return made;
+  const int widest = crowd.subject->system().schedule().plan.width;
+  for (int tile = 1; tile <= widest; tile *= 2) {
+    system.tile = tile;
+    add(crowd, std::to_string(tile), system);
+  }
+  crowd.rounds.run(options.frames, "tiles: ");
+  const int bones = character.character->skeleton.bone_count();
+  for (int tile = 1; tile <= widest; tile *= 2) {
+    const double agent_ns = crowd.per_agent(std::to_string(tile));
+    rows.push_back({{"tile", tile},
+                    {"ns_per_bone_median", agent_ns / bones},
+                    {"task_us", agent_ns * tile * crowd.subject->system().schedule().pus / 1000.0}});
+  }
+  return anim::Done{};
+}
+
+/// Crowds of 1, 2, 4, ... agents, on one PU and on all: from where on another PU pays.
+anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
+  const BenchCase bench = first_case(options);
+  anim::SystemOptions all = bench_system_options(options, bench);
+  all.cost.least_task = 0;  // every PU is woken, whatever there is to do
+  anim::SystemOptions one = all;
+  one.pus = 1;
+  for (int agents = 1; agents <= std::min(bench.agents, 1024); agents *= 2) {
+    SweptCrowd crowd;
+    if (anim::Status made = make(crowd, character, all, agents); !made) return made;
+    add(crowd, "one", one);
+    add(crowd, "all", all);
+    crowd.rounds.run(options.frames, std::to_string(agents) + " agents: ");
+    rows.push_back({{"agents", agents},
+                    {"one_pu_us", crowd.rounds.times().median("one") / 1000.0},
+                    {"all_pus_us", crowd.rounds.times().median("all") / 1000.0},
+                    {"speedup_over_one_pu", crowd.rounds.times().median_ratio("one", "all")}});
+  }
+  return anim::Done{};
+}
+
+int smallest_tile(const std::vector<Json>& tiles) {
+  double best = tiles.front()["ns_per_bone_median"];
+  for (const Json& row : tiles) best = std::min(best, row["ns_per_bone_median"].get<double>());
+  for (const Json& row : tiles) {
+    if (row["ns_per_bone_median"].get<double>() <= counts_as_slower * best) return row["tile"];
+  }
+  return 0;
+}
+
+/// From which number of agents on more PUs are faster, and stay so.
+Json first_faster_crowd(const std::vector<Json>& crowds) {
+  Json first = nullptr;
+  for (const Json& row : crowds) {
+    const bool faster = row["speedup_over_one_pu"].get<double>() > counts_as_slower;
+    if (faster && first.is_null()) first = row["agents"];
+    if (!faster) first = nullptr;
+  }
+  return first;
+}
+
+std::string verdict(const Json& found) {
+  char task[64];
+  std::snprintf(task, sizeof(task), "%.3g microseconds", found["least_task_us"].get<double>());
+  const Json& agents = found["least_agents_for_more_pus"];
+  return "Tasks are too small below " + std::string(task) + ", a tile of " + found["least_tile"].dump() +
+         (agents.is_null() ? "; more PUs never paid." : "; more PUs pay from " + agents.dump() + " agents on.");
+}
+
+}  // namespace
+
+anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
+  const BenchCase bench = first_case(options);
+  const auto character = bench_character(options.model, bench.bones, bench.clips);
+  if (!character) return character.error();
+  std::vector<Json> tiles, crowds;
+  if (const anim::Status done = sweep_tiles(options, *character, tiles); !done) return done.error();
+  if (const anim::Status done = sweep_crowds(options, *character, crowds); !done) return done.error();
+
+  const int least_tile = smallest_tile(tiles);
+  const auto least = std::ranges::find_if(tiles, [&](const Json& row) { return row["tile"] == least_tile; });
+  BenchReport report;
+  report.json = {{"sweep", "grain"},
+                 {"agents", bench.agents},
+                 {"bones_per_agent", character->character->skeleton.bone_count()},
+                 {"least_tile", least_tile},
+                 {"least_task_us", (*least)["task_us"]},
+                 {"least_agents_for_more_pus", first_faster_crowd(crowds)},
+                 {"tiles", tiles},
+                 {"crowds", crowds}};
+  constexpr std::array tile_columns = {"tile", "ns_per_bone_median", "task_us"};
+  constexpr std::array crowd_columns = {"agents", "one_pu_us", "all_pus_us", "speedup_over_one_pu"};
+  report.text = figures_as_text(tiles, tile_columns) + "\n" + figures_as_text(crowds, crowd_columns) + "\n" +
+                verdict(report.json) + "\n";
+  PlotLine line{.name = "update", .x = {}, .y = {}};
+  for (const Json& row : tiles) {
+    line.x.push_back(row["tile"]);
+    line.y.push_back(row["ns_per_bone_median"]);
+  }
+  report.plot = lines_as_svg("The grain of tasks", "characters a tile", "ns a bone", {line});
+  return report;
+}
+
+anim::Result<BenchReport> run_sweep(const BenchOptions& options) {
+  switch (options.sweep) {
+    case Sweep::grain:
+      return sweep_grain(options);
+    case Sweep::streams:
+      return sweep_streams(options);
+    default:
+      return sweep_cost(options);
+  }
+}
+
+}  // namespace throng::app

@@ -1,0 +1,70 @@
+#include "app/commands/bench/table.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string short_text(const Json& value) {
+  if (value.is_null()) return "-";
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_number_float()) return value.dump();
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value.get<double>());
+  return text;
+}
+
+/// What stands above a column: the key without the words that all have.
+std::string heading(std::string_view key) {
+  constexpr std::string_view all_have = "_median";
+  if (key.ends_with(all_have)) key.remove_suffix(all_have.size());
+  return std::string(key);
+}
+
+std::string lines_of(const Json& row) {
+  std::string text;
+  for (const auto& [key, value] : row.items()) {
+    std::string line = key;
+    line.resize(std::max<std::size_t>(34, key.size()), ' ');
+    text += line + " " + value.dump() + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string figures_as_text(std::span<const Json> rows, std::span<const char* const> columns) {
+  if (rows.size() == 1 && columns.empty()) return lines_of(rows.front());
+  std::vector<std::vector<std::string>> cells(1);
+  for (const char* const key : columns) cells.front().push_back(heading(key));
+  for (const Json& row : rows) {
+    cells.emplace_back();
+    for (const char* const key : columns) cells.back().push_back(row.contains(key) ? short_text(row[key]) : "-");
+  }
+  std::string text;
+  for (const std::vector<std::string>& line : cells) {
+    for (std::size_t column = 0; column < line.size(); ++column) {
+      std::size_t width = 0;
+      for (const auto& other : cells) width = std::max(width, other[column].size());
+      text += std::string(width - line[column].size() + (column == 0 ? 0 : 2), ' ') + line[column];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string figures_as_json(std::span<const Json> rows) {
+  if (rows.size() == 1) return rows.front().dump(2) + "\n";
+  Json all;
+  all["rows"] = rows;
+  return all.dump(2) + "\n";
+}
+
+}  // namespace throng::app

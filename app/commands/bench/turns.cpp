@@ -1,0 +1,97 @@
+#include "app/commands/bench/turns.h"
+
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands/bench/case.h"
+#include "app/files/exit_status.h"
+
+namespace throng::app {
+namespace {
+
+/// So many that what a pass begins with, crowds and memory, is small beside them.
+constexpr int rounds_of_a_pass = 4;
+
+/// By bones and clips, each made once; a model brings its own.
+class BenchCharacters {
+ public:
+  anim::Result<const BenchCharacter*> of(const BenchOptions& options, const BenchCase& bench) {
+    const auto key = options.model.empty() ? std::pair(bench.bones, bench.clips) : std::pair(0, 0);
+    auto found = made_.find(key);
+    if (found == made_.end()) {
+      auto made = bench_character(options.model, bench.bones, bench.clips);
+      if (!made) return made.error();
+      found = made_.emplace(key, std::move(*made)).first;
+    }
+    return &found->second;
+  }
+
+ private:
+  std::map<std::pair<int, int>, BenchCharacter> made_;
+};
+
+std::string label_of(std::size_t pass, std::size_t passes, std::size_t index, std::span<const BenchCase> cases) {
+  if (cases.size() == 1) return "";
+  return "pass " + std::to_string(pass + 1) + " of " + std::to_string(passes) + ", " + std::to_string(index + 1) +
+         " of " + std::to_string(cases.size()) + ": " + std::to_string(cases[index].agents) + " agents, " +
+         std::to_string(cases[index].bones) + " bones, ";
+}
+
+/// A row's time by agent and bone over that of the first row, round by round.
+double over_first_row(std::span<const nlohmann::ordered_json> rows, std::span<const BenchTimes> times) {
+  const auto bones = [](const nlohmann::ordered_json& row) {
+    return row["agents"].get<double>() * row["bones_per_agent"].get<double>();
+  };
+  const std::size_t row = rows.size() - 1;
+  return times[row].median_ratio("update", times[0], "update") * bones(rows[0]) / bones(rows[row]);
+}
+
+}  // namespace
+
+std::vector<BenchCase> bench_cases(const BenchOptions& options) {
+  std::vector<BenchCase> cases;
+  for (const int bones : options.bones)
+    for (const int clips : options.clips)
+      for (const int agents : options.agents)
+        for (const int pus : options.pus)
+          for (const Schedule schedule : options.schedules)
+            for (const Stream stream : options.streams) cases.push_back({agents, bones, clips, pus, schedule, stream});
+  return cases;
+}
+
+std::vector<int> rounds_of_passes(int rounds, std::size_t cases) {
+  const int passes = cases == 1 ? 1 : (rounds + rounds_of_a_pass - 1) / rounds_of_a_pass;
+  std::vector<int> result;
+  for (int pass = 0; pass < passes; ++pass) {
+    result.push_back(rounds / passes + (pass < rounds % passes ? 1 : 0));
+  }
+  return result;
+}
+
+std::optional<int> run_cases(const BenchOptions& options, std::vector<nlohmann::ordered_json>& rows,
+                             std::optional<TimelineLog>& trace) {
+  const std::vector<BenchCase> cases = bench_cases(options);
+  const std::vector<int> rounds = rounds_of_passes(options.frames, cases.size());
+  BenchCharacters characters;
+  std::vector<BenchTimes> times(cases.size());
+  for (std::size_t pass = 0; pass < rounds.size(); ++pass) {
+    const bool is_last = pass + 1 == rounds.size();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const auto character = characters.of(options, cases[i]);
+      if (!character) return end_with(exit_job_failed, character.error().message);
+      auto row = run_bench_case(options, cases[i], **character,
+                                {rounds[pass], is_last, label_of(pass, rounds.size(), i, cases)}, times[i], trace);
+      if (!row) return end_with(exit_usage, row.error().message);
+      if (!is_last) continue;
+      rows.push_back(std::move(*row));
+      if (cases.size() > 1) rows.back()["ns_per_bone_over_first_row"] = over_first_row(rows, times);
+    }
+  }
+  return {};
+}
+
+}  // namespace throng::app

@@ -1,0 +1,62 @@
+#include "app/commands/lod/command.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands/lod/curve.h"
+#include "app/files/atomic_file.h"
+#include "app/files/data_folder.h"
+#include "app/files/exit_status.h"
+#include "app/stage/stage.h"
+#include "engine/render/camera.h"
+#include "engine/render/surface.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float exported_height = 720.0F;  // pixels of the picture that distances are said for
+
+anim::Result<CharacterSource> character_of(const LodOptions& options) {
+  if (!options.model.empty()) {
+    const BoneLodFile kept(options.model);
+    return load_character(options.model, options.model, &kept);
+  }
+  const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
+  if (!built_in) return built_in.error();
+  const BoneLodFile kept{{}};
+  return load_character(built_in->string(), "mannequin (built in)", &kept);
+}
+
+anim::Status write_files(const LodOptions& options, const CharacterSource& source,
+                         const std::vector<LodLevel>& levels) {
+  std::vector<std::pair<std::string, std::string>> files;
+  if (!options.json.empty()) files.emplace_back(options.json, curve_as_json(source, levels, options.pixels));
+  if (!options.plot.empty()) files.emplace_back(options.plot, curve_as_svg(source, levels, options.pixels));
+  const double pixels_per_unit = static_cast<double>(render::pixels_tall({}, exported_height, 1.0F, 1.0F));
+  if (!options.export_file.empty()) {
+    files.emplace_back(options.export_file, lod_as_json(source, levels, lod_rules({}), pixels_per_unit));
+  }
+  for (const auto& [file, text] : files) {
+    if (const anim::Status written = write_output(file, text); !written) return written;
+  }
+  return anim::Done{};
+}
+
+}  // namespace
+
+int run_lod(const LodOptions& options) {
+  const auto source = character_of(options);
+  if (!source) return end_with(exit_job_failed, source.error().message);
+  std::vector<std::uint32_t> triangles;
+  if (source->has_surface()) triangles = render::build_surface(mesh_data(source->model)).triangles_by_lod;
+  std::vector<LodLevel> levels = lod_levels(*source, triangles);
+  if (const auto timed = time_levels(*source, levels); !timed) return end_with(exit_job_failed, timed.error().message);
+  if (options.json != "-") std::fputs(curve_as_text(*source, levels, options.pixels).c_str(), stdout);
+  const anim::Status written = write_files(options, *source, levels);
+  return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
+}
+
+}  // namespace throng::app

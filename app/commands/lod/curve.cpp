@@ -1,0 +1,162 @@
+#include "app/commands/lod/curve.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands/bench/crowd.h"
+#include "app/commands/bench/plot.h"
+#include "app/commands/bench/rounds.h"
+#include "app/commands/bench/table.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int timed_agents = 1000;
+constexpr int timed_rounds = 40;
+constexpr double worth_a_switch = 0.9;    // of the time of the level before
+constexpr double least_pixels_tall = 10;  // smaller ones are dots, whatever their bones
+constexpr int agents_of_milliseconds = 10'000;
+
+std::string key_of(std::size_t level) { return "level " + std::to_string(level); }
+
+double pixels_of(const CharacterSource& source, const LodLevel& level, int pixels) {
+  return source.bounds.height > 0.0 ? level.error_metres / source.bounds.height * pixels : 0.0;
+}
+
+/// JSON has no infinity.
+Json within(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+double milliseconds_of(const LodLevel& level) { return level.nanoseconds * agents_of_milliseconds / 1e6; }
+
+std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
+  std::vector<Json> rows;
+  const std::vector<bool> pays = levels_that_pay(levels, source.bounds.height);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const LodLevel& level = levels[i];
+    rows.push_back({{"level", i},
+                    {"bones", level.bones},
+                    {"ns_per_agent", level.nanoseconds},
+                    {"ms_10k_agents", milliseconds_of(level)},
+                    {"error_mm", level.error_metres * 1000},
+                    {"error_px", pixels_of(source, level, pixels)},
+                    {"px_tall_for_1_px", within(pixels_tall_for_one_pixel(level, source.bounds.height))},
+                    {"triangles", level.triangles},
+                    {"pays", pays[i] ? "yes" : "no"}});
+  }
+  return rows;
+}
+
+/// What is to be said of it that the table does not.
+std::vector<std::string> remarks_on(const CharacterSource& source, std::span<const LodLevel> levels) {
+  std::vector<std::string> remarks;
+  if (levels.size() == 1) {
+    remarks.push_back("Per-bone level of detail does not pay: no order of these bones has a level worth a switch.");
+  }
+  const std::vector<bool> pays = levels_that_pay(levels, source.bounds.height);
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    if (pays[i]) {
+      last = i;
+      continue;
+    }
+    char text[200];
+    std::snprintf(text, sizeof(text),
+                  "Level %zu does not pay: it takes %.0f%% of the time of level %zu, and is within a pixel only of "
+                  "characters below %.2g pixels.",
+                  i, 100 * levels[i].nanoseconds / levels[last].nanoseconds, last,
+                  pixels_tall_for_one_pixel(levels[i], source.bounds.height));
+    remarks.emplace_back(text);
+  }
+  if (source.model.clips.empty()) remarks.push_back("The model has no clips, so nothing shows what its bones are for.");
+  return remarks;
+}
+
+}  // namespace
+
+anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels) {
+  const std::vector<BenchAgent> agents = bench_agents(*source.character, timed_agents);
+  const BenchPalettes palettes(timed_agents, source.character->skeleton.palette_count());
+  auto subject = SystemSubject::create(source.character, {.pus = 1, .hash = false}, agents, palettes);
+  if (!subject) return subject.error();
+  anim::AnimationSystem& system = subject->system();
+  BenchRounds rounds;
+  std::vector<anim::AgentUpdate> updates(agents.size());
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const auto update = [&system, &updates] {
+      system.advance(anim::ticks_per_second / 60);
+      system.update(updates);
+    };
+    const auto choose = [&updates, &palettes, level] {
+      for (std::uint32_t agent = 0; agent < updates.size(); ++agent) {
+        updates[agent] = {.agent = agent, .level = static_cast<std::uint8_t>(level), .palette = palettes.of(agent)};
+      }
+    };
+    rounds.add({key_of(level), update, choose});
+  }
+  rounds.run(timed_rounds, source.name + ", ");
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    levels[level].nanoseconds = rounds.times().median(key_of(level)) / timed_agents;
+  }
+  return anim::Done{};
+}
+
+double pixels_tall_for_one_pixel(const LodLevel& level, double height_metres) {
+  return level.error_metres > 0.0 ? height_metres / level.error_metres : std::numeric_limits<double>::infinity();
+}
+
+std::vector<bool> levels_that_pay(std::span<const LodLevel> levels, double height_metres) {
+  std::vector<bool> pays;
+  double last = 0;
+  for (const LodLevel& level : levels) {
+    const bool saves = level.nanoseconds <= worth_a_switch * last;
+    pays.push_back(pays.empty() || (saves && pixels_tall_for_one_pixel(level, height_metres) >= least_pixels_tall));
+    if (pays.back()) last = level.nanoseconds;
+  }
+  return pays;
+}
+
+std::string curve_as_text(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
+  constexpr std::array columns = {"level",    "bones",    "ns_per_agent",     "ms_10k_agents",
+                                  "error_mm", "error_px", "px_tall_for_1_px", "triangles",
+                                  "pays"};
+  char title[80];
+  std::snprintf(title, sizeof(title), ", %.2f m; errors at p99, in pixels of one %d pixels tall\n",
+                source.bounds.height, pixels);
+  std::string text = source.name + title + figures_as_text(rows_of(source, levels, pixels), columns);
+  for (const std::string& remark : remarks_on(source, levels)) text += remark + "\n";
+  return text;
+}
+
+std::string curve_as_json(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
+  const Json curve = {{"character", source.name},
+                      {"height_metres", source.bounds.height},
+                      {"pixels_tall", pixels},
+                      {"levels", rows_of(source, levels, pixels)},
+                      {"remarks", remarks_on(source, levels)}};
+  return curve.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string curve_as_svg(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
+  PlotLine time, triangles, error;
+  time.name = "time, % of all bones";
+  triangles.name = "triangles, % of the full mesh";
+  error.name = "error, tenths of a pixel";
+  for (std::size_t i = levels.size(); i-- > 0;) {
+    for (PlotLine* line : {&time, &triangles, &error}) line->x.push_back(levels[i].bones);
+    time.y.push_back(100 * levels[i].nanoseconds / levels.front().nanoseconds);
+    triangles.y.push_back(100 * levels[i].mesh_ratio);
+    error.y.push_back(10 * pixels_of(source, levels[i], pixels));
+  }
+  return lines_as_svg(source.name + ": what a bone level saves and shows, " + std::to_string(pixels) + " pixels tall",
+                      "bones kept", "", {time, triangles, error});
+}
+
+}  // namespace throng::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/character/lod_export.h"
+#include "app/character/source.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Sets LodLevel::nanoseconds to what an agent's update takes at each level on this machine: one PU, a crowd whose
+/// agents blend two clips each, the levels in turns. The error is that of the animation system.
+anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels);
+
+/// The height on screen, in pixels, below which the error of a level is at most one pixel; infinite without error.
+double pixels_tall_for_one_pixel(const LodLevel& level, double height_metres);
+
+/// Whether each level is worth its switch: it takes at most 90% of the time of the last one that pays, and is within a
+/// pixel of the truth for characters that are still 10 pixels tall. Level 0 does.
+std::vector<bool> levels_that_pay(std::span<const LodLevel> levels, double height_metres);
+
+/// The curve of bones, time and error as a table for a person, errors in pixels of a character `pixels` tall; and a
+/// sentence for each level that does not pay.
+std::string curve_as_text(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
+
+/// The same as a JSON object.
+std::string curve_as_json(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
+
+/// The same drawn: shares of time and triangles of level 0 in percent, and pixels, over the bones kept. A whole SVG.
+std::string curve_as_svg(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
+
+}  // namespace throng::app

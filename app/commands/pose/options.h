@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// What `throng pose` was asked for.
+struct PoseOptions {
+  std::string model;
+  std::string clip;           ///< a clip's name or index, or "none" for the pose at rest
+  std::vector<double> times;  ///< seconds, at least one
+  Stream stream = Stream::sampled;
+  std::string json;  ///< a file, or "-" for standard output
+};
+
+}  // namespace throng::app

@@ -1,0 +1,69 @@
+#include "app/commands/pose/pipe.h"
+
+#include <utility>
+
+namespace throng::app {
+namespace {
+
+glm::dmat4 to_matrix(const anim::PaletteMatrix& entry) {
+  glm::dmat4 matrix(1.0);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) matrix[column][row] = static_cast<double>(entry.rows[row][column]);
+  }
+  return matrix;
+}
+
+}  // namespace
+
+anim::StateTransform state_of_bone(std::span<const float> pose, int components, int bone) {
+  const std::size_t packet = static_cast<std::size_t>(bone / anim::packet_bones);
+  const std::size_t lane = static_cast<std::size_t>(bone % anim::packet_bones);
+  const auto value = [&](int component) {
+    const std::size_t row = packet * static_cast<std::size_t>(components) + static_cast<std::size_t>(component);
+    return static_cast<double>(pose[row * anim::packet_bones + lane]);
+  };
+  anim::StateTransform state;
+  state.rotation = glm::dquat(value(3), value(0), value(1), value(2));
+  state.position = {value(4), value(5), value(6)};
+  if (components == anim::general_components) state.scale = {value(7), value(8), value(9)};
+  return state;
+}
+
+anim::Status PipePoseSource::prepare(const anim::Model& model, const anim::Clip* clip) {
+  if (system_ != nullptr && model_ == &model && clip_ == clip) return anim::Done{};
+  anim::Model played = model;
+  played.clips.clear();
+  if (clip != nullptr) played.clips.push_back(*clip);
+  auto character = std::make_shared<const anim::Character>(anim::bake_character(played, {.take_root_motion = false}));
+  const auto kind = stream_ == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe;
+  auto system = anim::AnimationSystem::create(std::move(character),
+                                              {.schedule = anim::Schedule::levels, .stream = kind, .hash = false});
+  if (!system) return system.error();
+  system_ = std::move(*system);
+  palette_ = anim::allocate_aligned(anim::palette_stride(model.skeleton.palette.size(), anim::PaletteFormat::matrices));
+  model_ = &model;
+  clip_ = clip;
+  return anim::Done{};
+}
+
+anim::Result<BonePose> PipePoseSource::pose(const anim::Model& model, const anim::Clip* clip, double seconds) {
+  if (const anim::Status prepared = prepare(model, clip); !prepared) return prepared.error();
+  system_->set_agent_count(0);
+  system_->set_agent_count(1);
+  system_->play(0, {.clip = 0, .start = anim::to_ticks(seconds), .loop = false});
+  auto* palette = reinterpret_cast<anim::PaletteMatrix*>(palette_.get());
+  const anim::AgentUpdate update{.agent = 0, .palette = palette};
+  system_->update({&update, 1});
+
+  BonePose pose;
+  const int components = model.skeleton.components();
+  for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
+    pose.states.push_back(state_of_bone(system_->pose(0), components, bone));
+  }
+  for (std::size_t entry = 0; entry < model.skeleton.palette.size(); ++entry) {
+    pose.palette.push_back(to_matrix(palette[entry]));
+  }
+  return pose;
+}
+
+}  // namespace throng::app

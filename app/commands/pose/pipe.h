@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/commands/pose/command.h"
+#include "app/settings/settings.h"
+#include "engine/anim/agent/animation_system.h"
+
+namespace throng::app {
+
+/// Poses as the crowd computes them: a player's block on a PU with its local store, the kernels, a palette slot. One
+/// agent, in the paper's `levels` schedule, whose blocks keep their transforms.
+class PipePoseSource final : public PoseSource {
+ public:
+  explicit PipePoseSource(Stream stream) : stream_(stream) {}
+
+  anim::Result<BonePose> pose(const anim::Model& model, const anim::Clip* clip, double seconds) override;
+
+ private:
+  anim::Status prepare(const anim::Model& model, const anim::Clip* clip);
+
+  Stream stream_;
+  const anim::Model* model_ = nullptr;  // what `system_` was made for
+  const anim::Clip* clip_ = nullptr;
+  std::unique_ptr<anim::AnimationSystem> system_;
+  anim::AlignedBytes palette_;
+};
+
+/// What a state holds for one bone of a pose [packet][components][16].
+anim::StateTransform state_of_bone(std::span<const float> pose, int components, int bone);
+
+}  // namespace throng::app

@@ -1,0 +1,60 @@
+#include "app/crowd/cast.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "app/crowd/random.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::uint64_t cast_stream = 7;
+
+using Numbers = std::vector<std::uint8_t>;
+
+Numbers those_who(std::span<const CharacterRoles> characters, bool (*do_it)(const CharacterRoles&)) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    if (do_it(characters[i])) numbers.push_back(static_cast<std::uint8_t>(i));
+  }
+  return numbers;
+}
+
+bool is_person(const CharacterRoles& character) { return !character.is_prop; }
+bool is_prop(const CharacterRoles& character) { return character.is_prop; }
+bool can_walk(const CharacterRoles& character) { return is_person(character) && character.can_walk(); }
+
+std::uint8_t one_of(std::span<const std::uint8_t> numbers, Random& random) {
+  return numbers[random.below(static_cast<std::uint32_t>(numbers.size()))];
+}
+
+}  // namespace
+
+CharacterRoles common_roles(std::span<const CharacterRoles> characters) {
+  const Numbers walking = those_who(characters, can_walk);
+  CharacterRoles common = characters[walking.empty() ? 0 : walking.front()];
+  for (const std::uint8_t person : those_who(characters, is_person)) {
+    common.height = std::max(common.height, characters[person].height);
+    common.radius = std::max(common.radius, characters[person].radius);
+  }
+  return common;
+}
+
+CrowdCast::CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayout& layout, std::uint32_t seed)
+    : characters_(characters.begin(), characters.end()), spacing_(common_roles(characters).spacing()) {
+  assert(!characters_.empty() && characters_.size() <= 256 && is_person(characters_.front()));
+  const Numbers walking = those_who(characters, can_walk), people = those_who(characters, is_person);
+  const Numbers props = those_who(characters, is_prop);
+  assert(!walking.empty() || (layout.walkers.empty() && layout.marchers.empty()));
+  const std::uint8_t leader = walking.empty() ? people.front() : walking.front();
+  Random random(seed, cast_stream);
+  for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) numbers_.push_back(one_of(walking, random));
+  numbers_.insert(numbers_.end(), layout.marchers.size(), leader);
+  for (const StanderPlace& place : layout.standers) {
+    assert(place.part != Part::prop || !props.empty());
+    const bool leads = place.part == Part::actor;
+    numbers_.push_back(leads ? leader : one_of(place.part == Part::prop ? props : people, random));
+  }
+}
+
+}  // namespace throng::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "app/crowd/random.h"
+#include "engine/render/instance_record.h"
+
+namespace throng::app {
+
+/// One colour a tint region (skin, hair, shirt, trousers, shoes): RGBA8, sRGB, red in the lowest byte, alpha 255.
+using Tints = std::array<std::uint32_t, render::tint_regions>;
+
+/// Clothes, hair and skin of one person: muted colours for most, an accent here and there.
+Tints random_tints(Random& random);
+
+/// What sets one body apart from another, each from -1 to 1; all 0 is the character as it was made. A character whose
+/// file says nothing of it (`_SHAPE`, `_HAIR`) shows none of it.
+struct Variant {
+  float build = 0.0F;     ///< slim to stout
+  float frame = 0.0F;     ///< broad hips to broad shoulders
+  float posture = 0.0F;   ///< upright to stooped
+  float fullness = 0.0F;  ///< of the hair: cropped to full
+  float length = 0.0F;    ///< of the hair: short to long
+
+  std::uint32_t shape() const;  ///< as InstanceRecord has it
+  std::uint32_t hair() const;
+
+  friend bool operator==(const Variant&, const Variant&) = default;
+};
+
+/// Women and men of all builds, most of them near the middle.
+Variant random_variant(Random& random);
+
+}  // namespace throng::app

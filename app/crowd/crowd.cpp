@@ -1,0 +1,274 @@
+#include "app/crowd/crowd.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/crowd/cut_scene_layout.h"
+#include "app/crowd/parade.h"
+#include "app/crowd/stadium.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float shortest = 0.90F, tallest = 1.08F;           // scale
+constexpr float slowest = 0.90F, fastest = 1.10F;            // playback of those who stay
+constexpr float slowest_pace = 0.94F, fastest_pace = 1.06F;  // of walkers, over the clip's own speed
+constexpr float least_playback = 0.4F, most_playback = 1.7F;
+constexpr float out_of_step = 0.04F;  // of a walk cycle
+constexpr double widest_in_spacings = 0.4;
+constexpr anim::Ticks slowness_to_catch_up = 4;  // who is behind makes up one second in so many
+
+constexpr std::uint64_t looks_stream = 4;
+constexpr std::uint64_t variants_stream = 9;
+
+// The wave: how long somebody is up, and how unevenly they rise.
+constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
+constexpr double wave_unevenness = 0.25;  // seconds
+
+CrowdLayout layout_of(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
+  switch (scene) {
+    case Scene::plaza:
+      return plaza_layout(agents, seed, roles);
+    case Scene::parade:
+      return parade_layout(agents, seed, roles);
+    case Scene::stadium:
+      return stadium_layout(agents, seed, roles);
+    case Scene::grid:
+      break;
+    case Scene::film:
+      return cut_scene_layout(agents, seed, roles);
+  }
+  return grid_layout(agents, roles);
+}
+
+std::vector<Habit> habits_of(const CrowdLayout& layout) {
+  std::vector<Habit> habits(layout.walkers.size(), layout.walkers_habit);
+  habits.insert(habits.end(), layout.marchers.size(), Habit::march);
+  for (const StanderPlace& place : layout.standers) habits.push_back(place.habit);
+  return habits;
+}
+
+CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed,
+                    const CrowdCast& cast) {
+  Random random(seed, looks_stream);
+  Random bodies(seed, variants_stream);
+  CrowdLooks looks;
+  for (std::size_t agent = 0; agent < habits.size(); ++agent) {
+    const CharacterRoles& character = cast.of(agent);
+    const double radius = std::min(character.radius, widest_in_spacings * character.spacing());
+    const bool marches = habits[agent] == Habit::march, walks = agent < layout.walkers.size();
+    const float scale = random.between(shortest, tallest), phase = random.unit();
+    // Those who march have steps of one length, and a script counts on that of those who act.
+    looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : scale);
+    looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
+    looks.paces.push_back(walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest));
+    looks.start_phases.push_back(phase);
+    looks.tints.push_back(random_tints(random));
+    looks.variants.push_back(random_variant(bodies));
+    if (!marches) continue;
+    const double in_step = marcher_phase(layout.route, layout.marchers[agent - layout.walkers.size()], character);
+    const double ragged = in_step + static_cast<double>(out_of_step * phase);
+    looks.start_phases.back() = std::min(static_cast<float>(ragged - std::floor(ragged)), 0x1.fffffep-1F);
+  }
+  return looks;
+}
+
+CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, const CrowdCast& cast) {
+  std::vector<Body> bodies;
+  for (std::size_t agent = 0; agent < looks.radii.size(); ++agent) {
+    bodies.push_back({.radius = looks.radii[agent], .agent = static_cast<std::uint32_t>(agent)});
+  }
+  const std::size_t first_stander = layout.walkers.size() + layout.marchers.size();
+  for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
+    bodies[first_stander + stander].position = layout.standers[stander].position;
+  }
+  std::vector<float> paces;
+  for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) {
+    paces.push_back(looks.paces[walker] * looks.scales[walker]);
+  }
+  return {cast, layout.lanes, layout.walkers, std::move(bodies), std::move(paces)};
+}
+
+}  // namespace
+
+Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters)
+    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters) {
+  assert(size() == agents);
+}
+
+Crowd::Crowd(CrowdLayout layout, std::uint32_t seed, std::span<const CharacterRoles> characters)
+    : cast_(characters, layout, seed),
+      route_(layout.route),
+      marchers_(layout.marchers),
+      behind_(marchers_.size(), 0),
+      minds_(cast_, habits_of(layout), seed),
+      looks_(looks_of(layout, minds_.habits(), seed, cast_)),
+      walkers_(walkers_of(layout, looks_, cast_)),
+      positions_(minds_.habits().size()),
+      headings_(size()),
+      speeds_(size(), 0.0F),
+      playback_speeds_(size(), 1.0F) {
+  place(layout);
+  if (layout.wave_seconds > 0.0) expect_wave(layout);
+}
+
+void Crowd::place(const CrowdLayout& layout) {
+  std::size_t agent = walkers();
+  for (const MarcherStart& marcher : marchers_) {
+    const LanePlace place = marcher_place(route_, marcher, 0.0);
+    positions_[agent] = {place.position.x, 0.0, place.position.y};
+    headings_[agent] = place.heading;
+    speeds_[agent++] = static_cast<float>(route_.speed);
+  }
+  for (const StanderPlace& place : layout.standers) {
+    positions_[agent] = {place.position.x, place.height, place.position.y};
+    headings_[agent++] = place.heading;
+  }
+  follow_walkers();
+  for (agent = walkers(); agent < size(); ++agent) match_playback(agent);
+}
+
+void Crowd::expect_wave(const CrowdLayout& layout) {
+  wave_period_ = anim::to_ticks(layout.wave_seconds);
+  const anim::Ticks first_wave = anim::to_ticks(layout.wave_begins);
+  const std::size_t first_stander = walkers() + marchers();
+  for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
+    const auto unevenness = static_cast<double>(minds_.whim(first_stander + stander).between(-1.0F, 1.0F));
+    const double after = layout.standers[stander].round * layout.wave_seconds + wave_unevenness * unevenness;
+    next_waves_.push_back(first_wave + anim::to_ticks(after));
+  }
+}
+
+// Whoever the front reaches rises and cheers; seen from afar, it runs round.
+void Crowd::lead_wave() {
+  const std::size_t first_stander = walkers() + marchers();
+  for (std::size_t stander = 0; stander < next_waves_.size(); ++stander) {
+    if (now_ < next_waves_[stander]) continue;
+    const anim::Ticks late = (now_ - next_waves_[stander]) % wave_period_;
+    next_waves_[stander] = now_ - late + wave_period_;
+    const std::size_t agent = first_stander + stander;
+    if (habits()[agent] == Habit::act) continue;
+    const Role up = cast_.of(agent).playable(Role::cheer) ? Role::cheer : Role::stand;
+    if (late < up_in_wave) minds_.interrupt(agent, up, now_ - late + up_in_wave);
+  }
+}
+
+void Crowd::match_playback(std::size_t agent) {
+  const auto own_speed = static_cast<float>(cast_.of(agent).ground_speed(roles()[agent])) * scales()[agent];
+  const bool goes = is_gait(roles()[agent]) && own_speed > 0.0F;
+  playback_speeds_[agent] =
+      goes ? std::clamp(speeds_[agent] / own_speed, least_playback, most_playback) : looks_.paces[agent];
+}
+
+void Crowd::follow_walkers() {
+  for (std::size_t walker = 0; walker < walkers(); ++walker) {
+    const Body& body = walkers_.bodies()[walker];
+    positions_[walker] = {body.position.x, 0.0F, body.position.y};
+    headings_[walker] = walkers_.headings()[walker];
+    speeds_[walker] = glm::length(body.velocity);
+    match_playback(walker);
+  }
+}
+
+double Crowd::marching_time(std::size_t marcher, anim::Ticks dt) {
+  anim::Ticks& behind = behind_[marcher];
+  if (minds_.holds(walkers() + marcher)) {
+    behind += dt;
+  } else {
+    behind = std::max<anim::Ticks>(0, behind - dt / slowness_to_catch_up);
+  }
+  return anim::to_seconds(now_ - behind);
+}
+
+void Crowd::march(anim::Ticks dt) {
+  for (std::size_t marcher = 0; marcher < marchers_.size(); ++marcher) {
+    const std::size_t agent = walkers() + marcher;
+    const LanePlace place = marcher_place(route_, marchers_[marcher], marching_time(marcher, dt));
+    const glm::vec3 position(place.position.x, 0.0, place.position.y);
+    speeds_[agent] =
+        static_cast<float>(static_cast<double>(glm::distance(position, positions_[agent])) / anim::to_seconds(dt));
+    positions_[agent] = position;
+    headings_[agent] = place.heading;
+    match_playback(agent);
+  }
+}
+
+std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& executor, int jobs) {
+  assert(dt >= 0);
+  now_ += dt;
+  minds_.decide(now_);
+  lead_wave();
+  if (dt > 0) {
+    walkers_.advance(dt, now_, minds_, executor, jobs);
+    follow_walkers();
+    march(dt);
+  }
+  for (const ClipRequest& request : minds_.requests()) match_playback(request.agent);
+  return minds_.requests();
+}
+
+std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
+  anim::InOrder here;
+  return advance(dt, here, 1);
+}
+
+void Crowd::put(std::uint32_t agent, const glm::vec3& position, const Heading& heading) {
+  assert(habits()[agent] == Habit::act);
+  positions_[agent] = position;
+  headings_[agent] = heading;
+}
+
+std::optional<ClipRequest> Crowd::hold(std::uint32_t agent) {
+  const auto request = minds_.hold(agent);
+  speeds_[agent] = 0.0F;
+  match_playback(agent);
+  return request;
+}
+
+std::optional<ClipRequest> Crowd::release(std::uint32_t agent) {
+  const auto request = minds_.release(agent);
+  match_playback(agent);
+  return request;
+}
+
+void Crowd::remember(CrowdMoment& into) const {
+  into = {.now = now_,
+          .behind = behind_,
+          .next_waves = next_waves_,
+          .minds = minds_,
+          .walkers = walkers_,
+          .positions = positions_,
+          .headings = headings_,
+          .speeds = speeds_,
+          .playback_speeds = playback_speeds_};
+}
+
+void Crowd::go_back_to(const CrowdMoment& moment) {
+  assert(moment.positions.size() == positions_.size());
+  now_ = moment.now;
+  behind_ = moment.behind;
+  next_waves_ = moment.next_waves;
+  minds_ = *moment.minds;
+  walkers_ = *moment.walkers;
+  positions_ = moment.positions;
+  headings_ = moment.headings;
+  speeds_ = moment.speeds;
+  playback_speeds_ = moment.playback_speeds;
+}
+
+CrowdSphere bounding_sphere(const Crowd& crowd) {
+  glm::vec3 lowest(0.0F);
+  glm::vec3 highest(0.0F);
+  for (const glm::vec3& position : crowd.positions()) {
+    lowest = glm::min(lowest, position);
+    highest = glm::max(highest, position);
+  }
+  return {(lowest + highest) * 0.5F, glm::distance(lowest, highest) * 0.5F};
+}
+
+}  // namespace throng::app

@@ -1,0 +1,212 @@
+#include "app/crowd/groups.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <glm/geometric.hpp>
+
+#include "app/crowd/turn.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::size_t largest_group = 6;
+constexpr std::array<float, largest_group> share_up_to_size{0.18F, 0.44F, 0.66F, 0.83F, 0.93F, 1.0F};
+
+// Metres, for a person 1.8 m tall. With the jitter, neighbours in a ring stay 0.7 m apart and more.
+constexpr std::array<double, largest_group> ring_radii{0.0, 0.56, 0.66, 0.76, 0.88, 1.02};
+constexpr double ring_jitter = 0.12;
+constexpr double between_groups = 0.8;
+constexpr double clear_view = 4.6;
+constexpr double bucket = 3.2;  // more than two of the largest groups' radii and the gap between them
+
+constexpr double lane_cell = 8.0;
+
+constexpr std::size_t foreground_groups = 4;
+constexpr int tries_before_spreading = 20;
+
+struct Group {
+  glm::dvec2 centre;
+  double radius;  // of the disc that holds everyone's feet
+};
+
+/// Finds groups near a point; a grid of buckets, chained, clamped at its edge.
+class GroupMap {
+ public:
+  GroupMap(double side, double spacing)
+      : bucket_(bucket * spacing),
+        columns_(static_cast<int>(side / bucket_) + 8),
+        first_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_), -1) {}
+
+  void add(const Group& group) {
+    int& first = first_[index(column(group.centre.x), column(group.centre.y))];
+    next_.push_back(first);
+    first = static_cast<int>(groups_.size());
+    groups_.push_back(group);
+  }
+
+  bool is_free(const Group& wanted, double gap) const {
+    const int x = column(wanted.centre.x), y = column(wanted.centre.y);
+    for (int row = std::max(0, y - 1); row <= std::min(columns_ - 1, y + 1); ++row) {
+      for (int at = std::max(0, x - 1); at <= std::min(columns_ - 1, x + 1); ++at) {
+        if (meets_bucket(index(at, row), wanted, gap)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  int column(double coordinate) const {
+    const double from_edge = coordinate / bucket_ + 0.5 * columns_;
+    return static_cast<int>(std::clamp(from_edge, 0.0, columns_ - 1.0));
+  }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+  }
+  bool meets_bucket(std::size_t at, const Group& wanted, double gap) const {
+    for (int group = first_[at]; group >= 0; group = next_[static_cast<std::size_t>(group)]) {
+      const Group& there = groups_[static_cast<std::size_t>(group)];
+      if (glm::distance(there.centre, wanted.centre) < there.radius + wanted.radius + gap) return true;
+    }
+    return false;
+  }
+
+  double bucket_;
+  int columns_;
+  std::vector<int> first_;  // by bucket
+  std::vector<int> next_;   // by group
+  std::vector<Group> groups_;
+};
+
+/// Finds the lanes near a point; a coarse grid, clamped at its edge.
+class LaneMap {
+ public:
+  explicit LaneMap(const GroundPlan& ground)
+      : lanes_(ground.lanes), cell_(lane_cell * ground.spacing), columns_(static_cast<int>(ground.side / cell_) + 1) {
+    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_));
+    for (std::size_t lane = 0; lane < lanes_.size(); ++lane) add(lane, ring_radii.back() * 2.0 * ground.spacing);
+  }
+
+  bool is_free(const Group& group) const {
+    const auto& near = cells_[index(column(group.centre.x), column(group.centre.y))];
+    return std::all_of(near.begin(), near.end(), [&](std::size_t lane) { return clear_of(lanes_[lane], group); });
+  }
+
+ private:
+  static bool clear_of(const LaneGround& lane, const Group& group) {
+    const double outside = lane.outermost.signed_distance(group.centre);
+    const double room = group.radius + lane.clear;
+    return outside >= room || outside <= -lane.width - room;
+  }
+  void add(std::size_t lane, double margin) {
+    const Lane& loop = lanes_[lane].outermost;
+    const glm::dvec2 reach = loop.core + glm::dvec2(loop.corner_radius + lanes_[lane].clear + margin);
+    const glm::dvec2 low = loop.centre - reach, high = loop.centre + reach;
+    for (int y = column(low.y); y <= column(high.y); ++y) {
+      for (int x = column(low.x); x <= column(high.x); ++x) cells_[index(x, y)].push_back(lane);
+    }
+  }
+  int column(double coordinate) const {
+    return static_cast<int>(std::clamp(coordinate / cell_ + 0.5 * columns_, 0.0, columns_ - 1.0));
+  }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+  }
+
+  std::span<const LaneGround> lanes_;
+  double cell_;
+  int columns_;
+  std::vector<std::vector<std::size_t>> cells_;
+};
+
+std::size_t pick_size(Random& random) {
+  const float chance = random.unit();
+  const auto* share = std::upper_bound(share_up_to_size.begin(), share_up_to_size.end() - 1, chance);
+  return static_cast<std::size_t>(share - share_up_to_size.begin()) + 1;
+}
+
+// Before the camera, which looks from the viewpoint at the middle of the square.
+glm::dvec2 somewhere_in_front(const GroundPlan& ground, Random& random) {
+  const glm::dvec2 ahead = -glm::normalize(ground.viewpoint);
+  const auto depth = static_cast<double>(random.between(5.0F, 7.5F));
+  const double side = static_cast<double>(random.between(-0.55F, 0.55F)) * depth;
+  return ground.viewpoint + ground.spacing * (depth * ahead + side * glm::dvec2(ahead.y, -ahead.x));
+}
+
+glm::dvec2 somewhere(double half, Random& random) {
+  const double x = half * static_cast<double>(random.between(-1.0F, 1.0F));
+  return {x, half * static_cast<double>(random.between(-1.0F, 1.0F))};
+}
+
+// Into the ring, more or less.
+Heading facing_inward(glm::dvec2 outward, Random& random) {
+  const glm::dvec2 turn = cosine_sine(static_cast<double>(random.between(-0.25F, 0.25F)));
+  const double x = turn.x * outward.x - turn.y * outward.y;
+  const double z = turn.y * outward.x + turn.x * outward.y;
+  return {static_cast<float>(-z), static_cast<float>(-x)};
+}
+
+void stand_in_ring(const Group& group, std::size_t size, double jitter, Random& random,
+                   std::vector<StanderPlace>& standers) {
+  const double first = 4.0 * static_cast<double>(random.unit());
+  for (std::size_t member = 0; member < size; ++member) {
+    const double quarters = first + 4.0 * static_cast<double>(member) / static_cast<double>(size);
+    const glm::dvec2 outward = cosine_sine(quarters + static_cast<double>(random.between(-0.07F, 0.07F)));
+    const double radius = group.radius - 2.0 * jitter * static_cast<double>(random.unit());
+    const glm::dvec2 place = group.centre + (size == 1 ? 0.0 : radius) * outward;
+    standers.push_back({place, facing_inward(outward, random)});
+  }
+}
+
+class GroupPlacer {
+ public:
+  GroupPlacer(const GroundPlan& ground, Random random)
+      : ground_(ground),
+        random_(random),
+        groups_(ground.side, ground.spacing),
+        lanes_(ground),
+        half_(0.5 * ground.side) {}
+
+  Group place(std::size_t size, bool in_foreground) {
+    const double radius = (ring_radii[size - 1] + (size > 1 ? ring_jitter : 0.0)) * ground_.spacing;
+    for (int tries = 1;; ++tries) {
+      const bool foreground = in_foreground && tries <= tries_before_spreading;
+      const Group group{foreground ? somewhere_in_front(ground_, random_) : somewhere(half_, random_), radius};
+      if (fits(group)) {
+        groups_.add(group);
+        return group;
+      }
+      if (tries % tries_before_spreading == 0) half_ += 0.1 * ground_.spacing;
+    }
+  }
+
+ private:
+  bool fits(const Group& group) const {
+    if (glm::distance(group.centre, ground_.viewpoint) < clear_view * ground_.spacing + group.radius) return false;
+    return groups_.is_free(group, between_groups * ground_.spacing) && lanes_.is_free(group);
+  }
+
+  const GroundPlan& ground_;
+  Random random_;
+  GroupMap groups_;
+  LaneMap lanes_;
+  double half_;  // metres, of the square in which places are looked for
+};
+
+}  // namespace
+
+std::vector<StanderPlace> place_groups(std::size_t standers, const GroundPlan& ground, Random random) {
+  std::vector<StanderPlace> places;
+  places.reserve(standers);
+  GroupPlacer placer(ground, random);
+  for (std::size_t group = 0; places.size() < standers; ++group) {
+    const std::size_t size = std::min(pick_size(random), standers - places.size());
+    const Group place = placer.place(size, group < foreground_groups);
+    stand_in_ring(place, size, ring_jitter * ground.spacing, random, places);
+  }
+  return places;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/crowd/layout.h"
+#include "app/crowd/random.h"
+
+namespace throng::app {
+
+/// The ground that a band of parallel lanes takes.
+struct LaneGround {
+  Lane outermost;
+  double width;  ///< metres from the outermost lane to the innermost
+  double clear;  ///< metres to keep from either
+};
+
+/// Where standing agents may go.
+struct GroundPlan {
+  double side;           ///< metres, of the square about the origin
+  double spacing;        ///< as CharacterRoles::spacing
+  glm::dvec2 viewpoint;  ///< kept clear, with a few groups set before it
+  std::span<const LaneGround> lanes;
+};
+
+/// Loose groups of one to six, each a ring that faces its middle, strewn evenly, clear of lanes and of each other.
+/// Spreads past the square's edge when it is full, so all `standers` find a place.
+std::vector<StanderPlace> place_groups(std::size_t standers, const GroundPlan& ground, Random random);
+
+}  // namespace throng::app

@@ -1,0 +1,119 @@
+#include "app/crowd/habits.h"
+
+namespace throng::app {
+namespace {
+
+using enum Role;
+
+constexpr Transition all_transitions[] = {
+    // Strollers walk, stop to look, greet somebody, and hurry when they are late. From walk to walk is another way.
+    {Habit::stroll, walk, walk, 3.0F},
+    {Habit::stroll, walk, look_around, 1.0F},
+    {Habit::stroll, walk, stand, 1.0F},
+    {Habit::stroll, walk, wave, 0.7F},
+    {Habit::stroll, walk, jog, 1.0F},
+    {Habit::stroll, walk, run, 0.5F},
+    {Habit::stroll, stand, walk, 3.0F},
+    {Habit::stroll, stand, look_around, 1.0F},
+    {Habit::stroll, look_around, walk, 1.0F},
+    {Habit::stroll, wave, walk, 1.0F},
+    {Habit::stroll, jog, walk, 2.0F},
+    {Habit::stroll, jog, run, 1.0F},
+    {Habit::stroll, run, jog, 1.0F},
+    {Habit::stroll, run, walk, 1.0F},
+    // Those who stand about talk with their hands, and rest in between.
+    {Habit::stand_about, stand, look_around, 1.0F},
+    {Habit::stand_about, stand, wave, 1.0F},
+    {Habit::stand_about, stand, cheer, 1.0F},
+    {Habit::stand_about, stand, clap, 1.0F},
+    {Habit::stand_about, look_around, stand, 1.0F},
+    {Habit::stand_about, wave, stand, 1.0F},
+    {Habit::stand_about, cheer, stand, 1.0F},
+    {Habit::stand_about, clap, stand, 1.0F},
+    // A parade's spectators are rarely still.
+    {Habit::watch, stand, cheer, 2.0F},
+    {Habit::watch, stand, wave, 2.0F},
+    {Habit::watch, stand, clap, 2.0F},
+    {Habit::watch, cheer, wave, 1.0F},
+    {Habit::watch, cheer, clap, 1.0F},
+    {Habit::watch, cheer, stand, 1.0F},
+    {Habit::watch, wave, cheer, 1.0F},
+    {Habit::watch, wave, stand, 2.0F},
+    {Habit::watch, clap, cheer, 1.0F},
+    {Habit::watch, clap, stand, 2.0F},
+    // A stadium sits, and applauds; the wave that runs round makes it cheer besides.
+    {Habit::sit, sit, clap, 2.0F},
+    {Habit::sit, sit, wave, 1.0F},
+    {Habit::sit, sit, cheer, 0.5F},
+    {Habit::sit, clap, sit, 1.0F},
+    {Habit::sit, wave, sit, 1.0F},
+    {Habit::sit, cheer, sit, 1.0F},
+    // Athletes warm up, sprint, and get their breath back.
+    {Habit::train, jog, run, 2.0F},
+    {Habit::train, jog, walk, 1.0F},
+    {Habit::train, run, jog, 2.0F},
+    {Habit::train, run, walk, 1.0F},
+    {Habit::train, walk, jog, 3.0F},
+    {Habit::train, walk, stand, 0.5F},
+    {Habit::train, stand, walk, 1.0F},
+};
+
+constexpr Stay stays[] = {
+    {4.0F, 14.0F},  // stand
+    {3.0F, 7.0F},   // look_around
+    {8.0F, 24.0F},  // walk
+    {5.0F, 12.0F},  // jog
+    {3.0F, 7.0F},   // run
+    {2.5F, 6.0F},   // wave
+    {2.5F, 6.0F},   // cheer
+    {2.5F, 6.0F},   // clap
+    {6.0F, 24.0F},  // sit
+    {4.0F, 14.0F},  // other
+};
+static_assert(std::size(stays) == role_count + 1);
+
+constexpr float share_acting_at_first = 0.3F;
+
+Role resting_role(Habit habit) {
+  switch (habit) {
+    case Habit::stroll:
+    case Habit::march:
+      return walk;
+    case Habit::sit:
+      return sit;
+    case Habit::train:
+      return jog;
+    default:
+      return stand;
+  }
+}
+
+}  // namespace
+
+std::span<const Transition> transitions() { return all_transitions; }
+
+Stay stay_in(Role role) { return stays[index_of(role)]; }
+
+Role first_role(Habit habit, const CharacterRoles& character, Random& whim) {
+  const Role rest = resting_role(habit);
+  if (!character.playable(rest)) return Role::other;
+  const bool acts = !is_gait(rest) && whim.chance(share_acting_at_first);
+  return acts ? next_role(habit, rest, character, whim) : rest;
+}
+
+Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim) {
+  const auto is_open = [&](const Transition& transition) {
+    return transition.habit == habit && transition.from == from && character.playable(transition.to);
+  };
+  float total = 0.0F;
+  for (const Transition& transition : all_transitions) total += is_open(transition) ? transition.weight : 0.0F;
+  float chosen = whim.unit() * total;
+  for (const Transition& transition : all_transitions) {
+    if (!is_open(transition)) continue;
+    if (chosen < transition.weight) return transition.to;
+    chosen -= transition.weight;
+  }
+  return from;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "app/character/roles.h"
+#include "app/crowd/random.h"
+
+namespace throng::app {
+
+/// What somebody came for. It decides which of the transitions between roles are theirs.
+enum class Habit : std::uint8_t {
+  stroll,       ///< walks the lanes of a plaza, stops, goes on, runs now and then
+  stand_about,  ///< stands where it is, in a group or in a row of the grid
+  march,        ///< walks in rank and file and does nothing else
+  watch,        ///< stands beside a parade
+  sit,          ///< has a seat in the stadium
+  train,        ///< runs round the stadium's field
+  act,          ///< does what a script says (CutScene)
+};
+
+/// One arrow of the state machine: whoever has `habit` and has done `from` for long enough may go over to `to`, and
+/// does so in proportion to `weight`.
+struct Transition {
+  Habit habit;
+  Role from, to;
+  float weight;
+};
+
+/// All there are. What is not in this list never happens.
+std::span<const Transition> transitions();
+
+/// Seconds that a role is kept.
+struct Stay {
+  float least, most;
+};
+Stay stay_in(Role role);
+
+/// The role that an agent of `habit` begins with, as far as the character has a clip for it.
+Role first_role(Habit habit, const CharacterRoles& character, Random& whim);
+
+/// What follows on `from`: one of the transitions whose role the character can play; `from` if there is none.
+Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim);
+
+constexpr bool is_gait(Role role) { return role == Role::walk || role == Role::jog || role == Role::run; }
+
+}  // namespace throng::app

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/character/roles.h"
+#include "app/crowd/habits.h"
+#include "app/crowd/lanes.h"
+
+namespace throng::app {
+
+struct WalkerStart {
+  std::uint32_t lane;
+  double distance;  ///< metres from the lane's start
+};
+
+/// A place in a formation that marches along a route.
+struct MarcherStart {
+  double distance;  ///< metres from the route's start, along it
+  double offset;    ///< metres out of the route, away from the loop's middle
+};
+
+/// What a place is for.
+enum class Part : std::uint8_t { bystander, actor, prop };
+
+struct StanderPlace {
+  glm::dvec2 position{0.0};  ///< x, z in metres
+  Heading heading{};
+  double height = 0.0;  ///< metres above the ground
+  Habit habit = Habit::stand_about;
+  double round = 0.0;  ///< where there is a wave: 0 to below 1, how far along its way
+  Part part = Part::bystander;
+};
+
+/// Who is where when a scene begins; walkers, marchers and standers together are all its agents.
+struct CrowdLayout {
+  std::vector<Lane> lanes;  ///< with their speeds
+  std::vector<WalkerStart> walkers;
+  Habit walkers_habit = Habit::stroll;
+  Lane route;  ///< with its speed; of the marchers
+  std::vector<MarcherStart> marchers;
+  std::vector<StanderPlace> standers;
+  double wave_seconds = 0.0;  ///< what a wave that makes everyone cheer takes to come round; 0: there is none
+  double wave_begins = 2.0;   ///< seconds
+};
+
+/// Metres along one side of the square, centred on the origin, that the plaza of so many agents fills.
+double plaza_side(std::size_t agents, double spacing);
+
+/// The corner from which the plaza is looked at: x and z in metres. Nobody stands in front of it for a few metres.
+glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing);
+
+/// Promenades, small loops and loose groups that fill a plaza evenly, whatever its size.
+CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
+
+/// Agents in a row of the grid, and metres from one to the next.
+std::size_t grid_columns(std::size_t agents);
+double grid_pitch(double spacing);
+
+/// Rows that face +Z; the first is at z 0, the others behind it, x centred on 0.
+CrowdLayout grid_layout(std::size_t agents, const CharacterRoles& roles);
+
+}  // namespace throng::app

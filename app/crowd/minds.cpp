@@ -1,0 +1,170 @@
+#include "app/crowd/minds.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace throng::app {
+namespace {
+
+constexpr float shortest_fade = 0.3F, longest_fade = 0.8F;
+constexpr float passage_fade = 0.25F;    // seconds, into a clip that leads from one role to another and out of it
+constexpr double fastest_passage = 1.1;  // of whoever stays in place: the clip is left before it is over
+constexpr std::uint64_t first_whim_stream = 16;
+constexpr anim::Ticks never = std::numeric_limits<anim::Ticks>::max();
+
+anim::Ticks some_time(Random& whim, Stay stay) {
+  return anim::to_ticks(static_cast<double>(whim.between(stay.least, stay.most)));
+}
+
+}  // namespace
+
+CrowdMinds::CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::uint32_t seed)
+    : cast_(&cast), habits_(std::move(habits)) {
+  const std::size_t agents = habits_.size();
+  intentions_.assign(agents, Role::other);
+  roles_.assign(agents, Role::other);
+  clips_.assign(agents, no_clip);
+  next_changes_.assign(agents, never);
+  arrivals_.assign(agents, {never, Role::other, no_clip, false});
+  held_.assign(agents, 0);
+  whims_.reserve(agents);
+  requests_.reserve(agents);
+  changed_.reserve(agents);
+  for (std::size_t agent = 0; agent < agents; ++agent) {
+    whims_.emplace_back(seed, first_whim_stream + agent);
+    begin(agent);
+  }
+}
+
+void CrowdMinds::begin(std::size_t agent) {
+  Random& whim = whims_[agent];
+  const CharacterRoles& character = cast_->of(agent);
+  intentions_[agent] = first_role(habits_[agent], character, whim);
+  const std::vector<int>& others = character.others;
+  if (const auto role = character.playable(intentions_[agent])) {
+    roles_[agent] = *role;
+    clips_[agent] = character.clip(*role);
+  } else if (!others.empty()) {
+    clips_[agent] = others[agent % others.size()];
+  }
+  // Uniform from now on, so that the first changes come as evenly as all later ones.
+  const bool follows = habits_[agent] == Habit::march || habits_[agent] == Habit::act;
+  const bool changes = !follows && (intentions_[agent] != Role::other || others.size() > 1);
+  if (changes) next_changes_[agent] = some_time(whim, {0.5F, stay_in(intentions_[agent]).most});
+}
+
+void CrowdMinds::decide(anim::Ticks now) {
+  now_ = now;
+  requests_.clear();
+  changed_.clear();
+  for (std::size_t agent = 0; agent < habits_.size(); ++agent) {
+    if (holds(agent)) continue;
+    if (now >= arrivals_[agent].at) {
+      arrive(agent);
+    } else if (now >= next_changes_[agent]) {
+      change_role(agent, now);
+    }
+  }
+}
+
+void CrowdMinds::change_role(std::size_t agent, anim::Ticks now) {
+  Random& whim = whims_[agent];
+  if (intentions_[agent] == Role::other) {
+    play_next_other(agent);
+  } else {
+    const Role next = next_role(habits_[agent], intentions_[agent], cast_->of(agent), whim);
+    intentions_[agent] = next;
+    changed_.push_back(static_cast<std::uint32_t>(agent));
+    if (!is_gait(next)) show(agent, next);
+  }
+  next_changes_[agent] = now + some_time(whim, stay_in(intentions_[agent]));
+}
+
+void CrowdMinds::interrupt(std::size_t agent, Role role, anim::Ticks until) {
+  if (!cast_->of(agent).playable(role) || holds(agent)) return;
+  intentions_[agent] = role;
+  next_changes_[agent] = until;
+  arrivals_[agent].at = never;
+  const Role played = *cast_->of(agent).playable(role);
+  const int clip = cast_->of(agent).clip(played);
+  if (clip != clips_[agent]) {
+    fade_to(agent, played, clip, whims_[agent].between(shortest_fade, longest_fade));
+  }
+}
+
+std::optional<ClipRequest> CrowdMinds::show_apart(std::size_t agent, Role role) {
+  const std::size_t before = requests_.size();
+  show(agent, role);
+  if (requests_.size() == before) return std::nullopt;
+  const ClipRequest request = requests_.back();
+  requests_.pop_back();
+  return request;
+}
+
+std::optional<ClipRequest> CrowdMinds::hold(std::size_t agent) {
+  arrivals_[agent].at = never;
+  if (std::exchange(held_[agent], std::uint8_t{1}) != 0 || !is_gait(roles_[agent])) return std::nullopt;
+  return show_apart(agent, Role::stand);
+}
+
+std::optional<ClipRequest> CrowdMinds::release(std::size_t agent) {
+  if (std::exchange(held_[agent], std::uint8_t{0}) == 0) return std::nullopt;
+  return show_apart(agent, intentions_[agent]);
+}
+
+// Without a clip to stand with: from each of the others to the one after it.
+void CrowdMinds::play_next_other(std::size_t agent) {
+  const std::vector<int>& others = cast_->of(agent).others;
+  const auto current = std::ranges::find(others, clips_[agent]);
+  request(agent, Role::other, others[static_cast<std::size_t>(current - others.begin() + 1) % others.size()]);
+}
+
+void CrowdMinds::show(std::size_t agent, Role role) {
+  const auto played = cast_->of(agent).playable(role);
+  if (!played) return;
+  const int clip = cast_->of(agent).clip(*played);
+  if (clip == clips_[agent]) {
+    roles_[agent] = *played;
+  } else {
+    request(agent, *played, clip);
+  }
+}
+
+void CrowdMinds::request(std::size_t agent, Role role, int clip) {
+  if (pass(agent, role, clip)) return;
+  fade_to(agent, role, clip, whims_[agent].between(shortest_fade, longest_fade));
+}
+
+void CrowdMinds::fade_to(std::size_t agent, Role role, int clip, float seconds) {
+  roles_[agent] = role;
+  clips_[agent] = clip;
+  requests_.push_back({static_cast<std::uint32_t>(agent), role, clip, seconds});
+}
+
+// Into a seat and out of it by the clips for that, where there are any. On the way there, only what comes after
+// changes.
+bool CrowdMinds::pass(std::size_t agent, Role role, int clip) {
+  Arrival& arrival = arrivals_[agent];
+  if (arrival.at != never) {
+    arrival = {arrival.at, role, clip, arrival.seated};
+    roles_[agent] = role;
+    return true;
+  }
+  const bool sits = role == Role::sit;
+  const Passage& passage = sits ? cast_->of(agent).sit_down : cast_->of(agent).stand_up;
+  if (sits == (roles_[agent] == Role::sit) || passage.clip == no_clip) return false;
+  const double seconds = passage.seconds / fastest_passage - static_cast<double>(passage_fade);
+  arrival = {now_ + anim::to_ticks(seconds), role, clip, sits};
+  fade_to(agent, role, passage.clip, passage_fade);
+  return true;
+}
+
+void CrowdMinds::arrive(std::size_t agent) {
+  const Arrival arrival = std::exchange(arrivals_[agent], {never, Role::other, no_clip, false});
+  roles_[agent] = arrival.seated ? Role::sit : Role::stand;
+  if (pass(agent, arrival.role, arrival.clip)) return;  // thought better of it on the way
+  fade_to(agent, arrival.role, arrival.clip, passage_fade);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,144 @@
+#include "app/crowd/parade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "app/crowd/random.h"
+
+namespace throng::app {
+namespace {
+
+// Metres, for a person 1.8 m tall.
+constexpr double least_file_pitch = 0.85;
+constexpr double rank_pitch = 1.3;
+constexpr double inside_of_route = 5.0;  // least radius of the innermost file
+constexpr double clear_of_route = 1.5;
+constexpr double spectator_pitch = 0.8;
+constexpr double spectator_row = 0.95;
+
+constexpr double share_of_marchers = 0.6;
+constexpr std::size_t ranks_in_company = 8;
+constexpr double road_a_marching_metre = 1.6;  // of route, so that there is some between the companies
+constexpr double quarter_turn = std::numbers::pi / 2.0;
+
+struct Formation {
+  std::size_t marchers = 0, files = 1, ranks = 0;
+  double file_pitch = 1.0;
+};
+
+Formation formation_of(std::size_t agents, const CharacterRoles& roles) {
+  Formation formation;
+  if (!roles.can_walk()) return formation;
+  formation.marchers = static_cast<std::size_t>(std::ceil(share_of_marchers * static_cast<double>(agents)));
+  const auto wide = std::lround(std::sqrt(static_cast<double>(formation.marchers) / 8.0));
+  formation.files = static_cast<std::size_t>(std::max(wide, 1L));
+  formation.ranks = (formation.marchers + formation.files - 1) / formation.files;
+  const double cycle_on_turn = roles.walk_speed * roles.walk_seconds / quarter_turn;
+  const double least = least_file_pitch * roles.spacing();
+  formation.file_pitch = cycle_on_turn * std::max(1.0, std::ceil(least / cycle_on_turn));
+  return formation;
+}
+
+Lane route_of(const Formation& formation, const CharacterRoles& roles) {
+  const double spacing = roles.spacing();
+  const double half_width = 0.5 * static_cast<double>(formation.files - 1) * formation.file_pitch;
+  const double radius = half_width + inside_of_route * spacing;
+  const double wanted = road_a_marching_metre * rank_pitch * spacing * static_cast<double>(formation.ranks);
+  const double straight = std::max(wanted - 2.0 * std::numbers::pi * radius, 8.0 * radius) / 4.0;
+  return {{0.0, 0.0}, {straight, 0.0}, radius, 1.0, roles.walk_speed};
+}
+
+void line_up(const Formation& formation, const Lane& route, double spacing, CrowdLayout& layout) {
+  const double companies = std::ceil(static_cast<double>(formation.ranks) / ranks_in_company);
+  const double in_ranks = static_cast<double>(formation.ranks) * rank_pitch * spacing;
+  const double gap = (route.length() - in_ranks) / companies;
+  const double head = quarter_turn * route.corner_radius + 1.5 * route.core.x;  // on the straight at +Z
+  for (std::size_t marcher = 0; marcher < formation.marchers; ++marcher) {
+    const std::size_t rank = marcher / formation.files, file = marcher % formation.files;
+    const double behind =
+        static_cast<double>(rank) * rank_pitch * spacing + static_cast<double>(rank / ranks_in_company) * gap;
+    const double from_middle = static_cast<double>(file) - 0.5 * static_cast<double>(formation.files - 1);
+    layout.marchers.push_back(
+        {std::fmod(head - behind + route.length(), route.length()), from_middle * formation.file_pitch});
+  }
+}
+
+/// Rows of spectators on one side of the route.
+struct Stand {
+  Lane row;
+  double facing;  // 1: towards the loop's middle, -1: away from it
+};
+
+Stand stand_beside(const Lane& route, double half_width, std::size_t row, double spacing) {
+  const bool outside = row % 2 == 0;
+  const double away = half_width + (clear_of_route + spectator_row * static_cast<double>(row / 2)) * spacing;
+  Lane lane = route;
+  lane.corner_radius = outside ? route.corner_radius + away : route.corner_radius - away;
+  return {lane, outside ? 1.0 : -1.0};
+}
+
+// Some stand close together, some leave a gap; behind each other only where the row before is full.
+void add_row(const Stand& stand, std::size_t count, double spacing, Random& random, CrowdLayout& layout) {
+  const double step = stand.row.length() / static_cast<double>(count);
+  const double loose = std::min(step - 0.7 * spacing, 3.0 * spacing);
+  for (std::size_t spectator = 0; spectator < count; ++spectator) {
+    const double jitter = std::max(0.0, loose) * static_cast<double>(random.between(-0.5F, 0.5F));
+    const LanePlace place = stand.row.at(static_cast<double>(spectator) * step + jitter);
+    const auto facing = static_cast<float>(stand.facing);
+    // The way walked, turned a quarter towards the loop's middle.
+    const Heading inward{facing * place.heading.sine, -facing * place.heading.cosine};
+    layout.standers.push_back({.position = place.position, .heading = inward, .habit = Habit::watch});
+  }
+}
+
+void add_spectators(std::size_t wanted, double half_width, double spacing, Random random, CrowdLayout& layout) {
+  for (std::size_t row = 0; wanted > 0; ++row) {
+    const Stand stand = stand_beside(layout.route, half_width, row, spacing);
+    if (stand.row.corner_radius < spacing) continue;
+    const auto room = static_cast<std::size_t>(stand.row.length() / (spectator_pitch * spacing));
+    const std::size_t count = std::min(row == 0 ? (wanted + 1) / 2 : wanted, room);
+    add_row(stand, count, spacing, random, layout);
+    wanted -= count;
+  }
+}
+
+}  // namespace
+
+CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
+  const Formation formation = formation_of(agents, roles);
+  CrowdLayout layout;
+  layout.route = route_of(formation, roles);
+  if (formation.marchers > 0) line_up(formation, layout.route, roles.spacing(), layout);
+  const double half_width = 0.5 * static_cast<double>(formation.files - 1) * formation.file_pitch;
+  add_spectators(agents - formation.marchers, half_width, roles.spacing(), Random(seed, 5), layout);
+  return layout;
+}
+
+LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double seconds) {
+  LanePlace place = route.at(marcher.distance + route.speed * seconds);
+  const glm::dvec2 forward(static_cast<double>(place.heading.sine), static_cast<double>(place.heading.cosine));
+  place.position += marcher.offset * route.direction * glm::dvec2(forward.y, -forward.x);
+  return place;
+}
+
+double marcher_phase(const Lane& route, const MarcherStart& marcher, const CharacterRoles& roles) {
+  // Two straights and four quarter turns; on those, the file has fallen behind or gone ahead by its offset times the
+  // angle.
+  const double corner = quarter_turn * route.corner_radius, half = 2.0 * (corner + route.core.x);
+  const double on_half = std::fmod(marcher.distance, half);
+  const double quarters = std::min(on_half, corner) / corner + std::max(0.0, on_half - half + corner) / corner +
+                          2.0 * std::floor(marcher.distance / half);
+  const double cycles = marcher.offset * quarters * quarter_turn / (roles.walk_speed * roles.walk_seconds);
+  return cycles - std::floor(cycles);
+}
+
+ParadeSize parade_size(std::size_t agents, const CharacterRoles& roles) {
+  const Formation formation = formation_of(agents, roles);
+  const Lane route = route_of(formation, roles);
+  return {route.core.x, route.corner_radius, 0.5 * static_cast<double>(formation.files - 1) * formation.file_pitch};
+}
+
+}  // namespace throng::app

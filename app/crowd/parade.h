@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/crowd/layout.h"
+
+namespace throng::app {
+
+/// Companies in rank and file on a closed route of two straights and two ends, and spectators along it. The file pitch
+/// is such that on every quarter turn a file walks one whole cycle of the walk clip (or two, ...) more than the one
+/// inside it: on the straights everyone is in step, and nobody's feet slide.
+CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
+
+/// Where a marcher of `layout` is after `seconds`.
+LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double seconds);
+
+/// The phase of the walk clip, 0 to below 1, that a marcher starts with so that all of its file and rank are in step.
+double marcher_phase(const Lane& route, const MarcherStart& marcher, const CharacterRoles& roles);
+
+/// Metres, of the route's straights from its middle line, and of their outermost file from that.
+struct ParadeSize {
+  double half_length;  ///< of a straight
+  double radius;       ///< of the ends
+  double half_width;
+};
+ParadeSize parade_size(std::size_t agents, const CharacterRoles& roles);
+
+}  // namespace throng::app

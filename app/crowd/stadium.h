@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/crowd/layout.h"
+
+namespace throng::app {
+
+/// Tiers of seats around a field, the lowest at its level, all facing inwards, and athletes on lanes round the field.
+/// With `wave_seconds`, a wave runs round the tiers.
+CrowdLayout stadium_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
+
+/// Metres.
+struct StadiumSize {
+  double half_length, half_width;  ///< of the lowest tier, along x and z
+  double depth, height;            ///< of all tiers
+};
+StadiumSize stadium_size(std::size_t agents, const CharacterRoles& roles);
+
+}  // namespace throng::app

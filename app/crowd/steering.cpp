@@ -1,0 +1,207 @@
+#include "app/crowd/steering.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "app/crowd/tiles.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float horizon = 2.5F;  // seconds that an agent looks ahead
+constexpr float reach_in_spacings = 4.0F;
+constexpr float comfort = 1.5F;         // passing distance, in radii summed
+constexpr float avoidance = 1.6F;       // of the wished speed, at the strongest
+constexpr float sidestep = 0.6F;        // of the speed that is lost
+constexpr float follow_seconds = 0.4F;  // in which the gap to the one ahead may close
+constexpr float acceleration = 3.5F;    // metres a second squared, for a person 1.8 m tall
+constexpr float braking = 7.0F;
+constexpr std::size_t most_close = 32;  // no more discs fit within a step's reach
+
+/// A half-plane of velocities: `velocity . towards` is at most `soft` to be polite and `hard` to stay apart.
+struct Limit {
+  glm::vec2 towards;
+  float soft;
+  float hard;
+};
+
+/// Metres: as far as an agent looks, and the most by which two come nearer in a step.
+struct Reach {
+  float sight;
+  float closing;
+};
+
+/// What an agent has around it.
+struct Surroundings {
+  glm::vec2 turn_away{0.0F};  // metres a second
+  std::array<Limit, most_close> limits;
+  std::size_t close = 0;
+  bool is_crowded = false;  // more are close than can be told apart
+};
+
+float squared(glm::vec2 vector) { return glm::dot(vector, vector); }
+
+glm::vec2 right_of(glm::vec2 forward) { return {-forward.y, forward.x}; }
+
+glm::vec2 with_length(glm::vec2 vector, float length) {
+  const float square = squared(vector);
+  return square > 0.0F ? vector * (length / std::sqrt(square)) : glm::vec2(0.0F);
+}
+
+glm::vec2 no_longer_than(glm::vec2 vector, float length) {
+  return squared(vector) > length * length ? with_length(vector, length) : vector;
+}
+
+/// One agent's step.
+class Step {
+ public:
+  Step(const Body& self, const Wish& wish, float seconds, Reach reach)
+      : self_(self), wish_(wish), seconds_(seconds), reach_(reach), wished_speed_(glm::length(wish.velocity)) {}
+
+  void see(const Body& other) {
+    if (other.agent == self_.agent) return;
+    const glm::vec2 apart = other.position - self_.position;
+    const float square = squared(apart);
+    if (square > reach_.sight * reach_.sight) return;
+    const float radii = self_.radius + other.radius;
+    avoid(other, apart, radii);
+    const float close = radii + reach_.closing;
+    if (square < close * close) limit(other, apart, std::sqrt(square), radii);
+  }
+
+  glm::vec2 velocity(float spacing, float most_speed) {
+    if (around_.is_crowded) return glm::vec2(0.0F);
+    glm::vec2 velocity = wish_.velocity + no_longer_than(around_.turn_away, 1.2F * wished_speed_);
+    velocity = no_longer_than(velocity, wish_.most_speed);
+    velocity = politely(velocity);
+    // Whoever is held up tries its right.
+    const float held_up = wished_speed_ - glm::dot(velocity, with_length(wish_.velocity, 1.0F));
+    if (held_up > 0.5F * wished_speed_) {
+      velocity = politely(velocity + with_length(right_of(wish_.velocity), sidestep * held_up));
+    }
+    const float change = (squared(velocity) < squared(self_.velocity) ? braking : acceleration) * spacing * seconds_;
+    velocity = self_.velocity + no_longer_than(velocity - self_.velocity, change);
+    return kept_apart(no_longer_than(velocity, most_speed));
+  }
+
+ private:
+  static float over(glm::vec2 velocity, const Limit& limit, float most) {
+    return glm::dot(velocity, limit.towards) - most;
+  }
+  std::span<const Limit> limits() const { return {around_.limits.data(), around_.close}; }
+
+  // Away from where the other will be seen at the closest approach, the sooner and the closer the more.
+  void avoid(const Body& other, glm::vec2 apart, float radii) {
+    const glm::vec2 relative = other.velocity - wish_.velocity;
+    const float speed_squared = squared(relative);
+    const float closing = -glm::dot(apart, relative);
+    if (closing <= 0.0F || closing >= horizon * speed_squared) return;
+    const float time = closing / speed_squared;
+    const glm::vec2 miss = apart + relative * time;
+    const float passing = comfort * radii;
+    if (squared(miss) >= passing * passing) return;
+    const bool head_on = glm::dot(other.velocity, wish_.velocity) <= 0.0F;
+    const glm::vec2 right = right_of(with_length(wish_.velocity, radii));
+    const glm::vec2 away = (head_on ? 0.35F : 0.1F) * right - miss;
+    const float soon = 1.0F - time / horizon;
+    const float close = 1.0F - glm::length(miss) / passing;
+    around_.turn_away += with_length(away, avoidance * wished_speed_ * close * soon * soon);
+  }
+
+  void limit(const Body& other, glm::vec2 apart, float distance, float radii) {
+    if (around_.close == most_close) {
+      around_.is_crowded = true;
+      return;
+    }
+    const glm::vec2 towards = distance > 0.0F ? apart / distance : glm::vec2(0.0F);
+    const float share = other.moves ? 0.5F : 1.0F;
+    const float lead = std::max(0.0F, glm::dot(other.velocity, towards));
+    const float gap = distance - least_share_of_radii * radii;
+    around_.limits[around_.close++] = {towards, lead + share * (distance - radii) / follow_seconds,
+                                       std::max(0.0F, share * gap / seconds_)};
+  }
+
+  glm::vec2 politely(glm::vec2 velocity) const {
+    for (int pass = 0; pass < 3; ++pass) {
+      for (const Limit& limit : limits()) velocity -= limit.towards * std::max(0.0F, over(velocity, limit, limit.soft));
+    }
+    return velocity;
+  }
+
+  glm::vec2 kept_apart(glm::vec2 velocity) const {
+    for (int pass = 0; pass < 2; ++pass) {
+      for (const Limit& limit : limits()) velocity -= limit.towards * std::max(0.0F, over(velocity, limit, limit.hard));
+    }
+    float kept = 1.0F;  // standing still is within every limit, so some part of the way there is too
+    for (const Limit& limit : limits()) {
+      const float speed = glm::dot(velocity, limit.towards);
+      if (speed > limit.hard) kept = std::min(kept, limit.hard / speed);
+    }
+    return velocity * kept;
+  }
+
+  const Body& self_;
+  const Wish& wish_;
+  float seconds_;
+  Reach reach_;
+  float wished_speed_;
+  Surroundings around_;
+};
+
+/// What all of a step share.
+struct StepWork {
+  const CrowdCells* cells;
+  std::span<Body> bodies;
+  std::span<const Wish> wishes;
+  float seconds;
+  float spacing;
+  float most_speed;
+  Reach reach;
+};
+
+void move_body(const StepWork& work, const Body& self) {
+  Step step(self, work.wishes[self.agent], work.seconds, work.reach);
+  work.cells->visit_near(self.position, [&](const Body& other) { step.see(other); });
+  Body& moved = work.bodies[self.agent];
+  moved.velocity = step.velocity(work.spacing, work.most_speed);
+  moved.position = self.position + moved.velocity * work.seconds;
+}
+
+}  // namespace
+
+Steering::Steering(std::size_t agents, const Ground& ground)
+    : ground_(ground), reach_(std::max(reach_in_spacings * ground.spacing, 8.0F * ground.largest_radius)) {
+  // Whoever two can meet in one step is within reach of both.
+  longest_step_ = 0.25F * (reach_ - 2.0F * ground.largest_radius);
+  cells_.set_aside(agents, ground.lowest, ground.highest, reach_);
+}
+
+void Steering::step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor,
+                    int jobs) {
+  assert(bodies.size() == wishes.size() && seconds > 0.0F && jobs > 0);
+  cells_.sort(bodies);
+  float fastest = 0.0F;
+  for (const Body& body : bodies) {
+    if (body.moves) fastest = std::max(fastest, wishes[body.agent].most_speed);
+  }
+  if (fastest == 0.0F) return;
+  const float most_speed = std::min(fastest, longest_step_ / seconds);
+  const float closing_reach = std::max(2.0F * most_speed * seconds, 0.6F * ground_.spacing);
+  const StepWork work{.cells = &cells_,
+                      .bodies = bodies,
+                      .wishes = wishes,
+                      .seconds = seconds,
+                      .spacing = ground_.spacing,
+                      .most_speed = most_speed,
+                      .reach = {.sight = reach_, .closing = closing_reach}};
+  const std::span<const Body> sorted = cells_.bodies();
+  visit_in_tiles(sorted.size(), executor, jobs, [&](std::size_t body) {
+    if (sorted[body].moves) move_body(work, sorted[body]);
+  });
+}
+
+}  // namespace throng::app

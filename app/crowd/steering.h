@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/crowd/cells.h"
+#include "engine/anim/base/executor.h"
+
+namespace throng::app {
+
+/// Two agents never come nearer than this share of their radii summed, if they were not when they began.
+inline constexpr float least_share_of_radii = 0.82F;
+
+/// Where an agent would go if nobody was in its way.
+struct Wish {
+  glm::vec2 velocity{0.0F};  ///< metres a second
+  float most_speed = 0.0F;   ///< metres a second, also while it makes way; above 0 for bodies that move
+};
+
+/// Lets agents walk around each other. Each looks at where all were when the step began, so the agents can be computed
+/// in any order and on any number of PUs with the same result to the last bit.
+///
+/// An agent turns away from those it would come too close to (time and place of closest approach; on its right from
+/// those who come head-on), follows no faster than those it walks behind, and accelerates within limits. Whatever that
+/// gives is cut to the half-planes of its buffered Voronoi cell (Zhou et al. 2017), whose origin is always free: of the
+/// gap between two, each may take its half, all of it where the other stands. So nobody meets anybody, however dense.
+class Steering {
+ public:
+  struct Ground {
+    glm::vec2 lowest{0.0F}, highest{0.0F};  ///< metres, where agents are as a rule
+    float largest_radius = 0.3F;            ///< metres
+    float spacing = 1.0F;                   ///< as CharacterRoles::spacing: lengths and accelerations grow with it
+  };
+
+  Steering() = default;
+  Steering(std::size_t agents, const Ground& ground);
+
+  /// One step of `seconds`, above 0: new positions and velocities of the bodies that move, into `bodies`; one wish an
+  /// agent, `bodies[i].agent` is i. `jobs`, 1 or more, run at once on `executor`. Allocates nothing.
+  void step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor, int jobs);
+
+  /// Metres that nobody exceeds in one step.
+  float longest_step() const { return longest_step_; }
+
+ private:
+  Ground ground_;
+  float reach_ = 1.0F;
+  float longest_step_ = 0.0F;
+  CrowdCells cells_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+
+#include "engine/anim/base/executor.h"
+
+namespace throng::app {
+
+/// Calls visit(i) for each i below `count`, tiles of them shared out over `jobs` jobs. What one visit writes, no other
+/// reads or writes.
+template <typename Visit>
+void visit_in_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
+  constexpr std::size_t tile = 128;
+  struct Work {
+    std::size_t count;
+    Visit* visit;
+    std::atomic<std::size_t> next_tile{0};
+  } work{count, &visit};
+  const auto run = [](void* context, int) {
+    auto& shared = *static_cast<Work*>(context);
+    for (;;) {
+      const std::size_t first = tile * shared.next_tile.fetch_add(1, std::memory_order_relaxed);
+      if (first >= shared.count) return;
+      for (std::size_t i = first; i < std::min(first + tile, shared.count); ++i) (*shared.visit)(i);
+    }
+  };
+  const auto tiles = static_cast<int>(std::min<std::size_t>((count + tile - 1) / tile, 256));
+  if (tiles > 0) executor.run(std::min(jobs, tiles), {run, &work});
+}
+
+}  // namespace throng::app

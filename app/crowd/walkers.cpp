@@ -1,0 +1,225 @@
+#include "app/crowd/walkers.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/crowd/tiles.h"
+#include "app/crowd/turn.h"
+
+namespace throng::app {
+namespace {
+
+constexpr anim::Ticks longest_step = anim::ticks_per_second / 30;
+constexpr int most_steps = 64;
+constexpr anim::Ticks least_time_in_gait = anim::ticks_per_second * 3 / 5;
+constexpr anim::Ticks patience = anim::ticks_per_second * 3;  // until somebody who is stuck goes another way
+
+constexpr float lead_in_spacings = 1.2F, lead_seconds = 0.6F;
+constexpr float aside_in_spacings = 3.0F;
+constexpr double lead_step = 0.25;      // metres
+constexpr float farthest_lane = 22.0F;  // metres to another lane
+constexpr float chance_of_another_way = 0.5F;
+constexpr float standing_speed = 0.05F;  // metres a second
+constexpr float share_of_walk_to_step = 0.25F;
+constexpr float gait_band = 1.08F;  // by which a speed must leave a gait's range
+constexpr double turns_a_second = 0.75;
+
+glm::vec2 on_ground(const LanePlace& place) { return {place.position}; }
+
+std::pair<glm::vec2, glm::vec2> extent_of(std::span<const Body> bodies) {
+  glm::vec2 lowest(std::numeric_limits<float>::max()), highest(std::numeric_limits<float>::lowest());
+  for (const Body& body : bodies) {
+    lowest = glm::min(lowest, body.position);
+    highest = glm::max(highest, body.position);
+  }
+  return {lowest, highest};
+}
+
+Steering::Ground ground_of(std::span<const Body> bodies, float spacing) {
+  const auto [lowest, highest] = extent_of(bodies);
+  float largest = 0.0F;
+  for (const Body& body : bodies) largest = std::max(largest, body.radius);
+  return {lowest, highest, largest, spacing};
+}
+
+// From one heading towards another, by one turn at most.
+Heading turned(Heading from, Heading to, glm::vec2 most) {
+  const float cosine = from.cosine * to.cosine + from.sine * to.sine;
+  if (cosine >= most.x) return to;
+  const float side = from.cosine * to.sine - from.sine * to.cosine < 0.0F ? -most.y : most.y;
+  const float c = from.cosine * most.x - from.sine * side, s = from.sine * most.x + from.cosine * side;
+  const float length = std::sqrt(c * c + s * s);
+  return {c / length, s / length};
+}
+
+}  // namespace
+
+CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
+                           std::vector<Body> bodies, std::vector<float> paces)
+    : cast_(&cast),
+      spacing_(static_cast<float>(cast.spacing())),
+      lanes_(std::move(lanes)),
+      starts_(std::move(starts)),
+      ahead_(starts_.size()),
+      paces_(std::move(paces)),
+      headings_(starts_.size()),
+      moved_at_(starts_.size(), 0),
+      new_gait_at_(starts_.size(), 0),
+      bodies_(std::move(bodies)),
+      wishes_(bodies_.size()) {
+  assert(paces_.size() == starts_.size() && bodies_.size() >= starts_.size());
+  if (starts_.empty()) return;
+  for (std::size_t walker = 0; walker < count(); ++walker) begin_walking(walker);
+  steering_ = Steering(bodies_.size(), ground_of(bodies_, spacing_));
+}
+
+void CrowdWalkers::begin_walking(std::size_t walker) {
+  const WalkerStart& start = starts_[walker];
+  const LanePlace place = lanes_[start.lane].at(start.distance);
+  ahead_[walker] = bodies_[walker].position = on_ground(place);
+  headings_[walker] = place.heading;
+  bodies_[walker].moves = true;
+  bodies_[walker].velocity = glm::vec2(place.heading.sine, place.heading.cosine) * speed_of(walker, Role::walk);
+}
+
+float CrowdWalkers::speed_of(std::size_t walker, Role gait) const {
+  const CharacterRoles& character = cast_->of(walker);
+  const double speed = character.ground_speed(character.playable(gait).value_or(Role::walk));
+  return static_cast<float>(speed) * paces_[walker];
+}
+
+// To the nearest of a few places on another lane, if one is near enough.
+void CrowdWalkers::set_out(std::size_t walker, Random& whim) {
+  constexpr int tries = 4, places = 8;
+  const glm::vec2 here = bodies_[walker].position;
+  for (int i = 0; i < tries; ++i) {
+    const std::uint32_t lane = whim.below(static_cast<std::uint32_t>(lanes_.size()));
+    if (lane == starts_[walker].lane) continue;
+    const double length = lanes_[lane].length();
+    float nearest = farthest_lane * spacing_;
+    WalkerStart chosen = starts_[walker];
+    for (int place = 0; place < places; ++place) {
+      const WalkerStart candidate{lane, length * place / places};
+      const float away = glm::distance(on_ground(lanes_[lane].at(candidate.distance)), here);
+      if (away >= nearest) continue;
+      nearest = away;
+      chosen = candidate;
+    }
+    if (chosen.lane != lane) continue;
+    starts_[walker] = chosen;
+    ahead_[walker] = on_ground(lanes_[lane].at(chosen.distance));
+    return;
+  }
+}
+
+// A few steps in any direction first, then to another lane: the way out for somebody hemmed in.
+void CrowdWalkers::turn_aside(std::size_t walker, Random& whim) {
+  set_out(walker, whim);
+  const glm::vec2 direction(cosine_sine(4.0 * static_cast<double>(whim.unit())));
+  ahead_[walker] = bodies_[walker].position + direction * (aside_in_spacings * spacing_);
+}
+
+void CrowdWalkers::look_ahead(std::size_t walker) {
+  WalkerStart& way = starts_[walker];
+  const Lane& lane = lanes_[way.lane];
+  const float by_speed = lead_in_spacings * spacing_ + lead_seconds * glm::length(bodies_[walker].velocity);
+  const float lead = std::min(by_speed, 0.2F * static_cast<float>(lane.length()));
+  for (int step = 0; step < 64 && glm::distance(ahead_[walker], bodies_[walker].position) < lead; ++step) {
+    way.distance += lead_step * static_cast<double>(spacing_);
+    ahead_[walker] = on_ground(lane.at(way.distance));
+  }
+}
+
+void CrowdWalkers::wish(std::size_t walker, Role intention) {
+  Body& body = bodies_[walker];
+  if (!is_gait(intention)) {
+    body.moves = glm::length(body.velocity) > standing_speed;
+    if (!body.moves) body.velocity = glm::vec2(0.0F);
+    wishes_[walker] = {glm::vec2(0.0F), body.moves ? glm::length(body.velocity) : 0.0F};
+    return;
+  }
+  look_ahead(walker);
+  const glm::vec2 way = ahead_[walker] - body.position;
+  const float left = std::max(glm::length(way), 1e-3F);
+  const float speed = speed_of(walker, intention);
+  body.moves = true;
+  wishes_[walker] = {way * (speed / left), 1.15F * speed};
+}
+
+void CrowdWalkers::stop(std::size_t walker) {
+  bodies_[walker].moves = false;
+  bodies_[walker].velocity = glm::vec2(0.0F);
+  wishes_[walker] = {};
+}
+
+void CrowdWalkers::turn(std::size_t walker, float seconds) {
+  const glm::vec2 velocity = bodies_[walker].velocity;
+  const float speed = glm::length(velocity);
+  if (speed < standing_speed) return;
+  const glm::dvec2 most = cosine_sine(4.0 * turns_a_second * static_cast<double>(seconds));
+  headings_[walker] = turned(headings_[walker], {velocity.y / speed, velocity.x / speed}, glm::vec2(most));
+}
+
+// The gait whose range the speed is in; a little beyond it, still the one that is shown.
+Role CrowdWalkers::gait(std::size_t walker, Role shown) const {
+  const float speed = glm::length(bodies_[walker].velocity);
+  Role fitting = Role::walk;
+  for (const Role faster : {Role::jog, Role::run}) {
+    if (cast_->of(walker).playable(faster) != faster) continue;
+    const float border = std::sqrt(speed_of(walker, fitting) * speed_of(walker, faster));
+    const bool is_shown = is_gait(shown) && shown >= faster;
+    if (speed > (is_shown ? border / gait_band : border * gait_band)) fitting = faster;
+  }
+  return fitting;
+}
+
+void CrowdWalkers::show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& minds) {
+  const Role shown = minds.roles()[walker];
+  const bool steps = glm::length(bodies_[walker].velocity) > share_of_walk_to_step * speed_of(walker, Role::walk);
+  if (steps) moved_at_[walker] = now;
+  if (now - new_gait_at_[walker] < least_time_in_gait) return;
+  const anim::Ticks held_up = now - moved_at_[walker];
+  if (held_up >= patience && now - new_gait_at_[walker] >= patience) {
+    new_gait_at_[walker] = now;
+    turn_aside(walker, minds.whim(walker));
+    return;
+  }
+  const bool is_held_up = held_up > least_time_in_gait;
+  const Role fitting = is_held_up ? Role::stand : gait(walker, shown);
+  if (fitting == shown || (fitting == Role::stand && !cast_->of(walker).playable(fitting))) return;
+  new_gait_at_[walker] = now;
+  minds.show(walker, fitting);
+}
+
+void CrowdWalkers::advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs) {
+  if (starts_.empty() || dt <= 0) return;
+  for (const std::uint32_t agent : minds.changed()) {
+    if (agent >= count() || !is_gait(minds.intentions()[agent])) continue;
+    moved_at_[agent] = now;
+    if (minds.whim(agent).chance(chance_of_another_way)) set_out(agent, minds.whim(agent));
+  }
+  const auto steps = static_cast<int>(std::min<anim::Ticks>((dt + longest_step - 1) / longest_step, most_steps));
+  const auto seconds = static_cast<float>(anim::to_seconds(dt) / steps);
+  for (int step = 0; step < steps; ++step) {
+    visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {
+      if (minds.holds(walker)) {
+        stop(walker);
+      } else {
+        wish(walker, minds.intentions()[walker]);
+      }
+    });
+    steering_.step(bodies_, wishes_, seconds, executor, jobs);
+    visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) { turn(walker, seconds); });
+  }
+  for (std::size_t walker = 0; walker < count(); ++walker) {
+    if (is_gait(minds.intentions()[walker]) && !minds.holds(walker)) show_gait(walker, now, minds);
+  }
+}
+
+}  // namespace throng::app

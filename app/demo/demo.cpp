@@ -1,0 +1,142 @@
+#include "app/demo/demo.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "app/demo/frame_reporter.h"
+#include "app/demo/window_loop.h"
+#include "app/files/atomic_file.h"
+#include "app/files/data_folder.h"
+#include "app/files/exit_status.h"
+#include "app/overlay/overlay.h"
+#include "app/show/replay.h"
+#include "app/show/show.h"
+#include "app/view/fly_camera.h"
+
+namespace throng::app {
+namespace {
+
+// The overlay in a picture: nobody moves a mouse, so one frame of it is all there is.
+anim::Status draw_overlay(Show& show, const DemoOptions& options) {
+  const auto fonts = find_data(data_folders(options.data), "assets/fonts");
+  Tuning tuning = show.stage().tuning();
+  FrameReporter reporter(show);
+  reporter.update(show, place_of(show.camera), show.last_update_ms() + show.last_draw_ms(), show.notice);
+  if (options.ui_fixed) {
+    const auto figures = find_data(data_folders(options.data), "assets/fixed_report.json");
+    if (!figures) return figures.error();
+    if (const anim::Status fixed = reporter.fix_measured(*figures); !fixed) return fixed;
+  }
+  Overlay overlay(fonts ? *fonts : std::filesystem::path(), options.ui_scale, tuning);
+  overlay.show_tab(options.ui_tab);
+  const render::Status prepared = show.renderer().prepare_overlay();
+  if (!prepared) return anim::Error{prepared.error().message};
+  constexpr int frames_until_laid_out = 30;  // three would do; the more, the truer the time of one
+  for (int frame = 0; frame < frames_until_laid_out; ++frame) {
+    const auto start = std::chrono::steady_clock::now();
+    overlay.begin_frame(show.width, show.height, 1.0 / 60.0, {});
+    overlay.build(reporter.report(), tuning);
+    show.add_overlay_time(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  show.renderer().draw_overlay(*overlay.draw_data());
+  if (options.ui_map.empty()) return anim::Done{};
+  return write_whole_file(options.ui_map, to_json(overlay.ui_map(), tuning, reporter.report()));
+}
+
+int write_results(Show& show, const DemoOptions& options) {
+  if (!options.screenshot.empty()) {
+    const render::Status written = render::write_png(show.renderer().read_image(), options.screenshot);
+    if (!written) return end_with(exit_job_failed, written.error().message);
+  }
+  if (!options.stats.empty()) {
+    const anim::Status written = show.statistics().write(options.stats, show.stage(), show.drawn_by());
+    if (!written) return end_with(exit_job_failed, written.error().message);
+  }
+  if (show.timeline()) {
+    const anim::Status written = write_whole_file(options.trace, show.timeline()->to_json());
+    if (!written) return end_with(exit_job_failed, written.error().message);
+  }
+  return exit_done;
+}
+
+anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay) {
+  const DrawWhich which = show.draws() ? drawn_frames(options) : DrawWhich::none;
+  for (int frame = 1; !options.frames_given || frame <= options.frames; ++frame) {
+    const anim::Result<bool> repeated = replay.step(show);
+    if (!repeated) return repeated.error();
+    if (!*repeated) break;
+    if (which == DrawWhich::all) show.draw();
+  }
+  if (which == DrawWhich::last) show.draw();
+  return anim::Done{};
+}
+
+anim::Status run_frames(Show& show, const DemoOptions& options) {
+  const anim::Ticks step = anim::to_ticks(options.dt.value_or(1.0 / 60.0));
+  const DrawWhich which = drawn_frames(options);
+  for (int frame = 1; frame <= options.frames; ++frame) {
+    show.animate(step);
+    const bool last = frame == options.frames;
+    if (show.draws() && (which == DrawWhich::all || (which == DrawWhich::last && last))) show.draw();
+  }
+  return anim::Done{};
+}
+
+anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
+  const anim::Status run = replay != nullptr ? run_replay(show, options, *replay) : run_frames(show, options);
+  if (!run) return run;
+  if (options.ui && show.draws() && drawn_frames(options) != DrawWhich::none) return draw_overlay(show, options);
+  return anim::Done{};
+}
+
+anim::Status run_recorded(Show& show, const DemoOptions& options, Replay* replay) {
+  if (!options.record.empty()) {
+    if (anim::Status started = show.start_recording(options.record); !started) return started;
+  }
+  if (replay != nullptr) {
+    if (anim::Status begun = replay->begin(show); !begun) return begun;
+  }
+  if (options.selected) show.select(static_cast<std::uint32_t>(*options.selected));
+  const bool window = options.context == ContextKind::window;
+  const anim::Status run = window ? run_window(show, options, replay) : run_headless(show, options, replay);
+  const anim::Status recorded = show.stop_recording();
+  return run ? recorded : run;
+}
+
+// Beside JSON on standard output, on standard error.
+void say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
+  std::fprintf(options.stats == "-" ? stderr : stdout, "%s\n", replay.summary().c_str());
+}
+
+// What a window shows over the crowd.
+void say_on_stderr(const std::string& notice) {
+  std::istringstream lines(notice);
+  for (std::string line; std::getline(lines, line);) end_with(exit_done, line);
+}
+
+int run_show(const DemoOptions& options, Replay* replay) {
+  Failure failure;
+  const std::unique_ptr<Show> show = Show::create(options, failure);
+  if (show == nullptr) return end_with(static_cast<ExitStatus>(failure.status), failure.message);
+  const anim::Status run = run_recorded(*show, options, replay);
+  if (!run) return end_with(exit_job_failed, run.error().message);
+  const int written = write_results(*show, options);
+  if (written != exit_done) return written;
+  if (replay != nullptr) say_what_was_repeated(*replay, options);
+  if (options.context != ContextKind::window) say_on_stderr(show->notice);
+  return exit_done;
+}
+
+}  // namespace
+
+int run_demo(const DemoOptions& given) {
+  if (given.replay.empty()) return run_show(given, nullptr);
+  const auto replay = Replay::open(given.replay);
+  if (!replay) return end_with(exit_job_failed, replay.error().message);
+  return run_show((*replay)->options(given), replay->get());
+}
+
+}  // namespace throng::app

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/demo/fixed_report.h"
+#include "app/demo/selection_log.h"
+#include "app/figures/limiter.h"
+#include "app/report/frame_report.h"
+#include "app/show/show.h"
+
+namespace throng::app {
+
+/// Fills the overlay's view of the show, frame by frame.
+class FrameReporter {
+ public:
+  explicit FrameReporter(const Show& show);
+
+  /// The characters of the show, which may be others than before.
+  void describe_characters(const Show& show);
+  /// Whose roles and bones are reported, of the show's characters; the first until told otherwise.
+  void describe_character(const Show& show, std::size_t character);
+
+  /// After a frame was animated and drawn; `frame_ms` from its start to its end.
+  void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
+
+  void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
+  void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
+  /// The camera of the frame that begins.
+  void see_from(const CameraPlace& camera) { report_.camera = camera; }
+
+  /// As app::fix_measured.
+  anim::Status fix_measured(const std::filesystem::path& report_file) {
+    return app::fix_measured(report_file, report_);
+  }
+
+  const FrameReport& report() const { return report_; }
+
+ private:
+  void describe_device(const Show& show);
+  void describe_bones(const anim::Character& character);
+  void add_level_of_detail(const Stage& stage);
+  void add_limits(const Stage& stage);
+  void add_heads(const Stage& stage);
+  void add_memory(const anim::AnimationSystem& system);
+  void remember_timeline();
+  void add_units(const anim::AnimationSystem& system, double update_ms);
+
+  FrameReport report_;
+  LimiterOverFrames limit_;
+  SelectionLog selection_log_;
+};
+
+}  // namespace throng::app

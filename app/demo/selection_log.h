@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "app/report/selection_report.h"
+#include "app/stage/stage.h"
+
+namespace throng::app {
+
+/// What became of the selected agent since it was selected: its level of detail of each frame, and what it met.
+class SelectionLog {
+ public:
+  static constexpr std::size_t most_frames = 240, most_events = 32;
+
+  /// Once a frame, after the stage was posed; adds the log to the report of its selected agent. Allocates.
+  void update(const Stage& stage, SelectionReport& selected);
+
+ private:
+  void begin(const Stage& stage, const SelectionReport& selected);
+  void note(double seconds, const std::string& what);
+  void note_data_keys(const Stage& stage);
+  void note_clip(const Stage& stage);
+
+  std::uint32_t agent_ = 0;
+  std::uint64_t crowd_ = 0;
+  anim::Ticks seen_until_ = 0;
+  int clip_ = no_clip;
+  std::deque<LodOfFrame> history_;
+  std::deque<std::string> events_;  // the newest first
+};
+
+}  // namespace throng::app

@@ -1,0 +1,320 @@
+#include "app/demo/window_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "app/demo/frame_reporter.h"
+#include "app/demo/window_input.h"
+#include "app/files/atomic_file.h"
+#include "app/files/data_folder.h"
+#include "app/overlay/overlay.h"
+#include "app/report/tuning_sweep.h"
+#include "app/settings/preset.h"
+#include "app/view/fly_camera.h"
+
+namespace throng::app {
+namespace {
+
+constexpr double longest_step = 0.1;  // seconds: a breakpoint or a dragged window does not make the crowd jump
+constexpr double single_step = 1.0 / 60.0;
+
+UpdateCost cost_of_last_update(const anim::AnimationSystem& system) {
+  const anim::CopyCounts& copied = system.report().copies;
+  UpdateCost cost{.milliseconds = system.update_time().milliseconds, .bytes = copied.bytes_in + copied.bytes_out};
+  for (const anim::ProcessingUnit& unit : system.units()) cost.tasks += unit.activity().tasks;
+  return cost;
+}
+
+class WindowLoop {
+ public:
+  WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
+      : show_(show),
+        options_(options),
+        replay_(replay),
+        tuning_(show.stage().tuning()),
+        accepted_(tuning_),
+        input_(show.context().window()),
+        overlay_(fonts_folder(options), options.ui_scale, tuning_, input_.clipboard()),
+        fly_camera_(place_of(show.camera)),
+        reporter_(show) {
+    overlay_.set_hidden(options.hide_ui);
+    reporter_.set_preset_names(preset_names());
+    show_.keep_moments();
+    overlay_.show_tab(options.ui_tab);
+  }
+
+  anim::Status run() {
+    const render::Status prepared = show_.renderer().prepare_overlay();
+    if (!prepared) return anim::Error{prepared.error().message};
+    for (int frame = 1; !done_ && (!options_.frames_given || frame <= options_.frames); ++frame) {
+      run_frame();
+      if (frame == 1) announce();
+    }
+    return failed_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static std::filesystem::path fonts_folder(const DemoOptions& options) {
+    const auto fonts = find_data(data_folders(options.data), "assets/fonts");
+    return fonts ? *fonts : std::filesystem::path();
+  }
+
+  // Programs that drive the window wait for this line.
+  static void announce() {
+    std::puts("READY");
+    std::fflush(stdout);
+  }
+
+  void run_frame() {
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::min(std::chrono::duration<double>(now - last_frame_).count(), longest_step);
+    last_frame_ = now;
+    fit_to_window();
+    const InputFrame& input = input_.next_frame();
+    const Clock::time_point overlay_start = Clock::now();
+    overlay_.begin_frame(show_.width, show_.height, seconds, input);
+    if (replay_ == nullptr) fly(input, static_cast<float>(seconds));
+    reporter_.see_from(fly_camera_.place());
+    const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
+    show_.add_overlay_time(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
+    if (replay_ != nullptr) {
+      repeat();
+    } else {
+      obey(commands);
+      apply_what_is_wanted(commands.exact_crowd);
+      show_.camera = fly_camera_.camera();
+      show_.animate(step(seconds, commands.step));
+      measure_for_sweep();
+    }
+    if (show_.films || replay_ != nullptr) fly_camera_.set_camera(show_.camera);
+    present();
+    if (commands.screenshot) take_screenshot();
+    const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
+    reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
+    write_ui_map();
+    done_ = done_ || commands.quit || input_.asked_to_close();
+  }
+
+  // What was recorded happens, and nothing else.
+  void repeat() {
+    const anim::Result<bool> repeated = replay_->step(show_);
+    if (!repeated) failed_ = repeated.error();
+    done_ = !repeated || !*repeated;
+    tuning_ = show_.stage().tuning();
+  }
+
+  void toggle_recording() {
+    if (show_.is_recording()) {
+      const anim::Status stopped = show_.stop_recording();
+      notice_ = stopped ? "Wrote " + recording_ : stopped.error().message;
+      return;
+    }
+    recording_ = unused_file(".rec", recordings_);
+    const anim::Status started = show_.start_recording(recording_);
+    notice_ = started ? "The crowd begins anew and is recorded; R writes " + recording_ : started.error().message;
+  }
+
+  // "throng-1.png", in the working folder.
+  static std::string unused_file(const char* ending, int& number) {
+    std::string file;
+    do file = "throng-" + std::to_string(++number) + ending;
+    while (std::filesystem::exists(file));
+    return file;
+  }
+
+  // Whoever takes the camera in hand has it from then on.
+  void fly(const InputFrame& input, float seconds) {
+    const render::Camera before = fly_camera_.camera();
+    fly_camera_.update(input, {!overlay_.uses_pointer(), !overlay_.uses_keyboard()}, seconds);
+    if (fly_camera_.camera() != before) show_.films = false;
+  }
+
+  anim::Ticks step(double seconds, bool single) const {
+    if (tuning_.paused) return single ? anim::to_ticks(single_step) : 0;
+    return anim::to_ticks(options_.dt.value_or(seconds) * static_cast<double>(tuning_.time_scale));
+  }
+
+  // A minimised window has no pixels: the crowd goes on, unseen.
+  void fit_to_window() {
+    const glm::ivec2 size = show_.context().framebuffer_size();
+    minimised_ = size.x <= 0 || size.y <= 0;
+    if (minimised_ || size == glm::ivec2(show_.width, show_.height)) return;
+    show_.renderer().set_size(size);
+    show_.width = size.x;
+    show_.height = size.y;
+  }
+
+  void present() {
+    if (minimised_) return;
+    show_.draw();
+    show_.renderer().draw_overlay(*overlay_.draw_data());
+    show_.renderer().present();
+  }
+
+  void apply_what_is_wanted(bool exact_crowd) {
+    if (!sweep_.began_with(tuning_)) sweep_.stop();
+    while (sweep_.runs() && !exact_crowd) {
+      const Tuning stop = sweep_.tuning();
+      const anim::Status applied = stop == show_.stage().tuning() ? anim::Done{} : show_.apply(stop);
+      if (applied) return;
+      sweep_.refuse(applied.error().message);
+    }
+    apply(exact_crowd ? without_level_of_detail(tuning_) : tuning_);
+  }
+
+  // Frames in which nobody was posed, or the exact crowd was, tell nothing.
+  void measure_for_sweep() {
+    const anim::AnimationSystem& system = show_.stage().system();
+    const bool tells = sweep_.runs() && show_.stage().tuning() == sweep_.tuning();
+    if (tells && system.report().agents_updated > 0) sweep_.add(cost_of_last_update(system));
+    reporter_.show_sweep(sweep_.curve());
+  }
+
+  void obey_sweep(const OverlayCommands& commands) {
+    if (commands.sweep) sweep_.start(*commands.sweep, tuning_, reporter_.report().hardware_threads);
+    if (commands.stop_sweep) sweep_.stop();
+  }
+
+  void apply(const Tuning& tuning) {
+    if (tuning == show_.stage().tuning()) return;
+    const anim::Status applied = show_.apply(tuning);
+    notice_ = applied ? "" : applied.error().message;
+    if (applied) {
+      accepted_ = tuning_;
+    } else {
+      tuning_ = accepted_;
+    }
+  }
+
+  void obey(const OverlayCommands& commands) {
+    if (commands.frame_crowd) {
+      show_.films = false;
+      const CrowdSphere crowd = bounding_sphere(show_.stage().crowd());
+      const float aspect = static_cast<float>(show_.width) / static_cast<float>(show_.height);
+      fly_camera_.set_camera(render::frame_sphere(fly_camera_.camera(), crowd.centre, crowd.radius, aspect));
+    }
+    if (commands.select_at) show_.select_at(commands.select_at->x, commands.select_at->y);
+    if (commands.deselect) show_.deselect();
+    if (commands.push_over) {
+      if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
+    }
+    obey_hands(commands);
+    obey_sweep(commands);
+    obey_presets(commands);
+    const std::size_t character = reporter_.report().character;
+    if (commands.roles) show_.set_roles(character, *commands.roles);
+    if (commands.save_roles) say_where(show_.save_roles(character));
+    obey_bone_lod(commands, character);
+    if (commands.record) toggle_recording();
+    if (commands.character) reporter_.describe_character(show_, *commands.character);
+    if (commands.copy_camera) copy(camera_option(fly_camera_.place()));
+  }
+
+  void obey_hands(const OverlayCommands& commands) {
+    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
+    if (commands.let_go) show_.let_go_of_clip();
+    if (commands.rewind) {
+      if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
+    }
+    if (!commands.models.empty()) replace_models(commands.models);
+  }
+
+  void obey_presets(const OverlayCommands& commands) {
+    if (commands.save_preset) {
+      const std::filesystem::path file = preset_file(*commands.save_preset);
+      const anim::Status written = write_preset(file, {tuning_, fly_camera_.place()});
+      notice_ = written ? "Wrote " + file.string() : written.error().message;
+    }
+    if (commands.load_preset) load_preset(preset_file(*commands.load_preset));
+    if (commands.delete_preset) {
+      std::error_code failed;
+      std::filesystem::remove(preset_file(*commands.delete_preset), failed);
+      notice_ = failed ? preset_file(*commands.delete_preset).string() + ": " + failed.message() : "";
+    }
+    if (commands.save_preset || commands.delete_preset) reporter_.set_preset_names(preset_names());
+    if (commands.copy_command_line) copy(command_line(tuning_, Tuning(), fly_camera_.place()));
+  }
+
+  void load_preset(const std::filesystem::path& file) {
+    const anim::Result<Preset> preset = read_preset(file);
+    notice_ = preset ? "" : preset.error().message;
+    if (!preset) return;
+    const LodInspection look = tuning_.inspection;
+    tuning_ = preset->tuning;
+    tuning_.inspection = look;
+    if (!preset->camera) return;
+    show_.films = false;
+    fly_camera_.set_camera(camera_at(*preset->camera));
+  }
+
+  void copy(const std::string& options) {
+    input_.clipboard().set(options);
+    std::puts(options.c_str());
+    std::fflush(stdout);
+    notice_ = "Copied: " + options;
+  }
+
+  void replace_models(const std::vector<std::string>& files) {
+    const anim::Status replaced = show_.replace_models(files);
+    if (replaced) reporter_.describe_characters(show_);
+    notice_ = replaced ? "" : replaced.error().message;
+  }
+
+  void obey_bone_lod(const OverlayCommands& commands, std::size_t character) {
+    if (commands.bone_lod) {
+      const anim::Status set = show_.set_bone_lod(character, *commands.bone_lod);
+      notice_ = set ? "" : set.error().message;
+      reporter_.describe_character(show_, character);
+    }
+    if (commands.export_lod) say_where(show_.export_lod(character));
+    if (commands.save_bone_lod) say_where(show_.save_bone_lod(character));
+  }
+
+  void say_where(const anim::Result<std::filesystem::path>& written) {
+    notice_ = written ? "Wrote " + written->string() : written.error().message;
+  }
+
+  void take_screenshot() {
+    const std::string file = unused_file(".png", screenshots_);
+    const render::Status written = render::write_png(show_.renderer().read_image(), file);
+    notice_ = written ? "Wrote " + file : written.error().message;
+  }
+
+  void write_ui_map() {
+    if (options_.ui_map.empty()) return;
+    const anim::Status written =
+        write_whole_file(options_.ui_map, to_json(overlay_.ui_map(), tuning_, reporter_.report()));
+    if (!written) notice_ = written.error().message;
+  }
+
+  Show& show_;
+  const DemoOptions& options_;
+  Replay* replay_;  // null: people say what happens
+  Tuning tuning_;
+  Tuning accepted_;  // the last that could be
+  WindowInput input_;
+  Overlay overlay_;
+  FlyCamera fly_camera_;
+  FrameReporter reporter_;
+  TuningSweep sweep_;
+  Clock::time_point last_frame_ = Clock::now();
+  std::string notice_;
+  std::string recording_;  // its file
+  anim::Status failed_ = anim::Done{};
+  int screenshots_ = 0;
+  int recordings_ = 0;
+  bool minimised_ = false;
+  bool done_ = false;
+};
+
+}  // namespace
+
+anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay) {
+  return WindowLoop(show, options, replay).run();
+}
+
+}  // namespace throng::app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "app/lod/crowd_lod.h"
+
+namespace throng::app {
+
+/// What level of detail saves, by the cost model.
+struct SavedCost {
+  double culling_percent = 0.0;   ///< of the cost of everyone: not spent on those out of view
+  double skipping_percent = 0.0;  ///< of the cost of those in view: not spent on updates that are skipped
+  double bones_percent = 0.0;     ///< of the same: not spent on bones that are dropped
+};
+SavedCost saved_cost(const anim::LodCost& cost, LodRule rule);
+
+/// Level of detail over the frames of a run.
+struct LodSums {
+  struct Held {
+    std::uint64_t frames = 0, held = 0;
+    void add(bool holds);
+    double percent() const;
+  };
+
+  LodFigures last;
+  double predicted_ms = 0.0;
+  std::uint64_t frames = 0;
+  anim::LodCost cost;
+  Held error;  ///< frames in which something was measured
+  Held budget;
+
+  void add(const LodFigures& figures);
+  double predicted_ms_a_frame() const;
+  SavedCost saved(LodRule rule) const { return saved_cost(cost, rule); }
+};
+
+}  // namespace throng::app

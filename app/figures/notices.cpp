@@ -1,0 +1,48 @@
+#include "app/figures/notices.h"
+
+namespace throng::app {
+
+std::string software_notice(const std::string& renderer, const Spared& spared) {
+  std::string list;
+  const auto add = [&list](bool is_spared, const std::string& words) {
+    if (is_spared) list += (list.empty() ? "" : ", ") + words;
+  };
+  add(spared.agents > 0, std::to_string(spared.agents) + " agents");
+  add(spared.multisampling, "no multisampling");
+  add(spared.shadows, "no shadows");
+  add(spared.mesh_detail, "coarse meshes");
+  if (list.empty()) return {};
+  return "Drawn on the processor (" + renderer + "): " + list + " unless asked otherwise.";
+}
+
+std::string local_store_notice(const anim::AnimationSystem& system) {
+  const std::size_t bytes = system.schedule().local_store_bytes;
+  if (system.options().local_store_bytes != 0 || bytes <= anim::usual_local_store_bytes) return {};
+  const auto kib = [](std::size_t size) { return std::to_string(size / 1024) + " KiB"; };
+  return "The local store is " + kib(bytes) + " instead of " + kib(anim::usual_local_store_bytes) +
+         ": one character's largest task needs that much.";
+}
+
+std::string palette_notice(const ShownPoses& shown) {
+  if (!shown.out_of_memory()) return {};
+  return "Palette memory ran out: not every agent in view was drawn; fewer --agents would be.";
+}
+
+std::string palette_format_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters) {
+  if (system.options().palettes != anim::PaletteFormat::packed) return {};
+  std::string names;
+  for (std::uint32_t character = 0; character < characters.size(); ++character) {
+    if (system.palette_format(character) == anim::PaletteFormat::packed) continue;
+    names += (names.empty() ? "" : ", ") + characters[character].name;
+  }
+  if (names.empty()) return {};
+  return "Palettes stay float of " + names + ": packed ones hold rigid skeletons only.";
+}
+
+void add_line(std::string& lines, const std::string& sentence) {
+  if (sentence.empty()) return;
+  if (!lines.empty()) lines += '\n';
+  lines += sentence;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,158 @@
+#include "app/figures/statistics.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/atomic_file.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double nearest_rank(std::vector<double> values, double part) {
+  if (values.empty()) return 0.0;
+  const auto rank = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1) + 0.5);
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(rank));
+  return values[rank];
+}
+
+double mean(std::uint64_t sum, std::uint64_t count) {
+  return count == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(count);
+}
+
+Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+// A whole number where every agent has as many.
+Json bones_per_agent(const Stage& stage) {
+  std::uint64_t bones = 0;
+  const std::size_t agents = stage.crowd().size();
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    bones += static_cast<std::uint64_t>(stage.system().character(agent).skeleton.bone_count());
+  }
+  if (bones % agents == 0) return bones / agents;
+  return mean(bones, agents);
+}
+
+const char* palette_format(const Stage& stage) {
+  std::size_t packed = 0;
+  const std::size_t characters = stage.people().size();
+  for (std::uint32_t character = 0; character < characters; ++character) {
+    if (stage.system().palette_format(character) == anim::PaletteFormat::packed) ++packed;
+  }
+  if (packed == 0) return "float";
+  return packed == characters ? "packed" : "mixed";
+}
+
+void add_scheduling(Json& json, const Stage& stage) {
+  const anim::ScheduleOptions& schedule = stage.system().schedule();
+  std::size_t laid_out = 0;
+  for (const anim::ProcessingUnit& unit : stage.system().units()) {
+    laid_out = std::max(laid_out, unit.store().bytes_used());
+  }
+  json["pus"] = schedule.pus;
+  json["schedule"] = schedule.schedule == anim::Schedule::fused ? "fused" : "levels";
+  json["local_store_kib"] = schedule.local_store_bytes / 1024;
+  json["tile"] = schedule.plan.width;
+  json["stream"] = stage.system().options().stream == anim::StreamKind::sampled ? "sampled" : "keyframe";
+  json["simd_target"] = stage.system().kernels().target;
+  json["pose_hash"] = hex_string(stage.system().pose_hash());
+  json["local_store_peak_bytes"] = laid_out;
+}
+
+// Of the whole run; null where it was not measured, or too seldom.
+void add_error(Json& json, const anim::ErrorFigures& error) {
+  const bool measured = error.samples > 0;
+  json["error_px_p50"] = measured ? Json(error.p50) : Json(nullptr);
+  json["error_px_p99"] = error.p99_is_known() ? Json(error.p99) : Json(nullptr);
+  json["error_px_max"] = measured ? Json(error.max) : Json(nullptr);
+  json["pop_px_max"] = measured ? Json(error.pop_max) : Json(nullptr);
+  json["error_samples"] = error.samples;
+}
+
+// Null where there is no such limit.
+void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) {
+  const bool by_error = tuning.lod == LodRule::budget;
+  const SavedCost saved = sums.saved(tuning.lod);
+  const auto held = [&](const LodSums::Held& limit, float asked) {
+    return by_error && asked > 0.0F && limit.frames > 0 ? Json(limit.percent()) : Json(nullptr);
+  };
+  json["lod_tolerance_px"] = by_error ? Json(sums.last.tolerance_px) : Json(nullptr);
+  json["binding_limit"] = by_error ? Json(name_of(sums.last.binding)) : Json(nullptr);
+  json["error_limit_held_percent"] = held(sums.error, tuning.error_px);
+  json["budget_held_percent"] = held(sums.budget, tuning.budget_ms);
+  json["predicted_pose_ms_per_frame"] = sums.predicted_ms_a_frame();
+  json["cost_culling_percent"] = saved.culling_percent;
+  json["cost_skipping_percent"] = saved.skipping_percent;
+  json["cost_bones_percent"] = saved.bones_percent;
+}
+
+// Null unless they were asked for.
+void add_events(Json& json, const std::optional<EventSums>& sums) {
+  json["events"] = sums ? Json(sums->events()) : Json(nullptr);
+  json["event_hash"] = sums ? Json(hex_string(sums->event_hash())) : Json(nullptr);
+  json["place_hash"] = sums ? Json(hex_string(sums->place_hash())) : Json(nullptr);
+}
+
+}  // namespace
+
+double median(std::vector<double> values) { return nearest_rank(std::move(values), 0.5); }
+double percentile_99(std::vector<double> values) { return nearest_rank(std::move(values), 0.99); }
+
+std::string hex_string(std::uint64_t bits) {
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(bits));
+  return text;
+}
+
+void Statistics::set_draw(std::uint32_t draw_calls, std::uint64_t triangles) {
+  draw_calls_ = draw_calls;
+  triangles_ = triangles;
+}
+
+void Statistics::add_report(const Stage& stage) {
+  const anim::UpdateReport& report = stage.system().report();
+  ++frames_;
+  palette_bytes_ += report.palette_bytes;
+  dma_in_ += report.copies.bytes_in;
+  dma_out_ += report.copies.bytes_out;
+  dma_transfers_ += report.copies.transfers;
+  stream_bytes_ += stage.system().stream_bytes();
+  agents_updated_ += report.agents_updated;
+  bones_evaluated_ += report.bones_evaluated;
+  lod_.add(stage.level_of_detail().figures());
+}
+
+anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
+  Json json;
+  json["agents"] = stage.crowd().size();
+  json["bones_per_agent"] = bones_per_agent(stage);
+  json["frames"] = frames_;
+  add_scheduling(json, stage);
+  json["spawn_ms"] = spawn_ms_;
+  json["update_ms_median"] = median(update_ms_);
+  json["update_ms_p99"] = percentile_99(update_ms_);
+  json["frame_ms_median"] = frame_ms_.empty() ? Json(nullptr) : Json(median(frame_ms_));
+  json["overlay_ms_median"] = overlay_ms_.empty() ? Json(nullptr) : Json(median(overlay_ms_));
+  json["draw_calls"] = draw_calls_;
+  json["triangles"] = triangles_;
+  json["palette_format"] = palette_format(stage);
+  json["palette_bytes_per_frame"] = mean(palette_bytes_, frames_);
+  json["dma_in_bytes_per_frame"] = mean(dma_in_, frames_);
+  json["dma_out_bytes_per_frame"] = mean(dma_out_, frames_);
+  json["dma_transfers_per_frame"] = mean(dma_transfers_, frames_);
+  json["stream_bytes_per_frame"] = mean(stream_bytes_, frames_);
+  json["agents_updated_per_frame"] = mean(agents_updated_, frames_);
+  json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
+  add_error(json, stage.error_meter().since_start());
+  add_level_of_detail(json, lod_, stage.tuning());
+  add_events(json, stage.event_sums());
+  json["gl_version"] = null_if_empty(drawn_by.gl_version);
+  json["gl_renderer"] = null_if_empty(drawn_by.gl_renderer);
+  json["context"] = drawn_by.context;
+  return write_output(path, json.dump(2) + "\n");
+}
+
+}  // namespace throng::app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/figures/lod_sums.h"
+#include "app/stage/stage.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// What drew the frames, as `--stats` names it.
+struct DrawnBy {
+  std::string context = "none";
+  std::string gl_version, gl_renderer;  ///< empty without GL
+};
+
+/// Collects a run's figures and writes them as one flat JSON object (README "How to read the statistics").
+class Statistics {
+ public:
+  /// What it took to make the crowd: places, agents, clips, blocks.
+  void set_spawn(double milliseconds) { spawn_ms_ = milliseconds; }
+  void add_update(double milliseconds) { update_ms_.push_back(milliseconds); }
+  void add_drawn_frame(double milliseconds) { frame_ms_.push_back(milliseconds); }
+  /// What laying out the overlay took.
+  void add_overlay(double milliseconds) { overlay_ms_.push_back(milliseconds); }
+  void set_draw(std::uint32_t draw_calls, std::uint64_t triangles);
+  /// After each update.
+  void add_report(const Stage& stage);
+
+  anim::Status write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const;
+
+ private:
+  std::vector<double> update_ms_, frame_ms_, overlay_ms_;
+  double spawn_ms_ = 0;
+  std::uint32_t draw_calls_ = 0;
+  std::uint64_t triangles_ = 0;
+  std::uint64_t frames_ = 0;
+  std::uint64_t palette_bytes_ = 0, dma_in_ = 0, dma_out_ = 0, dma_transfers_ = 0, stream_bytes_ = 0;
+  std::uint64_t agents_updated_ = 0, bones_evaluated_ = 0;
+  LodSums lod_;
+};
+
+/// The middle of `values`, and the value that 99% do not exceed; 0 for none.
+double median(std::vector<double> values);
+double percentile_99(std::vector<double> values);
+
+/// 16 hexadecimal digits.
+std::string hex_string(std::uint64_t bits);
+
+}  // namespace throng::app

@@ -1,0 +1,141 @@
+#include "app/lod/error_meter.h"
+
+#include <algorithm>
+
+#include "engine/anim/kernel/palette/hierarchy.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float not_measured = -1.0F;
+// Of measuring one agent, in bones of a crowd that is posed: the exact pose comes from blocks and rows that nobody has
+// just read, then every point is skinned twice and projected.
+constexpr double cost_of_exact_bone = 2.0, cost_of_point = 1.5;
+constexpr double frames_of_credit = 4.0;
+constexpr std::size_t most_measured_of_few = 24;
+
+glm::mat4 model_to_world(const Crowd& crowd, std::uint32_t agent) {
+  const glm::vec3 position = crowd.positions()[agent];
+  const Heading heading = crowd.headings()[agent];
+  const float scale = crowd.scales()[agent];
+  return {glm::vec4(heading.cosine, 0.0F, -heading.sine, 0.0F) * scale, glm::vec4(0.0F, scale, 0.0F, 0.0F),
+          glm::vec4(heading.sine, 0.0F, heading.cosine, 0.0F) * scale, glm::vec4(position, 1.0F)};
+}
+
+}  // namespace
+
+ErrorMeter::ErrorMeter(std::span<const CharacterSource> characters) {
+  characters_.resize(characters.size());
+  for (std::size_t i = 0; i < characters.size(); ++i) set_character(i, characters[i]);
+}
+
+void ErrorMeter::set_character(std::size_t character, const CharacterSource& source) {
+  MeasuredCharacter& measured = characters_[character];
+  measured.points = anim::choose_surface_points(source.model);
+  measured.kept_entries = entries_at_levels(source.model.skeleton);
+  measured.packing = anim::packing_frames(source.model.skeleton);
+  measured.entries = static_cast<std::size_t>(source.model.skeleton.palette_count());
+  measured.cost = cost_of_exact_bone * source.model.skeleton.bone_count() +
+                  cost_of_point * static_cast<double>(measured.points.count());
+  most_entries_ = std::max(most_entries_, measured.entries);
+  blended_.resize(most_entries_);
+}
+
+void ErrorMeter::reset(std::size_t agents) {
+  errors_.assign(agents, not_measured);
+  sampling_ = ErrorSampling::off;
+  watched_.reset(agents, 0, most_entries_);
+  credit_ = 0;
+  window_ = {};
+  figures_ = {};
+}
+
+void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::VisibleAgent> visible,
+                             const ShownPoses& shown) {
+  if (sampling != sampling_) {
+    sampling_ = sampling;
+    const std::size_t most = sampling == ErrorSampling::all ? errors_.size() : WatchedAgents::few;
+    const std::size_t watched = sampling == ErrorSampling::off ? 0 : std::min(most, errors_.size());
+    watched_.reset(errors_.size(), watched, most_entries_);
+    exact_palettes_ =
+        anim::allocate_aligned(watched * anim::palette_stride(most_entries_, anim::PaletteFormat::matrices));
+    chosen_.reserve(watched);
+    exact_.reserve(watched);
+    if (sampling == ErrorSampling::some) window_.reserve(most_measured_of_few);
+  }
+  watched_.choose(visible, shown);
+}
+
+void ErrorMeter::take(WatchedAgent& watched) {
+  const std::size_t stride = anim::palette_stride(most_entries_, anim::PaletteFormat::matrices);
+  chosen_.push_back(static_cast<std::uint32_t>(&watched - watched_.all().data()));
+  std::byte* const palette = exact_palettes_.get() + exact_.size() * stride;
+  exact_.push_back({.agent = watched.agent, .palette = reinterpret_cast<anim::PaletteMatrix*>(palette)});
+}
+
+// Whoever was measured for the first time in the frame before is measured again, so that it is known by how much its
+// error changes; then it is others' turn, as long as the update's cost affords it.
+void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame) {
+  chosen_.clear();
+  exact_.clear();
+  const bool all = sampling_ == ErrorSampling::all;
+  const double affordable = share_of_pose_cost * static_cast<double>(system.report().bones_evaluated);
+  credit_ = std::min(credit_ + affordable, frames_of_credit * affordable + 2 * characters_.front().cost);
+  const std::span<WatchedAgent> watched = watched_.all();
+  const auto is_ready = [&](const WatchedAgent& each) {
+    return each.can_be_measured() && system.can_pose_exactly(each.agent);
+  };
+  for (WatchedAgent& each : watched) {
+    const bool again = each.measured_in + 1 == frame.number && each.measured_again_in != each.measured_in;
+    if (!(all || again) || !is_ready(each)) continue;
+    if (again) each.measured_again_in = frame.number;
+    take(each);
+  }
+  for (std::size_t i = 0; !all && i < watched.size() && chosen_.size() < most_measured_of_few; ++i) {
+    next_place_ = (next_place_ + 1) % watched.size();
+    WatchedAgent& each = watched[next_place_];
+    if (each.measured_in + 1 == frame.number || !is_ready(each)) continue;
+    const double cost = 2 * characters_[frame.crowd.characters()[each.agent]].cost;
+    if (credit_ < cost) break;
+    credit_ -= cost;
+    take(each);
+  }
+}
+
+void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame) {
+  watched_.hand_over();
+  if (sampling_ == ErrorSampling::off) return;
+  window_.begin_frame();
+  choose_whom_to_measure(system, frame);
+  if (!exact_.empty()) system.pose_exactly(exact_);
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    measure(watched_.all()[chosen_[i]], exact_[i].palette, frame);
+  }
+  figures_ = window_.figures();
+}
+
+void ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame) {
+  const MeasuredCharacter& character = characters_[frame.crowd.characters()[watched.agent]];
+  const ShownPose& pose = frame.shown.pose(watched.agent);
+  const std::span blended = std::span(blended_).first(character.entries);
+  const bool packed = watched.format == anim::PaletteFormat::packed;
+  anim::blend_shown_palette({.from = anim::PaletteDestination(watched.blends ? watched.from : watched.to),
+                             .to = anim::PaletteDestination(watched.to),
+                             .packing = packed ? character.packing : std::span<const anim::PackingFrame>(),
+                             .blend = anim::blend_of(pose.from_time, pose.to_time - pose.from_time, frame.now),
+                             .kept_entries = character.kept_entries[pose.level()],
+                             .shown = blended});
+  const anim::ModelOnScreen screen{
+      .model_to_clip = frame.view.projection * (frame.view.view * model_to_world(frame.crowd, watched.agent)),
+      .half_size = frame.size * 0.5F};
+  anim::SurfaceErrors errors;
+  anim::measure_surface(character.points, blended, {exact, character.entries}, screen, errors);
+  anim::ErrorSample sample{.error = errors.largest, .pop = {}};
+  if (watched.measured_in + 1 == frame.number) sample.pop = anim::largest_change(watched.errors, errors);
+  watched.errors = errors;
+  watched.measured_in = frame.number;
+  errors_[watched.agent] = errors.largest;
+  window_.add(sample);
+}
+
+}  // namespace throng::app

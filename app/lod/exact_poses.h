@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/lod/shown_poses.h"
+#include "engine/anim/agent/animation_system.h"
+#include "engine/render/palette_slots.h"
+
+namespace throng::app {
+
+/// The exact poses of a moment, in palette slots of their own for one frame: what a split view has on its left. In a
+/// frame:
+///     give_back(the frame that drew them)
+///     add(...)      everyone drawn
+///     pose(system)  the PUs write the slots
+class ExactPoses {
+ public:
+  explicit ExactPoses(render::PaletteSlots& slots) : slots_(&slots) {}
+
+  void reset(std::size_t agents, std::uint64_t last_frame);
+  void give_back(std::uint64_t last_frame);
+
+  /// `entries`: of the palette with all bones; 0: the exact pose is not known, `shown` stands for it. So it does where
+  /// no memory is left.
+  void add(std::uint32_t agent, const ShownPose& shown, std::uint32_t entries);
+  void pose(anim::AnimationSystem& system);
+
+  /// Of an agent that was added.
+  const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
+
+ private:
+  render::PaletteSlots* slots_;
+  std::vector<ShownPose> poses_;  // [agent]
+  std::vector<anim::ExactPose> posed_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,46 @@
+#include "app/lod/lod_thresholds.h"
+
+#include <cmath>
+
+namespace throng::app {
+
+namespace {
+
+constexpr float farthest = 200.0F;         // metres
+constexpr float beyond_rounding = 1.001F;  // so that a step of what may be allowed is met from above
+
+}  // namespace
+
+std::vector<IntervalThreshold> interval_thresholds(const Tuning& tuning) {
+  std::vector<IntervalThreshold> thresholds;
+  for (int interval = 2; interval <= tuning.largest_interval; ++interval) {
+    const float steps = static_cast<float>(interval - 2);
+    thresholds.push_back({tuning.full_rate_distance + steps * tuning.interval_growth, interval});
+  }
+  return thresholds;
+}
+
+std::vector<IntervalThreshold> interval_thresholds(const anim::MotionLod& motion, const ErrorView& view) {
+  std::vector<IntervalThreshold> thresholds;
+  int interval = motion.choose(0.0F).interval;
+  if (interval > 1) thresholds.push_back({0.0F, interval});
+  for (int step = 0; step < anim::allowance_steps; ++step) {
+    const float allowed = anim::least_allowance_metres * std::exp2(static_cast<float>(step) / anim::steps_an_octave);
+    const float metres = allowed * view.pixels_per_unit / view.tolerance_pixels;
+    const int chosen = motion.choose(allowed * beyond_rounding).interval;
+    if (metres > farthest) break;
+    if (chosen != interval) thresholds.push_back({metres, chosen});
+    interval = chosen;
+  }
+  return thresholds;
+}
+
+int interval_at(std::span<const IntervalThreshold> thresholds, float metres) {
+  int interval = 1;
+  for (const IntervalThreshold& threshold : thresholds) {
+    if (threshold.metres <= metres) interval = threshold.interval;
+  }
+  return interval;
+}
+
+}  // namespace throng::app

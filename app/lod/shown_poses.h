@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/lod/lod.h"
+#include "engine/render/instance_record.h"
+#include "engine/render/palette_slots.h"
+
+namespace throng::app {
+
+/// The two slots of an agent that its record names, and how the shader goes from one to the other.
+struct ShownPose {
+  render::PaletteSlot from, to;
+  std::uint8_t from_level = 0, to_level = 0;
+  anim::PaletteFormat from_format{}, to_format{};
+  std::uint32_t from_time = 0;  ///< that `from` is the pose of; microseconds modulo 2^32
+  std::uint32_t to_time = 0;    ///< that `to` is the pose of; equal to from_time: nothing blends
+
+  bool shown() const { return to.valid(); }
+  /// As the instance record names the slots.
+  std::uint32_t from_word() const { return slot_word(from, from_format); }
+  std::uint32_t to_word() const { return slot_word(to, to_format); }
+  /// Both slots hold at least this level's entries.
+  std::uint8_t level() const { return from_level > to_level ? from_level : to_level; }
+
+ private:
+  static std::uint32_t slot_word(const render::PaletteSlot& slot, anim::PaletteFormat format) {
+    return slot.first_line | (format == anim::PaletteFormat::packed ? render::packed_slot : 0U);
+  }
+};
+
+/// Which poses of a stage a picture is made of.
+enum class Poses : std::uint8_t { shown, exact };
+
+/// A pose that is about to be written.
+struct NewPose {
+  std::uint32_t agent;
+  std::uint8_t level;     ///< bone level
+  std::uint32_t entries;  ///< of the palette at that level
+  std::uint32_t time;     ///< the moment that it is the pose of; microseconds modulo 2^32
+  anim::PaletteFormat format = anim::PaletteFormat::matrices;
+};
+
+/// Which palette slots each agent shows: the contract of engine/render/README.md, kept on the animation's side.
+class ShownPoses {
+ public:
+  explicit ShownPoses(render::PaletteSlots& slots) : slots_(&slots) {}
+
+  /// Everything shown is given back, as of the last drawn frame.
+  void reset(std::size_t agents, std::uint64_t last_frame);
+
+  /// Gives back the slots of agents that went out of view. `visible` is ascending by agent.
+  void hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame);
+
+  /// A slot for a new pose of a visible agent, reached by blending from the pose shown so far; one of `now` is shown at
+  /// once. So is any of an agent that must move to another page: it is then to be the pose of now, as pose().to_time
+  /// says. Null where no memory is left: the agent is posed but not drawn.
+  anim::PaletteDestination show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
+
+  const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
+  /// Whether any agent since the last reset found no slot.
+  bool out_of_memory() const { return out_of_memory_; }
+
+ private:
+  void hide(ShownPose& pose, std::uint64_t last_frame);
+  void retire_from(ShownPose& pose, std::uint64_t last_frame);
+
+  render::PaletteSlots* slots_;
+  std::vector<ShownPose> poses_;
+  std::vector<std::uint32_t> shown_;  // ascending agents
+  bool out_of_memory_ = false;
+};
+
+}  // namespace throng::app

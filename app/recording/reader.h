@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/recording/recording.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Reads a recording item by item, and believes nothing in it: whatever it returns is within the ranges of its type.
+class RecordingReader {
+ public:
+  /// Reads it once through for its checksum. Errors: the file cannot be read, is no recording, is of another version,
+  /// is damaged, or has a header that is none.
+  static anim::Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
+
+  const RecordingHeader& header() const { return header_; }
+  /// In the order in which it happened, RecordedEnd last; nothing is left after that. Errors: the file is cut short,
+  /// or what comes next cannot be; then nothing is left either.
+  anim::Result<RecordedItem> next();
+  std::uint64_t frames_read() const { return frames_; }
+  /// [agent] as of the last frame read.
+  std::span<const std::uint16_t> agent_hashes() const { return hashes_; }
+  /// "run.rec: frame 12: " and the end of a sentence.
+  anim::Error error_at(std::uint64_t frame, const std::string& what) const;
+
+ private:
+  explicit RecordingReader(std::filesystem::path file) : file_(std::move(file)) {}
+  std::optional<std::string> read_begin();
+  bool is_damaged();
+  bool read_bytes(std::uint64_t count, std::string& bytes);
+  std::optional<RecordedItem> item(RecordKind kind);
+  std::optional<RecordedItem> frame();
+  std::optional<RecordedItem> end() const;
+  std::optional<RecordedItem> changed_tuning();
+
+  std::filesystem::path file_;
+  std::ifstream stream_;
+  std::uint64_t bytes_left_ = 0;
+  RecordingHeader header_;
+  Tuning tuning_;  // as of the items read
+  std::uint64_t frames_ = 0;
+  std::vector<std::uint16_t> hashes_;
+  std::string payload_;
+};
+
+}  // namespace throng::app

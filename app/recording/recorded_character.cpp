@@ -1,0 +1,140 @@
+#include "app/recording/recorded_character.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/character/bone_lod.h"
+#include "app/figures/statistics.h"
+#include "app/files/byte_hash.h"
+#include "app/settings/settings.h"
+#include "engine/anim/base/hash.h"
+
+namespace throng::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t chained(std::uint64_t hash, std::string_view text) {
+  ByteHash bytes;
+  bytes.add(text);
+  return anim::chain_hash(hash, bytes.value());
+}
+
+// A sum of hashes, so that the order does not matter.
+std::uint64_t hash_of_bones(const anim::Skeleton& skeleton) {
+  const std::vector<std::string> keys = bone_keys(skeleton);
+  std::uint64_t sum = 0;
+  for (std::size_t bone = 0; bone < keys.size(); ++bone) {
+    const int parent = skeleton.bones[bone].parent;
+    sum += chained(chained(0, keys[bone]), parent < 0 ? "" : keys[static_cast<std::size_t>(parent)]);
+  }
+  return sum;
+}
+
+std::string fingerprint(const CharacterSource& source) {
+  std::uint64_t hash = hash_of_bones(source.character->skeleton);
+  for (const std::string& name : source.clip_names) hash = chained(hash, name);
+  for (const anim::BakedClip& clip : source.character->clips) {
+    hash = anim::chain_hash(hash, static_cast<std::uint64_t>(clip.duration));
+  }
+  return hex_string(hash);
+}
+
+bool are_numbers(const Json& json, int least, int most) {
+  return json.is_array() && std::ranges::all_of(json, [&](const Json& number) {
+           return number.is_number_integer() && number.get<std::int64_t>() >= least &&
+                  number.get<std::int64_t>() <= most;
+         });
+}
+
+bool are_texts(const Json& json) {
+  return json.is_array() && std::ranges::all_of(json, [](const Json& text) { return text.is_string(); });
+}
+
+bool read_character(const Json& json, RecordedCharacter& character) {
+  constexpr int most_clips = 65535;
+  const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
+  if (!has("file") || !has("fingerprint") || !has("roles") || !has("bones") || !has("level_counts")) return false;
+  if (!json["file"].is_string() || !json["fingerprint"].is_string() || !are_texts(json["bones"])) return false;
+  if (!are_numbers(json["roles"], no_clip, most_clips) || json["roles"].size() != character.roles.size()) return false;
+  if (!are_numbers(json["level_counts"], 1, anim::max_bones)) return false;
+  character.file = json["file"].get<std::string>();
+  character.fingerprint = json["fingerprint"].get<std::string>();
+  character.bones = json["bones"].get<std::vector<std::string>>();
+  character.level_counts = json["level_counts"].get<std::vector<int>>();
+  std::ranges::transform(json["roles"], character.roles.begin(), [](const Json& clip) { return clip.get<int>(); });
+  return character.file.find('\0') == std::string::npos;
+}
+
+anim::Status take_bone_lod(const RecordedCharacter& recorded, CharacterSource& source) {
+  auto bones = bones_named(recorded.bones, source.model.skeleton);
+  if (!bones) return bones.error();
+  const BoneLodChoice choice{.bones = std::move(*bones), .level_counts = recorded.level_counts};
+  if (anim::Status checked = check_bone_lod(source.model.skeleton, choice); !checked) return checked;
+  take_order(source, choice);
+  return anim::Done{};
+}
+
+}  // namespace
+
+RecordedCharacter recorded(const CharacterSource& character) {
+  const anim::Skeleton& skeleton = character.character->skeleton;
+  return {.file = character.file,
+          .fingerprint = fingerprint(character),
+          .roles = character.roles.clips,
+          .bones = bone_keys(skeleton),
+          .level_counts = skeleton.level_bone_counts};
+}
+
+std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> characters) {
+  std::vector<RecordedCharacter> all;
+  for (const CharacterSource& character : characters) all.push_back(recorded(character));
+  return all;
+}
+
+bool has_clips(const CharacterSource& character, const RoleClips& roles) {
+  const auto clips = static_cast<int>(character.clip_names.size());
+  return std::ranges::all_of(roles, [&](int clip) { return clip >= no_clip && clip < clips; });
+}
+
+anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character) {
+  RecordedCharacter here = recorded(character);
+  if (here.fingerprint != as_recorded.fingerprint) {
+    return anim::Error{character.name + " is not the character that was recorded: its bones or clips differ"};
+  }
+  if (here.bones != as_recorded.bones || here.level_counts != as_recorded.level_counts) {
+    if (const anim::Status taken = take_bone_lod(as_recorded, character); !taken) {
+      return anim::Error{"the recorded order of the bones of " + character.name + ": " + taken.error().message};
+    }
+  }
+  if (!has_clips(character, as_recorded.roles)) return anim::Error{"plays a clip that " + character.name + " has not"};
+  assign_roles(character, as_recorded.roles);
+  return anim::Done{};
+}
+
+std::string to_json(std::span<const RecordedCharacter> characters) {
+  Json json = Json::array();
+  for (const RecordedCharacter& character : characters) {
+    json.push_back({{"file", character.file},
+                    {"fingerprint", character.fingerprint},
+                    {"roles", character.roles},
+                    {"bones", character.bones},
+                    {"level_counts", character.level_counts}});
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool from_json(std::string_view text, std::vector<RecordedCharacter>& characters) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_array() || json.empty() || json.size() > most_models) return false;
+  for (const Json& each : json) {
+    if (!read_character(each, characters.emplace_back())) return false;
+  }
+  return true;
+}
+
+}  // namespace throng::app

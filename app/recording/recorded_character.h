@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/character/roles.h"
+#include "app/character/source.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Who is animated: the file as it was named (empty: the built-in character), what tells it from another, and what a
+/// person may choose of it.
+struct RecordedCharacter {
+  std::string file;
+  std::string fingerprint;  ///< of bones and clips, whatever the bones' order; 16 hexadecimal digits
+  RoleClips roles = no_clips();
+  std::vector<std::string> bones;  ///< in order, as bone_keys() has them
+  std::vector<int> level_counts;   ///< as in BoneLodChoice
+
+  friend bool operator==(const RecordedCharacter&, const RecordedCharacter&) = default;
+};
+
+RecordedCharacter recorded(const CharacterSource& character);
+std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> characters);
+
+/// Whether every role plays a clip that the character has, or none.
+bool has_clips(const CharacterSource& character, const RoleClips& roles);
+
+/// Makes a character what was recorded: the same order of bones, levels and roles. Errors: it is another character, or
+/// the recording asks for what it does not have.
+anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
+
+/// JSON: a list of objects with "file", "fingerprint", "roles", "bones" and "level_counts".
+std::string to_json(std::span<const RecordedCharacter> characters);
+/// 1 to most_models of them, or false.
+bool from_json(std::string_view text, std::vector<RecordedCharacter>& characters);
+
+}  // namespace throng::app

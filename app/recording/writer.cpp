@@ -1,0 +1,126 @@
+#include "app/recording/writer.h"
+
+#include "app/recording/bytes.h"
+
+namespace throng::app {
+namespace {
+
+std::string item_head(RecordKind kind, std::size_t payload_bytes) {
+  std::string head;
+  append_number(head, static_cast<std::uint8_t>(kind));
+  append_number(head, static_cast<std::uint32_t>(payload_bytes));
+  return head;
+}
+
+}  // namespace
+
+anim::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& file,
+                                                                       const RecordingHeader& header) {
+  auto beside = FileBeside::create(file);
+  if (!beside) return beside.error();
+  std::unique_ptr<RecordingWriter> writer(new RecordingWriter(std::move(*beside), header.tuning));
+  const std::string text = header_text(header);
+  std::string begin(recording_magic);
+  append_number(begin, recording_version);
+  append_number(begin, static_cast<std::uint32_t>(text.size()));
+  writer->write(begin + text);
+  return writer;
+}
+
+void RecordingWriter::write(std::string_view bytes) {
+  written_.add(bytes);
+  file_.write(bytes);
+}
+
+void RecordingWriter::write_item(RecordKind kind) {
+  write(item_head(kind, payload_.size()));
+  write(payload_);
+  payload_.clear();
+}
+
+void RecordingWriter::add(const Tuning& tuning) {
+  payload_ = changed_values(tuning_, tuning);
+  tuning_ = tuning;
+  write_item(RecordKind::tuning);
+}
+
+void RecordingWriter::add(const RecordedSelection& selection) {
+  append_number(payload_, selection.agent.value_or(recorded_nobody));
+  write_item(RecordKind::selection);
+}
+
+void RecordingWriter::add(const RecordedPush& push) {
+  append_number(payload_, push.agent);
+  for (int axis = 0; axis < 3; ++axis) append_number(payload_, push.direction[axis]);
+  write_item(RecordKind::push);
+}
+
+void RecordingWriter::add(const RecordedRoles& roles) {
+  append_number(payload_, roles.character);
+  for (const int clip : roles.clips) append_number(payload_, static_cast<std::int32_t>(clip));
+  write_item(RecordKind::roles);
+}
+
+void RecordingWriter::add(const RecordedHold& hold) {
+  append_number(payload_, hold.agent.value_or(recorded_nobody));
+  append_number(payload_, hold.seconds);
+  write_item(RecordKind::hold);
+}
+
+void RecordingWriter::add(const RecordedRewind& /*rewind*/) { write_item(RecordKind::rewind); }
+
+void RecordingWriter::add(const RecordedBoneOrder& order) {
+  const BoneLodChoice& choice = order.choice;
+  append_number(payload_, order.character);
+  append_number(payload_, static_cast<std::uint32_t>(choice.bones.size()));
+  append_number(payload_, static_cast<std::uint32_t>(choice.level_counts.size()));
+  for (const int bone : choice.bones) append_number(payload_, static_cast<std::uint16_t>(bone));
+  for (const int count : choice.level_counts) append_number(payload_, static_cast<std::uint16_t>(count));
+  write_item(RecordKind::bone_order);
+}
+
+void RecordingWriter::add(const RecordedCharacters& characters) {
+  payload_ = to_json(characters.characters);
+  write_item(RecordKind::characters);
+}
+
+void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes) {
+  const render::Camera& camera = frame.view.camera;
+  append_number(payload_, std::int64_t{frame.delta});
+  for (int axis = 0; axis < 3; ++axis) append_number(payload_, camera.position[axis]);
+  for (const float angle : {camera.yaw, camera.pitch, camera.vertical_view}) append_number(payload_, angle);
+  append_number(payload_, static_cast<std::uint32_t>(frame.view.width));
+  append_number(payload_, static_cast<std::uint32_t>(frame.view.height));
+  append_number(payload_, frame.pose_hash);
+  append_number(payload_, static_cast<std::uint32_t>(agent_hashes.size()));
+  add_changed_hashes(agent_hashes);
+  write_item(RecordKind::frame);
+  ++frames_;
+}
+
+// A bit an agent, then the hashes of those whose bit is set.
+void RecordingWriter::add_changed_hashes(std::span<const std::uint64_t> agent_hashes) {
+  hashes_.resize(agent_hashes.size(), 0);
+  const std::size_t bits = payload_.size();
+  payload_.resize(bits + (agent_hashes.size() + 7) / 8, '\0');
+  for (std::size_t agent = 0; agent < agent_hashes.size(); ++agent) {
+    const std::uint16_t hash = short_hash(agent_hashes[agent]);
+    if (hash == hashes_[agent]) continue;
+    hashes_[agent] = hash;
+    char& byte = payload_[bits + agent / 8];
+    byte = static_cast<char>(byte | (1 << agent % 8));
+    append_number(payload_, hash);
+  }
+}
+
+anim::Status RecordingWriter::finish() {
+  append_number(payload_, frames_);
+  write(item_head(RecordKind::end, end_payload_bytes));
+  write(payload_);
+  std::string checksum;
+  append_number(checksum, written_.value());
+  file_.write(checksum);
+  return file_.commit();
+}
+
+}  // namespace throng::app

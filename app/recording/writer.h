@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/atomic_file.h"
+#include "app/files/byte_hash.h"
+#include "app/recording/recording.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Writes a recording as it happens, beside its place; finish() puts it there. Without finish(), after a crash, what
+/// was written stays beside, FILE.PID.part, and can be replayed as far as it goes.
+class RecordingWriter {
+ public:
+  /// Errors: the file cannot be written.
+  static anim::Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
+                                                               const RecordingHeader& header);
+
+  void add(const Tuning& tuning);
+  void add(const RecordedSelection& selection);
+  void add(const RecordedPush& push);
+  void add(const RecordedRoles& roles);
+  void add(const RecordedHold& hold);
+  void add(const RecordedRewind& rewind);
+  void add(const RecordedBoneOrder& order);
+  void add(const RecordedCharacters& characters);
+  /// After the frame's update; `agent_hashes` as AnimationSystem has them. Allocates only as the crowd grows.
+  void add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes);
+
+  /// Errors: something of it could not be written.
+  anim::Status finish();
+  const std::filesystem::path& file() const { return file_.file(); }
+
+ private:
+  explicit RecordingWriter(FileBeside file, const Tuning& tuning) : file_(std::move(file)), tuning_(tuning) {}
+  void write(std::string_view bytes);
+  void write_item(RecordKind kind);
+  void add_changed_hashes(std::span<const std::uint64_t> agent_hashes);
+
+  FileBeside file_;
+  ByteHash written_;
+  Tuning tuning_;  // as it was written last
+  std::uint64_t frames_ = 0;
+  std::vector<std::uint16_t> hashes_;  // [agent] as they were written last
+  std::string payload_;                // used again and again
+};
+
+}  // namespace throng::app

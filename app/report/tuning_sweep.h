@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// Which value of the tuning a sweep goes through, and its unit there.
+enum class SweptValue : std::uint8_t {
+  pus,          ///< threads
+  local_store,  ///< KiB
+  tile,         ///< characters
+  grain,        ///< microseconds
+};
+
+/// Where a sweep stops; sliders stop there too.
+inline constexpr std::array local_store_stops = {16, 32, 64, 128, 256, 512, 1024};
+inline constexpr std::array tile_stops = {1, 2, 4, 8, 16};
+inline constexpr std::array grain_stops = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
+
+double swept_value(SweptValue value, const Tuning& tuning);
+void set_swept_value(SweptValue value, double to, Tuning& tuning);
+
+/// What posing one frame took.
+struct UpdateCost {
+  double milliseconds = 0;
+  std::uint64_t tasks = 0;  ///< handed to PUs
+  std::uint64_t bytes = 0;  ///< copied into local stores and out of them
+};
+
+struct SweepStop {
+  double value = 0;
+  bool refused = false;
+  bool known = false;
+  UpdateCost cost = {};  ///< median of its frames, figure by figure; of one that is known
+};
+
+/// What a sweep has found so far.
+struct SweepCurve {
+  SweptValue value = SweptValue::pus;
+  std::vector<SweepStop> stops;  ///< values ascend
+  int visits = 0, all_visits = 0;
+  bool runs = false;
+  std::string refusal;  ///< why the first of the refused stops was
+
+  bool complete() const { return visits == all_visits; }
+  /// Where an update takes least; null while nothing is known.
+  const SweepStop* lowest() const;
+};
+
+/// Goes through the stops of one value of the tuning while the crowd runs, some frames at each, round after round, so
+/// that a drift of the machine's speed meets all stops alike. Each frame it says what to apply, and is told what that
+/// came to. It changes nothing itself: when it has ended, the tuning it began with is to be applied again.
+class TuningSweep {
+ public:
+  static constexpr int rounds = 5, settling_frames = 2, measured_frames = 3;
+
+  /// From `tuning` on, which is what everything else stays at. `threads`: of the machine.
+  void start(SweptValue value, const Tuning& tuning, int threads);
+  void stop() { curve_.runs = false; }
+  bool runs() const { return curve_.runs; }
+  bool began_with(const Tuning& tuning) const { return tuning == start_; }
+
+  /// What the next frame is to be posed with, while it runs.
+  Tuning tuning() const;
+  /// That could not be, for `reason`; tuning() is another one, or the sweep has ended.
+  void refuse(const std::string& reason);
+  /// A frame was posed with tuning().
+  void add(const UpdateCost& cost);
+
+  const SweepCurve& curve() const { return curve_; }
+
+ private:
+  void go_on();
+
+  Tuning start_;
+  SweepCurve curve_;
+  std::vector<std::vector<UpdateCost>> measured_;  // [stop]
+  std::size_t stop_ = 0;
+  int round_ = 0;
+  int frames_ = 0;  // of this visit
+};
+
+}  // namespace throng::app

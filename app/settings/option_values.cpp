@@ -1,0 +1,279 @@
+#include "app/settings/option_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <system_error>
+
+namespace throng::app {
+namespace {
+
+/// The whole of `text` as a number, or nothing.
+template <typename Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || stop != end) return {};
+  return number;
+}
+
+std::optional<double> finite_number_in(std::string_view text) {
+  const auto number = number_in<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/// Every part between commas as a finite number, or nothing.
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = finite_number_in(text.substr(begin, end - begin));
+    if (!number) return {};
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+bool lies_within(std::optional<int> number, int least, int most) {
+  return number && *number >= least && *number <= most;
+}
+
+bool can_be_a_camera(const std::vector<double>& numbers) {
+  if (numbers.size() != 5 && numbers.size() != 6) return false;
+  const bool field_of_view_fits = numbers.size() == 5 || (numbers[5] >= 1 && numbers[5] <= 170);
+  return std::abs(numbers[4]) <= 90 && field_of_view_fits;
+}
+
+CameraPlace camera_from(const std::vector<double>& numbers) {
+  const auto at = [&](std::size_t i) { return static_cast<float>(numbers[i]); };
+  CameraPlace place{.x = at(0), .y = at(1), .z = at(2), .yaw = at(3), .pitch = at(4)};
+  if (numbers.size() == 6) place.field_of_view = at(5);
+  return place;
+}
+
+}  // namespace
+
+ValueReader whole_number(int& target, int least, int most) {
+  return [&target, least, most](const std::string& text) -> Complaint {
+    const auto number = number_in<int>(text);
+    if (!lies_within(number, least, most)) {
+      const bool endless = most == std::numeric_limits<int>::max();
+      return "must be a whole number, " + std::to_string(least) +
+             (endless ? " or more" : " to " + std::to_string(most));
+    }
+    target = *number;
+    return {};
+  };
+}
+
+ValueReader number_list(std::vector<int>& target, int least, int most) {
+  return [&target, least, most](const std::string& text) -> Complaint {
+    std::vector<int> numbers;
+    for (const std::string& part : parts_between_commas(text)) {
+      const auto number = number_in<int>(part);
+      if (!lies_within(number, least, most)) {
+        return "must be a whole number, " + std::to_string(least) + " to " + std::to_string(most) +
+               ", or several with commas between them";
+      }
+      numbers.push_back(*number);
+    }
+    target = std::move(numbers);
+    return {};
+  };
+}
+
+std::vector<std::string> parts_between_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    parts.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return parts;
+}
+
+ValueReader seed_number(std::uint32_t& target) {
+  return [&target](const std::string& text) -> Complaint {
+    const auto number = number_in<std::uint32_t>(text);
+    if (!number) return "must be a whole number, 0 to 4294967295";
+    target = *number;
+    return {};
+  };
+}
+
+ValueReader number_between(float& target, float least, float most) {
+  return [&target, least, most](const std::string& text) -> Complaint {
+    const auto number = finite_number_in(text);
+    if (!number || *number < static_cast<double>(least) || *number > static_cast<double>(most)) {
+      std::ostringstream range;
+      range << "must be a number, " << least << " to " << most;
+      return range.str();
+    }
+    target = static_cast<float>(*number);
+    return {};
+  };
+}
+
+ValueReader seconds_above_zero(std::optional<double>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    const auto number = finite_number_in(text);
+    if (!number || *number <= 0) return "must be a number of seconds above 0";
+    target = number;
+    return {};
+  };
+}
+
+ValueReader number_above_zero(float& target, std::string unit) {
+  return [&target, unit = std::move(unit)](const std::string& text) -> Complaint {
+    const auto number = finite_number_in(text);
+    constexpr double least = 1e-3, most = 1e6;
+    if (!number || *number < least || *number > most) return "must be a number of " + unit + " above 0";
+    target = static_cast<float>(*number);
+    return {};
+  };
+}
+
+ValueReader times_list(std::vector<double>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    auto times = numbers_in(text);
+    const auto negative = [](double time) { return time < 0; };
+    if (!times || std::any_of(times->begin(), times->end(), negative)) {
+      return "must be seconds, 0 or more, with commas between them";
+    }
+    target = std::move(*times);
+    return {};
+  };
+}
+
+ValueReader role_choices(std::vector<RoleChoice>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    std::vector<RoleChoice> choices;
+    for (std::size_t from = 0; from <= text.size();) {
+      const std::size_t end = std::min(text.find(',', from), text.size());
+      const std::string choice = text.substr(from, end - from);
+      const std::size_t equals = choice.find('=');
+      if (equals == std::string::npos || equals + 1 == choice.size()) {
+        return "must be ROLE=NAME, with commas between several; roles are " + known_roles();
+      }
+      const std::string name = choice.substr(0, equals);
+      const auto role = role_named(name);
+      if (!role) return "there is no role " + name + "; roles are " + known_roles();
+      if (std::ranges::find(choices, *role, &RoleChoice::role) != choices.end()) return name + " is given twice";
+      choices.push_back({*role, choice.substr(equals + 1)});
+      from = end + 1;
+    }
+    target = std::move(choices);
+    return {};
+  };
+}
+
+ValueReader image_size(int& width, int& height) {
+  return [&width, &height](const std::string& text) -> Complaint {
+    constexpr int most = most_picture_pixels;
+    const std::size_t cross = std::min(text.find('x'), text.size());
+    const std::string_view view = text;
+    const auto wide = number_in<int>(view.substr(0, cross));
+    const auto high = number_in<int>(view.substr(std::min(cross + 1, view.size())));
+    if (!lies_within(wide, 1, most) || !lies_within(high, 1, most)) {
+      return "must be WIDTHxHEIGHT in pixels, each 1 to " + std::to_string(most);
+    }
+    width = *wide;
+    height = *high;
+    return {};
+  };
+}
+
+ValueReader auto_or_kibibytes(int& target) {
+  return [&target](const std::string& text) -> Complaint {
+    constexpr int most = 65536;
+    const auto number = text == "auto" ? 0 : number_in<int>(text);
+    if (text != "auto" && !lies_within(number, 1, most)) return "must be auto or 1 to " + std::to_string(most) + " KiB";
+    target = *number;
+    return {};
+  };
+}
+
+ValueReader mesh_lod(int& target) {
+  return [&target](const std::string& text) -> Complaint {
+    return choice<int>(target, {{"on", -1}, {"off", 0}, {"0", 0}, {"1", 1}, {"2", 2}, {"3", 3}})(text);
+  };
+}
+
+ValueReader camera(DemoOptions& options) {
+  return [&options](const std::string& text) -> Complaint {
+    if (text.find(',') == std::string::npos) {
+      options.camera.reset();
+      return any_text(options.camera_name)(text);
+    }
+    const auto numbers = numbers_in(text);
+    if (!numbers || !can_be_a_camera(*numbers)) {
+      return "must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, pitch -90 to 90, fov 1 to 170";
+    }
+    options.camera = camera_from(*numbers);
+    return {};
+  };
+}
+
+ValueReader any_text(std::string& target) {
+  return [&target](const std::string& text) -> Complaint {
+    if (text.empty()) return "must not be empty";
+    target = text;
+    return {};
+  };
+}
+
+ValueReader existing_folder(std::string& target) {
+  return [&target](const std::string& text) -> Complaint {
+    std::error_code error;
+    if (!std::filesystem::is_directory(text, error)) return "must be a folder that is there";
+    target = text;
+    return {};
+  };
+}
+
+ValueReader file_name(std::string& target) {
+  return [&target](const std::string& text) -> Complaint {
+    if (text == "-") return "must be a file; it is not written to standard output";
+    return any_text(target)(text);
+  };
+}
+
+ValueReader svg_file(std::string& target) {
+  return [&target](const std::string& text) -> Complaint {
+    if (!text.ends_with(".svg")) return "must be a file name that ends in .svg";
+    target = text;
+    return {};
+  };
+}
+
+ValueReader png_file(std::string& target) {
+  return [&target](const std::string& text) -> Complaint {
+    if (!text.ends_with(".png")) return "must be a file name that ends in .png";
+    target = text;
+    return {};
+  };
+}
+
+ValueReader not_built_yet(std::vector<std::string> later, ValueReader reader) {
+  return [later = std::move(later), reader = std::move(reader)](const std::string& text) -> Complaint {
+    const Complaint complaint = reader(text);
+    const bool planned = std::find(later.begin(), later.end(), text) != later.end();
+    return complaint && planned ? "is not built yet; " + *complaint : complaint;
+  };
+}
+
+std::string must_be_one_of(const std::vector<std::string>& names) {
+  std::string sentence = "must be ";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) sentence += i + 1 == names.size() ? " or " : ", ";
+    sentence += names[i];
+  }
+  return sentence;
+}
+
+}  // namespace throng::app

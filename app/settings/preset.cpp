@@ -1,0 +1,195 @@
+#include "app/settings/preset.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/atomic_file.h"
+#include "app/settings/preset_fields.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_bytes = 65536;
+
+fs::path configuration_folder() {
+  const char* const config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "throng";
+  const char* const home = std::getenv("HOME");
+  return home == nullptr || *home == '\0' ? fs::path() : fs::path(home) / ".config" / "throng";
+}
+
+// The text that a command line would have; nothing for what none can have.
+std::optional<std::string> text_of(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  if (value.is_number()) return value.dump();
+  return {};
+}
+
+Complaint take_value(const ValueReader& reader, const std::string& key, const Json& value) {
+  const std::optional<std::string> text = text_of(value);
+  if (!text) return "\"" + key + "\" must be a number, a word, true or false";
+  const Complaint complaint = reader(*text);
+  return complaint ? Complaint("\"" + key + "\" " + *complaint) : Complaint();
+}
+
+Complaint take_key(const std::string& key, const Json& value, Preset& preset) {
+  if (key == "camera") {
+    DemoOptions options;
+    Complaint complaint = take_value(camera(options), key, value);
+    if (!complaint && !options.camera) complaint = "\"camera\" must be x,y,z,yaw,pitch[,fov] in a string";
+    if (!complaint) preset.camera = options.camera;
+    return complaint;
+  }
+  const PresetField* const field = key.starts_with('-') ? nullptr : find_preset_field(key);
+  if (field == nullptr) return "unknown key \"" + key + "\"; it knows camera, " + known_preset_keys();
+  return take_value(field->reader(preset.tuning), key, value);
+}
+
+Json json_of(const PresetField& field, const Tuning& tuning) {
+  const std::string text = field.text(tuning);
+  if (field.form == PresetField::Form::on_off) return text == "on";
+  return field.form == PresetField::Form::word ? Json(text) : Json::parse(text);
+}
+
+Complaint read_into(const fs::path& file, Preset& preset) {
+  std::error_code error;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || !fs::is_regular_file(file, error)) return "cannot be read";
+  std::string text(most_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return from_json(text, preset);
+}
+
+std::string option_text(const PresetField& field, const Tuning& tuning) {
+  return std::string(field.option) + " " + field.text(tuning);
+}
+
+// What an option given alone brings with it: `--lod off` also turns off what only saves work.
+Tuning settled(Tuning defaults, const Tuning& tuning) {
+  if (tuning.lod != LodRule::off || defaults.lod == LodRule::off) return defaults;
+  defaults.bone_lod = defaults.smooth = false;
+  defaults.mesh_lod = 0;
+  return defaults;
+}
+
+}  // namespace
+
+std::string to_json(const Preset& preset) {
+  Json json;
+  for (const PresetField& field : preset_fields()) json[std::string(field.key)] = json_of(field, preset.tuning);
+  if (preset.camera) json["camera"] = camera_text(*preset.camera);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Complaint from_json(std::string_view text, Preset& preset) {
+  if (text.size() > most_bytes) return "is too long to be a preset";
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object()) return "must be a JSON object of keys and values";
+  Preset taken = preset;
+  for (const auto& [key, value] : json.items()) {
+    if (Complaint complaint = take_key(key, value, taken)) return complaint;
+  }
+  preset = taken;
+  return {};
+}
+
+anim::Result<Preset> read_preset(const fs::path& file) {
+  Preset preset;
+  if (const Complaint complaint = read_into(file, preset)) return anim::Error{file.string() + ": " + *complaint};
+  return preset;
+}
+
+anim::Status write_preset(const fs::path& file, const Preset& preset) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  return write_whole_file(file, to_json(preset));
+}
+
+fs::path preset_folder() {
+  const fs::path folder = configuration_folder();
+  return folder.empty() ? folder : folder / "presets";
+}
+
+fs::path preset_file(const std::string& name_or_file) {
+  const bool is_file = name_or_file.find_first_of("/.") != std::string::npos;
+  return is_file ? fs::path(name_or_file) : preset_folder() / (name_or_file + ".json");
+}
+
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(preset_folder(), error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().extension() == ".json") names.push_back(entry->path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+ValueReader preset_values(DemoOptions& options) {
+  return [&options](const std::string& text) -> Complaint {
+    const fs::path file = preset_file(text);
+    Preset preset{.tuning = options.tuning, .camera = options.camera};
+    if (const Complaint complaint = read_into(file, preset)) {
+      return file == text ? complaint : Complaint(file.string() + ": " + *complaint);
+    }
+    options.tuning = preset.tuning;
+    options.camera = preset.camera;
+    return {};
+  };
+}
+
+ValueReader set_values(Tuning& tuning) {
+  return [&tuning](const std::string& text) -> Complaint {
+    Tuning taken = tuning;
+    for (const std::string& part : parts_between_commas(text)) {
+      const std::size_t equals = std::min(part.find('='), part.size());
+      const std::string key = part.substr(0, equals);
+      const PresetField* const field = key.starts_with('-') ? nullptr : find_preset_field(key);
+      if (equals == part.size()) return "must be KEY=VALUE, with commas between several";
+      if (field == nullptr) return "there is no key " + key + "; keys are " + known_preset_keys();
+      if (const Complaint complaint = field->reader(taken)(part.substr(equals + 1))) return key + " " + *complaint;
+    }
+    tuning = taken;
+    return {};
+  };
+}
+
+std::string command_line(const Tuning& tuning, const Tuning& defaults, const std::optional<CameraPlace>& camera) {
+  const Tuning expected = settled(defaults, tuning);
+  std::string line, set;
+  for (const PresetField& field : preset_fields()) {
+    const std::string text = field.text(tuning);
+    if (text == field.text(expected)) continue;
+    if (!field.option.empty() && text != field.unsaid) {
+      line.append(line.empty() ? "" : " ").append(option_text(field, tuning));
+    } else {
+      set.append(set.empty() ? "--set " : ",").append(field.key).append("=").append(text);
+    }
+  }
+  if (!set.empty()) line.append(line.empty() ? "" : " ").append(set);
+  if (camera) line.append(line.empty() ? "" : " ").append("--camera ").append(camera_text(*camera));
+  return line;
+}
+
+std::string camera_text(const CameraPlace& place) {
+  std::string text;
+  for (const float number : {place.x, place.y, place.z, place.yaw, place.pitch, place.field_of_view}) {
+    std::array<char, 32> digits{};
+    const char* const end = std::to_chars(digits.begin(), digits.end(), number).ptr;
+    text.append(text.empty() ? "" : ",").append(std::string_view(digits.data(), end));
+  }
+  return text;
+}
+
+}  // namespace throng::app

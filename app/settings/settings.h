@@ -1,0 +1,155 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/character/roles.h"
+#include "engine/anim/run/program/cost_model.h"
+
+namespace throng::app {
+
+enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film };
+enum class Schedule : std::uint8_t { fused, levels };
+enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
+enum class Stream : std::uint8_t { sampled, keyframe };
+enum class Palette : std::uint8_t { floats, packed };
+enum class LodRule : std::uint8_t { off, distance, budget };
+enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
+enum class DrawWhich : std::uint8_t { last, all, none };
+enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
+enum class ErrorSampling : std::uint8_t { off, some, all };
+/// Whether the picture is the crowd as it is shown, or left of a line the exact one; right of it the one shown, or how
+/// far the two are apart.
+enum class Split : std::uint8_t { off, shown, difference };
+/// How the camera moves by itself, from where it stands at first.
+enum class CameraPath : std::uint8_t { none, orbit, pan };
+
+/// Where the camera stands: x, y, z in metres; yaw, pitch, vertical field of view in degrees. Yaw 0 looks along -Z.
+struct CameraPlace {
+  float x = 0, y = 0, z = 0;
+  float yaw = 0, pitch = 0;
+  float field_of_view = 50;
+};
+
+/// Parts of a frame left out, to see what each of them costs.
+struct TakenAway {
+  bool animation = false;  ///< time stands still
+  bool upload = false;     ///< the records of the last frame are drawn again; characters may jump
+  bool drawing = false;    ///< no draw call: the picture stays
+  bool pixels = false;     ///< the crowd is drawn, but no pixel of it is filled
+
+  friend bool operator==(const TakenAway&, const TakenAway&) = default;
+};
+
+/// What lets people look at level of detail, and try what it would do. No part of a look that is worth keeping.
+struct LodInspection {
+  bool freeze_camera = false;  ///< level of detail and culling go on from where the camera was; its frustum is drawn
+  bool thresholds = false;     ///< a ring on the ground wherever the interval grows
+  bool figures_above_heads = false;  ///< interval and bone level of those near by
+  Split split = Split::off;
+  float split_at = 0.35F;            ///< of the picture's width, 0 to 1: left of it the crowd is exact
+  int forced_interval = 0;           ///< frames, 1 to 16; 0: as the rule has it
+  int forced_bone_level = -1;        ///< 0 to 3, or the character's last; -1: as the rule has it
+  bool force_selected_only = false;  ///< the forced values are for the selected agent, else for everyone
+
+  friend bool operator==(const LodInspection&, const LodInspection&) = default;
+};
+
+/// Every value that can be tuned while the crowd runs: the overlay edits a copy, the demo applies it at a frame
+/// boundary.
+struct Tuning {
+  // Crowd
+  Scene scene = Scene::plaza;
+  int agents = 1000;  ///< 1 to 100,000
+  std::uint32_t seed = 1;
+  bool paused = false;
+  float time_scale = 1.0F;  ///< 0 to 4
+  bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
+  // LOD skipping
+  LodRule lod = LodRule::budget;     ///< with error_px: distances cannot hold a pixel for every character
+  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
+  float interval_growth = 12.0F;     ///< metres a further step of the interval
+  int largest_interval = 8;          ///< frames, 1 to 16
+  bool smooth = true;                ///< smooth skipping in the vertex shader
+  ErrorSampling error_sample = ErrorSampling::some;  ///< whose error on screen is measured, of those in view
+  float error_px = 1.0F;                             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
+  float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
+  LodInspection inspection = {};
+  // Per-bone LOD
+  bool bone_lod = true;
+  float bone_level_distance[3] = {15.0F, 30.0F, 60.0F};  ///< metres from which level 1, 2, 3 is shown
+  int mesh_lod = -1;                                     ///< -1: by size on screen; 0..3: always that one
+  // Scheduling
+  int pus = 0;              ///< 0: all cores
+  int local_store_kib = 0;  ///< 0: auto
+  int tile = 0;             ///< characters a tile, 0: what fits; 1, 2, 4, 8, 16
+  Schedule schedule = Schedule::fused;
+  DoubleBuffer double_buffer = DoubleBuffer::interleaved;
+  Stream stream = Stream::sampled;
+  Palette palette = Palette::floats;  ///< packed where a character's can be
+  // What is shown
+  DebugView debug_view = DebugView::none;
+  bool bones_as_lines = false;
+  TakenAway taken_away{};
+  // What is predicted
+  anim::CostModel cost{};  ///< nanoseconds of one PU
+
+  friend bool operator==(const Tuning&, const Tuning&) = default;
+};
+
+/// The same crowd as `--lod off` shows it: everyone posed in full in every frame.
+inline Tuning without_level_of_detail(Tuning tuning) {
+  tuning.lod = LodRule::off;
+  tuning.bone_lod = false;
+  tuning.smooth = false;
+  tuning.mesh_lod = 0;
+  tuning.inspection.forced_interval = LodInspection().forced_interval;
+  tuning.inspection.forced_bone_level = LodInspection().forced_bone_level;
+  return tuning;
+}
+
+inline constexpr int most_picture_pixels = 16384;  ///< of a picture's width and of its height
+inline constexpr std::size_t most_models = 16;     ///< of people in one crowd
+
+/// What the command line of the demo says (README "Options"); Tuning are its starting values.
+struct DemoOptions {
+  std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
+  Tuning tuning;
+  ContextKind context = ContextKind::window;
+  std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all
+  int frames = 60;
+  bool frames_given = false;  ///< a window runs until closed unless given
+  std::optional<double> dt;   ///< seconds; unset: 1/60 headless, the clock in a window
+  int width = 1280;
+  int height = 720;
+  bool ui = false;               ///< overlay in a headless run
+  bool ui_fixed = false;         ///< with measured times from a committed report
+  std::string ui_tab = "Crowd";  ///< that the overlay starts with
+  std::optional<int> selected;   ///< an agent, from the start
+  bool hide_ui = false;
+  float ui_scale = 1;  ///< of every measure of the overlay
+  int msaa = -1;       ///< -1: what the device affords; 0 or 4
+  bool shadows = true;
+  std::vector<RoleChoice> clips;   ///< over those of the role file, and those that names suggest
+  bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
+  bool shadows_given = false;      ///< a software renderer draws none unless given
+  std::vector<std::string> given;  ///< the options that the command line names, "--pus"
+  bool force_software = false;     ///< EGL: never the graphics card; for tests
+  std::optional<CameraPlace> camera;
+  CameraPath camera_path = CameraPath::none;
+  std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
+  bool events = false;                                 ///< what everybody meets is summed up for the statistics
+  std::string record, replay;                          ///< files; empty: not asked for
+  std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
+};
+
+/// Of a headless run: what was asked for, else the last where something of it is written, else none.
+inline DrawWhich drawn_frames(const DemoOptions& options) {
+  const bool is_seen = !options.screenshot.empty() || !options.ui_map.empty();
+  return options.draw.value_or(is_seen ? DrawWhich::last : DrawWhich::none);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,53 @@
+#include "app/show/picture.h"
+
+#include <algorithm>
+
+#include "app/settings/agent_colors.h"
+
+namespace throng::app {
+namespace {
+
+constexpr std::uint32_t lods = 4;
+
+}  // namespace
+
+void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod, Poses poses) {
+  entries_.clear();
+  const auto characters = static_cast<std::uint32_t>(stage.characters().size());
+  const bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
+  for (const anim::VisibleAgent& agent : stage.selection().visible) {
+    Entry entry;
+    if (!stage.record(agent, entry.record, poses)) continue;
+    const ShownPose& pose = stage.pose_of(agent.agent, poses);
+    const std::uint8_t character = stage.crowd().characters()[agent.agent];
+    const int lod = mesh_lod(character, agent.pixels_tall, pose.level());
+    entry.run = (pose.to.page * characters + character) * lods + static_cast<std::uint32_t>(lod);
+    if (lod_as_color && agent.agent != stage.selected())
+      entry.record.debug_color = step_color(lod, static_cast<int>(lods));
+    entries_.push_back(entry);
+  }
+  sort_into_runs(characters);
+}
+
+// A counting sort, stable, so that equal frames give equal pictures.
+void Picture::sort_into_runs(std::uint32_t characters) {
+  std::uint32_t runs = 0;
+  for (const Entry& entry : entries_) runs = std::max(runs, entry.run + 1);
+  run_starts_.assign(runs + 1, 0);
+  for (const Entry& entry : entries_) ++run_starts_[entry.run + 1];
+  batches_.clear();
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    const std::uint32_t count = run_starts_[run + 1];
+    run_starts_[run + 1] += run_starts_[run];
+    if (count == 0) continue;
+    batches_.push_back({.page = run / lods / characters,
+                        .character = static_cast<std::uint8_t>(run / lods % characters),
+                        .mesh_lod = static_cast<std::uint8_t>(run % lods),
+                        .first_instance = run_starts_[run],
+                        .instance_count = count});
+  }
+  instances_.resize(entries_.size());
+  for (const Entry& entry : entries_) instances_[run_starts_[entry.run]++] = entry.record;
+}
+
+}  // namespace throng::app

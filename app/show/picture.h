@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "app/stage/stage.h"
+#include "engine/render/crowd_draw.h"
+
+namespace throng::app {
+
+/// Sorts the visible agents of a stage into runs that one instanced draw each can show: same palette page, character
+/// and mesh LOD, in ascending order of page, then character. Memory is kept from frame to frame.
+class Picture {
+ public:
+  /// `mesh_lod(character, pixels_tall, at_least)` says which mesh LOD an agent of that size gets.
+  using PickMeshLod = std::function<int(std::uint8_t character, float pixels_tall, int at_least)>;
+
+  void compose(const Stage& stage, const PickMeshLod& mesh_lod, Poses poses = Poses::shown);
+
+  std::span<const render::InstanceRecord> instances() const { return instances_; }
+  std::span<const render::CrowdBatch> batches() const { return batches_; }
+
+ private:
+  struct Entry {
+    std::uint32_t run;  // page, character, mesh LOD
+    render::InstanceRecord record;
+  };
+
+  void sort_into_runs(std::uint32_t characters);
+
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> run_starts_;
+  std::vector<render::InstanceRecord> instances_;
+  std::vector<render::CrowdBatch> batches_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,143 @@
+#include "app/show/replay.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/figures/statistics.h"
+#include "app/settings/preset_fields.h"
+#include "app/show/replayed_requests.h"
+
+namespace throng::app {
+namespace {
+
+// The agents whose hashes are not as recorded: the first of them, and how many.
+struct Difference {
+  std::uint32_t first = 0;
+  std::size_t agents = 0;
+};
+
+Difference difference(std::span<const std::uint64_t> hashes, std::span<const std::uint16_t> recorded) {
+  Difference found;
+  for (std::uint32_t agent = 0; agent < hashes.size(); ++agent) {
+    if (short_hash(hashes[agent]) == recorded[agent]) continue;
+    if (found.agents++ == 0) found.first = agent;
+  }
+  return found;
+}
+
+// But for the files, which may have moved.
+bool are_equal(std::span<const CharacterSource> people, std::span<const RecordedCharacter> recorded_people) {
+  const auto is_equal = [](const CharacterSource& person, RecordedCharacter as_recorded) {
+    as_recorded.file = person.file;
+    return recorded(person) == as_recorded;
+  };
+  return std::ranges::equal(people, recorded_people, is_equal);
+}
+
+std::string name_of(std::uint32_t agent, const Stage& stage) {
+  if (agent >= stage.crowd().size()) return "the camera of the cut scene";
+  return "agent " + std::to_string(agent) + ", " + stage.character_of(agent).name;
+}
+
+}  // namespace
+
+anim::Result<std::unique_ptr<Replay>> Replay::open(const std::filesystem::path& file) {
+  auto reader = RecordingReader::open(file);
+  if (!reader) return reader.error();
+  return std::unique_ptr<Replay>(new Replay(file, std::move(*reader)));
+}
+
+DemoOptions Replay::options(const DemoOptions& given) {
+  given_ = given;
+  const RecordingHeader& header = reader_->header();
+  DemoOptions options = given;
+  if (options.models.empty()) {
+    for (const RecordedCharacter& character : header.characters) {
+      if (!character.file.empty()) options.models.push_back(character.file);
+    }
+  }
+  options.tuning = with_own_scheduling(header.tuning);
+  options.agents_given = true;
+  if (std::ranges::find(given.given, "--size") == given.given.end()) {
+    options.width = header.width;
+    options.height = header.height;
+  }
+  return options;
+}
+
+Tuning Replay::with_own_scheduling(Tuning tuning) const {
+  static constexpr std::array<std::string_view, 6> own{"--pus",   "--local-store", "--tile",
+                                                       "--grain", "--schedule",    "--double-buffer"};
+  for (const std::string& name : given_.given) {
+    if (std::ranges::find(own, name) != own.end()) copy_field(*find_preset_field(name), given_.tuning, tuning);
+  }
+  return tuning;
+}
+
+anim::Status Replay::begin(Show& show) const {
+  show.keep_moments();
+  const std::vector<RecordedCharacter>& recorded_people = reader_->header().characters;
+  const auto people = show.stage().people();
+  if (people.size() != recorded_people.size()) {
+    return anim::Error{file_.string() + ": is of " + std::to_string(recorded_people.size()) +
+                       " characters, and there are " + std::to_string(people.size())};
+  }
+  if (are_equal(people, recorded_people)) return anim::Done{};
+  std::vector<CharacterSource> characters(people.begin(), people.end());
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    const anim::Status became = become_recorded(recorded_people[i], characters[i]);
+    if (!became) return anim::Error{file_.string() + ": " + became.error().message};
+  }
+  return show.replace_characters(std::move(characters));
+}
+
+anim::Result<bool> Replay::step(Show& show) {
+  for (;;) {
+    const anim::Result<RecordedItem> item = reader_->next();
+    if (!item) return item.error();
+    if (std::holds_alternative<RecordedEnd>(*item)) return false;
+    if (const auto* const frame = std::get_if<RecordedFrame>(&*item)) {
+      show.animate_as(*frame);
+      agents_ = show.stage().crowd().size();
+      if (const anim::Status equal = compare(*frame, show.stage()); !equal) return equal.error();
+      return true;
+    }
+    const anim::Status repeated = repeat(with_own_scheduling(std::get<RecordedRequest>(*item)), show);
+    if (!repeated) return reader_->error_at(reader_->frames_read() + 1, repeated.error().message);
+  }
+}
+
+RecordedRequest Replay::with_own_scheduling(RecordedRequest request) const {
+  if (auto* const tuning = std::get_if<Tuning>(&request)) *tuning = with_own_scheduling(*tuning);
+  return request;
+}
+
+anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) const {
+  const auto hashes = stage.system().agent_hashes();
+  const auto recorded_hashes = reader_->agent_hashes();
+  const std::uint64_t number = reader_->frames_read();
+  if (hashes.size() != recorded_hashes.size()) {
+    return reader_->error_at(number, "has " + std::to_string(hashes.size()) + " agents, recorded were " +
+                                         std::to_string(recorded_hashes.size()));
+  }
+  const Difference found = difference(hashes, recorded_hashes);
+  if (found.agents > 0) {
+    return reader_->error_at(number, "is the first that differs, in " + name_of(found.first, stage) + "; in all, " +
+                                         std::to_string(found.agents) + " of " + std::to_string(hashes.size()) +
+                                         " agents are posed otherwise than recorded");
+  }
+  if (stage.system().pose_hash() == frame.pose_hash) return anim::Done{};
+  return reader_->error_at(
+      number, "is the first that differs, with pose hash " + hex_string(stage.system().pose_hash()) + " instead of " +
+                  hex_string(frame.pose_hash) + ", and in no agent as far as 16 bits of each can tell");
+}
+
+std::string Replay::summary() const {
+  return file_.string() + ": all " + std::to_string(reader_->frames_read()) + " frames are equal, the last of " +
+         std::to_string(agents_) + " agents";
+}
+
+}  // namespace throng::app

@@ -1,0 +1,79 @@
+#include "app/show/replayed_requests.h"
+
+#include <string>
+#include <utility>
+
+#include "app/character/files.h"
+
+namespace throng::app {
+namespace {
+
+bool is_there(std::uint32_t agent, const Show& show) { return agent < show.stage().crowd().size(); }
+
+anim::Status asked(const Tuning& tuning, Show& show) {
+  const anim::Status applied = show.apply(tuning);
+  return applied ? applied : anim::Status(anim::Error{"its values cannot be: " + applied.error().message});
+}
+
+anim::Status asked(const RecordedSelection& selection, Show& show) {
+  if (selection.agent && !is_there(*selection.agent, show)) return anim::Error{"selects an agent that is not there"};
+  show.select(selection.agent);
+  return anim::Done{};
+}
+
+anim::Status asked(const RecordedPush& push, Show& show) {
+  if (!is_there(push.agent, show)) return anim::Error{"pushes an agent that is not there"};
+  return show.push(push.agent, push.direction);
+}
+
+anim::Status asked(const RecordedRoles& roles, Show& show) {
+  const auto people = show.stage().people();
+  if (roles.character >= people.size() || !has_clips(people[roles.character], roles.clips)) {
+    return anim::Error{"plays a clip that is not there"};
+  }
+  show.set_roles(roles.character, roles.clips);
+  return anim::Done{};
+}
+
+anim::Status asked(const RecordedHold& hold, Show& show) {
+  if (!hold.agent) {
+    show.let_go_of_clip();
+    return anim::Done{};
+  }
+  if (!is_there(*hold.agent, show)) return anim::Error{"holds the clip of an agent that is not there"};
+  show.hold_clip(*hold.agent, hold.seconds);
+  return anim::Done{};
+}
+
+anim::Status asked(const RecordedRewind& /*rewind*/, Show& show) {
+  const anim::Status gone = show.rewind();
+  return gone ? gone : anim::Status(anim::Error{"cannot go back in time: " + gone.error().message});
+}
+
+anim::Status asked(const RecordedBoneOrder& order, Show& show) {
+  if (order.character >= show.stage().people().size()) {
+    return anim::Error{"orders the bones of a character that is not there"};
+  }
+  const anim::Status set = show.set_bone_lod(order.character, order.choice);
+  return set ? set : anim::Status(anim::Error{"its order of bones cannot be: " + set.error().message});
+}
+
+anim::Status asked(const RecordedCharacters& others, Show& show) {
+  std::vector<std::string> files;
+  for (const RecordedCharacter& character : others.characters) files.push_back(character.file);
+  auto characters = load_characters(files);
+  if (!characters) return characters.error();
+  for (std::size_t i = 0; i < characters->size(); ++i) {
+    anim::Status became = become_recorded(others.characters[i], (*characters)[i]);
+    if (!became) return became;
+  }
+  return show.replace_characters(std::move(*characters));
+}
+
+}  // namespace
+
+anim::Status repeat(const RecordedRequest& request, Show& show) {
+  return std::visit([&](const auto& each) { return asked(each, show); }, request);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "app/crowd/crowd.h"
+#include "app/stage/cut_scene.h"
+#include "app/stage/fallen_agents.h"
+#include "app/stage/placed_feet.h"
+#include "engine/anim/agent/system_snapshot.h"
+
+namespace throng::app {
+
+/// All of a stage that changes as time passes; its memory is used again when it is filled again.
+struct StageMoment {
+  std::uint64_t crowd_number = 0;  ///< Stage::crowd_number: of another crowd it cannot be put back
+  anim::Ticks clock = 0;
+  anim::SystemSnapshot system;
+  CrowdMoment crowd;
+  std::optional<CutScene::Moment> cut_scene;
+  std::optional<FallenAgents> fallen;
+  PlacedFeet::Moment feet;
+  std::vector<float> played_speeds;
+};
+
+}  // namespace throng::app

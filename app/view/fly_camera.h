@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "app/settings/settings.h"
+#include "app/view/input.h"
+#include "engine/render/camera.h"
+
+namespace throng::app {
+
+/// Degrees of the command line to radians of the camera and back.
+render::Camera camera_at(const CameraPlace& place);
+CameraPlace place_of(const render::Camera& camera);
+
+/// "--camera x,y,z,yaw,pitch,fov": what the command line takes to stand there again.
+std::string camera_option(const CameraPlace& place);
+
+/// What mouse and keyboard mean to the camera in a frame.
+struct FlyControls {
+  bool pointer_free = true;   ///< the overlay does not use it
+  bool keyboard_free = true;  ///< nobody types
+};
+
+/// W A S D and Q E fly, a drag with the right button looks around, the wheel sets the speed, Shift is faster and Ctrl
+/// slower.
+class FlyCamera {
+ public:
+  explicit FlyCamera(const CameraPlace& place) : camera_(camera_at(place)) {}
+
+  void update(const InputFrame& input, const FlyControls& controls, float seconds);
+
+  [[nodiscard]] const render::Camera& camera() const { return camera_; }
+  [[nodiscard]] CameraPlace place() const { return place_of(camera_); }
+  [[nodiscard]] float speed() const { return speed_; }  ///< metres a second, 0.25 to 250
+  void set_camera(const render::Camera& camera) { camera_ = camera; }
+
+ private:
+  render::Camera camera_;
+  float speed_ = 6;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,106 @@
+#include "app/view/scenes.h"
+
+#include <algorithm>
+
+#include "app/crowd/layout.h"
+#include "app/crowd/parade.h"
+#include "app/crowd/stadium.h"
+
+namespace throng::app {
+namespace {
+
+// Yaw grows counter-clockwise seen from above: 45 degrees look along -X, -Z, from the corner at +X, +Z to the middle.
+constexpr float to_the_middle = 45.0F;
+
+std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
+  const auto unit = static_cast<float>(spacing);
+  const auto side = static_cast<float>(plaza_side(agents, spacing));
+  const auto corner = static_cast<float>(plaza_viewpoint(agents, spacing).x);
+  const float above = 0.9F * side + 8.0F * unit;
+  const float beyond = 0.06F * side + 3.0F * unit;
+  return {
+      {"front", {corner, 2.7F * unit, corner, to_the_middle, -8.5F, 42.0F}},
+      {"above", {0.0F, above, 0.55F * above, 0.0F, -64.0F, 50.0F}},
+      {"close", {corner - 1.2F * unit, 1.6F * unit, corner - 1.2F * unit, to_the_middle, -6.0F, 40.0F}},
+      {"far", {corner + beyond, 0.16F * side + 5.0F * unit, corner + beyond, to_the_middle, -19.0F, 45.0F}},
+  };
+}
+
+std::vector<NamedCamera> grid_cameras(std::size_t agents, double spacing) {
+  const auto unit = static_cast<float>(spacing);
+  const auto side = static_cast<float>(static_cast<double>(grid_columns(agents)) * grid_pitch(spacing));
+  const float above = 0.75F * side + 6.0F * unit;
+  return {
+      {"front", {0.0F, 2.2F * unit, 5.0F * unit, 0.0F, -9.0F, 50.0F}},
+      {"above", {0.0F, above, 0.5F * (above - side), 0.0F, -64.0F, 50.0F}},
+      {"close", {0.0F, 1.3F * unit, 3.0F * unit, 0.0F, -4.0F, 45.0F}},
+      {"far", {0.0F, 0.35F * side + 4.0F * unit, 0.6F * side + 10.0F * unit, 0.0F, -20.0F, 45.0F}},
+  };
+}
+
+// The companies come along the straight at z = radius, towards -X.
+std::vector<NamedCamera> parade_cameras(std::size_t agents, const CharacterRoles& roles) {
+  const auto unit = static_cast<float>(roles.spacing());
+  const ParadeSize size = parade_size(agents, roles);
+  const auto straight = static_cast<float>(size.radius), wide = static_cast<float>(size.half_width);
+  const auto ahead = static_cast<float>(0.5 * size.half_length) + 7.0F * unit;
+  const auto across = static_cast<float>(2.0 * (size.half_length + size.radius + size.half_width));
+  const float above = 0.62F * across + 6.0F * unit;
+  return {
+      {"front", {-ahead, 2.6F * unit, straight + wide + 0.4F * unit, -78.0F, -9.0F, 42.0F}},
+      {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
+      {"close", {2.0F * unit - ahead, 1.6F * unit, straight + 0.3F * unit, -88.0F, -4.0F, 45.0F}},
+      {"far", {0.35F * across, 0.2F * across + 5.0F * unit, straight + 0.3F * across, 48.0F, -26.0F, 50.0F}},
+  };
+}
+
+std::vector<NamedCamera> stadium_cameras(std::size_t agents, const CharacterRoles& roles) {
+  const auto unit = static_cast<float>(roles.spacing());
+  const StadiumSize size = stadium_size(agents, roles);
+  const auto length = static_cast<float>(size.half_length), width = static_cast<float>(size.half_width);
+  const auto depth = static_cast<float>(size.depth), height = static_cast<float>(size.height);
+  const float above = 1.5F * (length + depth) + 6.0F * unit;
+  return {
+      {"front", {0.55F * length, 2.4F * unit + 0.5F * height, width - 2.0F * unit, 28.0F, -6.0F, 55.0F}},
+      {"above", {0.0F, above, 0.45F * above, 0.0F, -66.0F, 50.0F}},
+      {"close", {0.0F, 1.6F * unit, 4.5F * unit - width, 0.0F, 2.0F, 45.0F}},
+      {"far", {0.9F * length, height + 7.0F * unit, width + depth + 6.0F * unit, 35.0F, -19.0F, 55.0F}},
+  };
+}
+
+std::vector<NamedCamera> cut_scene_cameras(double spacing) {
+  const auto unit = static_cast<float>(spacing);
+  return {
+      {"front", {0.9F * unit, 1.5F * unit, 4.2F * unit, 10.0F, -3.0F, 50.0F}},
+      {"above", {0.0F, 16.0F * unit, 7.0F * unit, 0.0F, -64.0F, 50.0F}},
+      {"close", {-0.9F * unit, 1.5F * unit, 2.2F * unit, -20.0F, -3.0F, 45.0F}},
+      {"far", {8.0F * unit, 6.0F * unit, 13.0F * unit, 32.0F, -17.0F, 45.0F}},
+  };
+}
+
+}  // namespace
+
+std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles) {
+  switch (scene) {
+    case Scene::plaza:
+      return plaza_cameras(agents, roles.spacing());
+    case Scene::parade:
+      return parade_cameras(agents, roles);
+    case Scene::stadium:
+      return stadium_cameras(agents, roles);
+    case Scene::film:
+      return cut_scene_cameras(roles.spacing());
+    case Scene::grid:
+      break;
+  }
+  return grid_cameras(agents, roles.spacing());
+}
+
+const NamedCamera* find_camera(std::span<const NamedCamera> cameras, std::string_view name) {
+  if (cameras.empty() || name.empty()) return cameras.empty() ? nullptr : cameras.data();
+  const auto found =
+      std::find_if(cameras.begin(), cameras.end(), [&](const auto& camera) { return camera.name == name; });
+  return found == cameras.end() ? nullptr : &*found;
+}
+
+}  // namespace throng::app

@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/anim/asset/keyframe_stream_clip.h"
+#include "engine/anim/bake/character.h"
+#include "engine/anim/bake/footsteps.h"
+#include "engine/anim/bake/grid.h"
+#include "engine/anim/bake/root_motion.h"
+#include "engine/anim/bake/sampled.h"
+#include "engine/anim/bake/surface.h"
+
+namespace throng::anim {
+
+namespace {
+
+// What follows is meant for a person of 1.8 m, and scales with the character.
+constexpr double surface_error = 0.0002;  // metres: the bound of sampled streams
+constexpr double hopeless = 4.0;          // times the bound: quantisation alone stays below
+constexpr double closing_error = 0.005;   // metres between the first and the last pose of a loop
+constexpr double least_travel = 0.05;     // metres of root motion
+
+void add_note(BakedClip& baked, const std::string& note) { baked.note += (baked.note.empty() ? "" : "; ") + note; }
+
+bool has_step_tracks(const StateClip& clip) {
+  return std::ranges::any_of(clip.tracks,
+                             [](const StateTrack& track) { return track.interpolation == Interpolation::step; });
+}
+
+/// Poses of one clip, compared on the surface.
+class PoseDistance {
+ public:
+  explicit PoseDistance(const SampleSource& source) : source_(source), poses_(source.exact) {}
+  double between(Ticks a, Ticks b) {
+    const std::vector<BoneFrame> first = frames(a);
+    return largest_distance(source_.proxy, first, frames(b));
+  }
+
+ private:
+  std::vector<BoneFrame> frames(Ticks time) {
+    std::vector<BoneFrame> result(source_.skeleton.bones.size());
+    compute_frames(source_.skeleton, poses_.at(time), result);
+    return result;
+  }
+  const SampleSource& source_;
+  ExactPoses poses_;
+};
+
+/// A clip whose last key stands one step before its first looks like a loop and is none: it would hitch at the seam.
+/// `grid`: of a clip that moves smoothly.
+void find_loop(BakedClip& baked, const SampleSource& source, const std::optional<KeyGrid>& grid) {
+  if (baked.duration == 0) return;
+  const double limit = closing_error * source.proxy.height / tall_person;
+  PoseDistance distance(source);
+  const double gap = distance.between(0, baked.duration);
+  baked.loops = gap <= limit;
+  if (baked.loops || !grid || grid->step() > baked.duration) return;
+  const double first_step = distance.between(0, grid->step());
+  const double last_step = distance.between(baked.duration - grid->step(), baked.duration);
+  if (gap < 1.5 * std::max(first_step, last_step)) {
+    add_note(baked, "does not loop: its last key stands one step before its first");
+  }
+}
+
+void bake_sampled_stream(BakedClip& baked, const SampleSource& source, const StateClip& clip,
+                         const std::optional<KeyGrid>& grid, Ticks last_key) {
+  if (has_step_tracks(clip)) return add_note(baked, "plays from its keyframe stream: a STEP track moves");
+  if (!clip.tracks.empty() && !grid) {
+    return add_note(baked, "plays from its keyframe stream: its keys lie on no grid of up to 120 Hz");
+  }
+  SampledBake bake = clip.tracks.empty() ? bake_still(source) : bake_sampled(source, *grid, last_key);
+  if (!bake.block) return add_note(baked, "plays from its keyframe stream: too long to be sampled");
+  if (bake.error > hopeless * baked.error_bound) {
+    return add_note(baked, "plays from its keyframe stream: it jumps, and no rate of up to 120 Hz follows");
+  }
+  if (bake.error > baked.error_bound) add_note(baked, "no rate of up to 120 Hz keeps to the error bound");
+  baked.sampled_block = std::move(bake.block);
+  baked.sampled_rate = bake.rate;
+  baked.sampled_error = bake.error;
+}
+
+BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const Clip& clip, const BakeOptions& options) {
+  const double size = proxy.height / tall_person;
+  StateClip state = to_state_space(skeleton, clip);
+  const std::vector<Ticks> keys = key_times(state);
+  const std::optional<KeyGrid> grid = keys.empty() ? std::nullopt : find_grid(keys);
+
+  BakedClip baked;
+  baked.name = clip.name;
+  baked.duration = state.duration;
+  baked.error_bound = surface_error * size;
+  if (options.take_root_motion && state.duration > 0) {
+    baked.loop_displacement = find_root_motion(skeleton, state, least_travel * size);
+  }
+  if (baked.loop_displacement != glm::dvec3(0.0)) take_root_motion(skeleton, state, baked.loop_displacement);
+  baked.root_motion = straight_root_curve(state.duration, baked.loop_displacement);
+  baked.keyframe_block = pack_keyframe_stream(state);
+
+  const SampleSource source{skeleton, proxy, baked.keyframe(), baked.loop_displacement, baked.error_bound};
+  find_loop(baked, source, has_step_tracks(state) ? std::nullopt : grid);
+  bake_sampled_stream(baked, source, state, grid, keys.empty() ? 0 : keys.back());
+  return baked;
+}
+
+/// Index of `name` among `names`, where it is put if it is new.
+std::uint32_t intern(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::ranges::find(names, name);
+  const auto index = static_cast<std::uint32_t>(found - names.begin());
+  if (found == names.end()) names.push_back(name);
+  return index;
+}
+
+/// The file's, or footsteps where it has none.
+std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked) {
+  if (!clip.data_keys.empty() || !baked.loops) return clip.data_keys;
+  return find_footsteps(character.skeleton, baked.keyframe(), character.height);
+}
+
+void add_clip(Character& character, const SurfaceProxy& proxy, const Clip& clip, const BakeOptions& options) {
+  BakedClip baked = bake_clip(character.skeleton, proxy, clip, options);
+  for (const NamedDataKey& key : data_keys_of(character, clip, baked)) {
+    const Ticks time = std::clamp<Ticks>(key_ticks(key.time), 0, baked.duration);
+    baked.data_keys.push_back({.time = time, .name = intern(character.data_key_names, key.name)});
+  }
+  std::ranges::stable_sort(baked.data_keys, {}, &DataKey::time);
+  character.clips.push_back(std::move(baked));
+}
+
+}  // namespace
+
+Character bake_character(const Model& model, const BakeOptions& options) {
+  const SurfaceProxy proxy = make_surface_proxy(model);
+  Character character{.skeleton = model.skeleton,
+                      .hierarchy = compile_hierarchy(model.skeleton),
+                      .clips = {},
+                      .height = proxy.height,
+                      .bone_lod = measure_bone_lod(model)};
+  for (const Clip& clip : model.clips) add_clip(character, proxy, clip, options);
+  if (character.clips.empty()) {
+    Clip rest;
+    rest.name = "rest";
+    add_clip(character, proxy, rest, options);
+  }
+  return character;
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "engine/anim/asset/data_keys.h"
+#include "engine/anim/asset/keyframe_stream.h"
+#include "engine/anim/asset/model.h"
+#include "engine/anim/asset/root_curve.h"
+#include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/base/aligned_bytes.h"
+#include "engine/anim/base/units.h"
+#include "engine/anim/kernel/palette/hierarchy.h"
+#include "engine/anim/survey/bone_lod.h"
+
+namespace throng::anim {
+
+enum class StreamKind : unsigned char { sampled, keyframe };
+
+/// One clip, ready to play: both streams, and what baking found.
+struct BakedClip {
+  std::string name;
+  Ticks duration = 0;
+  bool loops = false;                 ///< first and last pose agree (root motion aside)
+  glm::dvec3 loop_displacement{0.0};  ///< root motion taken out of the pose: metres a loop, model space
+  RootCurve root_motion;              ///< the same over time: the pose at a time stands where the curve has come to
+  std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
+  AlignedBytes keyframe_block;
+  AlignedBytes sampled_block;  ///< null: plays from its keyframe stream, `note` says why
+  double sampled_rate = 0.0;   ///< Hz
+  double sampled_error = 0.0;  ///< metres, the largest measured on the surface proxy
+  double error_bound = 0.0;    ///< metres
+  std::string note;
+
+  const KeyframeStream& keyframe() const { return *reinterpret_cast<const KeyframeStream*>(keyframe_block.get()); }
+  const SampledStream* sampled() const { return reinterpret_cast<const SampledStream*>(sampled_block.get()); }
+};
+
+struct BakeOptions {
+  bool take_root_motion = true;  ///< remove the ground-plane travel of the root from the pose (off for `pose`)
+};
+
+/// A skeleton with its clips, baked: read-only while agents play it.
+struct Character {
+  Skeleton skeleton;
+  HierarchyProgram hierarchy;
+  std::vector<BakedClip> clips;  ///< never empty: a model without clips gets one, "rest", of its rest pose
+  std::vector<std::string> data_key_names = {};  ///< of all its clips, each once
+  double height = 0.0;    ///< metres, of the rest pose's surface, or of its joints where there is no surface
+  BoneLod bone_lod = {};  ///< what dropping bones costs in looks
+};
+
+/// Bakes every clip of `model`. Never fails on what import accepted.
+Character bake_character(const Model& model, const BakeOptions& options = {});
+
+/// Metres a second at which the ground must pass under a character that plays `clip`, so that its feet do not slide:
+/// the speed of its root motion; without any, the speed at which the standing foot moves. 0
+/// for clips that stay where they are.
+double ground_speed(const Character& character, int clip);
+
+}  // namespace throng::anim

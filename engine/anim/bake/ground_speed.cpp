@@ -1,0 +1,64 @@
+#include "engine/anim/bake/ground_speed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/anim/bake/surface.h"
+
+namespace throng::anim {
+
+namespace {
+
+constexpr double least_speed = 0.25;    // metres a second
+constexpr double least_agreeing = 0.5;  // of the stance samples
+constexpr std::size_t least_stances = stride_instants / 10;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Ground-plane velocities of the lowest joint, while it is on the ground.
+std::vector<glm::dvec2> stance_velocities(const Stride& stride) {
+  std::vector<glm::dvec2> velocities;
+  for (std::size_t i = 0; i < stride_instants; ++i) {
+    const std::size_t lowest = stride.lowest(i, stride.feet);
+    if (stride.is_low(i, lowest)) velocities.push_back(stride.velocity(i, lowest));
+  }
+  return velocities;
+}
+
+glm::dvec2 median(std::span<const glm::dvec2> velocities) {
+  std::vector<double> x;
+  std::vector<double> z;
+  for (const glm::dvec2& velocity : velocities) {
+    x.push_back(velocity.x);
+    z.push_back(velocity.y);
+  }
+  return {median(std::move(x)), median(std::move(z))};
+}
+
+}  // namespace
+
+glm::dvec2 stance_velocity(const Stride& stride) {
+  constexpr glm::dvec2 none(0.0);
+  if (stride.feet.empty()) return none;
+  const std::vector<glm::dvec2> velocities = stance_velocities(stride);
+  if (velocities.size() < least_stances) return none;
+  const glm::dvec2 typical = median(velocities);
+  if (glm::length(typical) < least_speed * stride.size) return none;
+  const auto agreeing =
+      std::ranges::count_if(velocities, [&](const glm::dvec2& velocity) { return agrees(velocity, typical); });
+  const double share = static_cast<double>(agreeing) / static_cast<double>(velocities.size());
+  return share < least_agreeing ? none : typical;
+}
+
+double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, double height) {
+  return glm::length(stance_velocity(sample_stride(skeleton, stream, height)));
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/anim/asset/keyframe_stream.h"
+#include "engine/anim/asset/model.h"
+#include "engine/anim/kernel/keyframe/keyframe_player.h"
+
+namespace throng::anim {
+
+/// Where a bone is, in model space: what it carries at `offset` is at origin + axes * offset.
+struct BoneFrame {
+  glm::dmat3 axes{1.0};
+  glm::dvec3 origin{0.0};
+};
+
+/// Hierarchy of one pose in double; `pose` is float [packet][component][16], `frames` one a bone.
+void compute_frames(const Skeleton& skeleton, std::span<const float> pose, std::span<BoneFrame> frames);
+
+inline constexpr double tall_person = 1.8;  ///< metres: the height that limits of baking are meant for
+
+/// A point that stands for the surface around it.
+struct SurfacePoint {
+  int bone = 0;
+  glm::dvec3 offset{0.0};  ///< in the bone's axes
+};
+
+/// What errors are measured on: every joint, and for each bone the farthest vertex that is skinned mainly to it.
+struct SurfaceProxy {
+  std::vector<SurfacePoint> points;
+  double height = 0.0;  ///< of the rest pose's surface, or of its joints where there is no surface; > 0
+};
+SurfaceProxy make_surface_proxy(const Model& model);
+
+/// The largest distance between the two places of a point.
+double largest_distance(const SurfaceProxy& proxy, std::span<const BoneFrame> from, std::span<const BoneFrame> to);
+
+/// Poses of one keyframe stream, one at a time.
+class ExactPoses {
+ public:
+  explicit ExactPoses(const KeyframeStream& stream);
+  /// The whole pose at `time`, valid until the next call.
+  std::span<float> at(Ticks time);
+
+ private:
+  const KeyframeStream& stream_;
+  KeyframeCursor cursor_;
+  AlignedBytes interpolations_;
+  AlignedBytes pose_;
+};
+
+}  // namespace throng::anim

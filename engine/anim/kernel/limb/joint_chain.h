@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/anim/asset/skeleton.h"
+#include "engine/anim/base/result.h"
+#include "engine/anim/kernel/pose/pose_view.h"
+
+namespace throng::anim {
+
+/// The joints from a root bone down to a tip: what it takes to know where the tip is without posing anything else.
+/// Made at load, shared by every character of the skeleton.
+struct JointChain {
+  static constexpr int max_joints = 24;
+  int count = 0;                                 ///< 1 to max_joints once made
+  std::array<std::int16_t, max_joints> bones{};  ///< root first, tip last, ascending
+  std::array<glm::vec3, max_joints> offsets{};   ///< metres, bind pose: from the joint before; of the root, its origin
+
+  int tip() const { return count - 1; }
+  /// Above all bones of the chain.
+  int bone_end() const { return bones.data()[tip()] + 1; }
+  /// Place of a bone in the chain, or -1.
+  int find(int bone) const;
+};
+static_assert(std::is_trivially_copyable_v<JointChain>);
+
+/// A posed joint in model space.
+struct JointMotion {
+  glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< from the bind pose, unit
+  glm::vec3 position{0.0F};                    ///< metres
+};
+static_assert(std::is_trivially_copyable_v<JointMotion>);
+
+/// Room for the motions of a chain: what was not posed is not initialised, since that takes as long as posing.
+class ChainMotion {
+ public:
+  JointMotion& operator[](std::size_t joint) { return all()[joint]; }
+  const JointMotion& operator[](std::size_t joint) const { return all()[joint]; }
+  operator std::span<JointMotion>() { return {all(), JointChain::max_joints}; }
+  operator std::span<const JointMotion>() const { return {all(), JointChain::max_joints}; }
+
+ private:
+  JointMotion* all() { return reinterpret_cast<JointMotion*>(room_); }
+  const JointMotion* all() const { return reinterpret_cast<const JointMotion*>(room_); }
+
+  alignas(JointMotion) std::byte room_[JointChain::max_joints * sizeof(JointMotion)];
+};
+
+/// The chain that ends at `bone`. Refused, in one sentence: a bone that the skeleton lacks, more than max_joints, and
+/// skeletons on the general path, whose scales and sheared prefixes rotations alone do not describe.
+Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone);
+
+/// Whether the pose has all of the chain. Levels of detail drop limb ends; then there is nothing to do.
+inline bool is_within(const JointChain& chain, const PoseView& pose) { return chain.bone_end() <= pose.bone_count; }
+
+/// Poses the joints from `first` on; those before it are as posed before. `motions` has at least chain.count elements;
+/// the pose's rotations are unit to a thousandth.
+/// With M rotations from the bind pose, X positions, q' and d the state (ReferenceFrame) and p the parent:
+///     M = M_p * q',   X = X_p + M_p * (offset + d)
+void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMotion> motions, int first = 0);
+
+/// Rotation of a joint's parent in model space; the identity for the root.
+glm::quat parent_rotation(std::span<const JointMotion> motions, int joint);
+
+}  // namespace throng::anim

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <type_traits>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/anim/base/result.h"
+#include "engine/anim/kernel/limb/joint_chain.h"
+#include "engine/anim/kernel/pose/pose_view.h"
+
+namespace throng::anim {
+
+/// A limb that bends at one joint: hip, knee, ankle, or shoulder, elbow, wrist. Joints between them (twist bones,
+/// halves of a thigh) follow the joint above. Made at load, shared by every character of the skeleton.
+struct TwoBoneLimb {
+  JointChain chain;  ///< its tip is the end of the limb
+  int upper = 0;     ///< places in the chain
+  int middle = 0;
+  glm::vec3 hinge{1.0F, 0.0F, 0.0F};  ///< axis about which the middle bends, bind pose, unit
+
+  int end() const { return chain.tip(); }
+};
+static_assert(std::is_trivially_copyable_v<TwoBoneLimb>);
+
+/// Metres: limbs with a shorter bone are not solved.
+inline constexpr float shortest_limb_bone = 1e-6F;
+
+/// `bend_direction` (model space) says where the middle points when it bends, for limbs that are straight in the bind
+/// pose: +Z for knees, -Z for elbows. Refused as make_joint_chain refuses, and where `middle` is not below `upper`,
+/// `end` not below `middle`, or two of them are at the same place.
+Result<TwoBoneLimb> make_two_bone_limb(const Skeleton& skeleton, int upper, int middle, int end,
+                                       const glm::vec3& bend_direction);
+
+/// Sine of the angle at the middle joint below which the hinge alone says how a limb bends, and above which the pose
+/// does.
+inline constexpr float straight_below = 0.02F;
+inline constexpr float bent_above = 0.1F;
+
+/// Axis about which a limb bends whose bones point there, unit vectors. One that is all but straight says nothing about
+/// it; then its hinge does.
+glm::vec3 bend_normal(const glm::vec3& first, const glm::vec3& second, const glm::vec3& hinge);
+
+/// A fraction of the limb's length.
+inline constexpr float default_limb_softness = 0.005F;
+
+/// Two-bone IK (paper 2.2.1 names IK among an animation system's tasks): turns the upper and the middle joint so that
+/// the end is at `target`. A target out of reach is reached for.
+///
+/// The pose stays as it is where this level of detail lacks the limb, where the limb has no length, and where the
+/// target is no place (see is_place). A limb that is straighter than softness allows stays so if its end is at the
+/// target.
+struct TwoBoneIkJob {
+  const TwoBoneLimb* limb = nullptr;
+  PoseView pose;
+  glm::vec3 target{0.0F};                          ///< model space, metres
+  glm::vec3 pole{0.0F};                            ///< model space: where the middle is to point; zero keeps the pose's
+  float weight = 1.0F;                             ///< 0 leaves the pose to the bit, 1 reaches
+  float softness = default_limb_softness;          ///< 0 to 0.5: this last fraction of the length is never quite used
+                                                   ///< up, so that the middle does not snap straight
+  bool turn_end = false;                           ///< also give the end joint `end_rotation`
+  glm::quat end_rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< model space, from the bind pose, unit
+};
+
+}  // namespace throng::anim

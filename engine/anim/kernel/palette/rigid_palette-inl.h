@@ -1,0 +1,147 @@
+#if defined(THRONG_KERNEL_RIGID_PALETTE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef THRONG_KERNEL_RIGID_PALETTE_INL_H
+#undef THRONG_KERNEL_RIGID_PALETTE_INL_H
+#else
+#define THRONG_KERNEL_RIGID_PALETTE_INL_H
+#endif
+
+#include "engine/anim/kernel/palette/palette_stage-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::anim::HWY_NAMESPACE {
+
+/// How a bone is turned from its bind pose, and where its joint is, in model space.
+template <class V>
+struct JointMotion {
+  Quaternions<V> rotation;
+  Vectors<V> joint;
+};
+static_assert(branch_slot_floats >= 4 + 3);
+
+template <class D, class V>
+HWY_INLINE void load(D d, const float* slot, int stride, JointMotion<V>& motion) {
+  motion = {load_quaternions(d, slot, stride), load_vectors(d, slot + 4 * stride, stride)};
+}
+
+template <class D, class V>
+HWY_INLINE void store(D d, const JointMotion<V>& motion, float* slot, int stride) {
+  store(d, motion.rotation, slot, stride);
+  store(d, motion.joint, slot + 4 * stride, stride);
+}
+
+/// With what a palette of matrices needs. A branch slot holds no matrix: to make it again takes less than to bring it
+/// back.
+template <class V>
+struct RigidMotion : JointMotion<V> {  ///< rotations of length root_of_two
+  static constexpr int palette_rows = matrix_rows;
+  Matrices<V> matrix;
+};
+
+template <class D, class V>
+HWY_INLINE void reset(D d, RigidMotion<V>& motion) {
+  const V zero = hn::Zero(d);
+  const V one = hn::Set(d, 1.0F);
+  motion = {{{zero, zero, zero, hn::Set(d, root_of_two)}, {zero, zero, zero}},
+            {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
+}
+
+template <class D, class V>
+HWY_INLINE void load(D d, const float* slot, int stride, RigidMotion<V>& motion) {
+  load(d, slot, stride, static_cast<JointMotion<V>&>(motion));
+  motion.matrix = rotation_matrices(d, motion.rotation);
+}
+
+/// A vector of the bind pose, displaced.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vectors<V> displaced(D d, const Vectors<V>& at_rest, const float* displacement, int stride) {
+  return displacement == nullptr ? at_rest : sum(at_rest, load_vectors(d, displacement, stride));
+}
+
+/// `motion` of the parent becomes that of a bone turned by `rotation` about its joint, which was moved by
+/// `displacement`, if that is not null:
+///     R = R_parent * R',   joint = joint_parent + R_parent * (offset + displacement)
+/// The parent's matrix is needed no longer than that: with 16 registers, both would not stay in them.
+template <class D, class V>
+HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Quaternions<V>& rotation,
+                        const float* displacement, int stride, RigidMotion<V>& motion) {
+  motion.rotation = product(motion.rotation, rotation);
+  const auto offset = broadcast_vector(d, program.offsets.data() + 3 * bone);
+  motion.joint = transform_add(motion.matrix, displaced(d, offset, displacement, stride), motion.joint);
+  motion.matrix = rotation_matrices(d, motion.rotation);
+}
+
+/// point -> R * (point - where the joint is in the bind pose) + joint
+template <class D, class V, class Packet>
+HWY_INLINE void put(D d, const HierarchyProgram& program, int bone, const RigidMotion<V>& motion,
+                    PaletteStage<D, matrix_rows, Packet>& stage) {
+  const auto back = broadcast_vector(d, program.to_model_origin.data() + 3 * bone);
+  stage.put(d, bone % stage.entries, motion.matrix, transform_add(motion.matrix, back, motion.joint));
+}
+
+/// What rigid_palette_lanes does, with a packet of which the compiler may know something.
+template <template <class> class MotionOf, int width, class D, class Packet>
+HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, int begin, int end, Packet packet) {
+  using Motion = MotionOf<hn::Vec<D>>;
+  using Stage = PaletteStage<D, Motion::palette_rows, Packet>;
+  constexpr int lanes = lane_count<D>;
+  const HierarchyProgram& program = *job.hierarchy;
+  const HierarchyStep* const steps = program.steps.data();
+  const float* local = job.local + lane * rigid_components * packet_bones;
+  float* const branch_slots = job.branch_slots + lane;
+  alignas(64) FloatArray<4 * rigid_components * lanes> inputs;
+  typename Stage::Memory staged;
+  Stage stage(job.palettes + lane, packet, begin, staged);
+  Motion motion;
+  reset(d, motion);
+  if (begin > 0) load(d, job.carry + lane, width, motion);
+  constexpr int group = Stage::entries;
+  static_assert(group == quad_bones);
+  for (int first = begin; first < end; first += group) {
+    const int count = HWY_MIN(end - first, group);
+    const bool one_before = first > begin;
+    const bool displaced = packet.displaced && is_in(job.displaced, (first - begin) / quad_bones);
+    gather_four_bones<rigid_components>(d, local + (first - begin), displaced ? rigid_components : 4, inputs);
+    for (int i = 0; i < count; ++i) {
+      const int bone = first + i;
+      const HierarchyStep& step = steps[bone];
+      if (step.load >= 0) {
+        load(d, branch_slots + step.load * branch_slot_floats * width, width, motion);
+      } else if (step.load == HierarchyStep::from_root) {
+        reset(d, motion);
+      }
+      if (packet.stores == StorePolicy::prefetched) stage.prefetch(i);
+      const float* input = inputs + i * rigid_components * lanes;
+      move_on(d, program, bone, load_quaternions(d, input, lanes), displaced ? input + 4 * lanes : nullptr, lanes,
+              motion);
+      if (step.store >= 0) store(d, motion, branch_slots + step.store * branch_slot_floats * width, width);
+      put(d, program, bone, motion, stage);
+      if (one_before) stage.write_part(i);
+    }
+    for (int part = count; part < group && one_before; ++part) stage.write_part(part);
+    stage.turn();
+    if (packet.hashed) {
+      stage.add_hashes(program.skin_joint.data() + first, count, job.hashes + lane);
+    }
+  }
+  const int last = begin + (end - begin - 1) / group * group;
+  stage.write(end - last);
+  store(d, motion, job.carry + lane, width);
+}
+
+/// The bones [begin, end) of one packet, for one vector of characters of a strip of `width`.
+template <template <class> class MotionOf, int width, class D>
+HWY_INLINE void rigid_palette_lanes(D d, const ModelPaletteJob& job, int lane, int begin, int end) {
+  constexpr int lanes = lane_count<D>;
+  const AnyPacket packet = any_packet(job, lane, lanes);
+  const auto write = [&](auto known) { rigid_palette_packet<MotionOf, width>(d, job, lane, begin, end, known); };
+  if constexpr (width == widest_strip) {
+    write_as_usual<lanes>(packet, write);
+  } else {
+    write(packet);
+  }
+}
+
+}  // namespace throng::anim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled guard

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace throng::anim {
+
+/// How palettes are written; the values are the same. Which is fastest depends on how much is written in all, and on
+/// the machine.
+enum class StorePolicy : std::uint8_t {
+  plain,
+  prefetched,  ///< lines are fetched for writing while they are computed
+  streaming    ///< past the caches, where palettes are 64-byte aligned; not visible to others before fence_stores()
+};
+
+/// Whole cache lines of one value and nothing else, in order: the floor under every kernel that writes palettes, and
+/// the probe that tells how palettes are best written (run/store/store_choice.h).
+struct WriteLinesJob {
+  std::span<float> lines;  ///< out, [16 * lines]
+  float value = 0.0F;
+  StorePolicy stores = StorePolicy::plain;
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/anim/base/pose.h"
+
+namespace throng::anim {
+
+/// Mix: N sources at once, out = normalise(sum of w * q) in their order, each q on the hemisphere of the sum before it;
+/// positions and scales linear. w = weight * bone weight, under bone weights divided by their sum bone by bone. A
+/// source of w = 0 changes no bit; where one source weighs all its bits are copied, and where none weighs anything
+/// those of the first whose `weight` is not 0 (else of the first). `out` may be any of the sources.
+inline constexpr int most_mixed_sources = 8;
+inline constexpr float least_mixed_weight = 1e-30F;  ///< a bone whose weights sum to less is weighed by none
+struct MixJob {
+  const float* const* sources = nullptr;       ///< [count], each [components][16]
+  const float* weights = nullptr;              ///< [count], 0 or more, their sum is 1
+  const float* const* bone_weights = nullptr;  ///< [count], each [16] from 0 to 1 or null (all 1); or null: all null
+  int count = 0;                               ///< 1 to most_mixed_sources
+  int components = rigid_components;
+  float* out = nullptr;  ///< [components][16]
+};
+
+}  // namespace throng::anim

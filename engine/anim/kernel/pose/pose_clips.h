@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/base/pose.h"
+
+namespace throng::anim {
+
+/// Pose clips: one packet of characters of a strip straight from their clips, one or a blend of two, to the bit what
+/// SampleJob and then BlendJob give.
+struct ClipMoment {
+  const SampledStream* stream = nullptr;
+  SamplePoint point;
+};
+struct ShownClips {
+  const ClipMoment* clip = nullptr;     ///< null: something else
+  const ClipMoment* blended = nullptr;  ///< onto it; or null
+  float fraction = 0.0F;                ///< of `blended`, above 0 and below 1
+};
+struct PoseClipsJob {
+  std::span<const ShownClips> characters;  ///< at most widest_strip; those that show something else are not touched
+  int packet = 0;
+  int components = rigid_components;
+  QuadMask displaced = all_quads;  ///< on rigid skeletons: positions of others are 0, neither read nor written
+  float* local = nullptr;          ///< out, [character][components][16]
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,186 @@
+#include "engine/anim/rig/ragdoll_shapes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace throng::anim {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Radii as shares of the height, measured on a person.
+double usual_radius(RagdollPart part, double height, double length) {
+  switch (part) {
+    case RagdollPart::pelvis:
+      return 0.064 * height;
+    case RagdollPart::spine:
+      return 0.062 * height;
+    case RagdollPart::chest:
+      return 0.068 * height;
+    case RagdollPart::head:
+      return 0.052 * height;
+    case RagdollPart::upper_arm:
+      return 0.026 * height;
+    case RagdollPart::forearm:
+      return 0.022 * height;
+    case RagdollPart::hand:
+      return 0.018 * height;
+    case RagdollPart::thigh:
+      return 0.042 * height;
+    case RagdollPart::shin:
+      return 0.030 * height;
+    case RagdollPart::foot:
+      return 0.022 * height;
+    case RagdollPart::other:
+      break;
+  }
+  return std::clamp(0.2 * length, 0.01 * height, 0.06 * height);
+}
+
+class ShapeFitter {
+ public:
+  ShapeFitter(const Model& model, std::span<const RagdollBone> chosen)
+      : skeleton_(model.skeleton), chosen_(chosen), body_of_(skeleton_.bones.size(), -1), points_(chosen.size()) {
+    for (std::size_t body = 0; body < chosen.size(); ++body) body_of_[at(chosen[body].bone)] = static_cast<int>(body);
+    for (std::size_t bone = 0; bone < body_of_.size(); ++bone) {
+      const int parent = skeleton_.bones[bone].parent;
+      if (body_of_[bone] < 0 && parent >= 0) body_of_[bone] = body_of_[at(parent)];
+    }
+    for (const SkinnedMesh& mesh : model.meshes) collect(mesh);
+    glm::dvec3 low = origin(chosen[0].bone);
+    glm::dvec3 high = low;
+    for (const RagdollBone& bone : chosen) {
+      low = glm::min(low, origin(bone.bone));
+      high = glm::max(high, origin(bone.bone));
+    }
+    height_ = 1.1 * std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-6});
+  }
+
+  RagdollShape fit(int body) const {
+    RagdollShape shape{.joint = origin(chosen_[at(body)].bone)};
+    shape.from = shape.joint;
+    shape.to = end_of(body);
+    if (chosen_[at(body)].part == RagdollPart::pelvis) lie_between_the_hips(shape);
+    if (glm::distance(shape.from, shape.to) < 1e-3 * height_)
+      shape.to = shape.from + glm::dvec3(0.0, 0.01 * height_, 0.0);
+    shape.radius = radius(body, shape);
+    return shape;
+  }
+
+ private:
+  glm::dvec3 origin(int bone) const { return skeleton_.references[at(bone)].origin; }
+
+  void collect(const SkinnedMesh& mesh) {
+    for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+      const int bone = skeleton_.palette[mesh.palette_entries[vertex][0]].bone;
+      if (body_of_[at(bone)] >= 0) points_[at(body_of_[at(bone)])].emplace_back(mesh.positions[vertex]);
+    }
+  }
+
+  glm::dvec3 end_of(int body) const {
+    const RagdollBone& own = chosen_[at(body)];
+    const glm::dvec3 joint = origin(own.bone);
+    if (const auto children = ends_of_children(body); !children.empty()) return middle(children);
+    if (!points_[at(body)].empty()) return joint + 1.9 * (middle(points_[at(body)]) - joint);
+    const glm::dvec3 along = own.parent < 0 ? glm::dvec3(0.0, 1.0, 0.0) : joint - origin(chosen_[at(own.parent)].bone);
+    if (own.part == RagdollPart::head) return joint + 0.11 * height_ * glm::normalize(along);
+    glm::dvec3 farthest = joint + 0.01 * along;
+    for (int bone = own.bone; bone < skeleton_.bone_count(); ++bone) {
+      if (body_of_[at(bone)] != body) continue;
+      if (glm::distance(origin(bone), joint) > glm::distance(farthest, joint)) farthest = origin(bone);
+    }
+    const bool has_length = glm::distance(farthest, joint) > 0.02 * glm::length(along);
+    return has_length ? farthest : joint + 0.5 * along;
+  }
+
+  /// Joints of what hangs on a body: all of a trunk's, the one that goes on from a limb.
+  std::vector<glm::dvec3> ends_of_children(int body) const {
+    std::vector<glm::dvec3> ends;
+    for (const RagdollBone& child : chosen_) {
+      if (child.parent == body) ends.push_back(origin(child.bone));
+    }
+    if (chosen_[at(body)].part != RagdollPart::other || ends.size() < 2) return ends;
+    const glm::dvec3 joint = origin(chosen_[at(body)].bone);
+    const auto distance = [&](const glm::dvec3& end) { return glm::distance(end, joint); };
+    return {*std::ranges::max_element(ends, {}, distance)};
+  }
+
+  static glm::dvec3 middle(const std::vector<glm::dvec3>& points) {
+    glm::dvec3 sum(0.0);
+    for (const glm::dvec3& point : points) sum += point;
+    return sum / static_cast<double>(points.size());
+  }
+
+  void lie_between_the_hips(RagdollShape& shape) const {
+    for (const RagdollBone& bone : chosen_) {
+      if (bone.part == RagdollPart::thigh) (bone.side > 0 ? shape.to : shape.from) = origin(bone.bone);
+    }
+    const glm::dvec3 rise = 0.5 * (shape.joint - 0.5 * (shape.from + shape.to));
+    shape.from += rise;
+    shape.to += rise;
+  }
+
+  double radius(int body, const RagdollShape& shape) const {
+    const glm::dvec3 along = shape.to - shape.from;
+    if (points_[at(body)].size() < 8) return usual_radius(chosen_[at(body)].part, height_, glm::length(along));
+    double sum = 0.0;
+    for (const glm::dvec3& point : points_[at(body)]) {
+      const double t = std::clamp(glm::dot(point - shape.from, along) / glm::dot(along, along), 0.0, 1.0);
+      sum += glm::distance(point, shape.from + t * along);
+    }
+    return std::clamp(sum / static_cast<double>(points_[at(body)].size()), 0.01 * height_, 0.1 * height_);
+  }
+
+  const Skeleton& skeleton_;
+  std::span<const RagdollBone> chosen_;
+  std::vector<int> body_of_;  ///< one a bone: the body that carries it, or -1
+  std::vector<std::vector<glm::dvec3>> points_;
+  double height_ = 0.0;
+};
+
+/// Bodies resist turning so many times more than they should. A limit turns one body, but swings all that hangs on it:
+/// with inertias of the bodies alone it would take hundreds of passes to hold.
+constexpr double sluggish = 3.0;
+
+double volume(const RagdollShape& shape) {
+  const double r = shape.radius;
+  return std::numbers::pi * r * r * (glm::distance(shape.from, shape.to) + r / 3.0);
+}
+
+}  // namespace
+
+std::vector<RagdollShape> fit_ragdoll_shapes(const Model& model, std::span<const RagdollBone> chosen) {
+  const ShapeFitter fitter(model, chosen);
+  std::vector<RagdollShape> shapes;
+  for (std::size_t body = 0; body < chosen.size(); ++body) shapes.push_back(fitter.fit(static_cast<int>(body)));
+  return shapes;
+}
+
+void set_ragdoll_masses(std::span<const RagdollShape> shapes, double mass, std::span<RagdollBody> bodies) {
+  double total = 0.0;
+  for (const RagdollShape& shape : shapes) total += volume(shape);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const RagdollShape& shape = shapes[b];
+    const double length = glm::distance(shape.from, shape.to);
+    // A hand of a hundredth of its arm's mass would shake: position-based joints want neighbours of like mass.
+    const double own = mass * std::max(volume(shape) / total, 0.015);
+    const double across = sluggish * own * (3.0 * shape.radius * shape.radius + length * length) / 12.0;
+    // For the same reason a thin limb turns about itself more slowly than it should.
+    const double axial = std::max(0.5 * sluggish * own * shape.radius * shape.radius, across / 3.0);
+    const glm::dvec3 center = 0.5 * (shape.from + shape.to);
+    RagdollBody& body = bodies[b];
+    body.center = center;
+    body.joint = shape.joint - center;
+    body.axis = (shape.to - shape.from) / length;
+    body.half_length = static_cast<float>(std::max(0.5 * (length - shape.radius), 0.0));
+    body.radius = static_cast<float>(shape.radius);
+    body.inverse_mass = static_cast<float>(1.0 / own);
+    body.inverse_inertia = static_cast<float>(1.0 / across);
+    body.inverse_axial_inertia = static_cast<float>(1.0 / axial);
+  }
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/anim/run/program/agent_work.h"
+
+namespace throng::anim {
+
+/// The sources that characters of a tile read and none owns, each once, in the order in which they are met.
+class SharedSources {
+ public:
+  static constexpr std::size_t most = PoseProgram::max_steps;
+
+  SharedSources() = default;
+  explicit SharedSources(std::span<const AgentWork> tile) {
+    for (const AgentWork& work : tile) add(*work.program);
+  }
+
+  /// What the program reads. False: the list has no room for all of it, and is of no use then.
+  bool add(const PoseProgram& program) {
+    if (program.needs.shared == 0) return true;
+    for (const PoseStep& step : program.steps) {
+      if (!step.is_shared() || std::ranges::find(all(), step.shared) != all().end()) continue;
+      if (count_ == most) return false;
+      entities_[count_++] = step.shared;
+    }
+    return true;
+  }
+
+  std::size_t bytes(const EntityPools& pools) const {
+    std::size_t bytes = 0;
+    for (const Handle entity : all()) bytes += pools.layout(entity).source_bytes();
+    return bytes;
+  }
+
+  std::span<const Handle> all() const { return {entities_.data(), count_}; }
+
+  /// Where the block of `entity` lies behind `first`, the first of them all.
+  template <typename Byte>
+  Byte* block(const EntityPools& pools, Handle entity, Byte* first) const {
+    for (const Handle other : all()) {
+      if (other == entity) break;
+      first += pools.layout(other).source_bytes();
+    }
+    return first;
+  }
+
+ private:
+  std::array<Handle, most> entities_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace throng::anim

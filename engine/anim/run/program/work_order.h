@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/anim/run/program/agent_work.h"
+
+namespace throng::anim {
+
+/// Agents that follow each other, of one skeleton, bone level and program, who cost the same.
+struct WorkRun {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+/// Of all of `work`, in its order; none can be made longer.
+void find_runs(std::span<const AgentWork> work, std::vector<WorkRun>& runs);
+
+/// The work of a frame, and the runs in it.
+struct WorkInRuns {
+  std::span<const AgentWork> work;
+  std::span<const WorkRun> runs;
+};
+
+/// The work of a frame in the order in which tiles are cut from it (paper 3.2): groups of one skeleton and bone level,
+/// held or not, whose agents cost most first; within a group the dearest agents first. Agents who cost the same stay in
+/// their order.
+class WorkOrder {
+ public:
+  /// Room for so many agents, so that nothing below allocates.
+  void reserve(std::size_t agents);
+
+  /// What is given stays where it is until the next call. A crowd of one group, which is common, is not copied.
+  void sort(const WorkInRuns& given);
+
+  std::span<const AgentWork> work() const { return ordered_.work; }
+  std::span<const WorkRun> runs() const { return ordered_.runs; }
+  /// Nanoseconds that all of it is predicted to take, without what tiles add.
+  double predicted() const;
+
+ private:
+  bool is_in_order() const;
+
+  WorkInRuns ordered_;
+  std::vector<AgentWork> sorted_;
+  std::vector<WorkRun> sorted_runs_;
+};
+
+/// They may be in one tile.
+inline bool share_a_tile(const AgentWork& a, const AgentWork& b) {
+  return a.skeleton == b.skeleton && a.level == b.level && a.held == b.held;
+}
+
+}  // namespace throng::anim

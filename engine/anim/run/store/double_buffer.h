@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "engine/anim/run/store/copy_engine.h"
+#include "engine/anim/run/store/trace.h"
+
+namespace throng::anim {
+
+/// Paper footnote 7: "while the CPU processes one animation player the DMA controller moves the next/previous one
+/// in/out".
+///   off          one fetch buffer: fetch, compute, write back
+///   inline_copy  two: the previous task goes out and the next comes in before this one is computed
+///   interleaved  two: the same bytes, from inside the kernels' loop over packets of bones: asked for in slices, as a
+///                controller would have them under way, and here with the last one
+enum class DoubleBuffering : std::uint8_t { off, inline_copy, interleaved };
+
+template <typename Tasks, typename Task>
+TaskContent recorded_content(const Tasks& tasks, const Task& task, const Trace& trace) {
+  return trace.records() ? tasks.content(task) : TaskContent{};
+}
+
+/// What a kind of task must offer to be run through the local store.
+///   next()                          the next task of this PU, if any
+///   fetch(task, buffer, engine)     queues what it reads
+///   copy_points(task)               how often compute() calls engine.advance()
+///   compute(task, buffer, engine)
+///   write_back(task, buffer, engine) queues what it changed and compute() has not written back
+///   content(task)                   for whom it is
+template <typename Tasks>
+void run_single_buffered(Tasks& tasks, CopyEngine& engine, Trace& trace) {
+  while (auto task = tasks.next()) {
+    tasks.fetch(*task, 0, engine);
+    const TaskContent content = recorded_content(tasks, *task, trace);
+    trace.close(TraceSpan::Kind::fetch, engine.finish(), content);
+    tasks.compute(*task, 0, engine);
+    trace.close(TraceSpan::Kind::compute, {}, content);
+    tasks.write_back(*task, 0, engine);
+    trace.close(TraceSpan::Kind::write_back, engine.finish(), content);
+  }
+}
+
+template <typename Tasks>
+void run_double_buffered(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode, Trace& trace) {
+  auto current = tasks.next();
+  if (!current) return;
+  int buffer = 0;
+  tasks.fetch(*current, buffer, engine);
+  TaskContent content = recorded_content(tasks, *current, trace);
+  trace.close_alone(TraceSpan::Kind::fetch, engine.finish(), content);
+  decltype(current) previous;
+  while (current) {
+    auto next = tasks.next();
+    if (previous) tasks.write_back(*previous, 1 - buffer, engine);
+    if (next) tasks.fetch(*next, 1 - buffer, engine);
+    const TaskContent next_content = next ? recorded_content(tasks, *next, trace) : content;
+    if (mode == DoubleBuffering::inline_copy) trace.close(TraceSpan::Kind::fetch, engine.finish(), next_content);
+    engine.spread_over(tasks.copy_points(*current), &trace);
+    tasks.compute(*current, buffer, engine);
+    trace.close(TraceSpan::Kind::compute, engine.finish(), content);
+    previous = current;
+    current = next;
+    content = next_content;
+    buffer = 1 - buffer;
+  }
+  tasks.write_back(*previous, 1 - buffer, engine);
+  trace.close_alone(TraceSpan::Kind::write_back, engine.finish(), content);
+}
+
+template <typename Tasks>
+void run_tasks(Tasks& tasks, CopyEngine& engine, DoubleBuffering mode, Trace& trace) {
+  if (mode == DoubleBuffering::off) {
+    run_single_buffered(tasks, engine, trace);
+  } else {
+    run_double_buffered(tasks, engine, mode, trace);
+  }
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,60 @@
+#include "engine/anim/run/store/store_choice.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <span>
+
+#include "engine/anim/base/aligned_bytes.h"
+
+namespace throng::anim {
+namespace {
+
+/// The least time of some rounds, since all that disturbs it makes it longer; so many that the first ones have brought
+/// the lines to where that many of them stay.
+double seconds_to_write(std::span<float> lines, StorePolicy stores) {
+  const int rounds = static_cast<int>(std::max<std::size_t>(4, most_measured_bytes / lines.size_bytes()));
+  const Kernels& kernels = best_kernels();
+  double least = std::numeric_limits<double>::max();
+  for (int round = 0; round < rounds; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    kernels.write_lines({.lines = lines, .value = static_cast<float>(round), .stores = stores});
+    kernels.fence_stores();
+    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return least;
+}
+
+/// Whoever reads lines next finds them there, and a busy neighbour takes caches away for a while: so ties are theirs.
+constexpr double clearly_longer = 1.1;
+
+bool measured_faster_where_they_lie(std::size_t bytes) {
+  const AlignedBytes memory = allocate_aligned(bytes);
+  const std::span lines(reinterpret_cast<float*>(memory.get()), bytes / sizeof(float));
+  const double past_the_caches = seconds_to_write(lines, StorePolicy::streaming);
+  return seconds_to_write(lines, StorePolicy::prefetched) < clearly_longer * past_the_caches;
+}
+
+}  // namespace
+
+std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie) {
+  std::size_t bytes = least_cached_bytes;
+  while (are_faster_where_they_lie(2 * bytes)) {
+    bytes *= 2;
+    if (bytes == most_measured_bytes) return any_bytes;
+  }
+  return bytes;
+}
+
+std::size_t cached_bytes() {
+  static const std::size_t bytes = cached_bytes(measured_faster_where_they_lie);
+  return bytes;
+}
+
+StorePolicy store_policy_for(std::size_t palette_bytes) {
+  const std::size_t bytes = bytes_of_an_update(palette_bytes);
+  const bool cached = bytes <= least_cached_bytes || bytes <= cached_bytes();
+  return cached ? StorePolicy::prefetched : StorePolicy::streaming;
+}
+
+}  // namespace throng::anim

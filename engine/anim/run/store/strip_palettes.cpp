@@ -1,0 +1,50 @@
+#include "engine/anim/run/store/strip_palettes.h"
+
+#include <algorithm>
+
+#include "engine/anim/run/program/bone_fade.h"
+
+namespace throng::anim {
+
+StripPalettes::StripPalettes(const UpdateContext& context, const ModelScratch& scratch,
+                             std::span<const AgentWork> strip, int width, const PaletteStores& stores)
+    : job_{.hierarchy = context.hierarchy,
+           .bone_count = context.bones(strip.front().level),
+           .width = width,
+           .characters = static_cast<int>(strip.size()),
+           .stores = stores.policy,
+           .carry = scratch.carry.data(),
+           .branch_slots = scratch.branches.data(),
+           .format = context.palette_format,
+           .palettes = scratch.palettes.data(),
+           .hashes = context.hashes.empty() ? nullptr : scratch.hashes.data()},
+      model_palette_(context.assets.kernels->model_palette),
+      context_(&context),
+      strip_(strip) {
+  for (std::size_t i = 0; i < strip.size(); ++i) {
+    scratch.palettes[i] = strip[i].palette == nullptr ? PaletteDestination(stores.unseen) : strip[i].palette;
+    fades_ = fades_ || strip[i].fade_halves != 0;
+  }
+  if (job_.hashes != nullptr) std::ranges::fill(scratch.hashes, 0);
+}
+
+void StripPalettes::write(const StripPacket& about) {
+  if (fades_) fade(about);
+  job_.packet = about.packet;
+  job_.local = about.local;
+  job_.displaced = about.displaced;
+  model_palette_(job_);
+}
+
+void StripPalettes::fade(const StripPacket& about) const {
+  for (std::size_t i = 0; i < strip_.size(); ++i) {
+    fade_bones(*context_, strip_[i], about.packet, about.displaced, about.local + i * context_->packet_floats());
+  }
+}
+
+void StripPalettes::store_hashes() const {
+  if (job_.hashes == nullptr) return;
+  for (std::size_t i = 0; i < strip_.size(); ++i) context_->hashes[strip_[i].agent] = job_.hashes[i];
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,196 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/anim/run/program/task_content.h"
+
+namespace throng::anim {
+
+/// Counts up at an even rate, the same on all cores: the processor's time stamp where there is one, because a span
+/// takes microseconds and the system's clock a fiftieth of one. Its rate is found by comparing both over a whole
+/// update.
+struct TraceClock {
+  static std::uint64_t now() {
+#if defined(__x86_64__)
+    return __builtin_ia32_rdtsc();
+#else
+    return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+#endif
+  }
+};
+
+/// One stretch of a PU's time within an update; 48 bytes.
+struct TraceSpan {
+  enum class Kind : std::uint8_t {
+    fetch,       ///< copies, of the next task in and, with double buffering, of the previous one out
+    compute,     ///< with interleaved double buffering the same copies, asked for in slices
+    write_back,  ///< copies of the last task out
+    wait,        ///< for the other PUs, or to be woken
+    schedule,    ///< PU 0 sorts and cuts tiles
+    copy_slice,  ///< within a compute span; recorded of one task in many
+  };
+  std::uint64_t begin;  ///< of TraceClock
+  std::uint64_t end;
+  std::uint32_t bytes_in;  ///< copied within the span
+  std::uint32_t bytes_out;
+  std::uint32_t transfers;
+  Kind kind;
+  TaskContent content{};
+};
+static_assert(sizeof(TraceSpan) == 48);
+
+/// Bytes and transfers of copies.
+struct CopyCounts {
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+  std::uint64_t transfers = 0;
+
+  friend CopyCounts operator-(const CopyCounts& a, const CopyCounts& b) {
+    return {a.bytes_in - b.bytes_in, a.bytes_out - b.bytes_out, a.transfers - b.transfers};
+  }
+  CopyCounts& operator+=(const CopyCounts& other) {
+    bytes_in += other.bytes_in;
+    bytes_out += other.bytes_out;
+    transfers += other.transfers;
+    return *this;
+  }
+};
+
+/// When an update began and ended, on both clocks.
+struct UpdateTime {
+  std::chrono::steady_clock::time_point start{};
+  double milliseconds = 0;
+  std::uint64_t first_tick = 0;
+  std::uint64_t last_tick = 0;
+
+  void begin() {
+    start = std::chrono::steady_clock::now();
+    first_tick = TraceClock::now();
+  }
+  void end() {
+    milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    last_tick = std::max(TraceClock::now(), first_tick + 1);
+  }
+  /// Of a tick, since the update began.
+  double ms(std::uint64_t tick) const {
+    const auto whole = static_cast<double>(last_tick - first_tick);
+    return static_cast<double>(std::max(tick, first_tick) - first_tick) / whole * milliseconds;
+  }
+};
+
+enum class Tracing : std::uint8_t {
+  off,
+  on,          ///< tasks too short to be timed one by one share a compute span, copies included: costs under 1%
+  every_task,  ///< a span for each part of each task, whatever that costs
+};
+
+/// What one PU did in an update, without gaps: each span begins where the one before it ended. In memory set aside
+/// beforehand; what does not fit is counted and not kept.
+class Trace {
+ public:
+  static constexpr std::uint32_t slices_of_one_task_in = 64;
+  static constexpr double shortest_span_ns =
+      4000;  ///< by prediction: a hundred times what reading the clock takes, thrice
+
+  /// Room for so many spans; 0: records nothing.
+  void reserve(std::size_t spans, Tracing tracing) {
+    spans_.clear();
+    spans_.reserve(spans);
+    room_ = spans;
+    every_task_ = tracing == Tracing::every_task;
+  }
+
+  void begin(std::uint64_t tick) {
+    spans_.clear();
+    last_ = tick;
+    not_kept_ = 0;
+    tasks_ = 0;
+  }
+
+  /// Between these: tasks of about so many nanoseconds.
+  void begin_tasks(double task_ns) {
+    tasks_in_span_ = every_task_ ? 1 : static_cast<std::uint32_t>(1 + shortest_span_ns / std::max(task_ns, 10.0));
+    if (task_ns >= shortest_span_ns) tasks_in_span_ = 1;
+  }
+  void end_tasks() {
+    if (joined_tasks_ > 0 || joined_copies_.transfers > 0) close_joined();
+    tasks_in_span_ = 1;
+  }
+
+  bool records() const { return room_ > 0; }
+
+  /// The time since the last span was spent so, for them.
+  void close(TraceSpan::Kind kind, const CopyCounts& copied = {}, const TaskContent& content = {}) {
+    if (!records()) return;
+    if (tasks_in_span_ > 1) {
+      joined_copies_ += copied;
+      if (kind == TraceSpan::Kind::compute) joined_content_.add(content);
+      copied_content_ = content;
+      if (kind == TraceSpan::Kind::compute && ++joined_tasks_ == tasks_in_span_) close_joined();
+      return;
+    }
+    const std::uint64_t now = TraceClock::now();
+    add(kind, last_, now, copied, content);
+    last_ = now;
+  }
+
+  /// The same, never joined with others: what happens once for many tasks.
+  void close_alone(TraceSpan::Kind kind, const CopyCounts& copied, const TaskContent& content) {
+    const std::uint32_t joining = std::exchange(tasks_in_span_, 1U);
+    if (joined_tasks_ > 0) close_joined();
+    close(kind, copied, content);
+    tasks_in_span_ = joining;
+  }
+
+  /// True now and then: record the slices in which the copies of this task are done, too.
+  bool wants_slices() { return room_ > 0 && tasks_in_span_ == 1 && tasks_++ % slices_of_one_task_in == 0; }
+  void add_slice(std::uint64_t begin) { add(TraceSpan::Kind::copy_slice, begin, TraceClock::now(), {}, {}); }
+
+  std::span<const TraceSpan> spans() const { return spans_; }
+  std::uint32_t not_kept() const { return not_kept_; }
+
+ private:
+  void close_joined() {
+    const std::uint64_t now = TraceClock::now();
+    add(TraceSpan::Kind::compute, last_, now, joined_copies_,
+        joined_tasks_ > 0 ? joined_content_.all() : copied_content_);
+    last_ = now;
+    joined_tasks_ = 0;
+    joined_copies_ = {};
+    joined_content_ = {};
+  }
+  void add(TraceSpan::Kind kind, std::uint64_t begin, std::uint64_t end, const CopyCounts& copied,
+           const TaskContent& content) {
+    if (spans_.size() == room_) {
+      ++not_kept_;
+      return;
+    }
+    spans_.push_back({.begin = begin,
+                      .end = end,
+                      .bytes_in = static_cast<std::uint32_t>(copied.bytes_in),
+                      .bytes_out = static_cast<std::uint32_t>(copied.bytes_out),
+                      .transfers = static_cast<std::uint32_t>(copied.transfers),
+                      .kind = kind,
+                      .content = content});
+  }
+
+  std::vector<TraceSpan> spans_;
+  std::size_t room_ = 0;
+  std::uint64_t last_ = 0;
+  std::uint32_t not_kept_ = 0;
+  std::uint32_t tasks_ = 0;
+  bool every_task_ = false;
+  std::uint32_t tasks_in_span_ = 1;
+  std::uint32_t joined_tasks_ = 0;  // of the span that is open
+  CopyCounts joined_copies_;
+  JoinedContent joined_content_;
+  TaskContent copied_content_;  // of the task that was copied, or computed, last
+};
+
+}  // namespace throng::anim

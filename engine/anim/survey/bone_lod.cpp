@@ -1,0 +1,87 @@
+#include "engine/anim/survey/bone_lod.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/anim/survey/bone_importance.h"
+#include "engine/anim/survey/lod_survey.h"
+
+namespace throng::anim {
+
+namespace {
+
+std::uint8_t coarsest_level_with(const Skeleton& skeleton, int bone) {
+  const auto levels = std::ranges::count_if(skeleton.level_bone_counts, [&](int count) { return bone < count; });
+  return static_cast<std::uint8_t>(levels - 1);
+}
+
+/// The points that lose something at a level, and the entries that they follow instead.
+struct LevelPoints {
+  std::vector<LodPoint> full, reduced;
+
+  LevelPoints(const Skeleton& skeleton, int bone_count, const std::vector<LodPoint>& points) {
+    const std::vector<int> kept = kept_entries(skeleton, bone_count);
+    for (const LodPoint& point : points) {
+      LodPoint without = point;
+      for (int& entry : without.entries) entry = kept[static_cast<std::size_t>(entry)];
+      if (without.entries == point.entries) continue;
+      full.push_back(point);
+      reduced.push_back(without);
+    }
+  }
+
+  float farthest(std::span<const glm::dmat4> palette) const {
+    double distance = 0.0;
+    for (std::size_t i = 0; i < full.size(); ++i) {
+      distance = std::max(distance, glm::distance(skinned(full[i], palette), skinned(reduced[i], palette)));
+    }
+    return static_cast<float>(distance);
+  }
+};
+
+void measure_levels(const Model& model, BoneLod& lod) {
+  const std::vector<LodPoint> points = pick_lod_points(model);
+  std::vector<LevelPoints> levels;
+  for (const int count : model.skeleton.level_bone_counts) levels.emplace_back(model.skeleton, count, points);
+  std::vector<std::vector<float>> errors(levels.size());
+  visit_surveyed_poses(model, [&](std::span<const glm::dmat4> palette) {
+    for (std::size_t level = 1; level < levels.size(); ++level)
+      errors[level].push_back(levels[level].farthest(palette));
+  });
+  for (std::size_t level = 1; level < lod.level_error_metres.size(); ++level) {
+    const float error = level < levels.size() ? percentile_99(std::move(errors[level])) : 0.0F;
+    lod.level_error_metres[level] = std::max(error, lod.level_error_metres[level - 1]);
+  }
+}
+
+}  // namespace
+
+BoneLod measure_bone_lod(const Model& model) {
+  BoneLod lod;
+  const std::vector<double> errors = bone_errors(model);
+  for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
+    lod.rows.push_back({.bone = bone,
+                        .error_metres = static_cast<float>(errors[static_cast<std::size_t>(bone)]),
+                        .level = coarsest_level_with(model.skeleton, bone)});
+  }
+  measure_levels(model, lod);
+  return lod;
+}
+
+std::vector<int> kept_entries(const Skeleton& skeleton, int bone_count) {
+  std::vector<int> first(skeleton.bones.size(), -1);
+  for (int entry = skeleton.palette_count(); entry-- > 0;) {
+    first[static_cast<std::size_t>(skeleton.palette[static_cast<std::size_t>(entry)].bone)] = entry;
+  }
+  std::vector<int> kept;
+  for (int entry = 0; entry < skeleton.palette_count(); ++entry) {
+    const int own = skeleton.palette[static_cast<std::size_t>(entry)].bone;
+    int bone = nearest_kept_bone(skeleton, own, bone_count);
+    while (bone >= 0 && first[static_cast<std::size_t>(bone)] < 0)
+      bone = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    kept.push_back(own < bone_count ? entry : bone < 0 ? 0 : first[static_cast<std::size_t>(bone)]);
+  }
+  return kept;
+}
+
+}  // namespace throng::anim

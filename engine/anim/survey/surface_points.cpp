@@ -1,0 +1,166 @@
+#include "engine/anim/survey/surface_points.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "engine/anim/asset/reference_pose.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr std::size_t most_candidates = 20'000;
+
+void add_point(SurfacePoints& points, std::span<const PointInfluence> influences) {
+  if (points.firsts.empty()) points.firsts.push_back(0);
+  points.influences.insert(points.influences.end(), influences.begin(), influences.end());
+  points.firsts.push_back(static_cast<std::uint32_t>(points.influences.size()));
+}
+
+void add_vertex(SurfacePoints& points, const SkinnedMesh& mesh, std::size_t vertex) {
+  if (points.firsts.empty()) points.firsts.push_back(0);
+  const glm::vec4 position(mesh.positions[vertex], 1.0F);
+  for (int i = 0; i < 4; ++i) {
+    const float weight = mesh.weights[vertex][i];
+    if (weight == 0.0F) continue;
+    points.influences.push_back({.weighted = weight * position, .entry = mesh.palette_entries[vertex][i]});
+  }
+  points.firsts.push_back(static_cast<std::uint32_t>(points.influences.size()));
+}
+
+SurfacePoints every_nth_vertex(const Model& model, std::size_t stride) {
+  SurfacePoints points;
+  for (const SkinnedMesh& mesh : model.meshes) {
+    for (std::size_t v = 0; v < mesh.positions.size(); v += stride) add_vertex(points, mesh, v);
+  }
+  return points;
+}
+
+SurfacePoints joints(const Skeleton& skeleton) {
+  SurfacePoints points;
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    const JointPlace place = joint_place(skeleton, bone);
+    if (place.entry < 0) continue;
+    const PointInfluence whole{.weighted = glm::vec4(glm::vec3(place.position), 1.0F),
+                               .entry = static_cast<std::uint32_t>(place.entry)};
+    add_point(points, {&whole, 1});
+  }
+  return points;
+}
+
+std::vector<glm::dvec3> places(const SurfacePoints& points, const ReferencePose& pose) {
+  std::vector<glm::dvec3> places;
+  for (std::size_t point = 0; point < points.count(); ++point) {
+    glm::dvec4 place(0.0);
+    for (const PointInfluence& influence : points.of(point)) {
+      place += pose.palette[influence.entry] * glm::dvec4(influence.weighted);
+    }
+    places.emplace_back(place);
+  }
+  return places;
+}
+
+int main_bone(const Skeleton& skeleton, std::span<const PointInfluence> influences) {
+  const auto weight = [](const PointInfluence& influence) { return influence.weighted.w; };
+  return skeleton.palette[std::ranges::max_element(influences, {}, weight)->entry].bone;
+}
+
+/// Of each bone that carries any, the candidate farthest from its joint; `none` of the others.
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+std::vector<std::size_t> outermost(const Skeleton& skeleton, const ReferencePose& rest, const SurfacePoints& candidates,
+                                   std::span<const glm::dvec3> at) {
+  std::vector<std::size_t> found(skeleton.bones.size(), none);
+  std::vector<double> farthest(skeleton.bones.size(), -1.0);
+  for (std::size_t point = 0; point < candidates.count(); ++point) {
+    if (candidates.of(point).empty()) continue;
+    const auto bone = static_cast<std::size_t>(main_bone(skeleton, candidates.of(point)));
+    const double distance = glm::distance(at[point], glm::dvec3(rest.globals[bone][3]));
+    if (distance <= farthest[bone]) continue;
+    farthest[bone] = distance;
+    found[bone] = point;
+  }
+  std::erase(found, none);
+  return found;
+}
+
+/// Chooses the candidate that is farthest from all chosen so far, again and again.
+class FarthestFirst {
+ public:
+  explicit FarthestFirst(std::span<const glm::dvec3> at)
+      : at_(at), distance_(at.size(), std::numeric_limits<double>::max()) {}
+
+  void choose(std::size_t point) {
+    chosen_.push_back(point);
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      distance_[i] = std::min(distance_[i], glm::distance(at_[i], at_[point]));
+    }
+  }
+  /// Nothing if all others lie where chosen ones do.
+  bool choose_next(std::span<const std::size_t> among) {
+    const auto distance = [this](std::size_t point) { return distance_[point]; };
+    const auto farthest = std::ranges::max_element(among, {}, distance);
+    if (farthest == among.end() || distance_[*farthest] <= 0.0) return false;
+    choose(*farthest);
+    return true;
+  }
+  const std::vector<std::size_t>& chosen() const { return chosen_; }
+
+ private:
+  std::span<const glm::dvec3> at_;
+  std::vector<double> distance_;  // to the nearest that was chosen
+  std::vector<std::size_t> chosen_;
+};
+
+double largest_distance(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) largest = std::max(largest, glm::distance(from[i], to[i]));
+  return largest;
+}
+
+}  // namespace
+
+SurfacePoints whole_surface(const Model& model) { return every_nth_vertex(model, 1); }
+
+SurfacePoints choose_surface_points(const Model& model, std::size_t most) {
+  assert(most >= 1 && most <= most_surface_points);
+  std::size_t vertices = 0;
+  for (const SkinnedMesh& mesh : model.meshes) vertices += mesh.positions.size();
+  const SurfacePoints candidates =
+      vertices == 0 ? joints(model.skeleton) : every_nth_vertex(model, vertices / most_candidates + 1);
+  const ReferencePose rest = reference_pose(model.skeleton, nullptr, 0.0);
+  const std::vector<glm::dvec3> at = places(candidates, rest);
+  const std::vector<std::size_t> ends = outermost(model.skeleton, rest, candidates, at);
+  std::vector<std::size_t> all(candidates.count());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+
+  FarthestFirst choice(at);
+  while (choice.chosen().size() < std::min(most, ends.size()) && choice.choose_next(ends)) {
+  }
+  while (choice.chosen().size() < most && choice.choose_next(all)) {
+  }
+  SurfacePoints points;
+  for (const std::size_t point : choice.chosen()) add_point(points, candidates.of(point));
+  return points;
+}
+
+double seen_by_points(const Model& model, const SurfacePoints& points) {
+  constexpr int pairs_a_clip = 4;
+  constexpr double apart = 4.0 / 60.0;  // seconds
+  const SurfacePoints surface = every_nth_vertex(model, 1);
+  double least = 1.0;
+  for (const Clip& clip : model.clips) {
+    for (int i = 0; i < pairs_a_clip; ++i) {
+      const double time = clip.duration * (i + 0.5) / pairs_a_clip;
+      const ReferencePose before = reference_pose(model.skeleton, &clip, time);
+      const ReferencePose after = reference_pose(model.skeleton, &clip, std::min(time + apart, clip.duration));
+      const double whole = largest_distance(places(surface, before), places(surface, after));
+      if (whole <= 0.0) continue;
+      least = std::min(least, largest_distance(places(points, before), places(points, after)) / whole);
+    }
+  }
+  return least;
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,89 @@
+#include "engine/anim/lod/error_window.h"
+
+#include <gtest/gtest.h>
+
+namespace throng::anim::error_window_test {
+namespace {
+
+TEST(ErrorCounts, FindPercentilesThatAreNeverTooSmallAndTooLargeByOneStepAtMost) {
+  ErrorCounts counts;
+  for (int i = 1; i <= 1000; ++i) counts.add(ErrorCounts::step_of(static_cast<float>(i) * 0.01F));
+  for (const double part : {0.01, 0.5, 0.9, 0.99, 1.0}) {
+    const double exact = part * 10.0;
+    EXPECT_GE(counts.percentile(part), exact * 0.9999) << part;
+    EXPECT_LE(counts.percentile(part), exact * 1.032) << part;
+  }
+}
+
+TEST(ErrorCounts, TakeWhatNobodySeesForNothingAndWhatIsHugeForTheLargest) {
+  ErrorCounts counts;
+  for (const float pixels : {0.0F, 1e-9F, 0.003F}) counts.add(ErrorCounts::step_of(pixels));
+  EXPECT_EQ(counts.percentile(1.0), 0.0F);
+  counts.add(ErrorCounts::step_of(1e9F));
+  EXPECT_GT(counts.percentile(1.0), 10'000.0F);
+}
+
+void pass_frame(ErrorWindow& window, std::uint32_t samples, const ErrorSample& sample) {
+  window.begin_frame();
+  for (std::uint32_t i = 0; i < samples; ++i) window.add(sample);
+}
+
+TEST(ErrorWindow, HoldsSixtyFramesAndForgetsTheOldest) {
+  constexpr std::uint32_t samples = 20;
+  ErrorWindow window;
+  pass_frame(window, samples, {.error = 8.0F, .pop = 5.0F});
+  for (std::size_t frame = 1; frame < ErrorWindow::frames; ++frame) {
+    pass_frame(window, samples, {.error = 1.0F, .pop = 0.5F});
+  }
+  EXPECT_EQ(window.figures().samples, samples * ErrorWindow::frames);
+  EXPECT_EQ(window.figures().max, 8.0F);
+  EXPECT_EQ(window.figures().pop_max, 5.0F);
+  EXPECT_GT(window.figures().p99, 1.1F);
+  pass_frame(window, samples, {.error = 1.0F, .pop = 0.5F});
+  EXPECT_EQ(window.figures().samples, samples * ErrorWindow::frames);
+  EXPECT_EQ(window.figures().max, 1.0F);
+  EXPECT_EQ(window.figures().pop_max, 0.5F);
+  EXPECT_NEAR(window.figures().p99, 1.0F, 0.04F);
+  EXPECT_EQ(window.since_start().max, 8.0F);
+  EXPECT_EQ(window.since_start().pop_max, 5.0F);
+  EXPECT_EQ(window.since_start().samples, samples * (ErrorWindow::frames + 1));
+}
+
+TEST(ErrorWindow, LooksFurtherBackWhereSixtyFramesHaveTooFewSamples) {
+  ErrorWindow window;
+  for (std::size_t frame = 0; frame < 3 * ErrorWindow::frames; ++frame)
+    pass_frame(window, 2, {.error = 1.0F, .pop = {}});
+  EXPECT_EQ(window.figures().samples, 6 * ErrorWindow::frames);
+  for (std::size_t frame = 0; frame < ErrorWindow::most_frames; ++frame)
+    pass_frame(window, 2, {.error = 0.1F, .pop = {}});
+  EXPECT_GE(window.figures().samples, ErrorFigures::samples_for_p99);
+  EXPECT_LE(window.figures().samples, ErrorFigures::samples_for_p99 + 2) << "and no further than it has to";
+  EXPECT_LT(window.figures().p99, 0.11F);
+}
+
+TEST(ErrorWindow, NeverLooksBackFurtherThanSixHundredFrames) {
+  ErrorWindow window;
+  pass_frame(window, 1, {.error = 9.0F, .pop = {}});
+  for (std::size_t frame = 0; frame < ErrorWindow::most_frames; ++frame) window.begin_frame();
+  EXPECT_EQ(window.figures().samples, 0U);
+}
+
+TEST(ErrorWindow, KnowsItsNinetyNinthPercentileFromAThousandSamplesOn) {
+  ErrorWindow window;
+  window.begin_frame();
+  for (std::uint32_t i = 1; i < ErrorFigures::samples_for_p99; ++i) window.add({.error = 1.0F, .pop = {}});
+  EXPECT_FALSE(window.figures().p99_is_known());
+  window.add({.error = 1.0F, .pop = {}});
+  EXPECT_TRUE(window.figures().p99_is_known());
+}
+
+TEST(ErrorWindow, IsAllZeroWhereNobodyWasMeasured) {
+  ErrorWindow window;
+  window.begin_frame();
+  EXPECT_EQ(window.figures().samples, 0U);
+  EXPECT_EQ(window.figures().p99, 0.0F);
+  EXPECT_EQ(window.figures().max, 0.0F);
+}
+
+}  // namespace
+}  // namespace throng::anim::error_window_test

@@ -1,0 +1,123 @@
+#include "app/character/role_table.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace throng::app::role_table_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::vector<std::string> names{"Idle", "Walking_A", "Walking_B", "Running_A", "Cheer"};
+
+std::string refusal_of(const std::vector<RoleChoice>& choices) {
+  RoleClips clips = no_clips();
+  const anim::Status chosen = choose_clips(choices, names, clips);
+  EXPECT_EQ(clips, no_clips()) << "nothing has changed";
+  return chosen ? "(taken)" : chosen.error().message;
+}
+
+TEST(ChooseClips, PutsTheChoicesOverWhatWasThere) {
+  RoleClips clips = no_clips();
+  clips[index_of(Role::walk)] = 1;
+  clips[index_of(Role::cheer)] = 4;
+  ASSERT_TRUE(choose_clips(std::vector<RoleChoice>{{Role::walk, "Walking_B"}, {Role::cheer, "none"}}, names, clips));
+  EXPECT_EQ(clips[index_of(Role::walk)], 2);
+  EXPECT_EQ(clips[index_of(Role::cheer)], no_clip);
+}
+
+TEST(ChooseClips, NamesTheNearestOfAnUnknownClipAndTakesNothing) {
+  EXPECT_EQ(refusal_of({{Role::stand, "Idle"}, {Role::walk, "walking"}}),
+            "walk=walking: the model has no such clip; nearest are Walking_A, Walking_B, Idle");
+}
+
+TEST(AllChoices, NameEveryRole) {
+  RoleClips clips = no_clips();
+  clips[index_of(Role::run)] = 3;
+  const std::vector<RoleChoice> choices = all_choices(clips, names);
+  ASSERT_EQ(choices.size(), role_count);
+  EXPECT_EQ(choices[index_of(Role::run)], (RoleChoice{Role::run, "Running_A"}));
+  EXPECT_EQ(choices[index_of(Role::sit)], (RoleChoice{Role::sit, "none"}));
+}
+
+/// A folder with a model, and a configuration of its own.
+struct RoleFileTest : testing::Test {
+  fs::path folder = fs::temp_directory_path() / ("throng_roles_" + std::to_string(getpid()));
+  fs::path model = folder / "models" / "Fox.glb";
+  fs::path beside = folder / "models" / "Fox.glb.throng.json";
+  fs::path own = folder / "config" / "throng" / "Fox.glb.throng.json";
+
+  RoleFileTest() {
+    fs::create_directories(folder / "models");
+    setenv("XDG_CONFIG_HOME", (folder / "config").c_str(), 1);
+  }
+  ~RoleFileTest() override {
+    fs::remove_all(folder);
+    unsetenv("XDG_CONFIG_HOME");
+  }
+
+  static void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+  std::string refusal_of_table(const std::string& text) const {
+    put(beside, text);
+    const auto read = RoleFile(model).read();
+    return read ? "(taken)" : read.error().message;
+  }
+};
+
+TEST_F(RoleFileTest, IsReadAsItWasWritten) {
+  const std::vector<RoleChoice> choices{{Role::walk, "Walk \"quickly\""}, {Role::sit, "none"}};
+  const auto written = RoleFile(model).write(choices);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(*written, beside);
+  const auto read = RoleFile(model).read();
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, choices);
+}
+
+TEST_F(RoleFileTest, IsEmptyWhereThereIsNone) {
+  const auto read = RoleFile(model).read();
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->empty());
+}
+
+TEST_F(RoleFileTest, OfTheBuiltInCharacterIsTheUsersOwn) {
+  const auto written = RoleFile("").write(std::vector<RoleChoice>{{Role::walk, "jog"}});
+  ASSERT_TRUE(written);
+  EXPECT_EQ(*written, folder / "config" / "throng" / "mannequin.throng.json");
+  EXPECT_EQ(RoleFile("").read()->size(), 1U);
+}
+
+TEST_F(RoleFileTest, IsTheUsersOwnWhereTheModelsFolderCannotBeWritten) {
+  const RoleFile of_no_folder(folder / "nowhere" / "Fox.glb");
+  const auto written = of_no_folder.write(std::vector<RoleChoice>{{Role::walk, "Run"}});
+  ASSERT_TRUE(written);
+  EXPECT_EQ(*written, own);
+  EXPECT_EQ(of_no_folder.read()->size(), 1U);
+}
+
+TEST_F(RoleFileTest, SaysWhatIsWrongInIt) {
+  const std::string file = beside.string() + ": ";
+  EXPECT_EQ(refusal_of_table("{"), file + "is not JSON; delete it to go by the clips' names again");
+  EXPECT_EQ(refusal_of_table("[]"), file + "must be an object with \"version\" and \"clips\"");
+  EXPECT_EQ(refusal_of_table("{}"), file + "\"version\" must be 1");
+  EXPECT_EQ(refusal_of_table(R"({"version": 2})"), file + "\"version\" must be 1");
+  EXPECT_EQ(refusal_of_table(R"({"version": 1, "clip": {}})"), file + "unknown key \"clip\"; it knows version, clips");
+  EXPECT_EQ(refusal_of_table(R"({"version": 1, "clips": []})"),
+            file + "\"clips\" must be an object of roles and clip names");
+  EXPECT_EQ(refusal_of_table(R"({"version": 1, "clips": {"fly": "Idle"}})"),
+            file + "\"clips\" has no role \"fly\"; it knows " + known_roles());
+  EXPECT_EQ(refusal_of_table(R"({"version": 1, "clips": {"walk": 3}})"),
+            file + "\"clips\": \"walk\" must be the name of a clip, or \"none\"");
+  EXPECT_EQ(refusal_of_table(R"({"version": 1, "clips": {"walk": "Idle"}})"), "(taken)");
+}
+
+}  // namespace
+}  // namespace throng::app::role_table_test

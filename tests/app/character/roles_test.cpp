@@ -1,0 +1,106 @@
+#include "app/character/roles.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace throng::app::roles_test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string clip_for(Role role, const Names& names) {
+  const int clip = roles_by_name(names).clip(role);
+  return clip == no_clip ? "none" : names.at(static_cast<std::size_t>(clip));
+}
+
+TEST(RolesByName, AreFoundWhateverTheCaseAndThePrefix) {
+  const Names names{"CharacterArmature|Death", "CharacterArmature|Idle",     "CharacterArmature|WALK",
+                    "CharacterArmature|Wave",  "CharacterArmature|cheering", "CharacterArmature|Clapping"};
+  EXPECT_EQ(clip_for(Role::stand, names), names[1]);
+  EXPECT_EQ(clip_for(Role::walk, names), names[2]);
+  EXPECT_EQ(clip_for(Role::wave, names), names[3]);
+  EXPECT_EQ(clip_for(Role::cheer, names), names[4]);
+  EXPECT_EQ(clip_for(Role::clap, names), names[5]);
+}
+
+TEST(RolesByName, ThePlainestNameWins) {
+  const Names names{"2H_Melee_Idle", "Jump_Idle",         "Lie_Idle",  "Unarmed_Idle", "Idle",
+                    "Running_A",     "Walking_Backwards", "Walking_A", "Walking_B",    "Cheer"};
+  EXPECT_EQ(clip_for(Role::stand, names), "Idle");
+  EXPECT_EQ(clip_for(Role::walk, names), "Walking_A");
+  EXPECT_EQ(clip_for(Role::cheer, names), "Cheer");
+}
+
+TEST(RolesByName, WordsMayRunTogether) {
+  const Names names{"Robot_WalkJump", "Robot_Standing", "Robot_Idle", "Robot_Walking", "Robot_Dance", "Robot_Jump"};
+  EXPECT_EQ(clip_for(Role::stand, names), "Robot_Idle");
+  EXPECT_EQ(clip_for(Role::walk, names), "Robot_Walking");
+  EXPECT_EQ(clip_for(Role::cheer, names), "Robot_Dance");
+}
+
+TEST(RolesByName, ARunStandsInForAWalkAndAJumpForACheer) {
+  const Names names{"Idle", "Run_Back", "Run", "Jump_Land", "Jump"};
+  EXPECT_EQ(clip_for(Role::walk, names), "Run");
+  EXPECT_EQ(clip_for(Role::cheer, names), "Jump");
+}
+
+TEST(RolesByName, EachGaitHasItsOwnAndNoneIsTwoOfThem) {
+  const Names all{"Idle", "Walk", "Jog", "Run"}, two{"Walking_A", "Running_A", "Running_Strafe_Left"}, one{"Run"};
+  EXPECT_EQ(clip_for(Role::walk, all), "Walk");
+  EXPECT_EQ(clip_for(Role::jog, all), "Jog");
+  EXPECT_EQ(clip_for(Role::run, all), "Run");
+  EXPECT_EQ(clip_for(Role::jog, two), "none");
+  EXPECT_EQ(clip_for(Role::run, two), "Running_A");
+  EXPECT_EQ(clip_for(Role::walk, one), "Run");
+  EXPECT_EQ(clip_for(Role::run, one), "none");
+}
+
+TEST(RolesByName, SittingIsNotSittingDown) {
+  const Names names{"Sit_Chair_Down", "Sit_Chair_Idle", "Sit_Chair_Pose", "Sit_Chair_StandUp", "Look_Around"};
+  EXPECT_EQ(clip_for(Role::sit, names), "Sit_Chair_Idle");
+  EXPECT_EQ(clip_for(Role::look_around, names), "Look_Around");
+}
+
+TEST(RolesByName, HaveNamesOfTheirOwn) {
+  for (std::size_t role = 0; role < role_count; ++role) {
+    EXPECT_EQ(role_named(role_names.at(role)), static_cast<Role>(role));
+  }
+  EXPECT_EQ(role_named("other"), std::nullopt);
+  EXPECT_EQ(known_roles(), "stand, look_around, walk, jog, run, wave, cheer, clap and sit");
+}
+
+TEST(PlayableRole, IsTheNearestThatTheCharacterHasAClipFor) {
+  CharacterRoles walker = roles_by_name(Names{"Idle", "Walk", "Run"});
+  EXPECT_EQ(walker.playable(Role::walk), std::nullopt) << "a walk that does not get anywhere is none";
+  walker.walk_speed = 1.3;
+  EXPECT_EQ(walker.playable(Role::run), Role::walk) << "nor is such a run";
+  walker.run_speed = 4.0;
+  EXPECT_EQ(walker.playable(Role::run), Role::run);
+  EXPECT_EQ(walker.playable(Role::jog), Role::walk);
+  EXPECT_EQ(walker.playable(Role::sit), Role::stand);
+  EXPECT_EQ(walker.playable(Role::look_around), Role::stand);
+  EXPECT_EQ(walker.playable(Role::cheer), std::nullopt);
+}
+
+TEST(RolesByName, WhatIsNotThereIsNoClip) {
+  const Names names{"Walk_Left", "Jump_Idle"};
+  EXPECT_EQ(clip_for(Role::stand, names), "none");
+  EXPECT_EQ(clip_for(Role::walk, names), "none");
+  EXPECT_EQ(clip_for(Role::wave, names), "none");
+}
+
+TEST(RolesByName, OthersLeaveOutPosesAndDeaths) {
+  EXPECT_THAT(roles_by_name(Names{"T-Pose", "Death_A", "Spin", "Swim"}).others, testing::ElementsAre(2, 3));
+}
+
+TEST(RolesByName, ACharacterOfOnePoseStillHasAnOther) {
+  EXPECT_THAT(roles_by_name(Names{"T-Pose"}).others, testing::ElementsAre(0));
+  EXPECT_THAT(roles_by_name(Names{""}).others, testing::ElementsAre(0));
+  EXPECT_TRUE(roles_by_name({}).others.empty());
+}
+
+}  // namespace
+}  // namespace throng::app::roles_test

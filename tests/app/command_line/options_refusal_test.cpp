@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include "app/command_line/options.h"
+#include "tests/app/command_line/command_words.h"
+
+namespace throng::app::options_refusal_test {
+namespace {
+
+std::string refusal_of(const std::vector<std::string>& arguments) {
+  const ParsedCommand command = parse_command_line(arguments);
+  const auto* const error = std::get_if<UsageError>(&command);
+  return error == nullptr ? "(accepted)" : error->message;
+}
+
+std::string refusal(const std::string& line) { return refusal_of(words(line)); }
+
+struct Refused {
+  std::string name;
+  std::string line;
+  std::string message;
+};
+
+class Refusal : public testing::TestWithParam<Refused> {};
+
+TEST_P(Refusal, NamesTheOptionAndWhatIsAllowed) { EXPECT_EQ(refusal(GetParam().line), GetParam().message); }
+
+std::string name_of(const testing::TestParamInfo<Refused>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(
+    OutOfRange, Refusal,
+    testing::Values(
+        Refused{"NoAgents", "--agents 0", "--agents 0: must be a whole number, 1 to 100000"},
+        Refused{"NegativeAgents", "--agents -1", "--agents -1: must be a whole number, 1 to 100000"},
+        Refused{"TooManyAgents", "--agents 100001", "--agents 100001: must be a whole number, 1 to 100000"},
+        Refused{"FractionOfAgents", "--agents 1.5", "--agents 1.5: must be a whole number, 1 to 100000"},
+        Refused{"OverflowingAgents", "--agents 99999999999",
+                "--agents 99999999999: must be a whole number, 1 to 100000"},
+        Refused{"NobodySelected", "--select -1", "--select -1: must be a whole number, 0 to 99999"},
+        Refused{"NoPus", "--pus 0", "--pus 0: must be a whole number, 1 to 256"},
+        Refused{"TooManyPus", "--pus 257", "--pus 257: must be a whole number, 1 to 256"},
+        Refused{"NegativeSeed", "--seed -1", "--seed -1: must be a whole number, 0 to 4294967295"},
+        Refused{"NoSize", "--size 0x0", "--size 0x0: must be WIDTHxHEIGHT in pixels, each 1 to 16384"},
+        Refused{"HalfASize", "--size 640", "--size 640: must be WIDTHxHEIGHT in pixels, each 1 to 16384"},
+        Refused{"HugeSize", "--size 16385x1", "--size 16385x1: must be WIDTHxHEIGHT in pixels, each 1 to 16384"},
+        Refused{"SizeWithATail", "--size 1x1x1", "--size 1x1x1: must be WIDTHxHEIGHT in pixels, each 1 to 16384"},
+        Refused{"NoFrames", "--frames 0", "--frames 0: must be a whole number, 1 or more"},
+        Refused{"NoStep", "--dt 0", "--dt 0: must be a number of seconds above 0"},
+        Refused{"NegativeStep", "--dt -1", "--dt -1: must be a number of seconds above 0"},
+        Refused{"EndlessStep", "--dt inf", "--dt inf: must be a number of seconds above 0"},
+        Refused{"UndefinedStep", "--dt nan", "--dt nan: must be a number of seconds above 0"},
+        Refused{"OddTile", "--tile 3", "--tile 3: must be 1, 2, 4, 8 or 16"},
+        Refused{"NoLocalStore", "--local-store 0", "--local-store 0: must be auto or 1 to 65536 KiB"},
+        Refused{"LocalStoreInWords", "--local-store big", "--local-store big: must be auto or 1 to 65536 KiB"},
+        Refused{"TwoSamples", "--msaa 2", "--msaa 2: must be 0 or 4"},
+        Refused{"FifthMesh", "--mesh-lod 4", "--mesh-lod 4: must be on, off, 0, 1, 2 or 3"},
+        Refused{"NegativeTime", "pose a --clip 0 --json - --time 0,-1",
+                "--time 0,-1: must be seconds, 0 or more, with commas between them"},
+        Refused{"EmptyTime", "pose a --clip 0 --json - --time 0,,1",
+                "--time 0,,1: must be seconds, 0 or more, with commas between them"},
+        Refused{"NoBones", "bench --bones 0",
+                "--bones 0: must be a whole number, 1 to 1024, or several with commas between them"},
+        Refused{"NoClips", "bench --clips 0",
+                "--clips 0: must be a whole number, 1 to 256, or several with commas between them"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    UnknownWord, Refusal,
+    testing::Values(
+        Refused{"Scene", "--scene moon", "--scene moon: must be plaza, parade, stadium, grid or film"},
+        Refused{"Schedule", "--schedule none", "--schedule none: must be fused or levels"},
+        Refused{"DoubleBuffer", "--double-buffer on", "--double-buffer on: must be off, inline or interleaved"},
+        Refused{"Stream", "--stream baked", "--stream baked: must be sampled or keyframe"},
+        Refused{"Lod", "--lod on", "--lod on: must be off, distance or budget"},
+        Refused{"CameraPath", "--camera-path fly", "--camera-path fly: must be none, orbit or pan"},
+        Refused{"Palette", "--palette half", "--palette half: must be float or packed"},
+        Refused{"BoneLod", "--bone-lod 1", "--bone-lod 1: must be on or off"},
+        Refused{"Smooth", "--smooth yes", "--smooth yes: must be on or off"},
+        Refused{"Shadows", "--shadows soft", "--shadows soft: must be on or off"},
+        Refused{"Draw", "--headless --draw first", "--draw first: must be last, all or none"},
+        Refused{"Headless", "--headless=glx", "--headless=glx: must be auto, egl, osmesa or none"},
+        Refused{"Ui", "--ui=live", "--ui=live: must be measured or fixed"},
+        Refused{"Option", "--agent 5", "--agent: unknown option; throng --help lists them all"},
+        Refused{"ShortOption", "-a", "-a: unknown option; throng --help lists them all"},
+        Refused{"OptionOfAnotherCommand", "pose a --clip 0 --time 0 --json - --pus 2",
+                "--pus: unknown option; throng pose --help lists them all"},
+        Refused{"SecondModel", "inspect a.glb b.glb",
+                "b.glb: unexpected; options begin with --, and one model is the most"},
+        Refused{"SeventeenthModel", "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 q.glb", "q.glb: 16 models are the most"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Limits, Refusal,
+    testing::Values(Refused{"NoPixels", "--error-px 0", "--error-px 0: must be a number of pixels above 0"},
+                    Refused{"PixelsInWords", "--error-px one", "--error-px one: must be a number of pixels above 0"},
+                    Refused{"NoTime", "--budget-ms -2", "--budget-ms -2: must be a number of milliseconds above 0"},
+                    Refused{"PixelsByDistance", "--lod distance --error-px 1", "--error-px: goes with --lod budget"},
+                    Refused{"TimeWithoutLevelOfDetail", "--lod off --budget-ms 4",
+                            "--budget-ms: goes with --lod budget"}),
+    name_of);
+
+const std::string roles = "roles are stand, look_around, walk, jog, run, wave, cheer, clap and sit";
+
+INSTANTIATE_TEST_SUITE_P(
+    Clips, Refusal,
+    testing::Values(
+        Refused{"UnknownRole", "--clips fly=Idle", "--clips fly=Idle: there is no role fly; " + roles},
+        Refused{"RoleAlone", "--clips walk", "--clips walk: must be ROLE=NAME, with commas between several; " + roles},
+        Refused{"NoName", "--clips walk=", "--clips walk=: must be ROLE=NAME, with commas between several; " + roles},
+        Refused{"CommaAtTheEnd", "--clips walk=Walk,",
+                "--clips walk=Walk,: must be ROLE=NAME, with commas between several; " + roles},
+        Refused{"Twice", "--clips walk=A,walk=B", "--clips walk=A,walk=B: walk is given twice"}),
+    name_of);
+
+constexpr const char* camera_rule =
+    ": must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, pitch -90 to 90, fov 1 to 170";
+
+INSTANTIATE_TEST_SUITE_P(
+    Camera, Refusal,
+    testing::Values(
+        Refused{"TooFewNumbers", "--camera 1,2,3,4", std::string("--camera 1,2,3,4") + camera_rule},
+        Refused{"TooManyNumbers", "--camera 1,2,3,4,5,6,7", std::string("--camera 1,2,3,4,5,6,7") + camera_rule},
+        Refused{"NotANumber", "--camera 1,2,3,4,x", std::string("--camera 1,2,3,4,x") + camera_rule},
+        Refused{"LooksOverItsHead", "--camera 1,2,3,4,91", std::string("--camera 1,2,3,4,91") + camera_rule},
+        Refused{"SeesAllAround", "--camera 1,2,3,4,5,180", std::string("--camera 1,2,3,4,5,180") + camera_rule},
+        Refused{"Infinite", "--camera inf,2,3,4,5", std::string("--camera inf,2,3,4,5") + camera_rule}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(Missing, Refusal,
+                         testing::Values(Refused{"Value", "--agents", "--agents: a value is missing"},
+                                         Refused{"ValueAfterEquals",
+                                                 "--headless=", "--headless: a value is missing after ="},
+                                         Refused{"Model", "pose", "MODEL is required"},
+                                         Refused{"Clip", "pose a.glb --time 0 --json -", "--clip is required"},
+                                         Refused{"Time", "pose a.glb --clip 0 --json -", "--time is required"},
+                                         Refused{"Json", "pose a.glb --clip 0 --time 0", "--json is required"},
+                                         Refused{"ModelToInspect", "inspect", "MODEL is required"}),
+                         name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Contradiction, Refusal,
+    testing::Values(
+        Refused{"Twice", "--agents 3 --agents 4", "--agents: given more than once"},
+        Refused{"HeadlessTwice", "--headless --headless=egl", "--headless: given more than once"},
+        Refused{"FlagWithAValue", "--hide-ui=no", "--hide-ui=no: takes no value"},
+        Refused{"PictureOfNothing", "--headless=none --screenshot a.png",
+                "--screenshot: --headless=none draws nothing; use --headless"},
+        Refused{"DrawnWithoutGl", "--headless=none --draw all",
+                "--draw: --headless=none draws nothing; use --headless"},
+        Refused{"OverlayWithoutGl", "--headless=none --ui", "--ui: --headless=none draws nothing; use --headless"},
+        Refused{"PictureOfNoFrame", "--headless --draw none --screenshot a.png",
+                "--screenshot: --draw none draws nothing"},
+        Refused{"WindowThatDrawsOnce", "--draw last", "--draw: a window draws all; use --headless"},
+        Refused{"OverlayShownAndHidden", "--ui --hide-ui", "--ui: contradicts --hide-ui; give one of them"},
+        Refused{"OverlayThatNobodySees", "--headless --ui",
+                "--ui: no frame is drawn; add --screenshot, --ui-map or --draw last"},
+        Refused{"OverlayOfNoFrame", "--headless --ui --draw none", "--ui: --draw none draws nothing"},
+        Refused{"MapOfNoFrame", "--headless --ui --ui-map a.json --draw none", "--ui: --draw none draws nothing"},
+        Refused{"MapOfNoOverlay", "--headless --ui-map a.json", "--ui-map: no overlay is drawn; add --ui"},
+        Refused{"DataThatIsNotThere", "--data no/such/folder", "--data no/such/folder: must be a folder that is there"},
+        Refused{"PictureThatIsNoPng", "--headless --screenshot a.jpg",
+                "--screenshot a.jpg: must be a file name that ends in .png"},
+        Refused{"PictureToStandardOutput", "--headless --screenshot -",
+                "--screenshot -: must be a file name that ends in .png"},
+        Refused{"MapToStandardOutput", "--headless --ui --ui-map -",
+                "--ui-map -: must be a file; it is not written to standard output"},
+        Refused{"SweepAndMachine", "bench --sweep grain --machine ps2",
+                "--machine: contradicts --sweep; give one of them"},
+        Refused{"TraceOfASweep", "bench --sweep grain --trace a.json",
+                "--trace: is of the table only; leave --sweep and --machine out"},
+        Refused{"PlotOfAMachine", "bench --machine ps2 --plot a.svg", "--plot: there is nothing to draw of --machine"},
+        Refused{"EmptyPartOfAList", "bench --agents 10,,20",
+                "--agents 10,,20: must be a whole number, 1 to 100000, or several with commas between them"},
+        Refused{"UnknownWordInAList", "bench --schedule fused,lanes",
+                "--schedule fused,lanes: must be fused or levels, with commas between several"},
+        Refused{"PlotThatIsNoSvg", "bench --plot a.png", "--plot a.png: must be a file name that ends in .svg"},
+        Refused{"UnknownSweep", "bench --sweep tiles", "--sweep tiles: must be grain, streams or cost"},
+        Refused{"BonesOfAModel", "bench a.glb --bones 5", "--bones: a model brings its own; give one or the other"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(NotBuiltYet, Refusal,
+                         testing::Values(Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),
+                         name_of);
+
+TEST(EmptyText, IsRefusedWhereANameIsDue) {
+  EXPECT_EQ(refusal_of({""}), "MODEL : must not be empty");
+  EXPECT_EQ(refusal_of({"--camera", ""}), "--camera : must not be empty");
+  EXPECT_EQ(refusal_of({"--stats", ""}), "--stats : must not be empty");
+}
+
+}  // namespace
+}  // namespace throng::app::options_refusal_test

@@ -1,0 +1,66 @@
+// What `throng lod` says of bone levels, and what it writes for another engine.
+#include "app/commands/lod/curve.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/character/lod_export.h"
+
+namespace throng::app::curve_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const CharacterSource& mannequin() {
+  static const CharacterSource loaded = *load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin");
+  return loaded;
+}
+
+LodLevel level(double nanoseconds, double error_metres) {
+  LodLevel made;
+  made.nanoseconds = nanoseconds;
+  made.error_metres = error_metres;
+  return made;
+}
+
+TEST(LodCurve, ALevelPaysThatSavesATenthAndIsWithinAPixelOfAPersonTenPixelsTall) {
+  constexpr double height = 1.8;
+  const std::vector<LodLevel> levels{level(1000, 0), level(800, 0.05), level(790, 0.06), level(500, 0.2)};
+  EXPECT_THAT(levels_that_pay(levels, height), ElementsAre(true, true, false, false));
+  EXPECT_DOUBLE_EQ(pixels_tall_for_one_pixel(levels[1], height), 36.0);
+}
+
+TEST(LodCurve, SaysInASentenceWhichLevelDoesNotPay) {
+  std::vector<LodLevel> levels = lod_levels(mannequin(), {});
+  ASSERT_EQ(levels.size(), 3U);
+  levels[2].nanoseconds = levels[1].nanoseconds;
+  EXPECT_THAT(curve_as_text(mannequin(), levels, 200), HasSubstr("Level 2 does not pay: it takes 100% of the time"));
+}
+
+TEST(LodExport, HoldsWhatAnotherEngineNeeds) {
+  const std::array<std::uint32_t, 2> triangles{1000, 250};
+  const std::vector<LodLevel> levels = lod_levels(mannequin(), triangles);
+  const auto json = nlohmann::json::parse(lod_as_json(mannequin(), levels, {}, 772.0));
+  const anim::Skeleton& skeleton = mannequin().character->skeleton;
+  ASSERT_EQ(json["bones"].size(), skeleton.bones.size());
+  EXPECT_EQ(json["bones"][0]["bone"], skeleton.bones[0].name);
+  EXPECT_TRUE(json["bones"][0]["parent"].is_null());
+  ASSERT_EQ(json["bone_levels"].size(), 3U);
+  const auto& second = json["bone_levels"][1];
+  EXPECT_EQ(second["bones"], skeleton.level_bone_counts[1]);
+  EXPECT_EQ(second["from_distance_metres"], 15.0);
+  EXPECT_EQ(second["mesh_ratio"], 0.25);
+  EXPECT_GT(second["error_metres"], 0.0);
+  EXPECT_NEAR(second["error_pixels_there"], second["error_metres"].get<double>() * 772.0 / 15.0, 1e-9);
+  ASSERT_EQ(json["intervals"].size(), 8U);
+  EXPECT_EQ(json["intervals"][2]["from_distance_metres"], 24.0);
+}
+
+}  // namespace
+}  // namespace throng::app::curve_test

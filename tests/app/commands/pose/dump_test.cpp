@@ -1,0 +1,40 @@
+#include "app/commands/pose/dump.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/anim/asset/synthetic_model.h"
+
+namespace throng::app::dump_test {
+namespace {
+
+nlohmann::json joints_of(const anim::Model& model) {
+  const anim::Clip& clip = model.clips.front();
+  anim::Skin skin;
+  skin.skin = 0;
+  for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
+    skin.bones.push_back(bone);
+    skin.palette_entries.push_back(bone);
+  }
+  ReferencePoseSource source;
+  const auto pose = source.pose(model, &clip, 0.5);
+  return dump_skin(model, skin, &clip, *pose).at("joints");
+}
+
+TEST(PoseDump, SaysTheRotationOfEveryJoint) {
+  for (const auto& joint : joints_of(anim::synthetic_model(8, 1))) EXPECT_TRUE(joint.contains("r")) << joint;
+}
+
+TEST(PoseDump, LeavesOutARotationWhoseKeysAreNotUnitAndKeepsTheMatrix) {
+  anim::Model model = anim::synthetic_model(8, 1);
+  for (glm::quat& key : model.clips.front().tracks.at(3).rotation.values) key = key * 0.9998F;
+  const nlohmann::json joints = joints_of(model);
+  const auto changed = static_cast<std::size_t>(model.clips.front().tracks.at(3).bone);
+  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    EXPECT_EQ(joints[joint].contains("r"), joint != changed);
+    EXPECT_TRUE(joints[joint].contains("global"));
+  }
+}
+
+}  // namespace
+}  // namespace throng::app::dump_test

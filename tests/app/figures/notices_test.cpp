@@ -1,0 +1,76 @@
+#include "app/figures/notices.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/anim/asset/synthetic_model.h"
+
+namespace throng::app::notices_test {
+namespace {
+
+using testing::HasSubstr;
+
+std::unique_ptr<anim::AnimationSystem> system_of(int bones, const anim::SystemOptions& options) {
+  const auto character = std::make_shared<const anim::Character>(anim::bake_character(anim::synthetic_model(bones, 2)));
+  return std::move(*anim::AnimationSystem::create(character, options));
+}
+
+TEST(SoftwareNotice, NamesWhatIsSparedAndNothingElse) {
+  EXPECT_EQ(software_notice("llvmpipe", {.multisampling = true, .shadows = true, .mesh_detail = true}),
+            "Drawn on the processor (llvmpipe): no multisampling, no shadows, coarse meshes unless asked otherwise.");
+  EXPECT_EQ(software_notice("llvmpipe", {.agents = 300, .shadows = true}),
+            "Drawn on the processor (llvmpipe): 300 agents, no shadows unless asked otherwise.");
+  EXPECT_EQ(software_notice("llvmpipe", {}), "");
+}
+
+TEST(LocalStoreNotice, SaysThatAnAutomaticStoreIsLargerThanUsual) {
+  const anim::SystemOptions keyframes{.stream = anim::StreamKind::keyframe};
+  EXPECT_EQ(local_store_notice(*system_of(62, keyframes)), "");
+  EXPECT_THAT(local_store_notice(*system_of(200, keyframes)), HasSubstr("KiB instead of 64 KiB"));
+}
+
+TEST(LocalStoreNotice, SaysNothingOfAStoreThatWasAskedFor) {
+  const anim::SystemOptions large{.local_store_bytes = std::size_t{256} * 1024, .stream = anim::StreamKind::keyframe};
+  EXPECT_EQ(local_store_notice(*system_of(200, large)), "");
+}
+
+class PaletteFormatNotice : public testing::Test {
+ protected:
+  PaletteFormatNotice() {
+    const std::string folder = THRONG_SOURCE_DIR "/tests/data/features/";
+    for (const std::string name : {"plain", "linear-trs"})
+      people_.push_back(*load_character(folder + name + ".glb", name));
+  }
+  std::string notice(anim::PaletteFormat palettes) {
+    const auto system = std::move(*anim::AnimationSystem::create(people_[0].character, {.palettes = palettes}));
+    EXPECT_TRUE(system->add_character(people_[1].character));
+    return palette_format_notice(*system, people_);
+  }
+  std::vector<CharacterSource> people_;
+};
+
+TEST_F(PaletteFormatNotice, NamesWhoStaysFloat) {
+  EXPECT_EQ(notice(anim::PaletteFormat::packed),
+            "Palettes stay float of linear-trs: packed ones hold rigid skeletons only.");
+}
+
+TEST_F(PaletteFormatNotice, SaysNothingUnlessPackedWasAskedFor) {
+  EXPECT_EQ(notice(anim::PaletteFormat::matrices), "");
+}
+
+TEST(Lines, AreOneASentence) {
+  std::string lines;
+  add_line(lines, "");
+  add_line(lines, "one");
+  add_line(lines, "");
+  add_line(lines, "two");
+  EXPECT_EQ(lines, "one\ntwo");
+}
+
+}  // namespace
+}  // namespace throng::app::notices_test

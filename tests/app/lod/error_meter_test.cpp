@@ -1,0 +1,205 @@
+// What level of detail costs the eye, as the stage measures it.
+
+#include "app/lod/error_meter.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "app/stage/stage.h"
+#include "app/view/fly_camera.h"
+
+namespace throng::app::error_meter_test {
+namespace {
+
+constexpr anim::Ticks frame = anim::ticks_per_second / 60;
+constexpr int width = 1280, height = 720;
+
+std::vector<CharacterSource> mannequin() {
+  std::vector<CharacterSource> characters;
+  characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
+  return characters;
+}
+
+class MeasuredStage : public testing::Test {
+ protected:
+  void pass(const Tuning& tuning, int frames) {
+    auto made = Stage::create(mannequin(), tuning, pages_);
+    ASSERT_TRUE(made);
+    stage_ = std::move(*made);
+    for (int i = 0; i < frames; ++i) {
+      stage_->move(frame);
+      stage_->pose(camera_, width, height, frame, stage_->frame());
+    }
+  }
+  static Tuning measured() {
+    Tuning tuning;
+    tuning.agents = 120;
+    tuning.lod = LodRule::distance;
+    tuning.error_sample = ErrorSampling::all;
+    tuning.pus = 2;
+    return tuning;
+  }
+
+  render::HeapPageSource pages_{std::size_t{4} << 20U};
+  std::unique_ptr<Stage> stage_;
+  render::Camera camera_ = camera_at({.x = 0, .y = 6, .z = 14, .yaw = 0, .pitch = -20});
+};
+
+TEST_F(MeasuredStage, SeesNoErrorWithoutLevelOfDetail) {
+  Tuning tuning = measured();
+  tuning.lod = LodRule::off;
+  tuning.bone_lod = tuning.smooth = false;
+  pass(tuning, 90);
+  EXPECT_GT(stage_->error().samples, 1000U);
+  EXPECT_EQ(stage_->error().max, 0.0F);
+  EXPECT_EQ(stage_->error().pop_max, 0.0F);
+}
+
+TEST_F(MeasuredStage, SeesMoreTheLongerUpdatesAreSkipped) {
+  Tuning tuning = measured();
+  tuning.full_rate_distance = 0.1F;
+  tuning.interval_growth = 0.1F;
+  tuning.bone_lod = tuning.placed_feet = false;
+  float before = 0.0F;
+  for (const int interval : {2, 4, 8}) {
+    tuning.largest_interval = interval;
+    pass(tuning, 90);
+    EXPECT_GT(stage_->error().p99, 1.5F * before) << interval;
+    before = stage_->error().p99;
+  }
+}
+
+TEST_F(MeasuredStage, SeesMoreWherePosesAreHeldThanWhereTheyBlend) {
+  Tuning tuning = measured();
+  tuning.full_rate_distance = tuning.interval_growth = 1.0F;
+  tuning.bone_lod = false;
+  pass(tuning, 90);
+  const anim::ErrorFigures smooth = stage_->error();
+  tuning.smooth = false;
+  pass(tuning, 90);
+  EXPECT_GT(stage_->error().p99, 3.0F * smooth.p99);
+  EXPECT_GT(stage_->error().pop_max, 3.0F * smooth.pop_max);
+}
+
+TEST_F(MeasuredStage, SeesBonesThatAreLeftOut) {
+  Tuning tuning = measured();
+  tuning.full_rate_distance = 1000.0F;
+  tuning.placed_feet = false;
+  std::ranges::fill(tuning.bone_level_distance, 0.1F);
+  pass(tuning, 30);
+  EXPECT_GT(stage_->error().p50, 0.5F);
+}
+
+TEST_F(MeasuredStage, PosesAlikeWhoeverIsMeasured) {
+  Tuning tuning = measured();
+  std::vector<std::uint64_t> hashes;
+  for (const ErrorSampling sampling : {ErrorSampling::off, ErrorSampling::some, ErrorSampling::all}) {
+    tuning.error_sample = sampling;
+    pass(tuning, 120);
+    hashes.push_back(stage_->system().pose_hash());
+  }
+  EXPECT_EQ(hashes[1], hashes[0]);
+  EXPECT_EQ(hashes[2], hashes[0]);
+}
+
+TEST_F(MeasuredStage, MeasuresNobodyWhereItIsOff) {
+  Tuning tuning = measured();
+  tuning.error_sample = ErrorSampling::off;
+  pass(tuning, 30);
+  EXPECT_EQ(stage_->error().samples, 0U);
+}
+
+TEST_F(MeasuredStage, MeasuresEverybodyWhereErrorsAreColours) {
+  Tuning tuning = measured();
+  tuning.error_sample = ErrorSampling::some;
+  tuning.debug_view = DebugView::error;
+  pass(tuning, 60);
+  for (const anim::VisibleAgent& agent : stage_->selection().visible) {
+    EXPECT_GE(stage_->error_meter().error_of(agent.agent), 0.0F) << agent.agent;
+  }
+}
+
+TEST_F(MeasuredStage, TakesFewOfManyForAsLittleAsTheyCost) {
+  Tuning tuning = measured();
+  tuning.agents = 600;
+  tuning.error_sample = ErrorSampling::some;
+  pass(tuning, 120);
+  EXPECT_GT(stage_->error().samples, 40U);
+  EXPECT_LT(stage_->error().samples, 60U * WatchedAgents::few);
+  EXPECT_GT(stage_->error().pop_max, 0.0F);
+}
+
+/// One agent of which the meter is shown a palette that is wrong.
+class DisplacedBone : public testing::Test {
+ protected:
+  DisplacedBone() : system_(std::move(*anim::AnimationSystem::create(characters_.front().character, {}))) {
+    system_->set_agent_count(1);
+    system_->play(0, {.clip = 0});
+    shown_.reset(1, 0);
+    meter_.reset(1);
+  }
+
+  /// On screen, of a shin that the slot has `off_by` from where it belongs.
+  float error_of(const glm::vec3& off_by) {
+    const anim::VisibleAgent visible{.agent = 0, .pixels_tall = 100.0F, .interval = 1, .bone_level = 0};
+    meter_.begin_frame(ErrorSampling::all, {&visible, 1}, shown_);
+    system_->advance(frame);
+    const anim::PaletteDestination slot = shown_.show({.agent = 0, .level = 0, .entries = entries(), .time = 0}, 0, 0);
+    const anim::AgentUpdate update{.agent = 0, .palette = meter_.destination(0, shown_.pose(0), entries(), slot)};
+    system_->update({&update, 1});
+    auto& entry = reinterpret_cast<anim::PaletteMatrix*>(update.palette.memory())[shin()];
+    for (int axis = 0; axis < 3; ++axis) entry.rows[axis][3] += off_by[axis];
+    meter_.end_frame(*system_, {.crowd = crowd_,
+                                .shown = shown_,
+                                .view = render::view_of(camera_, static_cast<float>(width) / height),
+                                .size = {width, height},
+                                .now = 0,
+                                .number = ++frame_});
+    return meter_.error_of(0);
+  }
+  std::uint32_t entries() const {
+    return static_cast<std::uint32_t>(characters_.front().model.skeleton.palette_count());
+  }
+  std::size_t shin() const {
+    const auto& bones = characters_.front().model.skeleton.bones;
+    return static_cast<std::size_t>(std::ranges::find(bones, "shin.L", &anim::Bone::name) - bones.begin());
+  }
+  float pixels(float metres) const {
+    const glm::vec3 knee = crowd_.positions()[0] + glm::vec3(0.0F, 0.3F, 0.0F);
+    const float depth = glm::dot(knee - camera_.position, render::forward(camera_));
+    return render::pixels_tall(camera_, height, metres * crowd_.scales()[0], depth);
+  }
+
+  std::vector<CharacterSource> characters_ = mannequin();
+  std::unique_ptr<anim::AnimationSystem> system_;
+  render::HeapPageSource pages_{std::size_t{1} << 20U};
+  render::PaletteSlots slots_{pages_, {anim::palette_stride(entries(), anim::PaletteFormat::matrices)}};
+  ShownPoses shown_{slots_};
+  ErrorMeter meter_{characters_};
+  Crowd crowd_{Scene::grid, 1, 1, characters_.front().roles};
+  render::Camera camera_{.position = crowd_.positions()[0] + glm::vec3(0.0F, 0.5F, 8.0F)};
+  std::uint64_t frame_ = 0;
+};
+
+TEST_F(DisplacedBone, IsOffByAsManyPixelsAsTheDistanceCovers) {
+  EXPECT_EQ(error_of({}), 0.0F);
+  for (const float metres : {0.01F, 0.05F, 0.2F}) {
+    EXPECT_NEAR(error_of({0.0F, metres, 0.0F}), pixels(metres), 0.05F * pixels(metres)) << metres;
+  }
+}
+
+TEST_F(DisplacedBone, PopsByAsMuchAsItComesAndGoes) {
+  error_of({});
+  error_of({0.0F, 0.1F, 0.0F});
+  EXPECT_NEAR(meter_.figures().pop_max, pixels(0.1F), 0.05F * pixels(0.1F));
+  error_of({0.0F, -0.1F, 0.0F});
+  EXPECT_NEAR(meter_.figures().pop_max, pixels(0.2F), 0.05F * pixels(0.2F));
+}
+
+}  // namespace
+}  // namespace throng::app::error_meter_test

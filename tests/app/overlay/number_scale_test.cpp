@@ -1,0 +1,51 @@
+#include "app/overlay/number_scale.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace throng::app::number_scale_test {
+namespace {
+
+constexpr std::array<int, 4> stops = {0, 16, 32, 64};
+const NumberScale logarithmic = {.lowest = 1, .highest = 100'000, .logarithmic = true};
+const NumberScale metres = {.lowest = 0, .highest = 100, .decimals = 1, .suffix = " m"};
+const NumberScale stepped = {.highest = 64, .zero_word = "auto", .suffix = " KiB", .stops = stops};
+
+TEST(NumberScale, AValueComesBackFromItsPlace) {
+  for (const double value : {1.0, 10.0, 1000.0, 100'000.0}) {
+    EXPECT_DOUBLE_EQ(value_at(logarithmic, place_of(logarithmic, value)), value);
+  }
+  for (const double value : {0.0, 12.5, 100.0}) EXPECT_DOUBLE_EQ(value_at(metres, place_of(metres, value)), value);
+  for (const int stop : stops) EXPECT_EQ(value_at(stepped, place_of(stepped, stop)), stop);
+}
+
+TEST(NumberScale, PlacesBeyondTheTrackAreItsEnds) {
+  EXPECT_EQ(value_at(metres, -3), 0);
+  EXPECT_EQ(value_at(metres, 3), 100);
+  EXPECT_EQ(place_of(metres, 1e9), 1);
+  EXPECT_EQ(place_of(logarithmic, 0), 0);
+}
+
+TEST(NumberScale, WritesUnitsAndWords) {
+  EXPECT_EQ(written(metres, 12.5), "12.5 m");
+  EXPECT_EQ(written(stepped, 0), "auto");
+  EXPECT_EQ(written(stepped, 32), "32 KiB");
+}
+
+TEST(NumberScale, ReadsWhatPeopleType) {
+  EXPECT_EQ(meant(metres, "7"), 7);
+  EXPECT_EQ(meant(metres, " 7.25m "), 7.3);
+  EXPECT_EQ(meant(logarithmic, "12,345"), 12345);
+  EXPECT_EQ(meant(stepped, "auto"), 0);
+  EXPECT_EQ(meant(stepped, "30"), 32);
+}
+
+TEST(NumberScale, RefusesWhatIsNoNumber) {
+  for (const char* const text : {"", "m", "7 feet", "nan", "inf", "--1", "auto"}) {
+    EXPECT_FALSE(meant(metres, text)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace throng::app::number_scale_test

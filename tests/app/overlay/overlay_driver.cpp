@@ -1,0 +1,132 @@
+#include "tests/app/overlay/overlay_driver.h"
+
+#include <gtest/gtest.h>
+
+namespace throng::app {
+
+OverlayDriver::OverlayDriver(const std::string& fonts)
+    : overlay(fonts, 1, Tuning(),
+              {.get = [this] { return clipboard; }, .set = [this](const std::string& text) { clipboard = text; }}),
+      report(full_report()) {
+  frames(2);
+}
+
+OverlayCommands OverlayDriver::frames(int count) {
+  OverlayCommands all;
+  for (int i = 0; i < count; ++i) {
+    overlay.begin_frame(1280, 720, 1.0 / 60, input.next_frame());
+    const OverlayCommands commands = overlay.build(report, tuning);
+    all.step |= commands.step;
+    all.frame_crowd |= commands.frame_crowd;
+    all.copy_camera |= commands.copy_camera;
+    all.screenshot |= commands.screenshot;
+    all.quit |= commands.quit;
+    all.save_roles |= commands.save_roles;
+    all.deselect |= commands.deselect;
+    all.push_over |= commands.push_over;
+    all.exact_crowd |= commands.exact_crowd;
+    all.rewind |= commands.rewind;
+    all.let_go |= commands.let_go;
+    all.copy_command_line |= commands.copy_command_line;
+    all.save_bone_lod |= commands.save_bone_lod;
+    all.export_lod |= commands.export_lod;
+    all.stop_sweep |= commands.stop_sweep;
+    if (commands.sweep) all.sweep = commands.sweep;
+    if (commands.bone_lod) all.bone_lod = commands.bone_lod;
+    if (commands.hold_at) all.hold_at = commands.hold_at;
+    if (commands.save_preset) all.save_preset = commands.save_preset;
+    if (commands.load_preset) all.load_preset = commands.load_preset;
+    if (commands.delete_preset) all.delete_preset = commands.delete_preset;
+    if (!commands.models.empty()) all.models = commands.models;
+    if (commands.select_at) all.select_at = commands.select_at;
+    if (commands.character) all.character = commands.character;
+    if (commands.roles) report.role_clips = *(all.roles = commands.roles);
+  }
+  return all;
+}
+
+OverlayCommands OverlayDriver::click(const std::string& widget) {
+  point_at(widget, 0.5F);
+  button(true);
+  button(false);
+  return frames();
+}
+
+void OverlayDriver::double_click(const std::string& widget) {
+  point_at(widget, 0.5F);
+  for (const bool down : {true, false, true, false}) button(down);
+  frames();
+}
+
+void OverlayDriver::drag(const std::string& widget, float share) {
+  point_at(widget, 0.5F);
+  button(true);
+  point_at(widget, share);
+  frames();
+  button(false);
+  frames(20);  // long enough that the next drag is no double click
+}
+
+OverlayCommands OverlayDriver::drag_to(const std::string& widget, const std::string& other) {
+  point_at(widget, 0.5F);
+  button(true);
+  frames();
+  point_at(other, 0.5F);
+  frames();
+  button(false);
+  return frames(20);
+}
+
+OverlayCommands OverlayDriver::press(Key key) {
+  input.push({.kind = InputEvent::Kind::key, .key = key, .down = true});
+  input.push({.kind = InputEvent::Kind::key, .key = key, .down = false});
+  return frames();
+}
+
+void OverlayDriver::type(const std::string& text) {
+  for (const char letter : text) {
+    input.push({.kind = InputEvent::Kind::character, .character = static_cast<char32_t>(letter)});
+  }
+  frames();
+}
+
+void OverlayDriver::point_at(float x, float y) { input.push({.kind = InputEvent::Kind::pointer, .x = x, .y = y}); }
+
+void OverlayDriver::point_at(const std::string& widget, float share) {
+  const UiRectangle* const place = overlay.ui_map().find(widget);
+  ASSERT_NE(place, nullptr) << "no widget is called " << widget;
+  point_at(place->x + share * place->width, place->y + place->height / 2);
+}
+
+void OverlayDriver::button(bool down) { input.push({.kind = InputEvent::Kind::button, .down = down}); }
+
+FrameReport full_report() {
+  FrameReport report;
+  report.characters = {"mannequin (built in)"};
+  report.notice = "A line worth reading.";
+  report.agents = 1000;
+  report.visible = report.drawn = 600;
+  report.frame_ms_history.assign(240, 15);
+  report.update_ms_history.assign(240, 3);
+  report.agents_by_interval = {300, 200, 100};
+  report.agents_by_bone_level = {200, 200, 100, 100};
+  report.level_bone_counts = {4, 3, 2, 1};
+  report.bones = {{.name = "hips", .depth = 0, .level = 3, .parent = -1, .error_millimetres = 90},
+                  {.name = "spine", .depth = 1, .level = 2, .parent = 0, .error_millimetres = 40},
+                  {.name = "hand", .depth = 2, .level = 1, .parent = 1, .error_millimetres = 12},
+                  {.name = "finger", .depth = 3, .level = 0, .parent = 2, .error_millimetres = 2}};
+  report.clip_names = {"Idle", "Walking_A", "Running_A"};
+  report.role_clips[index_of(Role::stand)] = 0;
+  report.role_clips[index_of(Role::walk)] = 1;
+  report.suggested_role_clips = report.role_clips;
+  report.pus = 2;
+  report.hardware_threads = 4;
+  PuReport pu;
+  pu.spans = {{PuSpan::Kind::fetch, 0, 0.1F}, {PuSpan::Kind::compute, 0.1F, 0.9F}};
+  report.pu = {pu, pu};
+  report.timeline = {{.frame = 1, .length_ms = 0.9F, .lanes = {pu.spans, pu.spans}},
+                     {.frame = 2, .length_ms = 0.9F, .lanes = {pu.spans, pu.spans}}};
+  return report;
+}
+
+}  // namespace throng::app

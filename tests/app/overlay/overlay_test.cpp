@@ -1,0 +1,339 @@
+#include "app/overlay/overlay.h"
+
+#include <array>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/overlay/overlay_driver.h"
+
+namespace throng::app::overlay_test {
+namespace {
+
+constexpr std::array tabs = {"Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"};
+
+std::string written(const Tuning& tuning) { return to_json({}, tuning, {}); }
+
+TEST(Overlay, AClickOnATabShowsIt) {
+  OverlayDriver driver;
+  for (const std::string tab : {"Scheduling", "Agent", "LOD skipping", "Presets", "Per-bone LOD", "Crowd"}) {
+    driver.click("tab:" + tab);
+    EXPECT_EQ(driver.overlay.ui_map().tab, tab);
+  }
+}
+
+TEST(Overlay, LeavesTheCrowdItsPlace) {
+  OverlayDriver driver;
+  const UiRectangle crowd = driver.overlay.crowd_area();
+  EXPECT_GE(crowd.width, 880);
+  EXPECT_GE(crowd.height, 560);
+  for (const std::string tab : tabs) {
+    driver.click("tab:" + tab);
+    for (const auto& [name, place] : driver.overlay.ui_map().widgets) {
+      EXPECT_TRUE(place.x >= crowd.width || place.y >= crowd.height) << name << " lies over the crowd";
+      EXPECT_LE(place.x + place.width, 1280) << name;
+      EXPECT_LE(place.y + place.height, 720) << name;
+    }
+  }
+}
+
+TEST(Overlay, LeavesEveryValueAloneThatNobodyTouches) {
+  OverlayDriver driver;
+  driver.tuning.seed = 4'000'000'000U;
+  driver.tuning.agents = 123'456;
+  driver.tuning.full_rate_distance = 333.333F;
+  driver.tuning.local_store_kib = 48;
+  driver.tuning.tile = 3;
+  driver.tuning.bone_level_distance[0] = 500;
+  const std::string before = written(driver.tuning);
+  for (const std::string tab : tabs) {
+    driver.click("tab:" + tab);
+    driver.frames(20);
+  }
+  EXPECT_EQ(written(driver.tuning), before);
+}
+
+TEST(Overlay, DraggingATrackMovesItsValueToTheEnds) {
+  OverlayDriver driver;
+  driver.drag("Agents", 1);
+  EXPECT_EQ(driver.tuning.agents, 100'000);
+  driver.drag("Agents", 0);
+  EXPECT_EQ(driver.tuning.agents, 1);
+  driver.click("Agents");
+  EXPECT_NEAR(driver.tuning.agents, 316, 20) << "the middle of a logarithmic track";
+}
+
+TEST(Overlay, ATypedNumberIsTakenWithEnter) {
+  OverlayDriver driver;
+  driver.click("Agents.field");
+  EXPECT_TRUE(driver.overlay.ui_map().typing);
+  driver.type("2,500");
+  EXPECT_EQ(driver.tuning.agents, Tuning().agents) << "not before it is whole";
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.tuning.agents, 2500);
+  EXPECT_FALSE(driver.overlay.ui_map().typing);
+}
+
+TEST(Overlay, ATypedNumberIsTakenWhenAnotherFieldIsClicked) {
+  OverlayDriver driver;
+  driver.click("Speed.field");
+  driver.type("2.5");
+  driver.click("Agents.field");
+  EXPECT_EQ(driver.tuning.time_scale, 2.5F);
+}
+
+TEST(Overlay, ATypedNumberStaysInItsRangeAndNonsenseChangesNothing) {
+  OverlayDriver driver;
+  driver.click("Agents.field");
+  driver.type("900000000");
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.tuning.agents, 100'000);
+  driver.click("Agents.field");
+  driver.type("many");
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.tuning.agents, 100'000);
+}
+
+TEST(Overlay, AChangedValueGoesBackByDoubleClickOrByItsArrow) {
+  for (const std::string place : {"Agents", "Agents.label"}) {
+    OverlayDriver driver;
+    driver.tuning.agents = 7;
+    driver.double_click(place);
+    EXPECT_EQ(driver.tuning.agents, Tuning().agents) << place;
+  }
+  OverlayDriver driver;
+  EXPECT_FALSE(driver.sees("Agents.reset"));
+  driver.tuning.agents = 7;
+  driver.frames();
+  ASSERT_TRUE(driver.sees("Agents.reset"));
+  driver.click("Agents.reset");
+  EXPECT_EQ(driver.tuning.agents, Tuning().agents);
+}
+
+TEST(Overlay, AnotherClipForARoleIsPickedKeptAndTakenBack) {
+  OverlayDriver driver;
+  driver.point_at(1100, 400);
+  driver.frames();
+  driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -100});
+  driver.frames();
+  ASSERT_TRUE(driver.sees("Walk"));
+  EXPECT_FALSE(driver.sees("Walk:Running_A")) << "the list is closed";
+  driver.click("Walk");
+  ASSERT_TRUE(driver.sees("Walk:Running_A"));
+  const OverlayCommands picked = driver.click("Walk:Running_A");
+  ASSERT_TRUE(picked.roles);
+  EXPECT_EQ((*picked.roles)[index_of(Role::walk)], 2);
+  EXPECT_EQ((*picked.roles)[index_of(Role::stand)], 0);
+  EXPECT_TRUE(driver.click("Save roles").save_roles);
+  const OverlayCommands reset = driver.click("Reset roles");
+  ASSERT_TRUE(reset.roles);
+  EXPECT_EQ((*reset.roles)[index_of(Role::walk)], 1);
+}
+
+TEST(Overlay, OfSeveralCharactersOneIsChosenToShowItsRoles) {
+  OverlayDriver driver;
+  EXPECT_FALSE(driver.sees("Model:knight.glb")) << "one character is a fact";
+  driver.report.characters = {"models/person.glb", "models/knight.glb"};
+  driver.frames();
+  driver.click("Model");
+  ASSERT_TRUE(driver.sees("Model:knight.glb"));
+  const OverlayCommands picked = driver.click("Model:knight.glb");
+  ASSERT_TRUE(picked.character);
+  EXPECT_EQ(*picked.character, 1U);
+}
+
+TEST(Overlay, EveryChoiceCanBeMade) {
+  OverlayDriver driver;
+  driver.click("Scene:grid");
+  EXPECT_EQ(driver.tuning.scene, Scene::grid);
+  driver.click("Colours:bones");
+  EXPECT_EQ(driver.tuning.debug_view, DebugView::bone_level);
+  driver.click("tab:LOD skipping");
+  driver.click("Rule:off");
+  EXPECT_EQ(driver.tuning.lod, LodRule::off);
+  driver.click("tab:Per-bone LOD");
+  driver.click("Mesh LOD:2");
+  EXPECT_EQ(driver.tuning.mesh_lod, 2);
+  driver.click("Per-bone LOD");
+  EXPECT_FALSE(driver.tuning.bone_lod);
+  driver.click("tab:Scheduling");
+  driver.click("Schedule:levels");
+  EXPECT_EQ(driver.tuning.schedule, Schedule::levels);
+  driver.click("Double buffer:inline");
+  EXPECT_EQ(driver.tuning.double_buffer, DoubleBuffer::inline_copy);
+  driver.click("Stream:keyframe");
+  EXPECT_EQ(driver.tuning.stream, Stream::keyframe);
+}
+
+TEST(Overlay, ProcessingUnitsAndStoresCanBeChangedAndGoBackToTheirWord) {
+  OverlayDriver driver;
+  driver.click("tab:Scheduling");
+  driver.drag("PUs", 1);
+  EXPECT_EQ(driver.tuning.pus, 16);
+  driver.drag("Local store", 1);
+  EXPECT_EQ(driver.tuning.local_store_kib, 1024);
+  driver.click("Local store.field");
+  driver.type("auto");
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.tuning.local_store_kib, 0);
+  driver.click("Tile.field");
+  driver.type("5");
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.tuning.tile, 4) << "the nearest that there is";
+}
+
+TEST(Overlay, BoneLevelsFollowEachOther) {
+  OverlayDriver driver;
+  driver.click("tab:Per-bone LOD");
+  driver.drag("Level 1 from", 1);
+  const auto& distance = driver.tuning.bone_level_distance;
+  EXPECT_EQ(distance[0], 150);
+  EXPECT_GE(distance[1], distance[0]);
+  EXPECT_GE(distance[2], distance[1]);
+  driver.drag("Level 3 from", 0);
+  EXPECT_EQ(distance[0], 0);
+}
+
+TEST(Overlay, ShowsNoMoreBoneLevelsThanTheCharacterHas) {
+  OverlayDriver driver;
+  driver.click("tab:Per-bone LOD");
+  EXPECT_TRUE(driver.sees("Level 3 from"));
+  driver.report.level_bone_counts = {62, 20};
+  driver.frames();
+  EXPECT_TRUE(driver.sees("Level 1 from"));
+  EXPECT_FALSE(driver.sees("Level 2 from"));
+}
+
+TEST(Overlay, ABorderOfTheLevelBandCanBeDragged) {
+  OverlayDriver driver;
+  driver.click("tab:Per-bone LOD");
+  driver.drag("Level band", 0.8F);  // from the middle, 75 m, which is nearest to level 3 at 60 m
+  EXPECT_NEAR(driver.tuning.bone_level_distance[2], 120, 1);
+  EXPECT_EQ(driver.tuning.bone_level_distance[1], Tuning().bone_level_distance[1]);
+}
+
+TEST(Overlay, ValuesOfASwitchedOffRuleCannotBeMoved) {
+  OverlayDriver driver;
+  driver.tuning.lod = LodRule::off;
+  driver.click("tab:LOD skipping");
+  driver.drag("Largest interval", 1);
+  EXPECT_EQ(driver.tuning.largest_interval, Tuning().largest_interval);
+}
+
+TEST(Overlay, ButtonsAreCommands) {
+  OverlayDriver driver;
+  EXPECT_TRUE(driver.click("Frame crowd").frame_crowd);
+  EXPECT_TRUE(driver.click("Copy camera").copy_camera);
+  EXPECT_TRUE(driver.click("Screenshot").screenshot);
+  EXPECT_FALSE(driver.click("Step").step) << "the crowd is not paused";
+  driver.click("Pause");
+  EXPECT_TRUE(driver.tuning.paused);
+  EXPECT_TRUE(driver.click("Step").step);
+}
+
+TEST(Overlay, KeysAreCommands) {
+  OverlayDriver driver;
+  driver.press(Key::space);
+  EXPECT_TRUE(driver.tuning.paused);
+  driver.press(Key::space);
+  EXPECT_FALSE(driver.tuning.paused);
+  EXPECT_TRUE(driver.press(Key::f).frame_crowd);
+  EXPECT_TRUE(driver.press(Key::c).copy_camera);
+  EXPECT_TRUE(driver.press(Key::f12).screenshot);
+  EXPECT_TRUE(driver.press(Key::escape).quit);
+}
+
+TEST(Overlay, KeysAreLettersWhileTyping) {
+  OverlayDriver driver;
+  driver.click("Agents.field");
+  for (const Key key : {Key::space, Key::tab, Key::f, Key::f12}) {
+    const OverlayCommands commands = driver.press(key);
+    EXPECT_FALSE(commands.frame_crowd || commands.screenshot);
+  }
+  EXPECT_FALSE(driver.tuning.paused);
+  EXPECT_FALSE(driver.overlay.ui_map().hidden);
+  EXPECT_FALSE(driver.press(Key::escape).quit) << "the first Esc leaves the field";
+  EXPECT_TRUE(driver.press(Key::escape).quit);
+}
+
+TEST(Overlay, TabHidesAllOfItAndBringsItBack) {
+  OverlayDriver driver;
+  EXPECT_GT(driver.overlay.vertex_count(), 0);
+  driver.press(Key::tab);
+  EXPECT_EQ(driver.overlay.vertex_count(), 0);
+  EXPECT_EQ(driver.overlay.crowd_area().width, 1280);
+  driver.press(Key::tab);
+  EXPECT_GT(driver.overlay.vertex_count(), 0);
+}
+
+TEST(Overlay, F1ShowsTheHelpCard) {
+  OverlayDriver driver;
+  driver.press(Key::f1);
+  EXPECT_TRUE(driver.overlay.ui_map().help);
+  EXPECT_TRUE(driver.sees("Help"));
+  driver.press(Key::f1);
+  EXPECT_FALSE(driver.sees("Help"));
+}
+
+TEST(Overlay, ThePointerBelongsToTheCameraOverTheCrowdOnly) {
+  OverlayDriver driver;
+  driver.point_at(450, 300);
+  driver.frames();
+  EXPECT_FALSE(driver.overlay.uses_pointer());
+  driver.point_at(1100, 300);
+  driver.frames();
+  EXPECT_TRUE(driver.overlay.uses_pointer());
+}
+
+TEST(Overlay, TextGoesToTheClipboardAndComesFromIt) {
+  OverlayDriver driver;
+  driver.click("Agents.field");
+  driver.input.push({.kind = InputEvent::Kind::key, .key = Key::control, .down = true});
+  driver.press(Key::c);
+  EXPECT_EQ(driver.clipboard, "1000");
+  driver.clipboard = "64";
+  driver.press(Key::v);
+  driver.input.push({.kind = InputEvent::Kind::key, .key = Key::control, .down = false});
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.tuning.agents, 64);
+}
+
+TEST(Overlay, ShowsAReportInWhichThereIsNothing) {
+  OverlayDriver driver;
+  driver.report = {};
+  for (const std::string tab : tabs) {
+    driver.click("tab:" + tab);
+    EXPECT_GT(driver.overlay.vertex_count(), 0) << tab;
+  }
+}
+
+TEST(Overlay, WorksWithoutItsFontsAndSaysSo) {
+  OverlayDriver driver("/nowhere");
+  EXPECT_TRUE(driver.overlay.fonts_missing());
+  EXPECT_GT(driver.overlay.vertex_count(), 0);
+  EXPECT_FALSE(OverlayDriver().overlay.fonts_missing());
+}
+
+TEST(Overlay, ShowsTheNoticeOfTheReport) {
+  OverlayDriver driver;
+  driver.frames();
+  const int with_notice = driver.overlay.vertex_count();
+  driver.report.notice.clear();
+  driver.frames();
+  EXPECT_LT(driver.overlay.vertex_count(), with_notice);
+}
+
+TEST(Overlay, ShowsEachLineOfTheNoticeByItself) {
+  OverlayDriver driver;
+  driver.report.notice = "one two";
+  driver.frames();
+  const int on_one_line = driver.overlay.vertex_count();
+  driver.report.notice = "one\ntwo";
+  driver.frames();
+  EXPECT_GT(driver.overlay.vertex_count(), on_one_line);
+}
+
+}  // namespace
+}  // namespace throng::app::overlay_test

@@ -1,0 +1,144 @@
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/overlay/overlay_driver.h"
+
+namespace throng::app::selection_test {
+namespace {
+
+SelectionReport somebody() {
+  SelectionReport selected{.agent = 1234,
+                           .role = Role::walk,
+                           .habit = Habit::stroll,
+                           .visible = true,
+                           .interval = 2,
+                           .can_fall = true,
+                           .channels = 1,
+                           .entities = {},
+                           .bytes = 384};
+  selected.entities = {
+      {.kind = "sampled player", .clip = "Walking_A", .duration_seconds = 1, .weight = 0.25F, .bytes = 128},
+      {.kind = "sampled player", .clip = "Idle", .duration_seconds = 2, .weight = 0.75F, .bytes = 128},
+      {.kind = "ease blender", .clip = {}, .weight = 1, .bytes = 128, .priority = -1}};
+  return selected;
+}
+
+struct SelectionCard : testing::Test {
+  OverlayDriver driver;
+
+  OverlayCommands click_at(float x, float y, float moved = 0) {
+    driver.point_at(x, y);
+    driver.input.push({.kind = InputEvent::Kind::button, .down = true});
+    driver.point_at(x + moved, y);
+    driver.input.push({.kind = InputEvent::Kind::button, .down = false});
+    return driver.frames();
+  }
+  void select() {
+    driver.report.selected = somebody();
+    driver.frames();
+  }
+};
+
+TEST_F(SelectionCard, ShowsWhoWasSelectedWithEachEntity) {
+  EXPECT_FALSE(driver.sees("Selected"));
+  select();
+  EXPECT_TRUE(driver.sees("Selected"));
+  for (const std::string row : {"Entity 0", "Entity 1", "Entity 2"}) EXPECT_TRUE(driver.sees(row)) << row;
+  EXPECT_FALSE(driver.sees("Entity 3"));
+  const UiRectangle card = *driver.overlay.ui_map().find("Selected"), crowd = driver.overlay.crowd_area();
+  EXPECT_LE(card.x + card.width, crowd.width);
+  EXPECT_LE(card.y + card.height, crowd.height);
+  driver.report.selected.reset();
+  driver.frames();
+  EXPECT_FALSE(driver.sees("Selected"));
+}
+
+TEST_F(SelectionCard, OfALongGraphShowsTheEndAndStaysInThePicture) {
+  select();
+  driver.report.selected->entities.resize(64);
+  driver.frames();
+  EXPECT_FALSE(driver.sees("Entity 47"));
+  EXPECT_TRUE(driver.sees("Entity 48"));
+  EXPECT_TRUE(driver.sees("Entity 63"));
+  EXPECT_GE(driver.overlay.ui_map().find("Selected")->y, 0);
+}
+
+TEST_F(SelectionCard, AClickAtTheCrowdAsksWhoIsThere) {
+  const auto asked = click_at(300, 200).select_at;
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->x, 300);
+  EXPECT_EQ(asked->y, 200);
+}
+
+TEST_F(SelectionCard, ADragAndAClickAtTheOverlayAreNoClicksAtTheCrowd) {
+  EXPECT_FALSE(click_at(300, 200, 40).select_at) << "a drag";
+  EXPECT_TRUE(click_at(300, 200, 2).select_at) << "a hand is not quite still";
+  EXPECT_FALSE(click_at(1100, 300).select_at) << "the column";
+  EXPECT_FALSE(click_at(300, 650).select_at) << "the strip";
+  select();
+  const UiRectangle card = *driver.overlay.ui_map().find("Selected");
+  EXPECT_FALSE(click_at(card.x + 20, card.y + 20).select_at) << "the card";
+  driver.point_at(1100, 300);
+  driver.input.push({.kind = InputEvent::Kind::button, .down = true});
+  driver.point_at(300, 200);
+  driver.input.push({.kind = InputEvent::Kind::button, .down = false});
+  EXPECT_FALSE(driver.frames().select_at) << "pressed at the overlay";
+}
+
+TEST_F(SelectionCard, EscapeDeselectsFirstAndQuitsThen) {
+  select();
+  const OverlayCommands first = driver.press(Key::escape);
+  EXPECT_TRUE(first.deselect);
+  EXPECT_FALSE(first.quit);
+  driver.report.selected.reset();
+  EXPECT_TRUE(driver.press(Key::escape).quit);
+}
+
+TEST_F(SelectionCard, PushesOverByItsButtonAndByP) {
+  EXPECT_FALSE(driver.press(Key::p).push_over) << "nobody is selected";
+  select();
+  EXPECT_TRUE(driver.click("Push over").push_over);
+  EXPECT_TRUE(driver.press(Key::p).push_over);
+  EXPECT_TRUE(driver.click("Deselect").deselect);
+  driver.report.selected->can_fall = false;
+  driver.frames();
+  EXPECT_FALSE(driver.click("Push over").push_over) << "nothing in it could fall";
+}
+
+TEST_F(SelectionCard, IsInTheMapAsTheReportHasIt) {
+  const auto selected_in_map = [&] {
+    const auto map = nlohmann::json::parse(to_json(driver.overlay.ui_map(), driver.tuning, driver.report));
+    return map["report"]["selected"];
+  };
+  EXPECT_TRUE(selected_in_map().is_null());
+  select();
+  const auto selected = selected_in_map();
+  EXPECT_EQ(selected["agent"], 1234);
+  EXPECT_EQ(selected["bytes"], 384);
+  EXPECT_EQ(selected["posture"], "upright");
+  EXPECT_EQ(selected["entities"][1]["clip"], "Idle");
+  EXPECT_EQ(selected["entities"][1]["weight"], 0.75);
+}
+
+TEST_F(SelectionCard, MemoryByKindIsInTheSchedulingTab) {
+  driver.click("tab:Scheduling");
+  const auto scroll_down = [&] {
+    driver.point_at(1100, 400);
+    driver.frames();
+    driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -100});
+    driver.frames();
+  };
+  scroll_down();
+  EXPECT_FALSE(driver.sees("ease blender"));
+  driver.report.memory = {{.kind = "sampled player", .blocks = 1000, .bytes = 128000, .reserved_bytes = 131072},
+                          {.kind = "ease blender", .blocks = 12, .bytes = 1536, .reserved_bytes = 131072}};
+  driver.frames();
+  scroll_down();
+  EXPECT_TRUE(driver.sees("sampled player"));
+  EXPECT_TRUE(driver.sees("ease blender"));
+}
+
+}  // namespace
+}  // namespace throng::app::selection_test

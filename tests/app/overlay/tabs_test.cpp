@@ -1,0 +1,232 @@
+// The tabs with a memory of their own: scheduling, agent, presets; and what a person does to time.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "app/overlay/preset_name.h"
+#include "tests/app/overlay/overlay_driver.h"
+
+namespace throng::app::tabs_test {
+namespace {
+
+SelectionReport somebody() {
+  SelectionReport selected{
+      .agent = 7, .visible = true, .interval = 2, .can_fall = true, .channels = 1, .entities = {}, .clip_seconds = 2};
+  selected.entities = {{.kind = "sampled player",
+                        .clip = "Walking_A",
+                        .bytes = 128,
+                        .fields = {{"Priority", "highest"}, {"Bones", "62"}},
+                        .block = std::vector<std::uint8_t>(128, 0xAB)},
+                       {.kind = "ease blender", .clip = {}, .bytes = 128, .fields = {{"Sources", "2"}}}};
+  selected.layers = {{.name = "Channel 0", .entities = {0, 1}},
+                     {.name = "look-at", .weight = 0.5F, .is_channel = false, .entities = {2}}};
+  selected.history.assign(200, {.visible = true, .interval = 3, .bone_level = 1});
+  selected.events = {"12.00 s  begins Idle"};
+  return selected;
+}
+
+void scroll_down(OverlayDriver& driver) {
+  driver.point_at(1100, 600);
+  driver.frames();
+  driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = -100});
+  driver.frames();
+}
+
+struct AgentTabTest : testing::Test {
+  AgentTabTest() {
+    driver.click("tab:Agent");
+    driver.report.selected = somebody();
+    driver.frames();
+  }
+  OverlayDriver driver;
+};
+
+TEST_F(AgentTabTest, SaysSoWhenNobodyIsSelected) {
+  driver.report.selected.reset();
+  driver.frames();
+  EXPECT_FALSE(driver.sees("Hold clip at"));
+  EXPECT_FALSE(driver.sees("LOD history"));
+}
+
+TEST_F(AgentTabTest, ShowsEachChannelWithItsEntitiesAndWhatChangesThePose) {
+  for (const std::string row : {"Layer 0", "Layer 0, entity 0", "Layer 0, entity 1", "Layer 1"}) {
+    EXPECT_TRUE(driver.sees(row)) << row;
+  }
+  EXPECT_FALSE(driver.sees("Layer 1, entity 2")) << "its own row says it";
+  const int half = driver.overlay.vertex_count();
+  driver.report.selected->layers[1].weight = 0;
+  driver.frames();
+  EXPECT_LT(driver.overlay.vertex_count(), half) << "a shorter figure, and no bar";
+}
+
+TEST_F(AgentTabTest, ShowsLevelOfDetailOverTheLastFrames) {
+  EXPECT_TRUE(driver.sees("LOD history"));
+  const int with_history = driver.overlay.vertex_count();
+  driver.report.selected->history.clear();
+  driver.frames();
+  EXPECT_LT(driver.overlay.vertex_count(), with_history);
+}
+
+TEST_F(AgentTabTest, HoldsTheClipWhereItIsDraggedAndLetsGo) {
+  EXPECT_FALSE(driver.click("Let go").let_go) << "nothing is held";
+  driver.report.selected->held_at = 0.5F;
+  driver.frames();
+  EXPECT_TRUE(driver.click("Let go").let_go);
+  EXPECT_TRUE(driver.click("Push").push_over);
+  const OverlayCommands held = driver.click("Hold clip at");
+  ASSERT_TRUE(held.hold_at);
+  EXPECT_NEAR(*held.hold_at, 1, 0.02) << "the middle of two seconds";
+}
+
+TEST_F(AgentTabTest, CannotHoldTheClipOfOneWhoPlaysNoneOrFalls) {
+  driver.report.selected->posture = Posture::falling;
+  driver.frames();
+  EXPECT_FALSE(driver.click("Hold clip at").hold_at);
+  driver.report.selected->posture = Posture::upright;
+  driver.report.selected->clip_seconds = 0;
+  driver.frames();
+  EXPECT_FALSE(driver.click("Hold clip at").hold_at);
+}
+
+TEST_F(AgentTabTest, ShowsTheBlockOfThePoseFirstAndOfAnyEntityPicked) {
+  scroll_down(driver);
+  EXPECT_TRUE(driver.sees("Sources")) << "the last entity is the pose";
+  EXPECT_FALSE(driver.sees("Priority"));
+  driver.click("Entity");
+  driver.click("Entity:0: sampled player, Walking_A");
+  scroll_down(driver);
+  EXPECT_TRUE(driver.sees("Bones"));
+  EXPECT_TRUE(driver.sees("Block bytes"));
+}
+
+struct TimelineTest : testing::Test {
+  TimelineTest() {
+    driver.click("tab:Scheduling");
+    scroll_down(driver);
+  }
+  void point_into_timeline(float share) {
+    const UiRectangle place = *driver.overlay.ui_map().find("Timeline");
+    driver.point_at(place.x + share * place.width, place.y + place.height / 4);
+    driver.frames();
+  }
+  OverlayDriver driver;
+};
+
+TEST_F(TimelineTest, ShowsEveryFrameThatThereIs) {
+  const int two_frames = driver.overlay.vertex_count();
+  driver.report.timeline.push_back(driver.report.timeline.front());
+  driver.frames();
+  EXPECT_GT(driver.overlay.vertex_count(), two_frames);
+  driver.report.timeline.clear();
+  driver.frames();
+  EXPECT_FALSE(driver.sees("Timeline"));
+}
+
+TEST_F(TimelineTest, TheWheelZoomsAndDoesNotScrollTheTab) {
+  ASSERT_TRUE(driver.sees("Timeline"));
+  point_into_timeline(0.1F);
+  const float y = driver.overlay.ui_map().find("Timeline")->y;
+  const int all = driver.overlay.vertex_count();
+  driver.input.push({.kind = InputEvent::Kind::wheel, .wheel = 10});
+  driver.frames();
+  EXPECT_EQ(driver.overlay.ui_map().find("Timeline")->y, y);
+  point_into_timeline(0.99F);  // away from the span that the pointer told of
+  EXPECT_NE(driver.overlay.vertex_count(), all);
+}
+
+TEST_F(TimelineTest, ThePointerTellsWhatASpanWas) {
+  point_into_timeline(0.99F);
+  driver.point_at(450, 300);
+  driver.frames();
+  const int without = driver.overlay.vertex_count();
+  point_into_timeline(0.3F);
+  const int nobody = driver.overlay.vertex_count();
+  EXPECT_GT(nobody, without);
+  for (TimelineFrame& frame : driver.report.timeline) {
+    for (auto& lane : frame.lanes) lane[1].content = {.first_agent = 12, .last_agent = 40, .agents = 16};
+  }
+  driver.frames();
+  EXPECT_GT(driver.overlay.vertex_count(), nobody) << "and for whom";
+}
+
+struct PresetsTabTest : testing::Test {
+  PresetsTabTest() { driver.click("tab:Presets"); }
+  OverlayDriver driver;
+};
+
+TEST_F(PresetsTabTest, TwoTuningsChangePlacesByKeyAndByChoice) {
+  driver.press(Key::b);
+  EXPECT_TRUE(driver.overlay.ui_map().shows_b);
+  driver.tuning.agents = 77;
+  driver.press(Key::b);
+  EXPECT_EQ(driver.tuning.agents, Tuning().agents);
+  driver.click("In use:B");
+  EXPECT_EQ(driver.tuning.agents, 77);
+  EXPECT_TRUE(driver.overlay.ui_map().shows_b);
+}
+
+TEST_F(PresetsTabTest, WhatIsPausedStaysPausedAndWhatIsLookedAtStaysWhenTheyChangePlaces) {
+  driver.press(Key::b);
+  driver.tuning.paused = true;
+  driver.tuning.inspection.thresholds = true;
+  driver.press(Key::b);
+  EXPECT_TRUE(driver.tuning.paused);
+  EXPECT_TRUE(driver.tuning.inspection.thresholds);
+}
+
+TEST_F(PresetsTabTest, OneIsCopiedToTheOther) {
+  driver.press(Key::b);
+  driver.tuning.agents = 77;
+  driver.frames();
+  driver.click("Copy B to A");
+  driver.press(Key::b);
+  EXPECT_EQ(driver.tuning.agents, 77);
+}
+
+TEST_F(PresetsTabTest, KeepsThemUnderNamesThatAFileCanHave) {
+  EXPECT_FALSE(driver.click("Save preset").save_preset) << "no name yet";
+  driver.click("Name.field");
+  driver.type("far crowd_2");
+  driver.press(Key::enter);
+  EXPECT_EQ(driver.click("Save preset").save_preset, "far crowd_2");
+  driver.report.preset_names = {"far crowd_2"};
+  driver.frames();
+  EXPECT_TRUE(driver.sees("Replace preset"));
+  for (const char* const bad : {"", " ", "a/b", "..", "a.json", "tail "}) EXPECT_FALSE(can_name_a_preset(bad)) << bad;
+}
+
+TEST_F(PresetsTabTest, LoadsAndAfterAskingDeletes) {
+  driver.report.preset_names = {"far", "near"};
+  driver.frames();
+  EXPECT_EQ(driver.click("Load near").load_preset, "near");
+  EXPECT_FALSE(driver.click("Delete far").delete_preset) << "asks first";
+  EXPECT_FALSE(driver.click("Delete near").delete_preset) << "that was the other one";
+  EXPECT_EQ(driver.click("Delete near").delete_preset, "near");
+}
+
+TEST_F(PresetsTabTest, CopiesTheCommandLine) { EXPECT_TRUE(driver.click("Copy as command line").copy_command_line); }
+
+TEST_F(PresetsTabTest, BIsALetterWhileTyping) {
+  driver.click("Name.field");
+  driver.press(Key::b);
+  EXPECT_FALSE(driver.overlay.ui_map().shows_b);
+}
+
+TEST(CrowdTabTime, RewindsOnlyWhereThereIsAnEarlierMoment) {
+  OverlayDriver driver;
+  EXPECT_FALSE(driver.click("Rewind").rewind);
+  driver.report.snapshots = 3;
+  driver.frames();
+  EXPECT_TRUE(driver.click("Rewind").rewind);
+}
+
+TEST(DroppedFiles, AreACommandWithoutBeingHidden) {
+  OverlayDriver driver;
+  driver.input.push({.kind = InputEvent::Kind::file, .path = "a.glb"});
+  driver.input.push({.kind = InputEvent::Kind::file, .path = "b.glb"});
+  EXPECT_EQ(driver.frames(1).models, (std::vector<std::string>{"a.glb", "b.glb"}));
+  EXPECT_TRUE(driver.frames(1).models.empty());
+}
+
+}  // namespace
+}  // namespace throng::app::tabs_test

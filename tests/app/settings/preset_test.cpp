@@ -1,0 +1,178 @@
+#include "app/settings/preset.h"
+
+#include <cstdlib>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/command_line/options.h"
+#include "app/settings/preset_fields.h"
+#include "tests/app/command_line/command_words.h"
+#include "tests/app/temporary_folder.h"
+
+namespace throng::app::preset_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Converts to whatever a member of Tuning is, but not to Tuning.
+struct Anything {
+  template <typename Member>
+  requires(!std::is_same_v<Member, Tuning>) operator Member() const;
+};
+
+template <typename... Members>
+constexpr std::size_t scalars_of_tuning() {
+  if constexpr (requires { Tuning{Members()..., Anything()}; }) return scalars_of_tuning<Members..., Anything>();
+  return sizeof...(Members);
+}
+
+/// A tuning of which no value is the default.
+Tuning all_changed() {
+  Tuning tuning;
+  for (const PresetField& field : preset_fields()) {
+    const std::string before = field.text(tuning);
+    for (const char* const text :
+         {"off", "on", "3", "0.3", "2", "stadium", "levels", "inline", "keyframe", "packed", "all", "interval"}) {
+      if (field.text(tuning) == before) field.reader(tuning)(text);
+    }
+    EXPECT_NE(field.text(tuning), before) << field.key;
+  }
+  return tuning;
+}
+
+class Presets : public test::TemporaryFolder {
+ protected:
+  void SetUp() override { setenv("XDG_CONFIG_HOME", folder_.c_str(), 1); }
+
+  fs::path file_with(const std::string& text) const {
+    const fs::path file = folder_ / "given.json";
+    std::ofstream(file) << text;
+    return file;
+  }
+  std::string refusal_of(const std::string& text) const {
+    const auto preset = read_preset(file_with(text));
+    return preset ? "(taken)" : preset.error().message;
+  }
+};
+
+DemoOptions demo(const std::string& line) {
+  const ParsedCommand command = parse_command_line(words(line));
+  if (const auto* const error = std::get_if<UsageError>(&command)) ADD_FAILURE() << error->message;
+  const auto* const options = std::get_if<DemoOptions>(&command);
+  return options == nullptr ? DemoOptions{} : *options;
+}
+
+std::string refused(const std::string& line) {
+  const ParsedCommand command = parse_command_line(words(line));
+  const auto* const error = std::get_if<UsageError>(&command);
+  return error == nullptr ? "(taken)" : error->message;
+}
+
+TEST_F(Presets, HaveAKeyForEveryValueOfTheTuning) {
+  constexpr std::size_t forced = 3;      // of LodInspection; how one looks is not kept
+  constexpr std::size_t taken_away = 0;  // nor what is left out for a look
+  const std::size_t nested = sizeof(anim::CostModel) / sizeof(double) - 1 + forced - 1 + taken_away - 1;
+  EXPECT_EQ(preset_fields().size(), scalars_of_tuning() + nested)
+      << "a new member of Tuning needs a row in app/settings/preset_fields.cpp, or presets and recordings forget it";
+}
+
+TEST_F(Presets, ReadBackAsTheyWereWritten) {
+  const Preset preset{.tuning = all_changed(), .camera = CameraPlace{0.1F, 2.0F, -3.3F, 45.5F, -10.0F, 30.0F}};
+  const fs::path file = preset_file("evening");
+  ASSERT_TRUE(write_preset(file, preset));
+  const auto read = read_preset(file);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->tuning, preset.tuning);
+  EXPECT_EQ(camera_text(*read->camera), "0.1,2,-3.3,45.5,-10,30");
+  EXPECT_THAT(preset_names(), ElementsAre("evening"));
+}
+
+TEST_F(Presets, KeepTheDefaultsWhereTheySayNothing) {
+  const auto preset = read_preset(file_with(R"({"agents": 20})"));
+  ASSERT_TRUE(preset);
+  Tuning expected;
+  expected.agents = 20;
+  EXPECT_EQ(preset->tuning, expected);
+  EXPECT_FALSE(preset->camera);
+}
+
+TEST_F(Presets, AreRefusedWithFileKeyAndWhatToDo) {
+  EXPECT_EQ(refusal_of(R"({"agents": 0})"),
+            (folder_ / "given.json: \"agents\" must be a whole number, 1 to 100000").string());
+  EXPECT_THAT(refusal_of(R"({"agnts": 5})"), HasSubstr("unknown key \"agnts\"; it knows camera, scene, agents"));
+  EXPECT_THAT(refusal_of(R"({"--agents": 5})"), HasSubstr("unknown key"));
+  EXPECT_THAT(refusal_of(R"({"scene": "moon"})"), HasSubstr("\"scene\" must be plaza, parade, stadium, grid or film"));
+  EXPECT_THAT(refusal_of(R"({"time_scale": 4.5})"), HasSubstr("\"time_scale\" must be a number, 0 to 4"));
+  EXPECT_THAT(refusal_of(R"({"smooth": null})"), HasSubstr("\"smooth\" must be a number, a word, true or false"));
+  EXPECT_THAT(refusal_of(R"({"camera": "front"})"), HasSubstr("\"camera\" must be x,y,z,yaw,pitch[,fov]"));
+  EXPECT_THAT(refusal_of("[]"), HasSubstr("must be a JSON object"));
+  EXPECT_THAT(refusal_of(R"({"agents")"), HasSubstr("must be a JSON object"));
+  EXPECT_THAT(refusal_of(std::string(70'000, '[')), HasSubstr("too long"));
+  EXPECT_THAT(read_preset(folder_).error().message, HasSubstr("cannot be read"));
+}
+
+TEST_F(Presets, AreStartingValuesThatOptionsWinOver) {
+  const std::string file = file_with(R"({"agents": 20, "scene": "grid", "camera": "1,2,3,4,5"})").string();
+  const DemoOptions options = demo("--scene parade --preset " + file);
+  EXPECT_EQ(options.tuning.agents, 20);
+  EXPECT_EQ(options.tuning.scene, Scene::parade);
+  EXPECT_EQ(options.camera->z, 3.0F);
+  EXPECT_TRUE(options.agents_given);
+  EXPECT_FALSE(demo("--camera above --preset " + file).camera);
+}
+
+TEST_F(Presets, AreFoundByTheirName) {
+  ASSERT_TRUE(write_preset(preset_file("few"), {.tuning = demo("--agents 7").tuning, .camera = {}}));
+  EXPECT_EQ(demo("--preset few").tuning.agents, 7);
+  EXPECT_THAT(refused("--preset many"), HasSubstr("presets/many.json: cannot be read"));
+}
+
+TEST_F(Presets, OfLodOffKeepWhatElseTheySay) {
+  const std::string file = file_with(R"({"lod": "off", "bone_lod": true})").string();
+  EXPECT_TRUE(demo("--preset " + file).tuning.bone_lod);
+  EXPECT_FALSE(demo("--lod off --preset " + file).tuning.bone_lod);
+}
+
+TEST(SetOption, SetsValuesByTheirKeys) {
+  const Tuning tuning = demo("--set full_rate_distance=20.5,paused=on --agents 5").tuning;
+  EXPECT_EQ(tuning.full_rate_distance, 20.5F);
+  EXPECT_TRUE(tuning.paused);
+  EXPECT_EQ(tuning.agents, 5);
+}
+
+TEST(SetOption, IsRefusedByKey) {
+  EXPECT_THAT(refused("--set speed=2"), HasSubstr("there is no key speed; keys are scene, agents"));
+  EXPECT_THAT(refused("--set paused"), HasSubstr("must be KEY=VALUE"));
+  EXPECT_THAT(refused("--set time_scale=fast"), HasSubstr("time_scale must be a number, 0 to 4"));
+}
+
+TEST(TuningAsOptions, SaysOnlyWhatDiffers) {
+  EXPECT_EQ(command_line({}, {}, {}), "");
+  Tuning tuning;
+  tuning.agents = 5000;
+  tuning.bone_level_distance[1] = 31.5F;
+  EXPECT_EQ(command_line(tuning, {}, CameraPlace{0, 2, 9, 0, -5, 50}),
+            "--agents 5000 --set bone_level_distance_2=31.5 --camera 0,2,9,0,-5,50");
+}
+
+TEST(TuningAsOptions, MakesTheSameTuningAgain) {
+  EXPECT_EQ(demo(command_line(all_changed(), {}, {})).tuning, all_changed());
+  for (const char* const line : {"--lod off", "--lod off --bone-lod on --mesh-lod 2", "--pus 3 --local-store 64"}) {
+    const Tuning tuning = demo(line).tuning;
+    EXPECT_EQ(demo(command_line(tuning, {}, {})).tuning, tuning) << line;
+  }
+  EXPECT_EQ(command_line(demo("--lod off").tuning, {}, {}), "--lod off");
+}
+
+TEST(TuningAsOptions, SaysByKeyWhatNoOptionTakes) {
+  Tuning eight;
+  eight.tile = 8;
+  EXPECT_EQ(command_line({}, eight, {}), "--set tile=0");
+}
+
+}  // namespace
+}  // namespace throng::app::preset_test

@@ -1,0 +1,81 @@
+#include "app/view/scenes.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "app/crowd/crowd.h"
+#include "tests/app/crowd/crowd_person.h"
+
+namespace throng::app::scenes_test {
+namespace {
+
+// Metres ahead of the camera and to its right, on the ground.
+glm::vec2 seen_from(const CameraPlace& camera, const glm::vec3& point) {
+  const float yaw = camera.yaw * std::numbers::pi_v<float> / 180.0F;
+  const glm::vec2 away(point.x - camera.x, point.z - camera.z);
+  const glm::vec2 ahead(-std::sin(yaw), -std::cos(yaw));
+  return {glm::dot(away, ahead), glm::dot(away, glm::vec2(-ahead.y, ahead.x))};
+}
+
+TEST(SceneCameras, EverySceneHasTheFourAndFrontIsTheFirst) {
+  for (const Scene scene : {Scene::plaza, Scene::parade, Scene::stadium, Scene::grid}) {
+    const auto cameras = scene_cameras(scene, 1000, person());
+    for (const char* name : {"front", "above", "close", "far"}) ASSERT_NE(find_camera(cameras, name), nullptr) << name;
+    EXPECT_EQ(find_camera(cameras, "")->name, "front");
+    EXPECT_EQ(find_camera(cameras, "sideways"), nullptr);
+  }
+}
+
+TEST(SceneCameras, TheFrontOfThePlazaHasPeopleNearAndACrowdBehindThem) {
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    const auto cameras = scene_cameras(Scene::plaza, 1000, person());
+    const CameraPlace& front = cameras.front().place;
+    const Crowd crowd(Scene::plaza, 1000, seed, person());
+    float nearest = 1e9F;
+    int in_view = 0, distant = 0;
+    for (const glm::vec3& position : crowd.positions()) {
+      const glm::vec2 seen = seen_from(front, position);
+      if (seen.x <= 0.0F || std::abs(seen.y) > 0.68F * seen.x) continue;  // 16:9 at 42 degrees
+      ++in_view;
+      nearest = std::min(nearest, seen.x);
+      if (seen.x > 40.0F) ++distant;
+    }
+    EXPECT_GT(nearest, 3.5F) << "seed " << seed;
+    EXPECT_LT(nearest, 6.0F) << "seed " << seed;
+    EXPECT_GT(in_view, 600) << "seed " << seed;
+    EXPECT_GT(distant, 200) << "seed " << seed;
+  }
+}
+
+TEST(SceneCameras, EveryCameraLooksAtSomebodyHoweverSmallTheCrowd) {
+  for (const Scene scene : {Scene::plaza, Scene::parade, Scene::stadium, Scene::grid}) {
+    for (const std::size_t agents : {1U, 10U, 100U}) {
+      const Crowd crowd(scene, agents, 1, person());
+      for (const NamedCamera& camera : scene_cameras(scene, agents, person())) {
+        int ahead = 0;
+        for (const glm::vec3& position : crowd.positions()) {
+          const glm::vec2 seen = seen_from(camera.place, position);
+          const float right = std::abs(seen.y);
+          if (seen.x > 0.5F && right < 0.7F * glm::length(glm::vec2(seen.x, camera.place.y))) ++ahead;
+        }
+        EXPECT_GT(ahead, 0) << camera.name << " of " << agents;
+      }
+    }
+  }
+}
+
+TEST(SceneCameras, GrowWithTheCharacter) {
+  CharacterRoles giant = person();
+  giant.height = 18.0;
+  const auto cameras = scene_cameras(Scene::grid, 100, person()), larger = scene_cameras(Scene::grid, 100, giant);
+  for (std::size_t camera = 0; camera < cameras.size(); ++camera) {
+    EXPECT_NEAR(larger[camera].place.y, 10.0F * cameras[camera].place.y, 1e-3F);
+    EXPECT_EQ(larger[camera].place.yaw, cameras[camera].place.yaw);
+  }
+}
+
+}  // namespace
+}  // namespace throng::app::scenes_test

@@ -26,7 +26,7 @@ enum class EntityType : std::uint32_t {
   user
 };
 
-/// Paper 2.2.1. Every low-level entity is one relocatable block that begins with this header:
+/// Every low-level entity is one relocatable block that begins with this header (paper 2.2.1):
 ///
 ///     byte 0                64                   128
 ///     +---------------------+--------------------+------------------+----------------+
@@ -35,10 +35,10 @@ enum class EntityType : std::uint32_t {
 ///     +---------------------+--------------------+------------------+----------------+
 ///     '-- AnimationStateHeader, 96 bytes, then 32 bytes of the derived entity --'
 ///
-/// A *resident* block has its transforms at `transforms_offset`; a *transient* one has offset 0 and lives without them:
-/// the `fused` schedule lays them out in the local store, writes back nothing but the second line, and fetches the
-/// first only for kinds that read it (EntityKind::reads_identity). Knowing `total_size` and `transforms_offset` is
-/// enough to move a block and to use it as an animation state.
+/// A *resident* block has its transforms at `transforms_offset`. A *transient* block has none, and its offset is 0: the
+/// `fused` schedule lays its transforms out in the local store, writes back the second line alone, and fetches the
+/// first line only for kinds that read it (EntityKind::reads_identity). `total_size` and `transforms_offset` are enough
+/// to move a block and to use it as an animation state.
 struct AnimationStateHeader {
   static constexpr std::uint16_t has_absolute_root = 1;  ///< the absolute root is meant
 

@@ -20,7 +20,7 @@ struct EntityRun;
 
 enum class Residency : std::uint8_t { transient, resident };
 
-/// Where the parts of an entity's block lie (drawn in animation_state.h).
+/// Says where the parts of an entity's block lie. animation_state.h draws them.
 struct EntityLayout {
   const EntityKind* kind = nullptr;
   std::uint32_t total_size = 0;
@@ -28,15 +28,15 @@ struct EntityLayout {
   std::uint32_t private_offset = 0;     ///< == total_size where there is no private part
 
   bool is_resident() const { return transforms_offset != 0; }
-  /// Bytes that a source costs to fetch: header and transforms, without the private part.
+  /// Bytes that are fetched of a source: its header and transforms, without the private part.
   std::uint32_t source_bytes() const { return private_offset; }
   std::uint32_t private_bytes() const { return total_size - private_offset; }
-  /// First bytes of a block that nobody reads in the local store, and that are not fetched.
+  /// Bytes at the start of a block that no function of its kind reads. They are not fetched.
   std::size_t unread_bytes() const;
   bool final_once_advanced() const;
 };
 
-/// Read-only memory that entities of one skeleton may read beside their own block.
+/// Read-only memory of one skeleton, which its entities may read beside their own blocks.
 struct EntityAssets {
   std::span<const ClipStreams> clips{};
   std::span<const float* const> masks{};  ///< each [packets][16]
@@ -44,12 +44,12 @@ struct EntityAssets {
   const Kernels* kernels = nullptr;
   int bone_count = 0;
   int components = rigid_components;
-  bool prefetch = false;  ///< of streams, before the first packet
+  bool prefetch = false;  ///< players ask for their rows before the first packet is sampled
 
   const float* mask(std::int16_t index) const { return index < 0 ? nullptr : masks[static_cast<std::size_t>(index)]; }
 };
 
-/// An entity while it lies in the local store.
+/// An entity in the local store.
 struct EntityInStore {
   std::byte* block = nullptr;
   std::byte* prepared = nullptr;  ///< EntityKind::prepared_bytes of scratch, from advance to the last packet
@@ -73,14 +73,14 @@ struct EntityInStore {
   const Resource& resource_as() const;
 };
 
-/// 16 bones of an entity and its sources, each [components][16].
+/// One packet of an entity and of its sources. Each pose is [components][16].
 struct PacketJob {
   int packet = 0;
   const float* const* sources = nullptr;  ///< [source count], in the order of EntityKind::sources
   float* out = nullptr;                   ///< may be one of the sources
 };
 
-/// Entities of one layout, each of another character, and the poses of their first sources, which they change.
+/// Entities of one layout, one a character, that change the poses of their first sources in place.
 struct PosedEntities {
   struct Place {
     std::byte* block;
@@ -89,8 +89,8 @@ struct PosedEntities {
   };
 
   std::span<const Place> places;
-  EntityInStore alike;   ///< what all have in common, but for places
-  PoseView poses_alike;  ///< the same of their poses
+  EntityInStore alike;   ///< layout and assets, which all have in common
+  PoseView poses_alike;  ///< shape of their poses, which all have in common
 
   std::size_t size() const { return places.size(); }
   EntityInStore entity(std::size_t i) const {
@@ -103,57 +103,58 @@ struct PosedEntities {
   }
 };
 
-/// 16 bones of such poses.
+/// One packet of the poses of such entities.
 struct PacketsJob {
   PosedEntities all;
   int packet = 0;
-  std::size_t offset = 0;  ///< floats, to where these bones lie in each pose
+  std::size_t offset = 0;  ///< floats from the start of each pose to this packet
 
   float* bones_of(std::size_t i) const { return all.places[i].pose + offset; }
 };
 
-/// Paper 2.2.6: "Following the formula we can derive various animation tasks that can result in animation states." What
-/// the scheduler must know of a kind of entity; a user's own kinds are told apart from ours by nothing.
+/// Tells the scheduler all that it knows of a kind of entity. Kinds of a host's own are treated as ours are.
+/// Paper 2.2.6: "Following the formula we can derive various animation tasks that can result in animation states."
 ///
-/// An update of an entity is one call of `advance`, for a run of them at once, then either `pose_packet` for each
-/// packet in ascending order or, for what needs bones of several packets at once, `pose_whole` with the pose of the
-/// first source in `pose`. All run on a PU, see only the local store and read-only assets, and neither allocate nor
-/// lock.
+/// An update calls `advance` once for a run of entities. Then it calls `pose_packet` for each packet in ascending
+/// order. A kind that needs bones of several packets at once has `pose_whole` instead, which finds the first source's
+/// pose in `pose` and changes it. All functions run on a PU, read the local store and read-only assets alone, and
+/// neither allocate nor lock.
 struct EntityKind {
   const char* name = "";
   EntityType type = EntityType::user;
-  /// The block's sources, to be read in this order; null: none, as a player.
+  /// Returns the block's sources in the order in which they are read. Null: the kind has none, as a player.
   std::span<Handle> (*sources)(std::byte* block, const EntityLayout& layout) = nullptr;
-  /// Behind header and transforms; changed by updates: what the kind asks for, and what poses of this size do. Null:
-  /// nothing.
+  /// Size of the private part, behind header and transforms, which updates may change: a fixed number of bytes, and a
+  /// number that depends on the pose. Null: the pose adds nothing.
   std::size_t private_bytes = 0;
   std::size_t (*private_bytes_for)(int bone_count, int components) = nullptr;
-  /// Its transforms are state of its own, kept from update to update: resident under every schedule.
+  /// Its transforms are its own state from update to update, so its blocks are resident under every schedule.
   bool keeps_transforms = false;
   std::size_t prepared_bytes = 0;  ///< a multiple of 64, at most most_prepared_bytes
-  /// Of a transient block: its first line, which says what its pool says too, whose it is and where it begins. False:
-  /// no function below reads it, and it is not fetched.
+  /// A function below reads the first line of a transient block (type, size, owner, absolute root). False: that line is
+  /// not fetched.
   bool reads_identity = true;
-  /// Posing changes nothing of a transient block: it goes back to main memory as soon as it is advanced.
+  /// Posing changes nothing in a transient block, so the block is written back as soon as it is advanced.
   bool final_once_advanced = false;
 
-  /// Each of a run as if it were alone, and what it shows (entity_run.h: advance_each). Where its pose is clips, as
-  /// those of all its sources are, neither its pose_packet is called nor theirs.
+  /// Advances each entity of a run as if it were alone, and says which clips it shows (see advance_each in
+  /// entity_run.h). Where the poses of an entity and of all its sources are clips alone, pose_packet is called for none
+  /// of them.
   void (*advance)(const EntityRun& run) = nullptr;
   void (*pose_packet)(const EntityInStore& entity, const PacketJob& job) = nullptr;
   void (*pose_whole)(const EntityInStore& entity, const PoseView& pose) = nullptr;  ///< or this one
-  /// pose_whole reads and changes the bones below this one alone: the others need not be there yet.
+  /// pose_whole reads and changes bones with smaller numbers than this alone. The others may not be posed yet.
   int whole_bones = std::numeric_limits<int>::max();
-  int whole_pose_work = 1;  ///< what pose_whole takes, in gazes: CostModel::post_process
-  /// Positions of the bones of other quads are those of its only source. On general skeletons all are displaced.
+  int whole_pose_work = 1;  ///< time of pose_whole as a multiple of a gaze's (CostModel::post_process)
+  /// Quads whose positions it changes. In other quads they are those of its only source. General skeletons ignore this.
   std::uint64_t displaced_quads = ~std::uint64_t{0};
-  /// For up to widest_strip characters at once, each as pose_whole would, to the bit and whoever the others are; called
-  /// where these stand side by side. Null: pose_whole is called for each.
+  /// Does what pose_whole does for up to widest_strip characters at once, to the same bits whoever the others are.
+  /// Null: pose_whole is called for each.
   void (*pose_strip)(const PosedEntities& all) = nullptr;
-  /// The same of pose_packet, where it changes bones where they lie.
+  /// Does what pose_packet does for up to widest_strip characters at once, in place.
   void (*pose_packets)(const PacketsJob& job) = nullptr;
 
-  const void* resource = nullptr;  ///< read-only data of the kind on this skeleton; outlives the pools
+  const void* resource = nullptr;  ///< read-only data of the kind for this skeleton, which outlives the pools
 
   bool whole_pose() const { return pose_whole != nullptr; }
 };
@@ -169,20 +170,20 @@ const Resource& EntityInStore::resource_as() const {
   return *static_cast<const Resource*>(layout->kind->resource);
 }
 
-/// EntityKind::sources of an entity that reads one state, its `source`.
+/// EntityKind::sources for an entity that reads one state, its member `source`.
 template <typename Entity>
 std::span<Handle> only_source(std::byte* block, const EntityLayout&) {
   return {&reinterpret_cast<Entity*>(block)->source, 1};
 }
 
-/// EntityKind::pose_whole where pose_strip does it for one as for many.
+/// EntityKind::pose_whole for a kind that has pose_strip: calls it for one character.
 template <void (*pose_strip)(const PosedEntities& all)>
 void pose_alone(const EntityInStore& entity, const PoseView& pose) {
   const PosedEntities::Place place{.block = entity.block, .prepared = entity.prepared, .pose = pose.first};
   pose_strip({.places = {&place, 1}, .alike = entity, .poses_alike = pose});
 }
 
-/// The entity moves as its source does.
+/// Gives the entity its source's velocity.
 inline void take_velocity(AnimationStateHeader& state, const AnimationStateHeader& source) {
   std::ranges::copy(source.linear_velocity, state.linear_velocity);
   std::ranges::copy(source.angular_velocity, state.angular_velocity);

@@ -10,9 +10,9 @@
 
 namespace throng::anim {
 
-/// Lists by type and size (paper 2.2.7): a pool for each kind of entity, for one skeleton, and a second one for those
-/// that several agents read: these are resident whatever the schedule. A handle's pool number says kind and sharing, so
-/// that the scheduler knows a block's size without touching it.
+/// The pools of one skeleton: lists by type and size (paper 2.2.7). Each kind of entity has a pool for entities that
+/// one agent reads, and one for entities that several agents share, which are resident under every schedule. The pool
+/// number in a handle tells kind and sharing, so the scheduler knows a block's size without touching it.
 class EntityPools {
  public:
   using Kind = std::uint32_t;
@@ -32,12 +32,12 @@ class EntityPools {
 
   EntityPools(int bone_count, int components, Residency residency);
 
-  /// At load time. `kind` outlives the pools.
+  /// Adds a kind at load time. `kind` outlives the pools.
   Kind add_kind(const EntityKind& kind);
   Kind kind_count() const { return static_cast<Kind>(own_.size()); }
   const EntityKind& kind(Handle handle) const { return *layout(handle).kind; }
 
-  /// A block with its system information filled in.
+  /// Creates a block with its system information filled in.
   Handle create(Kind kind, bool shared = false);
   void destroy(Handle handle) { pool_of(handle).destroy(handle); }
   bool alive(Handle handle) const;
@@ -49,7 +49,7 @@ class EntityPools {
   }
   AnimationStateHeader& state(Handle handle) const { return as<AnimationStateHeader>(handle); }
   std::span<Handle> sources(Handle handle) const;
-  /// What lies behind header and transforms.
+  /// Returns the private part, behind header and transforms.
   template <typename Private>
   Private& private_as(Handle handle) const {
     return *reinterpret_cast<Private*>(block(handle) + layout(handle).private_offset);
@@ -57,7 +57,7 @@ class EntityPools {
 
   static constexpr bool is_shared(Handle handle) { return handle.pool() >= first_shared; }
   const EntityLayout& layout(Handle handle) const { return layouts_[handle.pool()]; }
-  /// Of an agent's own entities of a kind.
+  /// Returns the layout of a kind's entities that one agent reads.
   const EntityLayout& layout(Kind kind) const { return layouts_[kind]; }
 
   const Pool& pool_of(Handle handle) const {
@@ -69,7 +69,7 @@ class EntityPools {
   const Pool& shared_pool(Kind kind) const { return shared_[kind]; }
   Residency residency() const { return residency_; }
 
-  /// At a frame boundary. Handles stay valid; transforms are made anew by the next update.
+  /// Changes the layout of all blocks, at a frame boundary. Handles stay valid. The next update makes transforms anew.
   void set_residency(Residency residency);
 
   void guard_blocks() const;

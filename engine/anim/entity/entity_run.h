@@ -8,14 +8,14 @@
 
 namespace throng::anim {
 
-/// One source of each entity of a run: their states, in even steps, and what they show, side by side.
+/// One source of each entity of a run. Their states lie in even steps, what they show lies side by side.
 struct SourceRow {
   const std::byte* first;
-  std::size_t stride;       ///< bytes to the state of the next entity's; 0: all read the same
-  const ShownClips* shown;  ///< null where nobody asks
+  std::size_t stride;       ///< bytes to the source of the next entity; 0: all entities read the same source
+  const ShownClips* shown;  ///< null where no entity asks for clips
 };
 
-/// What the sources of one entity of a run are, in the order of EntityKind::sources.
+/// The sources of one entity of a run, in the order of EntityKind::sources.
 class SourcesInStore {
  public:
   SourcesInStore(std::span<const SourceRow> rows, std::size_t entity) : rows_(rows), entity_(entity) {}
@@ -32,16 +32,16 @@ class SourcesInStore {
   std::size_t entity_;
 };
 
-/// Entities of one kind and as many sources, each of another character, in even steps through a local store.
+/// Entities of one kind, one a character, that have equally many sources and lie in even steps in a local store.
 struct EntityRun {
   EntityInStore first;
   std::size_t count = 1;
   std::size_t block_stride = 0;     ///< bytes to the next entity's block
-  std::size_t prepared_stride = 0;  ///< and to what is prepared for it
+  std::size_t prepared_stride = 0;  ///< bytes to the next entity's prepared scratch
   std::span<const SourceRow> sources{};
-  const Ticks* deltas = nullptr;  ///< [count] that pass for each first; null: delta times are there already
-  /// [count] out: what each shows where that is a clip, or a blend of two, since kernels make such poses for many
-  /// characters at once. Null: nobody asks, poses are made packet by packet.
+  const Ticks* deltas = nullptr;  ///< [count] added to each delta time first; null: delta times are complete
+  /// [count] out: the clip that each entity shows, or the blend of two. Kernels pose these for many characters at once.
+  /// Null: poses are made packet by packet.
   ShownClips* shown = nullptr;
 
   EntityInStore entity(std::size_t index) const {
@@ -56,12 +56,12 @@ struct EntityRun {
 using AdvanceEntity = void (*)(const EntityInStore& entity, const SourcesInStore& sources);
 using ShowClips = ShownClips (*)(const EntityInStore& entity, const SourcesInStore& sources);
 
-/// EntityKind::advance by what advances one entity and, where its pose may be clips alone, what then says which: those
-/// that pose_packet would show. Both are known here and lie in the loop, where calls would take as long as what they
-/// do, and where a delta time need not be in memory to be used up.
+/// Makes an EntityKind::advance of a function that advances one entity. `show`, for kinds whose pose may be clips
+/// alone, returns the clips that pose_packet would show. Both are template arguments, so that the compiler inlines
+/// them: a call takes as long as what they do.
 template <AdvanceEntity advance, ShowClips show = nullptr>
 void advance_each(const EntityRun& shared) {
-  const EntityRun run = shared;  // or it would be read again after every store
+  const EntityRun run = shared;  // a copy, since the compiler reads the original again after every store
   for (std::size_t i = 0; i < run.count; ++i) {
     const EntityInStore entity = run.entity(i);
     const SourcesInStore sources = run.sources_of(i);
@@ -71,7 +71,7 @@ void advance_each(const EntityRun& shared) {
     if constexpr (show == nullptr) {
       run.shown[i].clip = run.shown[i].blended = nullptr;
     } else {
-      // Made in its place: a copy would wait for the parts that were just written.
+      // Constructed in place, since a copy waits for the parts that were just written.
       ::new (&run.shown[i]) ShownClips(show(entity, sources));
     }
   }

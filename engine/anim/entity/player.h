@@ -20,16 +20,16 @@ struct ClipStreams {
   const KeyframeStream* keyframe = nullptr;
   const SampledStream* sampled = nullptr;  ///< null: the clip plays from its keyframe stream
   Ticks duration = 0;
-  const RootCurve* root_motion = nullptr;  ///< what was taken out of the pose, not empty; null: nothing
+  const RootCurve* root_motion = nullptr;  ///< the motion that was taken out of the pose; null: none was
   std::span<const DataKey> data_keys{};    ///< ascending
 };
 
-/// Paper 2.2.2. Plays one clip: an animation state with a position in an animation stream.
+/// Plays one clip: an animation state with a position in an animation stream (paper 2.2.2).
 ///
-/// Where it stands, and with it its pose, is a closed form of the time that passed: `speed` may have any sign and any
-/// size, a looping clip wraps as often as it takes, another holds its end. Data keys and displacement are closed forms
-/// too (asset/data_keys.h, asset/root_curve.h), of any two positions; so whoever wants them asks for the interval
-/// between two clock times, and a player that was posed ahead of the clock delivers nothing too early or twice.
+/// Its position, and with it its pose, is a closed form of the time that passed. `speed` may have any sign and any
+/// size. A looping clip wraps as often as it takes; another clip holds its end. Data keys and displacement are closed
+/// forms of two positions (asset/data_keys.h, asset/root_curve.h), so callers ask for the interval between two clock
+/// times, and a player that is posed ahead of the clock delivers nothing early or twice.
 ///
 ///     [header 96 | player 32 | transforms if resident | interpolation structures if it plays a KeyframeStream]
 struct alignas(64) Player {
@@ -51,16 +51,15 @@ static_assert(sizeof(Player) == entity_header_bytes);
 static_assert(offsetof(Player, position) == 96 && offsetof(Player, flags) == 112 && offsetof(Player, cursor) == 120);
 static_assert(offsetof(Player, bone_selection) == 124);
 
-/// Update step, first half (2.2.3): uses up `state.delta_time` and moves the position, loop count, flags and velocity.
-/// Bounded by 64 bits: delta * |speed| below 2^63, which is 55 hours at the clip's own speed.
+/// Uses up `state.delta_time` and moves position, loop count, flags and velocity: the first half of an update (2.2.3).
+/// delta * |speed| stays below 2^63, which is 55 hours at the clip's own speed.
 void advance_player(Player& player, const ClipStreams& clip);
 
-/// Puts the player at an unwrapped position without playing what lies between: no data keys are met and nothing is
-/// displaced, because both are asked for between positions that were played.
+/// Moves the player to an unwrapped position without playing what lies between. It meets no data keys and displaces
+/// nothing, since callers ask for both between positions that were played.
 void seek_player(Player& player, FineTicks position, Ticks duration);
 
-/// Where the player stands, whole loops included. What it has played since is the difference of two of these, in which
-/// form for_each_data_key and displacement take it.
+/// Returns the player's position with whole loops added. for_each_data_key and displacement take two of these.
 FineTicks unwrapped_position(const Player& player, Ticks duration);
 
 extern const EntityKind sampled_player_kind;

@@ -7,8 +7,8 @@
 
 namespace throng::anim {
 
-/// Lays over `base` what `layer` differs in from `reference`: a breath over any stance, a lean over any walk. The three
-/// may be players, blenders, anything; the reference is mostly the layer's clip, standing at its first frame.
+/// Lays the difference between `layer` and `reference` over `base`: a breath over any stance, a lean over any walk. The
+/// three may be entities of any kind. The reference is usually the layer's clip at its first frame.
 ///
 ///     [header 96 | layer 32 | transforms if resident]
 struct alignas(64) AdditiveLayer {
@@ -18,7 +18,7 @@ struct alignas(64) AdditiveLayer {
   Handle reference;            // 104
   float weight;                // 108  0 to 1, of the last update
   float target_weight;         // 112  where the weight is moving to
-  float weight_per_second;     // 116  how fast; 0: at once
+  float weight_per_second;     // 116  0: at once
   std::int16_t mask;           // 120  bone weights, or EaseBlender::no_mask
   std::uint8_t reserved[6];    // 122
 };

@@ -9,22 +9,22 @@
 
 namespace throng::anim {
 
+/// Moves and changes a block of any kind in the paper's three steps, for tools and tests, at a frame boundary.
 /// Paper 2.2.1: "Using total size and transforms offset the animation state can be moved around in memory and
-/// manipulated without knowing the exact type of the structure and its use." The three steps, for tools and tests; at
-/// a frame boundary.
+/// manipulated without knowing the exact type of the structure and its use."
 ///
 ///     const std::optional<BlockReader> reader = BlockReader::fetch(block, local);   // 1. move total size bytes
 ///     reader->pose().set_rotation(bone, rotation);                                  // 2. read, update the transforms
 ///     reader->put_back(block);                                                      // 3. copy it back
 class BlockReader {
  public:
-  /// `local` is 64-byte aligned. None: the block is larger than `local`.
+  /// Copies the block to `local`, which is 64-byte aligned. Returns nothing if it is larger than `local`.
   static std::optional<BlockReader> fetch(const std::byte* block, std::span<std::byte> local);
 
   const AnimationStateHeader& state() const { return *state_; }
   std::span<const std::byte> bytes() const;
   bool has_transforms() const { return state_->transforms_offset != 0; }
-  /// Of a block that has transforms.
+  /// Returns the pose of a block that has transforms.
   PoseView pose() const;
 
   void put_back(std::byte* block) const;

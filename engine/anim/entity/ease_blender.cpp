@@ -14,8 +14,8 @@ std::span<Handle> sources_of_blender(std::byte* block, const EntityLayout&) {
   return {&reinterpret_cast<EaseBlender*>(block)->from, 2};
 }
 
-/// The linear velocity, then the angular one, side by side in the header: blended four axes at a time, two of them
-/// twice, which is what vectors do fastest.
+/// Blends the linear and the angular velocity, which lie side by side, four floats at a time. Two floats are blended
+/// twice, which is faster than two single ones.
 void blend_velocities(EaseBlender& blender, const AnimationStateHeader& from, const AnimationStateHeader& to) {
   constexpr std::size_t first = offsetof(AnimationStateHeader, linear_velocity);
   static_assert(offsetof(AnimationStateHeader, angular_velocity) == first + 3 * sizeof(float));

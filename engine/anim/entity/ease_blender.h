@@ -7,11 +7,11 @@
 
 namespace throng::anim {
 
-/// Paper 2.2.4. Eases from one animation state to another; the sources may be players, other blenders, anything.
+/// Eases from one animation state to another (paper 2.2.4). The sources may be entities of any kind.
 ///
 ///     [header 96 | blender 32 | transforms if resident]
 struct alignas(64) EaseBlender {
-  static constexpr std::uint16_t held = 1;     ///< the fraction stays as it was set; time does not move it
+  static constexpr std::uint16_t held = 1;     ///< time does not move the fraction
   static constexpr std::int16_t no_mask = -1;  ///< every bone takes the whole fraction
 
   AnimationStateHeader state;  //   0
@@ -30,7 +30,7 @@ static_assert(offsetof(EaseBlender, mask) == 120 && offsetof(EaseBlender, fracti
 /// Eases in and out: 0 at 0, 1 at 1, level at both ends.
 constexpr float ease(float x) { return x * x * (3.0F - 2.0F * x); }
 
-/// Update step: uses up `state.delta_time` and moves the fraction.
+/// Uses up `state.delta_time` and moves the fraction.
 void advance_blender(EaseBlender& blender);
 
 extern const EntityKind ease_blender_kind;

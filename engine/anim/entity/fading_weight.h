@@ -7,12 +7,12 @@
 
 namespace throng::anim {
 
-/// The weight of what a tweak does, 0 to 1, on its way from one value to another. All zero: a weight of 0.
+/// The weight of a tweak, 0 to 1, which fades from one value to another. All members zero: a weight of 0.
 struct FadingWeight {
   float from;
   float to;
-  float elapsed;  ///< seconds, some way beyond `total`; below 0: the fade has not begun where the entity stands
-  float total;    ///< seconds; 0: at `to`
+  float elapsed;  ///< seconds since the fade began, up to weight_memory beyond `total`; below 0: it has not begun yet
+  float total;    ///< seconds of the fade; 0: the weight is `to`
 };
 static_assert(sizeof(FadingWeight) == 16);
 
@@ -24,12 +24,12 @@ inline float value(const FadingWeight& weight) {
 
 inline constexpr float weight_memory = 2.0F;  ///< seconds after a fade in which it can still be wound back
 
-/// `seconds` below 0 wind it back.
+/// Moves the fade on; `seconds` below 0 wind it back.
 inline void advance_weight(FadingWeight& weight, float seconds) {
   weight.elapsed = std::min(weight.elapsed + seconds, weight.total + weight_memory);
 }
 
-/// From where it is. `lead`: how far the entity stands ahead of the moment at which the fade begins.
+/// Begins a fade from the present value. `lead`: seconds by which the entity is ahead of the fade's first moment.
 inline void fade_to(FadingWeight& weight, float to, float seconds, float lead) {
   weight = {.from = value(weight), .to = to, .elapsed = std::min(lead, seconds + weight_memory), .total = seconds};
 }

@@ -13,7 +13,7 @@ void advance_feet(const EntityInStore& entity, const SourcesInStore& sources) {
 }
 
 void place_all(const PosedEntities& all) {
-  // Made in their places, as gazes are.
+  // Constructed in place, since jobs that are initialised or copied first are written twice.
   alignas(FootPlacementJob) std::array<std::byte, widest_strip * sizeof(FootPlacementJob)> room;
   auto* const jobs = reinterpret_cast<FootPlacementJob*>(room.data());
   for (std::size_t i = 0; i < all.size(); ++i) {

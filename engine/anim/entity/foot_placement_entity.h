@@ -15,16 +15,16 @@ namespace throng::anim {
 struct alignas(64) FootPlacementEntity {
   AnimationStateHeader state;  //   0
   Handle source;               //  96
-  float drop;                  // 100  metres that the pelvis was lowered, of the last update
+  float drop;                  // 100  metres by which the last update lowered the pelvis
   float reserved[2];           // 104
   FadingWeight weight;         // 112  0: the source's pose, to the bit
 };
 static_assert(sizeof(FootPlacementEntity) == entity_header_bytes);
 static_assert(offsetof(FootPlacementEntity, source) == 96 && offsetof(FootPlacementEntity, weight) == 112);
 
-/// The ground of each foot is a plane, sampled by the host where the ankle was last. The entity finds the plane's
-/// height under the foot as the pose has it now: exact on a plane, however old the sample; an update late on anything
-/// else. There are as many feet as the rig has legs.
+/// The ground under each foot is a plane, which the host samples where the ankle was in the last update. The entity
+/// takes the plane's height under the foot's present place: exact on a plane, and one update late on other ground.
+/// There are as many feet as the rig has legs.
 struct FootPlacementMemory {
   PlacedBody body;
   PlacedFoot feet[max_legs];
@@ -39,8 +39,8 @@ inline std::span<PlacedFoot> feet_of(const EntityKind& kind, FootPlacementMemory
 /// EntityKind::whole_pose_work.
 inline constexpr int foot_placement_work = 3;
 
-/// The placed feet of a skeleton; the rig outlives them. A level of detail without all legs is left as it is, and where
-/// feet were locked is forgotten.
+/// Returns the foot placement kind of a skeleton. The rig outlives it. A bone level that lacks a leg keeps the source's
+/// pose and forgets where feet were locked.
 EntityKind foot_placement_kind(const FootPlacementRig& rig);
 
 }  // namespace throng::anim

@@ -7,7 +7,7 @@ namespace {
 
 void use_up_time(const EntityInStore& entity, const SourcesInStore&) { entity.as<HeldState>().state.delta_time = 0; }
 
-// The pose is where it belongs already.
+// The block holds the pose, so there is nothing to do.
 void keep_packet(const EntityInStore&, const PacketJob&) {}
 
 }  // namespace

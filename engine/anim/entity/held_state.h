@@ -4,8 +4,8 @@
 
 namespace throng::anim {
 
-/// The animation state itself (paper 2.2.1), derived from nothing: its transforms are what somebody wrote there between
-/// frames, and stay. A source like any other.
+/// The plain animation state (paper 2.2.1). A host writes its transforms between frames, and they stay. It serves as a
+/// source like any other entity.
 ///
 ///     [header 96 | 32 unused | transforms, always]
 struct alignas(64) HeldState {

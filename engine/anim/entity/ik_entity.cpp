@@ -26,7 +26,7 @@ TwoBoneIkJob job_of(const EntityInStore& entity, const PoseView& pose) {
           .end_rotation = memory.end_rotation};
 }
 
-/// Who reaches with the same limb reaches at once.
+/// Solves the characters that reach with the same limb in one call.
 void reach_all(const PosedEntities& all) {
   std::array<TwoBoneIkJob, widest_strip> jobs;
   std::array<std::size_t, widest_strip> reaching;

@@ -17,24 +17,25 @@ namespace throng::anim {
 struct alignas(64) IkEntity {
   AnimationStateHeader state;  //   0
   Handle source;               //  96
-  float target[3];             // 100  metres, model space: where the end of the limb is to be
+  float target[3];             // 100  metres, model space: the place that the end of the limb reaches for
   FadingWeight weight;         // 112  0: the source's pose, to the bit
 };
 static_assert(sizeof(IkEntity) == entity_header_bytes);
 static_assert(offsetof(IkEntity, source) == 96 && offsetof(IkEntity, weight) == 112);
 
-/// See TwoBoneIkJob; to be set by whoever makes the entity.
+/// Set by the code that makes the entity. See TwoBoneIkJob.
 struct IkMemory {
   std::uint32_t limb;  ///< index into the kind's limbs
   float softness;
   glm::vec3 pole;
   glm::quat end_rotation;
   bool turn_end;
-  float missed_by;  ///< metres from the end to the target, of the last update
+  float missed_by;  ///< metres from the end to the target after the last update
 };
 static_assert(std::is_trivially_copyable_v<IkMemory>);
 
-/// The inverse kinematics of a skeleton; the limbs outlive them. A level of detail without the limb is left as it is.
+/// Returns the inverse kinematics kind of a skeleton. The limbs outlive it. A bone level without the limb keeps the
+/// source's pose.
 EntityKind ik_kind(const std::vector<TwoBoneLimb>& limbs);
 
 }  // namespace throng::anim

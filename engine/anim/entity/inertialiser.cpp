@@ -19,11 +19,11 @@ struct Offsets {
 };
 static_assert(sizeof(Offsets) == 2 * offset_floats * sizeof(float));
 
-/// What an update does in each packet.
+/// The values that an update uses in each packet.
 struct Plan {
   Capture capture;
-  OffsetDecay decay;      ///< of the offset that there is
-  float seconds_between;  ///< the two updates of a capture
+  OffsetDecay decay;      ///< of the present offset
+  float seconds_between;  ///< from the first to the second update of a capture
   int captured;           ///< packets that have an offset
 };
 constexpr OffsetDecay undiminished = {.offset = 1.0F, .velocity = 0.0F};
@@ -41,11 +41,11 @@ std::span<Handle> source_of_inertialiser(std::byte* block, const EntityLayout&) 
 OffsetDecay decay_now(const Inertialiser& inertialiser) {
   if (inertialiser.settled != 0) return undiminished;
   const float half_life = has_left(inertialiser) ? inertialiser.half_life : inertialiser.old_half_life;
-  const Ticks decayed = std::max<Ticks>(inertialiser.since_capture, 0);  // wound back, at most to the capture
+  const Ticks decayed = std::max<Ticks>(inertialiser.since_capture, 0);  // it may be wound back, at most to the capture
   return offset_decay(static_cast<float>(to_seconds(decayed)), half_life);
 }
 
-// No time has passed since the first half: there is no velocity to be had yet.
+// No time has passed since the first half, so there is no velocity yet.
 Capture next_capture(const Inertialiser& inertialiser, Ticks delta) {
   const bool again = inertialiser.capture == Capture::second && delta <= 0;
   return again ? Capture::first : inertialiser.capture;
@@ -67,7 +67,7 @@ void advance_inertialiser(const EntityInStore& entity, const SourcesInStore& sou
   take_velocity(inertialiser.state, sources[0]);
 }
 
-// From here on the old offset is carried by its value alone.
+// From here on the old offset is its value alone, without a velocity.
 void settle(Offsets& offsets, OffsetDecay decay) {
   for (int component = 0; component < offset_components; ++component) {
     for (int bone = 0; bone < packet_bones; ++bone) {
@@ -77,7 +77,7 @@ void settle(Offsets& offsets, OffsetDecay decay) {
   }
 }
 
-// A jump in what was shown is no throw: see fastest_offset_turn.
+// A jump of the pose shown is not a velocity; see fastest_offset_turn.
 void limit(float (&vectors)[offset_components][packet_bones], int first, float longest) {
   for (int bone = 0; bone < packet_bones; ++bone) {
     float* const x = &vectors[first][bone];
@@ -111,7 +111,7 @@ void apply(const EntityInStore& entity, const Offsets& offsets, OffsetDecay deca
                                         .out = out});
 }
 
-/// What `target` lacks to `shown`.
+/// Captures the offset from `target` to `shown`.
 void measure(const EntityInStore& entity, const float* shown, const float* target, float* offsets) {
   alignas(64) float no_velocities[offset_components * packet_bones];
   entity.assets->kernels->capture_offset(

@@ -14,7 +14,7 @@ void advance_look(const EntityInStore& entity, const SourcesInStore& sources) {
 }
 
 void turn_all_to_targets(const PosedEntities& all) {
-  // Made in their places: initialised first, or copied, they would be written twice.
+  // Constructed in place, since jobs that are initialised or copied first are written twice.
   alignas(LookAtJob) std::array<std::byte, widest_strip * sizeof(LookAtJob)> room;
   auto* const jobs = reinterpret_cast<LookAtJob*>(room.data());
   for (std::size_t i = 0; i < all.size(); ++i) {

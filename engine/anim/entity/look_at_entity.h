@@ -22,12 +22,12 @@ static_assert(sizeof(LookAtEntity) == entity_header_bytes);
 static_assert(offsetof(LookAtEntity, source) == 96 && offsetof(LookAtEntity, weight) == 112);
 
 struct LookAtMemory {
-  LookAtLimits limits;  ///< to be set by whoever makes the entity
+  LookAtLimits limits;  ///< set by the code that makes the entity
   LookAtState gaze;
 };
 static_assert(std::is_trivially_copyable_v<LookAtMemory>);
 
-/// The look-at entities of a skeleton; the rig outlives them. A level of detail without the head is left as it is.
+/// Returns the look-at kind of a skeleton. The rig outlives it. A bone level without the head keeps the source's pose.
 EntityKind look_at_kind(const LookAtRig& rig);
 
 }  // namespace throng::anim

@@ -9,7 +9,7 @@
 namespace throng::anim {
 namespace {
 
-/// Weights as the kernel wants them: their sum is 1.
+/// Divides the weights by their sum, as the kernel expects.
 struct Shares {
   float of[max_sources];
 };

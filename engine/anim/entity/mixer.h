@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// Paper 2.2.4 "blenders and mixers": any number of sources at once, up to eight, each with a weight.
+/// Mixes up to eight sources, each with a weight (paper 2.2.4: "blenders and mixers").
 ///
 ///     [header 96 | mixer 32 | transforms if resident | sources and weights 64]
 struct alignas(64) Mixer {
@@ -21,7 +21,7 @@ static_assert(offsetof(Mixer, masks) == 100);
 
 struct MixerSources {
   Handle sources[max_sources];  //  0  mixed in this order
-  float weights[max_sources];   // 32  0 or more, of any sum that is not 0
+  float weights[max_sources];   // 32  0 or more; their sum is not 0
 };
 static_assert(sizeof(MixerSources) == 64);
 

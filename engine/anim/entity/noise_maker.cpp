@@ -8,7 +8,7 @@
 namespace throng::anim {
 namespace {
 
-/// All that packets are made from. They do not read the block, which is final once it is advanced.
+/// The values that packets are made from, so that they do not read the block, which is final once it is advanced.
 struct Shaking {
   NoiseMoment moment;
   const float* mask;  ///< [packets][16], or null
@@ -20,7 +20,7 @@ void advance_noise(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& noise = entity.as<NoiseMaker>();
   noise.time += noise.state.delta_time;
   noise.state.delta_time = 0;
-  // Made in its place: a copy would wait for the parts that were just written.
+  // Constructed in place, since a copy waits for the parts that were just written.
   ::new (entity.prepared)
       Shaking{.moment = noise_moment(noise.seed, noise_at(noise.time, noise.frequency), noise.amplitude),
               .mask = entity.assets->mask(noise.mask)};

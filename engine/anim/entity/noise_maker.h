@@ -8,8 +8,8 @@
 
 namespace throng::anim {
 
-/// Paper 2.1.2: "Animation noise will be a good example of a post processing behaviour." Turns bones a little,
-/// smoothly, so that nobody stands like a statue.
+/// Turns bones a little and smoothly, so that a character does not stand like a statue. Paper 2.1.2: "Animation noise
+/// will be a good example of a post processing behaviour."
 ///
 ///     [header 96 | noise 32 | transforms if resident]
 struct alignas(64) NoiseMaker {

@@ -11,7 +11,8 @@ namespace throng::anim {
 namespace {
 
 void wrap(Player& player, FineTicks duration) {
-  if (player.position >= 0 && player.position < duration) return;  // dividing takes long
+  if (player.position >= 0 && player.position < duration)
+    return;  // most players stay in their clip, and a division is slow
   const bool in_next_loop = player.position >= duration && player.position - duration < duration;
   const FineTicks loops = in_next_loop ? 1 : whole_loops(player.position, duration);
   if (loops == 0) return;
@@ -47,18 +48,18 @@ void set_velocity(AnimationStateHeader& state, const RootVelocity& velocity, dou
   }
 }
 
-/// What a frame changes in every state: its delta time and its velocities.
+/// Resets what every update changes in a state: its delta time and its velocities.
 void clear_motion(AnimationStateHeader& state) {
   constexpr std::size_t bytes = sizeof(state) - identity_bytes;
   std::memset(reinterpret_cast<std::byte*>(&state) + identity_bytes, 0, bytes);
 }
 
-/// While it stays in its clip, as nearly always: it loops, did not wrap in the update before, and has no root motion.
+/// Returns true in the usual case: the player loops, did not wrap in the last update, and has no root motion.
 bool only_moves(const Player& player, const ClipStreams& clip) {
   return (player.flags & (Player::looping | Player::reached_end)) == Player::looping && clip.root_motion == nullptr;
 }
 
-// In the frame's innermost loop, where a call would cost as much as what it does.
+// Inline, since this is the frame's innermost loop, where a call takes as long as its body.
 inline void move_player(Player& player, const ClipStreams& clip) {
   const FineTicks duration = clip.duration * fine_ticks_per_tick;
   const FineTicks position = player.position + player.state.delta_time * player.speed;
@@ -91,14 +92,14 @@ FineTicks unwrapped_position(const Player& player, Ticks duration) {
 
 namespace {
 
-/// What packets of 16 bones are made from (2.2.3, second half of the update step). A player of a SampledStream keeps
-/// only its position.
+/// The values that packets are made from (2.2.3, second half of the update). A player of a SampledStream keeps only its
+/// position in the block.
 struct SampledPose {
   ClipMoment moment;
   const BoneSelection* bones;  ///< null: every bone; packets without any are not evaluated
 };
 
-/// One of a KeyframeStream brings its interpolation structures along once, before its first packet.
+/// A player of a KeyframeStream advances its interpolation structures once, before its first packet.
 struct KeyframePose {
   const KeyframeStream* stream;
   Ticks time;
@@ -109,12 +110,12 @@ struct KeyframePose {
 constexpr std::size_t prepared_pose_bytes = 64;
 static_assert(sizeof(SampledPose) <= prepared_pose_bytes && sizeof(KeyframePose) <= prepared_pose_bytes);
 
-/// In the clip, where no time is negative.
+/// Returns the time in the clip, which is not negative.
 Ticks time_of(const Player& player) {
   return static_cast<Ticks>(static_cast<std::uint64_t>(player.position) / std::uint64_t{fine_ticks_per_tick});
 }
 
-/// Hints for both rows (paper 2.2.3, note 5): 16 bones are sampled at a time, so most of a row has long to arrive.
+/// Prefetches both rows (paper 2.2.3, note 5). Packets are sampled one by one, so most of a row has time to arrive.
 void prefetch_rows(const SampledStream& stream, const SamplePoint& point) {
   constexpr std::uint32_t line = 64;
   for (std::uint32_t offset = 0; offset < stream.row_stride; offset += line) {
@@ -133,7 +134,7 @@ void advance_sampled(const EntityInStore& entity, const SourcesInStore&) {
   auto& player = entity.as<Player>();
   const ClipStreams& clip = entity.assets->clips[player.clip];
   move_player(player, clip);
-  // Made in its place: a copy would wait for the parts that were just written.
+  // Constructed in place, since a copy waits for the parts that were just written.
   ::new (entity.prepared)
       SampledPose{.moment = {.stream = clip.sampled, .point = locate(*clip.sampled, time_of(player))},
                   .bones = selection_of(player, *entity.assets)};
@@ -155,7 +156,7 @@ ShownClips clip_of_player(const EntityInStore& entity, const SourcesInStore&) {
   return {.clip = pose.bones == nullptr ? &pose.moment : nullptr};
 }
 
-/// Hints come once all of a run stand, out of the way of the loop that moves them.
+/// Prefetches after the loop that moves the players, which hints would slow down.
 void advance_sampled_players(const EntityRun& run) {
   advance_each<advance_sampled, clip_of_player>(run);
   if (!run.first.assets->prefetch) return;
@@ -165,7 +166,7 @@ void advance_sampled_players(const EntityRun& run) {
   }
 }
 
-/// Packets without a selected bone are not evaluated.
+/// Skips packets without a selected bone.
 template <typename Evaluate>
 void pose_selected(const BoneSelection* bones, const PacketJob& job, Evaluate&& evaluate) {
   if (bones == nullptr) return evaluate();

@@ -37,7 +37,7 @@ void advance_ragdoll(const EntityInStore& entity, const SourcesInStore& sources)
   std::ranges::copy(sources[0].angular_velocity, ragdoll.state.angular_velocity);
 }
 
-/// The pose of the first update of letting go.
+/// Returns the pose that the first update of letting go kept.
 PoseView pose_before(const EntityInStore& entity, int components) {
   auto& memory = entity.private_as<RagdollMemory>();
   return {reinterpret_cast<float*>(&memory + 1), packet_bytes(components) / sizeof(float), components,
@@ -52,7 +52,7 @@ void remember(const EntityInStore& entity, const PoseView& pose) {
   }
 }
 
-/// Both poses with the bones that both have: another level of detail is no movement.
+/// Limits both poses to the bones that both have, so that a change of bone level is no movement.
 void take_over(const EntityInStore& entity, const PoseView& pose, Ticks elapsed) {
   const auto& velocity = entity.as<RagdollEntity>().state.linear_velocity;
   PoseView before = pose_before(entity, pose.components);

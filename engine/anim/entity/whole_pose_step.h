@@ -7,14 +7,14 @@
 
 namespace throng::anim {
 
-/// What entities that tweak the whole pose of one source carry from `advance` to `pose_whole`.
+/// The times that an entity which tweaks the whole pose of its source carries from `advance` to `pose_whole`.
 struct WholePoseStep {
   float elapsed;  ///< seconds since the last update; below 0: wound back
-  float seconds;  ///< of them, for what remembers more than a time and is not wound back: 0 or more
+  float seconds;  ///< the same, but 0 where it is wound back: for memory that cannot be wound back
 };
 inline constexpr std::size_t whole_pose_prepared_bytes = 64;
 
-/// Uses up the time of an update and moves as the source does.
+/// Uses up the time of an update and takes the source's velocity.
 inline WholePoseStep begin_whole_pose(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& state = entity.as<AnimationStateHeader>();
   const auto elapsed = static_cast<float>(to_seconds(state.delta_time));

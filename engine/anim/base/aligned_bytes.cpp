@@ -11,14 +11,14 @@
 namespace throng::anim {
 namespace {
 
-// A crowd's blocks and palettes touch thousands of small pages a frame, more than the processor remembers addresses of.
+// A frame touches thousands of small pages of blocks and palettes, more than the TLB holds.
 constexpr std::size_t huge_page = std::size_t{2} << 20U;
 constexpr std::size_t worth_huge_pages = huge_page / 2;
 
 std::size_t round_up(std::size_t size, std::size_t unit) { return (size + unit - 1) / unit * unit; }
 
 #if defined(__linux__)
-// Hints: refused is well.
+// These are hints, so a refusal does no harm.
 void ask_for_huge_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_HUGEPAGE)); }
 void forget_pages(std::byte* bytes, std::size_t size) { static_cast<void>(madvise(bytes, size, MADV_DONTNEED)); }
 #else

@@ -2,21 +2,21 @@
 
 namespace throng::anim {
 
-/// A job and what it works on, without owning or allocating anything.
+/// A function and the context that it works on. Owns and allocates nothing.
 struct Job {
   void (*run)(void* context, int index);
   void* context;
 };
 
-/// Runs jobs 0 to count - 1, each once, at the same time where it can, and returns when all are done and their stores
-/// are visible to the caller. Our own PU threads by default; a host's job system fits behind the same call.
+/// Runs jobs 0 to count - 1, each once, concurrently where it can. Returns when all are done and their stores are
+/// visible to the caller. PuThreads is the default; a host's job system fits behind the same call.
 class Executor {
  public:
   virtual ~Executor() = default;
   virtual void run(int count, Job job) = 0;
 };
 
-/// One job after the other, in the calling thread.
+/// Runs one job after the other in the calling thread.
 class InOrder final : public Executor {
  public:
   void run(int count, Job job) override {

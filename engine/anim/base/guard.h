@@ -12,7 +12,7 @@
 namespace throng::anim {
 
 /// Under the address sanitizer, memory between guard() and release_guard() may be touched only by functions marked
-/// THRONG_COPIES_GUARDED_MEMORY: it is how the tests prove that kernels reach nothing but the local store.
+/// THRONG_COPIES_GUARDED_MEMORY. Tests prove with it that kernels reach nothing but the local store.
 inline void guard([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t size) {
 #if defined(__SANITIZE_ADDRESS__)
   ASAN_POISON_MEMORY_REGION(memory, size);

@@ -4,14 +4,14 @@
 
 namespace throng::anim {
 
-/// A bijective mix of 64 bits (the finaliser of splitmix64): every input bit changes half of the output bits.
+/// Mixes 64 bits, bijectively (the finaliser of splitmix64): every input bit changes half of the output bits.
 constexpr std::uint64_t mix_bits(std::uint64_t bits) {
   bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
   bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebULL;
   return bits ^ (bits >> 31);
 }
 
-/// Chains `next` to what was hashed before it; order matters.
+/// Chains `next` to the hash of what came before it. The order matters.
 constexpr std::uint64_t chain_hash(std::uint64_t before, std::uint64_t next) {
   return mix_bits(before * 0x9e3779b97f4a7c15ULL + next + 1);
 }

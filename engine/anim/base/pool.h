@@ -36,13 +36,13 @@ struct Handle {
 static_assert(sizeof(Handle) == 4);
 static_assert(PoolTables::lives_of_an_index == 1U << Handle::generation_bits);
 
-/// What a pool holds, in blocks and bytes.
+/// The memory of a pool, in blocks and bytes.
 struct PoolMemory {
   std::size_t blocks_alive = 0;
   std::size_t blocks_capacity = 0;  // that the slabs have room for
   std::size_t bytes_alive = 0;      // of living blocks
   std::size_t bytes_reserved = 0;   // of slabs
-  std::size_t bytes_of_tables = 0;  // what handles, generations and places take beside the slabs
+  std::size_t bytes_of_tables = 0;  // for handles, generations and places, beside the slabs
 };
 
 struct Compaction {
@@ -51,8 +51,8 @@ struct Compaction {
   bool complete = false;  // no hole is left before a living block, and the order asked for is reached
 };
 
-/// A pool as it was: its tables and the bytes of each slab that had a living block. Kept by the caller and used again:
-/// taking a snapshot into one that has held as many slabs of the same pool allocates nothing.
+/// A copy of a pool: its tables and the bytes of each slab that had a living block. The caller keeps it and uses it
+/// again: a snapshot into one that has held as many slabs of the same pool allocates nothing.
 class PoolSnapshot {
  public:
   std::size_t bytes() const { return slabs_.size() * PoolTables::places_per_slab * block_size_ + tables_.bytes(); }
@@ -67,17 +67,18 @@ class PoolSnapshot {
 };
 
 /// Equal blocks in slabs (paper 2.2.7: "all structures are solid blocks of memory, roughly the same size").
-/// Blocks are 64-byte aligned. They move only in compact(), compact_some(), restore() and resize_blocks(): no address
-/// outlives a frame boundary, handles do. Used by one thread at a time, at frame boundaries; block() by any number.
+/// Blocks are 64-byte aligned. They move only in compact(), compact_some(), restore() and resize_blocks(): handles
+/// outlive a frame boundary, addresses do not. One thread at a time uses a pool, at frame boundaries; any number may
+/// call block().
 class Pool {
  public:
   static constexpr std::uint32_t blocks_per_slab = PoolTables::places_per_slab;
 
-  /// `id` is the pool's number in its handles, 0 to 30; `block_size` a multiple of 64 bytes. No more than `max_blocks`
-  /// may live at a time; the fewer, the sooner a dead handle's bits name a new block (see pool_tables.h).
+  /// `id`: the pool's number in its handles, 0 to 30. `block_size`: a multiple of 64 bytes. At most `max_blocks` blocks
+  /// live at a time; the fewer, the sooner the bits of a dead handle name a new block (see pool_tables.h).
   Pool(std::uint32_t id, std::size_t block_size, std::uint32_t max_blocks = Handle::max_blocks);
 
-  /// A zeroed block, in the lowest free place.
+  /// Creates a zeroed block in the lowest free place.
   Handle create();
   void destroy(Handle handle);
   bool alive(Handle handle) const;
@@ -86,32 +87,32 @@ class Pool {
     return block_at(tables_.place_of(handle.index()));
   }
 
-  /// Slabs for at least `blocks` blocks, so that no create() up to there allocates one; compaction keeps as many, until
-  /// the next call asks for fewer. (Tables grow by some 13 KiB for 262,144 creations, as indices wear out.)
+  /// Allocates slabs for at least `blocks` blocks, so that create() allocates none up to there. Compaction keeps as
+  /// many until the next call asks for fewer. (Tables grow by some 13 KiB for 262,144 creations, as indices wear out.)
   void reserve(std::size_t blocks);
 
   /// Gives every living block `block_size` bytes; `convert(old, new)` fills the zeroed new one. Handles stay valid.
   void resize_blocks(std::size_t block_size, const std::function<void(const std::byte*, std::byte*)>& convert);
 
-  /// Moves all living blocks to the front and gives empty slabs back, but for one spare and those that reserve() asked
-  /// for. Handles, generations and the blocks' bytes stay as they are. First come the blocks of `order`, in that order
-  /// (best the one in which the scheduler reads them); handles of other pools, dead ones and repetitions are passed
-  /// over. All others follow, in the order of their places if `order` is empty.
+  /// Moves all living blocks to the front and gives empty slabs back, except one spare and those that reserve() asked
+  /// for. Handles, generations and the blocks' bytes stay as they are. The blocks of `order` come first, in that order
+  /// (best the one in which the scheduler reads them); handles of other pools, dead handles and repetitions are
+  /// skipped. All others follow, in the order of their places if `order` is empty.
   Compaction compact(std::span<const Handle> order = {});
-  /// A part of the same, so that a frame boundary takes bounded time: moves at most `max_blocks` blocks, 2 or more, and
-  /// goes on there at the next call with the same order. Walks all of `order` that is in place already.
+  /// Does a part of compact(), so that a frame boundary takes bounded time: moves at most `max_blocks` blocks, 2 or
+  /// more. The next call with the same order goes on there. It walks the part of `order` that is in place already.
   Compaction compact_some(std::size_t max_blocks, std::span<const Handle> order = {});
 
   /// Copies the pool into `into`.
   void snapshot(PoolSnapshot& into) const;
-  /// Rewinds the pool to `from`: handles that were alive are alive again, with equal bytes, in the places they had
-  /// then; all others are dead. Indices and generations are rewound too, so that the same creations give the same
-  /// handles again: a handle made after the snapshot, in the future that is now undone, names the block that is made in
-  /// its turn, so whoever keeps handles must be rewound with the pool. Refused, and nothing changed, if the snapshot is
-  /// empty, of another pool, or of blocks of another size. Allocates only if the pool has fewer slabs than it had.
+  /// Rewinds the pool to `from`: handles that were alive are alive again, with the same bytes in the same places, and
+  /// all others are dead. Indices and generations are rewound too, so that the same creations give the same handles
+  /// again. A handle that was made after the snapshot may therefore name another block later, so code that keeps
+  /// handles is rewound with the pool. Refused, with nothing changed, if the snapshot is empty, of another pool, or of
+  /// blocks of another size. Allocates only if the pool has fewer slabs than it had then.
   Status restore(const PoolSnapshot& from);
 
-  /// Puts every byte of the pool under guard, or takes the guard away (see guard.h).
+  /// Guards every byte of the pool, or takes the guard away (see guard.h).
   void guard_blocks() const;
   void release_blocks() const;
 
@@ -125,7 +126,7 @@ class Pool {
   std::byte* block_at(std::uint32_t place) const {
     return slabs_[place / blocks_per_slab] + place % blocks_per_slab * block_size_;
   }
-  /// Slabs of one allocation: many lie in huge pages.
+  /// Slabs of one allocation, so that many lie in huge pages.
   struct SlabsTogether {
     AlignedBytes bytes;
     std::size_t count;
@@ -143,7 +144,7 @@ class Pool {
   std::size_t reserved_blocks_ = 0;
   PoolTables tables_;
   std::vector<std::byte*> slabs_;
-  std::vector<SlabsTogether> memory_;  // theirs, in their order
+  std::vector<SlabsTogether> memory_;  // owns slabs_, in their order
 };
 
 }  // namespace throng::anim

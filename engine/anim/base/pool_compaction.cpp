@@ -17,13 +17,13 @@ Compaction Pool::compact_some(std::size_t max_blocks, std::span<const Handle> or
   return done;
 }
 
-// Returns the first place after those that `order` fills.
+// Returns the first place behind those that `order` fills.
 std::uint32_t Pool::put_in_order(std::span<const Handle> order, std::size_t max_blocks, Compaction& done) {
   std::uint32_t next = 0;
   for (const Handle handle : order) {
     if (!alive(handle)) continue;
     const std::uint32_t place = tables_.place_of(handle.index());
-    if (place < next) continue;  // a repetition: all that lies before `next` has had its turn
+    if (place < next) continue;  // a repetition: everything before `next` is in place
     if (place != next) {
       const bool into_hole = tables_.owner_of(next) == PoolTables::none;
       const std::size_t moves = into_hole ? 1 : 2;

@@ -20,7 +20,7 @@ std::uint32_t PoolTables::take_index() {
   if (free_.empty() && places_.size() < max_indices_) add_indices_up_to(places_.size() + places_per_slab);
   if (free_.empty()) {
     free_.swap(worn_);
-    std::ranges::reverse(free_);  // the one that has rested longest goes first
+    std::ranges::reverse(free_);  // the index that was worn first begins first
   }
   assert(!free_.empty() && "more living blocks than a pool has indices");
   const std::uint32_t index = free_.back();

@@ -6,13 +6,12 @@
 
 namespace throng::anim {
 
-/// The books of a pool, apart from its bytes: which place the block of a handle's index lies in, which index owns a
-/// place, and which of both are free. A place is a block's number in the slabs; only it changes when a block moves.
+/// The tables of a pool: the place of each index's block, the index that owns each place, and which of both are free. A
+/// place is a block's number in the slabs. When a block moves, its place changes and its index stays.
 ///
-/// An index lives 128 times (a generation has 7 bits) and is worn then. Worn indices rest: new ones are added in their
-/// stead up to `max_indices`, and only when each of those is alive or worn do the worn ones begin anew. So a handle's
-/// bits come back after every index that is not alive has had its lives: some 128 * (max_indices - alive blocks)
-/// creations.
+/// An index lives 128 times, since a generation has 7 bits, and is then worn. New indices replace worn ones up to
+/// `max_indices`. Only when each of those is alive or worn do worn ones begin again. The bits of a handle therefore
+/// come back after some 128 * (max_indices - living blocks) creations.
 class PoolTables {
  public:
   static constexpr std::uint32_t places_per_slab = 1024;
@@ -21,31 +20,31 @@ class PoolTables {
 
   explicit PoolTables(std::uint32_t max_indices = 0) : max_indices_(max_indices) {}
 
-  /// Makes these tables equal to `other`, with room for all that may become of it: twice in a row, it allocates once.
+  /// Makes these tables equal to `other`, with room for its growth, so that a second call in a row allocates nothing.
   void copy_from(const PoolTables& other);
 
-  /// Of a living index, less than place_count().
+  /// Returns the place of a living index, less than place_count().
   std::uint32_t place_of(std::uint32_t index) const { return places_[index]; }
-  /// `none` for a hole.
+  /// Returns `none` for a hole.
   std::uint32_t owner_of(std::uint32_t place) const { return owners_[place]; }
   std::uint32_t generation_of(std::uint32_t index) const { return generations_[index]; }
   bool alive(std::uint32_t index, std::uint32_t generation) const;
 
-  /// Binds a free index to the lowest hole, of which there must be one; returns the index.
+  /// Binds a free index to the lowest hole and returns the index. There must be a hole.
   std::uint32_t bind();
   void unbind(std::uint32_t index);
 
-  /// The owner of `from` moves to the hole `to`, which is the lower one.
+  /// Moves the owner of `from` to the hole `to`, which is lower.
   void move(std::uint32_t from, std::uint32_t to);
-  /// The owners of two places change places.
+  /// Exchanges the owners of two places.
   void exchange(std::uint32_t one, std::uint32_t other);
 
-  /// The lowest place not below `from` that is a hole, or is owned; place_count() if there is none.
+  /// Return the lowest place from `from` on that is a hole, or that is owned; place_count() if there is none.
   std::uint32_t first_hole(std::uint32_t from) const;
   std::uint32_t first_owned(std::uint32_t from) const;
 
   void add_slab();
-  /// The last slab must be empty.
+  /// Removes the last slab, which must be empty.
   void remove_slab();
   void add_indices_up_to(std::size_t count);
 
@@ -59,11 +58,11 @@ class PoolTables {
   std::uint32_t take_index();
 
   std::uint32_t max_indices_;
-  std::vector<std::uint32_t> places_;      // of an index; `none` while it is dead
-  std::vector<std::uint8_t> generations_;  // of an index; a handle of another generation is dead
-  std::vector<std::uint32_t> free_;        // indices; the last one is handed out next
+  std::vector<std::uint32_t> places_;      // [index] `none` while it is dead
+  std::vector<std::uint8_t> generations_;  // [index] a handle of another generation is dead
+  std::vector<std::uint32_t> free_;        // indices; the last one is taken next
   std::vector<std::uint32_t> worn_;        // indices, in the order in which they wore out
-  std::vector<std::uint32_t> owners_;      // index of a place
+  std::vector<std::uint32_t> owners_;      // [place] an index
   std::vector<std::uint16_t> alive_in_slab_;
   std::uint32_t no_hole_below_ = 0;
   std::size_t alive_count_ = 0;

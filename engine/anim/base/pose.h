@@ -11,20 +11,20 @@ namespace throng::anim {
 ///     packet = qx[16] qy[16] qz[16] qw[16]  px[16] py[16] pz[16]  ( sx[16] sy[16] sz[16] )
 ///              '-- rotation, unit to 1e-6-' '--- position, m ---'  '- general path only -'
 ///
-/// Values are relative to the bind pose on rigid skeletons (see ReferenceFrame): the bind pose is identity and zero.
-/// Lanes at and above the bone count hold the identity.
+/// On rigid skeletons values are relative to the bind pose (see ReferenceFrame), which is identity and zero. Lanes from
+/// the bone count on hold the identity.
 inline constexpr int packet_bones = 16;
 
 inline constexpr int widest_strip = 16;  ///< characters that a kernel poses side by side
 
-/// Four bones side by side. Few bones of a rigid skeleton are displaced, so positions are told apart by quads.
+/// A quad is four bones side by side. Few bones of a rigid skeleton are displaced, so quads say which positions matter.
 inline constexpr int quad_bones = 4;
 inline constexpr int packet_quads = packet_bones / quad_bones;
-using QuadMask = std::uint32_t;  ///< of a packet: bit i for its bones 4 i to 4 i + 3
+using QuadMask = std::uint32_t;  ///< quads of a packet: bit i stands for its bones 4 i to 4 i + 3
 inline constexpr QuadMask all_quads = (1U << packet_quads) - 1U;
 constexpr bool is_in(QuadMask quads, int quad) { return (quads >> quad & 1U) != 0; }
 
-/// Sets of quads of a whole pose: four bits a packet, those from packet 15 on share the last four.
+/// A set of quads of a whole pose has four bits a packet. Packets from 15 on share the last four.
 constexpr int first_quad_bit(int packet) { return packet_quads * (packet < 15 ? packet : 15); }
 constexpr std::uint64_t quads_with(int bone) {
   return std::uint64_t{1} << (first_quad_bit(bone / packet_bones) + bone % packet_bones / quad_bones);

@@ -5,14 +5,14 @@
 
 namespace throng::anim {
 
-/// Time is counted, never accumulated in floating point: 705,600,000 ticks a second divide evenly by every common
-/// frame rate and sample rate (24, 25, 30, 48, 50, 60, 90, 100, 120 Hz; 44.1, 48, 96 kHz).
+/// Counts time in integers, since sums of floats drift. 705,600,000 ticks a second divide evenly by every common frame
+/// rate and sample rate (24, 25, 30, 48, 50, 60, 90, 100, 120 Hz; 44.1, 48, 96 kHz).
 using Ticks = std::int64_t;
 
 inline constexpr Ticks ticks_per_second = 705'600'000;
 
-/// A player's position is counted in 1/65536 ticks, so that speed times time is exact: where a player stands does not
-/// depend on how the time was cut into steps. 64 bits hold 55 hours of a clip.
+/// Counts a player's position in 1/65536 ticks, so that speed times time is exact: the position does not depend on how
+/// the time was cut into steps. 64 bits hold 55 hours of a clip.
 using FineTicks = std::int64_t;
 
 inline constexpr FineTicks fine_ticks_per_tick = 65536;

@@ -6,10 +6,10 @@
 
 layout(location = 0) uniform float sun_side;
 
-const float contact_radius = 0.42;  // metres, of a person of 1.8 metres
+const float contact_radius = 0.42;  // metres, for a person of 1.8 metres
 const float streak_length = 1.1;
 
-out vec2 place;  // metres, of a person of 1.8 metres: x across the sun's direction, y away from it
+out vec2 place;  // metres, for a person of 1.8 metres: x across the sun's direction, y away from the sun
 out float metres;
 
 void main() {

@@ -1,4 +1,4 @@
-// Colour of a point of the crowd's surface. Wants frame_uniforms.glsl and lighting.glsl.
+// Computes the colour of a point of the crowd's surface. Include frame_uniforms.glsl and lighting.glsl before it.
 layout(binding = 0) uniform sampler2D base_color_texture;
 
 layout(location = 1) uniform vec4 base_color;
@@ -17,9 +17,9 @@ vec3 shaded(vec3 albedo) {
   vec3 direction = from_eye / metres;
   vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
 
-  // Wrapped, because cloth and skin have no hard edge between light and shade.
+  // The light wraps around, because cloth and skin have no hard edge between light and shade.
   float facing = max((dot(normal, to_sun) + 0.25) / 1.25, 0.0);
-  // Feet see less of the sky than heads, having a crowd and the ground around them.
+  // Feet see less of the sky than heads, because a crowd and the ground surround them.
   float openness = 0.62 + 0.38 * smoothstep(0.0, 1.1, world_position.y);
   vec3 light = sun_light * (facing * facing) + ambient_light(normal) * openness;
 

@@ -1,4 +1,4 @@
-// What every program that draws the crowd's surface is given.
+// Declares the inputs of every program that draws the crowd's surface.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 texture_coord;
@@ -10,7 +10,7 @@ layout(location = 7) in vec2 hair;
 
 layout(location = 0) uniform uint vertex_count;
 
-// Four 16-bit entries a vertex, [bone level][vertex]: what is dropped at a level follows its nearest kept ancestor.
+// Four 16-bit entries a vertex, [bone level][vertex]. A bone that a level drops follows its nearest kept ancestor.
 layout(std430, binding = 2) readonly buffer PaletteEntries { uvec2 palette_entries[]; };
 
 uvec4 entries_at(uint bone_level) {

@@ -1,4 +1,4 @@
-// Twin of engine/render/frame_uniforms.h.
+// Repeats the layout of engine/render/frame/frame_uniforms.h.
 layout(std140, binding = 0) uniform FrameUniforms {
   mat4 view_projection;
   vec4 camera_position;

@@ -10,7 +10,7 @@ out vec4 color;
 
 void main() {
   vec3 direction = normalize(ray);
-  // Held just below the horizon for all pixels, so that neighbours' differences mean something on both sides of it.
+  // Every ray stays just below the horizon, so that the derivatives are valid on both sides of it.
   float drop = max(-direction.y, 1e-4);
   float metres = max(camera_position.y, 0.01) / drop;
   vec2 ground = camera_position.xz + direction.xz * metres;

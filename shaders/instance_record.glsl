@@ -1,4 +1,4 @@
-// Twin of engine/render/instance_record.h: 84 bytes, scalars only, so that std430 adds no gaps.
+// Repeats the layout of engine/render/instance_record.h: 84 bytes, scalars only, so that std430 adds no gaps.
 struct InstanceRecord {
   float position_x, position_y, position_z;
   float scale;
@@ -20,7 +20,7 @@ vec3 position_of(const InstanceRecord instance) {
   return vec3(instance.position_x, instance.position_y, instance.position_z);
 }
 
-// About +Y; cosine 1 keeps +Z.
+// Turns `v` about +Y by the agent's heading; cosine 1 keeps +Z.
 vec3 turned(const InstanceRecord instance, vec3 v) {
   return vec3(instance.heading_cosine * v.x + instance.heading_sine * v.z, v.y,
               instance.heading_cosine * v.z - instance.heading_sine * v.x);

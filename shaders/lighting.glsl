@@ -1,4 +1,4 @@
-// Light of the whole scene, linear: a warm sun, the sky above, light thrown back by the ground, and haze.
+// Lights the whole scene, in linear colours: a warm sun, the sky above, light that the ground reflects, and haze.
 const vec3 to_sun = vec3(0.5152, 0.7303, 0.4486);
 const vec3 sun_light = vec3(2.05, 1.80, 1.46);
 const vec3 sky_light = vec3(0.52, 0.64, 0.86);
@@ -21,10 +21,10 @@ vec3 through_haze(vec3 color, vec3 direction, float metres) {
   return mix(sky_color(vec3(direction.x, 0.0, direction.z)), color, clear);
 }
 
-// What the sky and the ground throw onto a surface.
+// Gives the light that reaches a surface from the sky and the ground.
 vec3 ambient_light(vec3 normal) { return mix(ground_light, sky_light, normal.y * 0.5 + 0.5); }
 
-// The highlights' shoulder: bright colours bend towards white instead of being cut off.
+// Bends bright colours towards white instead of cutting them off.
 vec3 exposed(vec3 light) {
   vec3 c = light * 0.92;
   return c * (1.0 + c * 0.11) / (1.0 + c * 0.55);

@@ -15,7 +15,7 @@ const float least_w = 0.06;  // in front of the near plane
 out vec4 passed_color;
 out float pixels_from_middle;
 
-// The point of a line, from `inside` towards `outside`, where it leaves what lies in front of the camera.
+// Finds where the line from `inside` to `outside` leaves the space in front of the camera.
 vec4 clipped(vec4 outside, vec4 inside) {
   return outside.w >= least_w ? outside : mix(outside, inside, (least_w - outside.w) / (inside.w - outside.w));
 }

@@ -4,7 +4,7 @@ layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 texture_coord;
 layout(location = 2) in vec4 color;
 
-layout(location = 0) uniform vec4 to_clip;  // scale x y, offset x y
+layout(location = 0) uniform vec4 to_clip;  // scale of x and y, offset of x and y
 
 out vec2 passed_texture_coord;
 out vec4 passed_color;

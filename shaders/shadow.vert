@@ -13,7 +13,7 @@ out vec3 ground_position;
 void main() {
   InstanceRecord instance = drawn_instance();
   vec3 point = to_world(instance, skinned(instance).position);
-  // Along the sun's rays onto y = 0.
+  // Projects the point along the sun's rays onto y = 0.
   ground_position = vec3(point.xz - to_sun.xz * (max(point.y, 0.0) / to_sun.y), 0.0).xzy;
   gl_Position = view_projection * vec4(ground_position, 1.0);
 }

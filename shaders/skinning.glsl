@@ -1,8 +1,9 @@
-// Skinning by the two palette slots of an instance. Wants instance_record.glsl.
+// Skins a vertex by the two palette slots of an instance. Include instance_record.glsl before it.
 
-// Three rows of 3x4 an entry, as floats; of packed slots one, as engine/anim/kernel/palette/packed_palette.h draws it.
+// An entry has three rows of 3x4 floats; in a packed slot it has one row, which
+// engine/anim/kernel/palette/packed_palette.h draws.
 layout(std430, binding = 1) readonly buffer PalettePage { uvec4 palette_rows[]; };
-// What unpacks an entry: where its joint rests, and metres a unit of its position.
+// Unpacks an entry: xyz is where its joint rests, w is the length in metres of one unit of its position.
 layout(std430, binding = 3) readonly buffer PackingFrames { vec4 packing_frames[]; };
 
 const uint packed_slot = 0x80000000u;
@@ -13,7 +14,7 @@ struct SkinnedVertex {
   vec3 normal;    // model space, not unit
 };
 
-// 0 shows `from`, 1 shows `to`.
+// Gives how far the blend has come: 0 shows `from`, 1 shows `to`.
 float blend_of(const InstanceRecord instance, uint now) {
   uint elapsed = now - instance.blend_start;
   if (elapsed >= instance.blend_duration) return 1.0;
@@ -30,7 +31,7 @@ void add(inout Rows sum, float weight, const Rows rows) {
   sum.z += weight * rows.z;
 }
 
-// How a bone is turned from its bind pose, not unit, and where its joint is.
+// The rotation of a bone from its bind pose, not unit, and the place of its joint.
 struct JointMotion {
   vec4 rotation;
   vec3 place;
@@ -45,7 +46,7 @@ JointMotion unpacked(uint slot, uint entry) {
   return JointMotion(vec4(rotation), packing_frames[entry].w * vec3(place));
 }
 
-// Rotations the shortest way, joints straight.
+// Blends rotations the shorter way round, and places along a straight line.
 JointMotion between(const JointMotion from, const JointMotion to, float blend) {
   float side = dot(from.rotation, to.rotation) < 0.0 ? -blend : blend;
   return JointMotion((1.0 - blend) * from.rotation + side * to.rotation, mix(from.place, to.place, blend));

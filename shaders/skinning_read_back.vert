@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_ARB_shader_draw_parameters : require
 
-// The crowd's own skinning, its results captured instead of drawn.
+// Runs the crowd's own skinning; transform feedback captures the results.
 #include "frame_uniforms.glsl"
 #include "instance_record.glsl"
 #include "skinning.glsl"

@@ -1,6 +1,6 @@
 #version 450 core
 
-// Both as their bytes are: sRGB values differ by about as much as the eye sees.
+// Both pictures are read unconverted, because sRGB values differ by about as much as the eye sees.
 layout(binding = 0) uniform sampler2D left_picture;
 layout(binding = 1) uniform sampler2D right_picture;
 

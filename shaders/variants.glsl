@@ -1,6 +1,6 @@
-// What sets one instance's body apart from another's, in the space of the bind pose. Wants instance_record.glsl.
+// Makes the bodies of instances differ, in the space of the bind pose. Include instance_record.glsl before it.
 
-// Metres that a vertex moves which follows a variation wholly.
+// A vertex with a share of 1 in a variation moves this many metres.
 const float stout_reach = 0.048;
 const float broad_reach = 0.026;
 const vec3 stooped_reach = vec3(0.0, -0.016, 0.058);

@@ -32,8 +32,7 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
   }
   Overlay overlay(fonts ? *fonts : std::filesystem::path(), options.ui_scale, tuning);
   overlay.show_tab(options.ui_tab);
-  const render::Status prepared = show.renderer().prepare_overlay();
-  if (!prepared) return anim::Error{prepared.error().message};
+  if (const anim::Status prepared = show.renderer().prepare_overlay(); !prepared) return prepared;
   constexpr int frames_until_laid_out = 30;  // three would do; the more, the truer the time of one
   for (int frame = 0; frame < frames_until_laid_out; ++frame) {
     const auto start = std::chrono::steady_clock::now();
@@ -48,7 +47,7 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
 
 int write_results(Show& show, const DemoOptions& options) {
   if (!options.screenshot.empty()) {
-    const render::Status written = render::write_png(show.renderer().read_image(), options.screenshot);
+    const anim::Status written = render::write_png(show.renderer().read_image(), options.screenshot);
     if (!written) return end_with(exit_job_failed, written.error().message);
   }
   if (!options.stats.empty()) {
@@ -118,9 +117,9 @@ void say_on_stderr(const std::string& notice) {
 }
 
 int run_show(const DemoOptions& options, Replay* replay) {
-  Failure failure;
-  const std::unique_ptr<Show> show = Show::create(options, failure);
-  if (show == nullptr) return end_with(static_cast<ExitStatus>(failure.status), failure.message);
+  StartError error;
+  const std::unique_ptr<Show> show = Show::create(options, error);
+  if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
   const anim::Status run = run_recorded(*show, options, replay);
   if (!run) return end_with(exit_job_failed, run.error().message);
   const int written = write_results(*show, options);

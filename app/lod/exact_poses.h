@@ -5,7 +5,7 @@
 
 #include "app/lod/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
-#include "engine/render/palette_slots.h"
+#include "engine/render/palette/palette_slots.h"
 
 namespace throng::app {
 

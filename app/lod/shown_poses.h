@@ -7,7 +7,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/render/instance_record.h"
-#include "engine/render/palette_slots.h"
+#include "engine/render/palette/palette_slots.h"
 
 namespace throng::app {
 

@@ -26,7 +26,7 @@ namespace throng::app {
 ///
 ///   WindowInput window_input(context->window());
 ///   Overlay overlay(data / "fonts", ui_scale, tuning_defaults, window_input.clipboard());
-///   overlay_renderer.upload_fonts();                      // engine/render/overlay_renderer.h
+///   overlay_renderer.upload_fonts();                      // engine/render/passes/overlay_renderer.h
 ///   while (!quit) {
 ///     const InputFrame& input = window_input.next_frame();
 ///     overlay.begin_frame(width, height, seconds, input);

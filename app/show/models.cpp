@@ -37,8 +37,7 @@ anim::Status Show::load_meshes(const Stage& stage) {
   if (renderer_ == nullptr) return anim::Done{};
   std::vector<render::CrowdMeshData> meshes;
   for (const CharacterSource& character : stage.characters()) meshes.push_back(mesh_data(character.model));
-  const render::Status loaded = renderer_->load_characters(meshes);
-  return loaded ? anim::Status(anim::Done{}) : anim::Status(anim::Error{loaded.error().message});
+  return renderer_->load_characters(meshes);
 }
 
 }  // namespace throng::app

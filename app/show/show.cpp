@@ -16,8 +16,8 @@ namespace {
 constexpr int software_window_agents = 300;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 
-bool fail(Failure& failure, int status, std::string message) {
-  failure = {status, std::move(message)};
+bool fail(StartError& error, int status, std::string message) {
+  error = {{std::move(message)}, status};
   return false;
 }
 
@@ -34,7 +34,7 @@ anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
 }
 
 // What the command line says goes for every character that has such a clip.
-bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> characters, Failure& failure) {
+bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> characters, StartError& error) {
   std::string refusal;
   bool taken = false;
   for (CharacterSource& character : characters) {
@@ -44,15 +44,15 @@ bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> chara
     if (!chosen && refusal.empty()) refusal = chosen.error().message;
     taken |= chosen.has_value();
   }
-  return taken || fail(failure, exit_usage, "--clips " + refusal);
+  return taken || fail(error, exit_usage, "--clips " + refusal);
 }
 
-bool choose_roles(const DemoOptions& options, std::span<CharacterSource> characters, Failure& failure) {
+bool choose_roles(const DemoOptions& options, std::span<CharacterSource> characters, StartError& error) {
   const auto kept = [&](CharacterSource& character) {
     const anim::Status taken = take_kept_roles(character);
-    return taken || fail(failure, exit_job_failed, taken.error().message);
+    return taken || fail(error, exit_job_failed, taken.error().message);
   };
-  const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, failure); };
+  const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, error); };
   return std::ranges::all_of(characters, kept) && std::ranges::all_of(options.clips, chosen);
 }
 
@@ -68,7 +68,7 @@ Show::~Show() {
   renderer_.reset();
 }
 
-bool Show::open_context(const DemoOptions& options, Failure& failure) {
+bool Show::open_context(const DemoOptions& options, StartError& error) {
   using render::gl::make_egl_context;
   using render::gl::make_osmesa_context;
   if (options.context == ContextKind::none) return true;
@@ -83,15 +83,15 @@ bool Show::open_context(const DemoOptions& options, Failure& failure) {
     }
   }();
   if (!context && options.context == ContextKind::headless_default) context = make_osmesa_context();
-  if (!context) return fail(failure, exit_job_failed, context.error().message);
+  if (!context) return fail(error, exit_job_failed, context.error().message);
   context_ = std::move(*context);
   return true;
 }
 
-bool Show::open_renderer(const DemoOptions& options, Failure& failure) {
+bool Show::open_renderer(const DemoOptions& options, StartError& error) {
   if (context_ == nullptr) return true;
   const auto data = find_data(data_folders(options.data), "shaders");
-  if (!data) return fail(failure, exit_job_failed, data.error().message);
+  if (!data) return fail(error, exit_job_failed, data.error().message);
   const bool modest = on_software() && draws_live(options);
   mesh_detail_ = modest ? 0.1F : 1.0F;
   spared_ = {.multisampling = modest && options.msaa < 0,
@@ -102,12 +102,12 @@ bool Show::open_renderer(const DemoOptions& options, Failure& failure) {
                   .size = {options.width, options.height},
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
                   .shadows = options.shadows && !spared_.shadows});
-  if (!renderer) return fail(failure, exit_job_failed, renderer.error().message);
+  if (!renderer) return fail(error, exit_job_failed, renderer.error().message);
   renderer_ = std::move(*renderer);
   return true;
 }
 
-bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure) {
+bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error) {
   Tuning tuning = options.tuning;
   if (options.context == ContextKind::window && on_software() && !options.agents_given) {
     tuning.agents = software_window_agents;
@@ -118,17 +118,17 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   const auto start = TimelineLog::Clock::now();
   auto stage = Stage::create(std::move(characters), tuning, pages);
   statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
-  if (!stage) return fail(failure, exit_usage, stage.error().message);
+  if (!stage) return fail(error, exit_usage, stage.error().message);
   stage_ = std::move(*stage);
   if (options.events) stage_->sum_up_events();
   const int agents = tuning.agents;
   if (!options.selected || *options.selected < agents) return true;
   return fail(
-      failure, exit_usage,
+      error, exit_usage,
       "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
 }
 
-bool Show::place_camera(const DemoOptions& options, Failure& failure) {
+bool Show::place_camera(const DemoOptions& options, StartError& error) {
   const Tuning& tuning = stage_->tuning();
   const auto agents = static_cast<std::size_t>(tuning.agents);
   const auto cameras = scene_cameras(tuning.scene, agents, stage_->common_roles());
@@ -136,7 +136,7 @@ bool Show::place_camera(const DemoOptions& options, Failure& failure) {
   if (named == nullptr) {
     std::string names;
     for (const NamedCamera& each : cameras) names += (names.empty() ? "" : ", ") + std::string(each.name);
-    return fail(failure, exit_usage,
+    return fail(error, exit_usage,
                 "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
   }
   camera = camera_at(options.camera.value_or(named->place));
@@ -146,20 +146,20 @@ bool Show::place_camera(const DemoOptions& options, Failure& failure) {
   return true;
 }
 
-std::unique_ptr<Show> Show::create(const DemoOptions& options, Failure& failure) {
+std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error) {
   std::unique_ptr<Show> show(new Show());
   show->width = options.width;
   show->height = options.height;
   auto characters = load(options);
-  if (!characters) return fail(failure, exit_job_failed, characters.error().message), nullptr;
-  if (!choose_roles(options, *characters, failure)) return nullptr;
+  if (!characters) return fail(error, exit_job_failed, characters.error().message), nullptr;
+  if (!choose_roles(options, *characters, error)) return nullptr;
   if (!options.trace.empty()) show->timeline_.emplace();
-  if (!show->open_context(options, failure) || !show->open_renderer(options, failure)) return nullptr;
-  if (!show->open_stage(std::move(*characters), options, failure)) return nullptr;
+  if (!show->open_context(options, error) || !show->open_renderer(options, error)) return nullptr;
+  if (!show->open_stage(std::move(*characters), options, error)) return nullptr;
   if (const anim::Status loaded = show->load_meshes(*show->stage_); !loaded) {
-    return fail(failure, exit_job_failed, loaded.error().message), nullptr;
+    return fail(error, exit_job_failed, loaded.error().message), nullptr;
   }
-  if (!show->place_camera(options, failure)) return nullptr;
+  if (!show->place_camera(options, error)) return nullptr;
   show->update_notice();
   return show;
 }

@@ -24,16 +24,15 @@
 
 namespace throng::app {
 
-/// What ended a run before it began: the sentence and the exit status.
-struct Failure {
+/// Ends a run before it begins, with this exit status.
+struct StartError : anim::Error {
   int status = 1;
-  std::string message;
 };
 
 /// A crowd, what draws it, and the figures: the demo without a loop, in a window or without one.
 class Show {
  public:
-  static std::unique_ptr<Show> create(const DemoOptions& options, Failure& failure);
+  static std::unique_ptr<Show> create(const DemoOptions& options, StartError& error);
   ~Show();
 
   /// New values at a frame boundary; the sentence if they cannot be, and then nothing has changed.
@@ -127,11 +126,11 @@ class Show {
 
  private:
   Show() = default;
-  bool open_context(const DemoOptions& options, Failure& failure);
-  bool open_renderer(const DemoOptions& options, Failure& failure);
-  bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, Failure& failure);
+  bool open_context(const DemoOptions& options, StartError& error);
+  bool open_renderer(const DemoOptions& options, StartError& error);
+  bool open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error);
   anim::Status load_meshes(const Stage& stage);
-  bool place_camera(const DemoOptions& options, Failure& failure);
+  bool place_camera(const DemoOptions& options, StartError& error);
   void update_notice();
   void film();
   render::CrowdFrame crowd_frame(const Picture& picture) const;

@@ -25,7 +25,7 @@
 #include "engine/anim/run/pu_threads.h"
 #include "engine/render/camera.h"
 #include "engine/render/instance_record.h"
-#include "engine/render/palette_slots.h"
+#include "engine/render/palette/palette_slots.h"
 
 namespace throng::app {
 

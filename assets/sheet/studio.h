@@ -13,7 +13,7 @@
 #include "assets/mannequin/pose.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
-#include "engine/render/palette_slots.h"
+#include "engine/render/palette/palette_slots.h"
 #include "engine/render/renderer.h"
 
 namespace throng::sheet {

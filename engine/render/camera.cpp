@@ -13,8 +13,8 @@ namespace {
 
 const glm::vec3 world_up{0.0F, 1.0F, 0.0F};
 
-/// Right-handed, depth from 1 at the near plane to 0 at the far one: floats are densest around 0, which evens out what
-/// the division by distance takes from far away.
+/// Is right-handed and maps the near plane to depth 1 and the far plane to depth 0. Floats are densest around 0, which
+/// makes up for the precision that the division by distance takes from far away.
 glm::mat4 reversed_perspective(float vertical_view, float aspect, float near_distance, float far_distance) {
   const float focal = 1.0F / std::tan(vertical_view * 0.5F);
   glm::mat4 projection(0.0F);

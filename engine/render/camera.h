@@ -10,7 +10,8 @@
 
 namespace throng::render {
 
-/// Where the picture is taken from. Looks along -Z at yaw and pitch 0; yaw turns left (about +Y), pitch up.
+/// Takes the picture from a place and in a direction. At yaw and pitch 0 it looks along -Z; yaw turns it left (about
+/// +Y), pitch up.
 struct Camera {
   glm::vec3 position{0.0F, 1.7F, 5.0F};
   float yaw = 0.0F;                      ///< radians, wraps
@@ -27,17 +28,19 @@ struct Camera {
 glm::vec3 forward(const Camera& camera);
 glm::vec3 right(const Camera& camera);
 
-/// Matrices for CrowdFrame. `aspect` is width / height. Depth is reversed: 1 at the near plane, 0 at the far one.
+/// Gives the matrices for CrowdFrame. `aspect` is width / height. Depth is reversed: 1 at the near plane, 0 at the far
+/// one.
 CameraView view_of(const Camera& camera, float aspect);
 
-/// Planes of what is seen, pointing inwards, unit normals: left, right, bottom, top, near, far. A sphere is outside
-/// when dot(plane.xyz, centre) + plane.w < -radius for any of them.
+/// Gives the planes of the view frustum: left, right, bottom, top, near, far. Their unit normals point inwards. A
+/// sphere is outside when dot(plane.xyz, centre) + plane.w < -radius for any of them.
 std::array<glm::vec4, 6> frustum_planes(const CameraView& view);
 
-/// How many pixels tall something of `height` metres is at `distance` metres, in a picture `image_height` pixels high.
+/// Gives the height in pixels of an object of `height` metres at `distance` metres, in a picture `image_height` pixels
+/// high.
 float pixels_tall(const Camera& camera, float image_height, float height, float distance);
 
-/// What the fly camera is told in one frame.
+/// Steers the fly camera for one frame.
 struct FlyInput {
   glm::vec3 move{0.0F};    ///< right, up, forward; each -1..1
   float turn_left = 0.0F;  ///< radians
@@ -45,10 +48,10 @@ struct FlyInput {
   float speed = 6.0F;      ///< metres a second
 };
 
-/// The camera `seconds` later. Up is the world's, so that level flight stays level.
+/// Gives the camera as it is `seconds` later. It moves up along the world's axis, so that level flight stays level.
 Camera fly(const Camera& camera, const FlyInput& input, float seconds);
 
-/// The camera drawn back along its own direction, or come closer, until the sphere just fits.
+/// Moves the camera back or forth along its own direction until the sphere just fits into the picture.
 Camera frame_sphere(const Camera& camera, const glm::vec3& centre, float radius, float aspect);
 
 }  // namespace throng::render

@@ -18,7 +18,7 @@ constexpr int picture_gain = 8;
 
 std::string size_text(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
 
-/// Sum of absolute channel differences of one pixel, painted into `picture` on the way.
+/// Sums the absolute differences of one pixel's channels and paints them into `picture`.
 int compare_pixel(const Image& expected, const Image& actual, int x, int y, Image& picture) {
   int sum = 0;
   for (int channel = 0; channel < compared_channels; ++channel) {

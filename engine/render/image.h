@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/render/result.h"
+#include "engine/result.h"
 
 namespace throng::render {
 
-/// A picture of 8-bit sRGB red, green, blue and straight alpha, top row first.
+/// A picture in 8-bit sRGB with straight alpha: red, green, blue, alpha; top row first.
 struct Image {
   int width = 0;
   int height = 0;
@@ -27,14 +27,14 @@ struct Image {
 
 Result<Image> read_png(const std::filesystem::path& file);
 
-/// Written beside under a temporary name, then renamed: `file` is whole or as it was.
+/// Writes a temporary file beside `file`, then renames it, so that `file` is whole or as it was.
 Status write_png(const Image& image, const std::filesystem::path& file);
 
-/// How far two pictures of one size are apart, in 0..255 steps a channel, alpha left out.
+/// Measures how far two pictures of one size are apart, in steps of 255 a channel, without alpha.
 struct ImageDifference {
   double mean = 0.0;         ///< over all pixels
-  double worst_block = 0.0;  ///< mean of the 16x16 block where it is largest: one missing hand shows here
-  int worst_block_x = 0;     ///< pixels, the block's corner
+  double worst_block = 0.0;  ///< the largest mean of a 16x16 block: one missing hand shows here
+  int worst_block_x = 0;     ///< pixels: the corner of that block
   int worst_block_y = 0;
   Image picture;  ///< the absolute difference, eight times as bright
 };

@@ -9,25 +9,25 @@ inline constexpr std::uint32_t packed_slot = 0x80000000U;  ///< see InstanceReco
 
 inline constexpr int tint_regions = 5;  ///< skin, hair, shirt, trousers, shoes
 
-/// What the vertex shader knows of one drawn agent (std430; `shaders/instance_record.glsl` is its twin).
-/// Written by app/ once a frame for every drawn agent.
+/// Tells the vertex shader about one drawn agent. `shaders/instance_record.glsl` repeats the layout (std430).
+/// app/ writes it once a frame for every drawn agent.
 ///
 ///      0  position x y z          metres, world space, between the feet
 ///     12  scale                   uniform
 ///     16  heading cosine, sine    about +Y; 1, 0 faces +Z
-///     24  palette from, to        first line of each slot in the page's buffer, of 64 bytes; its highest bit says
+///     24  palette from, to        first line of 64 bytes of each slot in the page's buffer; the highest bit says
 ///                                 that the slot is packed
 ///     32  blend start, duration   microseconds, modulo 2^32; shown = mix(from, to, clamp((now - start) / duration)),
 ///                                 duration 0 shows `to`
 ///     40  agent                   its index, for read-back and picking
-///     44  debug color             RGBA8, alpha is how much of it shows (0: none)
+///     44  debug color             RGBA8; alpha says how much of it shows (0: none)
 ///     48  tint of each region     RGBA8, sRGB
-///     68  bone level              of the slots; both hold at least this level's entries
+///     68  bone level              of the slots: both hold at least the entries of this level
 ///     72  shape                   build (stout), frame (broad-shouldered), posture (stooped):
 ///                                 RGB8_SNORM in the low bytes
-///     76  hair                    how full, how long: RG8_SNORM in the low bytes; 0 in both is the
+///     76  hair                    fullness and length: RG8_SNORM in the low bytes; 0 in both leaves the
 ///                                 surface as it is
-///     80  contact scale           of the dark spot below it; 1: as below a person of 1.8 metres
+///     80  contact scale           of the dark spot below; 1 fits a person of 1.8 metres
 struct InstanceRecord {
   float position[3];
   float scale;

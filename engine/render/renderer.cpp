@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/render/frame_uniforms.h"
+#include "engine/render/frame/frame_uniforms.h"
 
 namespace throng::render {
 namespace {
@@ -84,7 +84,7 @@ void Renderer::upload(const CrowdFrame& frame) {
 std::vector<ReadBackVertex> Renderer::read_back(const CrowdFrame& frame, const ReadBackAgent& agent) {
   assert(agent.character < meshes_.size() && agent.instance < frame.instances.size());
   upload(frame);
-  // Without a window there is no framebuffer but ours, and OpenGL draws nothing, not even unseen, without one.
+  // OpenGL captures no vertices without a framebuffer, and without a window ours is the only one.
   target_.bind_overlay();
   return read_back_.read(agent, meshes_[agent.character], palettes_);
 }

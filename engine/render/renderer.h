@@ -9,24 +9,24 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/render/contact_pass.h"
 #include "engine/render/crowd_draw.h"
 #include "engine/render/crowd_mesh_data.h"
-#include "engine/render/crowd_pass.h"
-#include "engine/render/frame_fences.h"
+#include "engine/render/frame/image_target.h"
+#include "engine/render/frame/instance_stream.h"
 #include "engine/render/gl/context.h"
-#include "engine/render/ground_pass.h"
 #include "engine/render/image.h"
-#include "engine/render/image_target.h"
-#include "engine/render/instance_stream.h"
-#include "engine/render/line_pass.h"
-#include "engine/render/mesh.h"
-#include "engine/render/overlay_renderer.h"
-#include "engine/render/palette_buffer.h"
-#include "engine/render/result.h"
-#include "engine/render/shader_library.h"
-#include "engine/render/skinning_read_back.h"
-#include "engine/render/split_pass.h"
+#include "engine/render/mesh/mesh.h"
+#include "engine/render/palette/frame_fences.h"
+#include "engine/render/palette/palette_buffer.h"
+#include "engine/render/passes/contact_pass.h"
+#include "engine/render/passes/crowd_pass.h"
+#include "engine/render/passes/ground_pass.h"
+#include "engine/render/passes/line_pass.h"
+#include "engine/render/passes/overlay_renderer.h"
+#include "engine/render/passes/skinning_read_back.h"
+#include "engine/render/passes/split_pass.h"
+#include "engine/render/shader/shader_library.h"
+#include "engine/result.h"
 
 namespace throng::render {
 
@@ -37,11 +37,11 @@ struct RendererOptions {
   bool shadows = true;
 };
 
-inline constexpr std::size_t most_characters = 256;  ///< that one picture shows
+inline constexpr std::size_t most_characters = 256;  ///< in one picture
 
-/// All that app/ needs for a picture. Everything happens on the thread on which `context` is current.
+/// Draws pictures of a crowd: this is all that app/ calls. It works on the thread on which `context` is current.
 ///
-///   slots.reclaim(renderer.fences().poll());         // before animation: which slots are free again
+///   slots.reclaim(renderer.fences().poll());         // before animation: frees slots
 ///   ... animation writes palettes ...
 ///   renderer.draw(frame);                            // scene into the renderer's own picture
 ///   renderer.fences().insert(frame_number);
@@ -55,45 +55,45 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Replaces the characters that are drawn, at least one and at most most_characters; CrowdBatch::character counts
-  /// them. On failure the former ones stay.
+  /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. On failure the former
+  /// ones stay.
   Status load_characters(std::span<const CrowdMeshData> characters);
 
-  /// Of the characters loaded.
+  /// Gives the meshes of the loaded characters.
   std::span<const CrowdMesh> meshes() const { return meshes_; }
 
-  /// Where PaletteSlots takes its pages from; CrowdBatch::page counts them.
+  /// Gives PaletteSlots its pages; CrowdBatch::page is an index into them.
   PalettePageSource& palette_pages() { return palettes_; }
 
-  /// Forgets all pages, for a new PaletteSlots; waits for the device.
+  /// Drops all pages, for a new PaletteSlots. Waits for the device.
   void reset_palette_pages();
 
   FrameFences& fences() { return fences_; }
 
-  /// Draws ground, shadows, crowd and lines. Nothing is kept of `frame`.
+  /// Draws ground, shadows, crowd and lines. Keeps nothing of `frame`.
   DrawCounts draw(const CrowdFrame& frame);
 
-  /// The two parts of draw(), to be timed apart. What was uploaded last can be drawn again.
+  /// These two are the parts of draw(), so that each can be timed. The last upload can be drawn again.
   void upload(const CrowdFrame& frame);
   DrawCounts draw_uploaded(const CrowdFrame& frame);
 
-  /// Draws two frames into one picture. `left` is uploaded last.
+  /// Draws two frames into one picture. Uploads `left` last.
   DrawCounts draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split);
 
-  /// Where the vertex shader puts each vertex of one agent of `frame`, for tests; draws nothing and waits.
+  /// Tells tests where the vertex shader puts each vertex of one agent of `frame`. Draws nothing; waits for the device.
   std::vector<ReadBackVertex> read_back(const CrowdFrame& frame, const ReadBackAgent& agent);
 
-  /// Makes draw_overlay possible; an ImGui context must be current, its fonts added. Again after fonts were added.
+  /// Prepares draw_overlay(). An ImGui context must be current and its fonts added; call it again after adding fonts.
   Status prepare_overlay();
   void draw_overlay(const ImDrawData& data);
 
   /// Shows the picture in the context's window.
   void present();
 
-  /// The picture as it stands, overlay included if it was drawn.
+  /// Reads the picture, with the overlay if it was drawn.
   Image read_image() const { return target_.read(); }
 
-  /// Waits until the device has drawn everything: ends a timed frame.
+  /// Waits until the device has drawn everything, which ends a timed frame.
   void finish();
 
   void set_size(glm::ivec2 size);
@@ -103,7 +103,7 @@ class Renderer {
   int samples() const { return target_.samples(); }
   bool shadows() const { return shadows_; }
 
-  /// Builds all shaders again from disk; those that fail stay as they were.
+  /// Builds all shaders again from disk. A program that fails keeps its last good build; the first error is returned.
   Status reload_shaders() { return shaders_->reload(); }
 
   gl::Context& context() { return *context_; }

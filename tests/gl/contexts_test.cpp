@@ -22,7 +22,7 @@ const MakeContext osmesa = [] { return gl::make_osmesa_context(); };
 
 constexpr std::size_t crowd_size = 15;
 
-/// 0 when the picture was drawn without complaint and written.
+/// Returns 0 if the picture was drawn and written, and the driver sent no message.
 int draw_picture(const MakeContext& make_context, int samples, const std::filesystem::path& file) {
   Result<std::unique_ptr<gl::Context>> context = make_context();
   if (!context) return 1;
@@ -33,7 +33,7 @@ int draw_picture(const MakeContext& make_context, int samples, const std::filesy
   return written && (*context)->messages().count() == 0 ? 0 : 1;
 }
 
-/// In a process of its own: a process has one context in its life.
+/// Runs in a process of its own, because a process makes only one context.
 void draw_picture_apart(const MakeContext& make_context, int samples, const std::filesystem::path& file) {
   const pid_t child = fork();
   if (child == 0) _exit(draw_picture(make_context, samples, file));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t crowd_size = 15;
 
-/// Draws the crowd as meant, and once more with a fault in what the renderer is given.
+/// Draws the crowd correctly, and once more with a fault in the renderer's input.
 class CrowdPicture : public SoftwareGlTest {
  protected:
   void SetUp() override {
@@ -88,7 +88,7 @@ TEST_F(CrowdPicture, TakesAsManyDrawCallsForManyAgentsAsForFew) {
   crowd().write_palettes();
   CrowdFrame frame = crowd().frame();
   std::vector<CrowdBatch> batches(frame.batches.begin(), frame.batches.end());
-  batches.back().mesh_lod = 1;  // a larger crowd is also one of more mesh LODs
+  batches.back().mesh_lod = 1;  // a larger crowd may also have more mesh LODs
   frame.batches = batches;
   const DrawCounts many = crowd().renderer().draw(frame);
   EXPECT_EQ(many.draw_calls, few.draw_calls);
@@ -101,7 +101,7 @@ TEST_F(CrowdPicture, CountsNoTriangleTwice) {
   const std::uint64_t surface = crowd().renderer().meshes().front().triangles_by_lod()[0];
   constexpr std::uint64_t ground = 1, contact_spot = 2;
   EXPECT_EQ(counts.triangles, ground + crowd_size * (contact_spot + surface));
-  EXPECT_EQ(counts.draw_calls, 3U);  // one each, though the crowd comes in two batches
+  EXPECT_EQ(counts.draw_calls, 3U);  // one a pass, although the crowd comes in two batches
 }
 
 TEST_F(CrowdPicture, OfBonesIsAModeOfTheSamePass) {
@@ -132,7 +132,7 @@ TEST_F(CrowdPicture, OfNobodyIsTheGround) {
   EXPECT_EQ(counts.draw_calls, 1U);
 }
 
-// Both characters have the doll's surface, so a run of either is drawn from its own buffers and looks the same.
+// Both characters have the doll's surface, each in buffers of its own, so a run looks the same with either.
 TEST_F(CrowdPicture, IsTheSameWhicheverOfTwoEqualCharactersEachRunIs) {
   CrowdFrame frame = crowd().frame();
   std::vector<CrowdBatch> batches(frame.batches.begin(), frame.batches.end());

@@ -14,18 +14,19 @@
 namespace throng::app::test::crowd_readback_test {
 namespace {
 
-constexpr std::array<std::uint32_t, 3> watched{0, 16, 39};  // a walker, the first who stands, the last
+constexpr std::array<std::uint32_t, 3> watched{0, 16, 39};  // a walker, the first agent that stands, the last agent
 
-// Metres, of a stream that is exact; 8e-6 were measured. Floats and 16-bit weights leave 1.5e-6; what a clip's fade
-// blends is unit only to 1e-6, which a chain of bones adds up; and the shader's clock counts whole microseconds, in
-// each of which a walking foot makes 3e-6.
+// Metres, for an exact stream; 8e-6 were measured. Floats and 16-bit weights leave 1.5e-6. A fade between clips blends
+// rotations that are unit only to 1e-6, which adds up along a chain of bones. The shader's clock counts whole
+// microseconds, and a walking foot moves 3e-6 in one.
 constexpr double exact_tolerance = 2e-5;
 
-// Metres that packing adds: 16 bits of a rotation at the length of a limb, 31 micrometres a unit of a joint's position.
+// Packing adds this many metres: a rotation has 16 bits, seen at the length of a limb, and a joint's position counts in
+// units of 31 micrometres.
 constexpr double packing_tolerance = 5e-5;
 
-/// A crowd in which the watched agents differ in interval and bone level, and cross to the next level as the camera is
-/// drawn back.
+/// Sets up a crowd in which the watched agents differ in interval and bone level, and change level as the camera moves
+/// back.
 Tuning tuning_of(LodRule lod, Stream stream, Palette palette = Palette::floats) {
   Tuning tuning;
   tuning.palette = palette;
@@ -41,7 +42,8 @@ Tuning tuning_of(LodRule lod, Stream stream, Palette palette = Palette::floats) 
   return tuning;
 }
 
-/// A sampled stream is off by what its baking measured, seen at the largest scale; a blend of two by no more.
+/// A sampled stream is off by at most the error that its baking measured, at the largest scale; a blend of two is off
+/// by no more.
 double tolerance_of(const Stage& stage) {
   const double format = stage.tuning().palette == Palette::packed ? packing_tolerance : 0.0;
   if (stage.tuning().stream == Stream::keyframe) return exact_tolerance + format;
@@ -61,7 +63,7 @@ class StagedCrowdTest : public render::test::SoftwareGlTest {
     crowd_ = std::make_unique<StagedCrowd>(context(), tuning);
     tolerance_ = tolerance_of(crowd_->stage());
   }
-  /// Until every watched agent lies between two slots.
+  /// Runs until every watched agent is between two slots.
   void pass_until_all_blend() {
     const auto blends = [this](std::uint32_t agent) { return crowd().blends(agent); };
     int frames = 0;
@@ -102,13 +104,13 @@ class CrowdReadBack : public StagedCrowdTest, public testing::WithParamInterface
     blended_levels_ = blended_levels_ || (crowd().blends(agent) && pose.from_level != pose.to_level);
   }
 
-  // Of what was compared:
+  // These say what was compared:
   std::set<int> levels_;
-  bool blended_ = false;         // something lay between two slots
-  bool blended_levels_ = false;  // of different bone levels
+  bool blended_ = false;         // an agent was between two slots
+  bool blended_levels_ = false;  // and the slots had different bone levels
 };
 
-// Mesh LODs are triangles over the same vertices, so all of them are compared.
+// Mesh LODs are triangles over the same vertices, so all vertices of all LODs are compared.
 TEST_P(CrowdReadBack, HasFirstSeventeenthAndLastAgentWhereTheReferenceHasThem) {
   for (int frame = 0; frame < 48; ++frame) {
     crowd().pass_frame();
@@ -121,7 +123,7 @@ TEST_P(CrowdReadBack, HasFirstSeventeenthAndLastAgentWhereTheReferenceHasThem) {
 }
 
 TEST_P(CrowdReadBack, HasThemThereWhileTheyFadeFromClipToClip) {
-  constexpr int longest_wait = 15 * 60;  // frames, for one who rests
+  constexpr int longest_wait = 15 * 60;  // frames, for an agent that rests
   constexpr int enough = 8;
   for (const std::uint32_t agent : {16U, 39U}) {
     int compared = 0;
@@ -156,8 +158,8 @@ TEST_F(PackedCrowd, IsOffByLessThanATwentiethOfAMillimetreAndAFortiethOfAPixelOf
     crowd().pass_frame();
     for (const std::uint32_t agent : watched) metres = std::max(metres, crowd().largest_error(agent));
   }
-  constexpr double pixels_a_radian = 720.0 / 2.0 / 0.4663;  // of a picture 720 high, at 50 degrees
-  constexpr double nearest = 2.0;                           // metres: as near as a camera stands to a person
+  constexpr double pixels_a_radian = 720.0 / 2.0 / 0.4663;  // in a picture of 720 lines, at 50 degrees
+  constexpr double nearest = 2.0;                           // metres: a camera comes no nearer to a person
   const double pixels = metres * pixels_a_radian / nearest;
   RecordProperty("error_micrometres", static_cast<int>(metres * 1e6));
   RecordProperty("error_thousandths_of_a_pixel", static_cast<int>(pixels * 1e3));
@@ -189,7 +191,7 @@ TEST_F(PackedCrowd, TakesUpAnotherFormatWhileItRuns) {
   }
 }
 
-/// A crowd of which the stage measures everybody.
+/// A crowd whose stage measures every agent.
 class MeasuredCrowd : public StagedCrowdTest {
  protected:
   void SetUp() override {
@@ -201,8 +203,8 @@ class MeasuredCrowd : public StagedCrowdTest {
 };
 
 TEST_F(MeasuredCrowd, IsOffByWhatTheWholeSurfaceReadBackFromTheDeviceIs) {
-  constexpr double seen = 0.85;    // of the worst vertex, by the points
-  constexpr double least = 0.005;  // pixels of a picture of 64 x 36
+  constexpr double seen = 0.85;    // the points see this share of the worst vertex's error
+  constexpr double least = 0.005;  // pixels, in a picture of 64 x 36
   std::set<int> levels;
   int compared = 0;
   for (int frame = 0; frame < 48; ++frame) {
@@ -223,7 +225,8 @@ TEST_F(MeasuredCrowd, IsOffByWhatTheWholeSurfaceReadBackFromTheDeviceIs) {
   EXPECT_GE(levels.size(), 2U);
 }
 
-/// A crowd at a moment when every watched agent is shown between two slots, of exact streams: little hides a fault.
+/// A crowd with exact streams at a moment when every watched agent is shown between two slots, so that little hides a
+/// fault.
 class BlendedCrowd : public StagedCrowdTest {
  protected:
   void SetUp() override {
@@ -248,7 +251,7 @@ Palette off_by_one_bone(const std::vector<glm::dmat4>& matrices) {
   return palette;
 }
 
-// Columns where rows belong.
+// The fault is columns in the place of rows.
 Palette transposed(const std::vector<glm::dmat4>& matrices) {
   Palette palette;
   for (const glm::dmat4& matrix : matrices) {
@@ -307,7 +310,7 @@ INSTANTIATE_TEST_SUITE_P(Where, PlantedFault,
 TEST_F(BlendedCrowd, IsReportedToBeOffByAsMuchAsOneBoneIs) {
   constexpr double distance = 0.05;
   const auto& bones = crowd().stage().characters().front().model.skeleton.bones;
-  // Some vertices follow a shin wholly, at every bone level.
+  // At every bone level some vertices follow a shin alone.
   const auto found = std::ranges::find(bones, "shin.L", &anim::Bone::name);
   ASSERT_NE(found, bones.end());
   const auto shin = static_cast<std::size_t>(found - bones.begin());
@@ -321,7 +324,7 @@ TEST_F(BlendedCrowd, IsReportedToBeOffByAsMuchAsOneBoneIs) {
   }
 }
 
-// What the faults are written with is none itself.
+// Writing the slots anew without a change is no fault.
 TEST_F(BlendedCrowd, IsReportedAsRightWithPalettesWrittenAnewAsMeant) {
   for (const std::uint32_t agent : watched) {
     crowd().rewrite_palettes(agent, as_meant);

@@ -16,20 +16,20 @@ inline constexpr std::size_t doll_joints = 6;
 inline constexpr std::size_t doll_palette_bytes = doll_joints * 48;
 enum DollJoint : std::uint16_t { hips, chest, head, left_arm, right_arm, legs };
 
-/// One matrix of a palette as animation writes it: 3x4 row-major.
+/// A matrix of a palette as animation writes it: 3x4, by rows.
 struct PaletteRows {
   float rows[3][4];
 };
 using DollPalette = std::vector<PaletteRows>;  ///< doll_joints entries
 
-/// A hand-made figure of boxes 1.75 m tall: six joints, all five tint regions, a trunk whose vertices hang between two
-/// joints. Owns what its mesh data points to.
+/// A hand-made figure of boxes, 1.75 m tall, with six joints and all five tint regions. Two joints move the vertices of
+/// its trunk. It owns the arrays that its mesh data points to.
 class Doll {
  public:
   Doll();
   CrowdMeshData mesh_data() const;
 
-  /// Where the vertices of the mesh are, at rest and moved by a palette (on the CPU, in double), model space.
+  /// Compute the places of the mesh's vertices in model space, at rest and moved by a palette, on the CPU in double.
   std::size_t vertex_count() const { return positions_.size(); }
   glm::dvec3 skinned_position(std::size_t vertex, const DollPalette& palette) const;
   glm::dvec3 skinned_normal(std::size_t vertex, const DollPalette& palette) const;
@@ -51,7 +51,7 @@ class Doll {
   std::vector<std::uint32_t> indices_;
 };
 
-/// A pose with arms raised and trunk bent by `bend` radians; every joint's matrix differs from every other's.
+/// Makes a pose with raised arms and a trunk bent by `bend` radians. No two joints have the same matrix.
 DollPalette doll_pose(float bend);
 
 }  // namespace throng::render::test

@@ -28,7 +28,7 @@ InstanceRecord record_of(std::size_t agent) {
   record.heading_sine = std::sin(0.3F * column - 0.5F);
   record.agent = static_cast<std::uint32_t>(agent);
   for (std::size_t region = 0; region < tint_regions; ++region) record.tints[region] = tint_of(agent, region);
-  // A third of the way from one slot to the other.
+  // The blend is a third of the way from one slot to the other.
   record.blend_start = DollCrowd::now - 10'000;
   record.blend_duration = 30'000;
   return record;
@@ -75,7 +75,7 @@ void DollCrowd::write_palettes() {
 }
 
 CrowdFrame DollCrowd::frame() {
-  // Two runs, so that the second starts at an instance other than the first.
+  // There are two runs, so that the second does not start at the first instance.
   const auto count = static_cast<std::uint32_t>(instances.size());
   const std::uint32_t half = count / 2;
   batches_.clear();

@@ -10,7 +10,7 @@
 
 namespace throng::render::test {
 
-/// A small crowd of dolls and the renderer that draws it. What is drawn is open, so that tests can plant faults in it
+/// A small crowd of dolls and the renderer that draws it. Its data is public, so that tests can put faults into it
 /// before it goes to the device.
 class DollCrowd {
  public:
@@ -20,8 +20,8 @@ class DollCrowd {
 
   explicit DollCrowd(gl::Context& context, int samples = 0);
 
-  /// `count` dolls in rows before the camera, no two posed, turned and coloured alike, each at rest between two
-  /// poses.
+  /// Puts `count` dolls in rows before the camera, each between two poses. No two have the same pose, heading and
+  /// colours.
   void stand(std::size_t count);
 
   /// Gives every agent its slots and fills them.

@@ -8,7 +8,7 @@
 
 namespace throng::render::test {
 
-/// A test with a context on the software device. What the driver complains about is a failure.
+/// A test with a context on the software device. It fails if the driver sends a message.
 class SoftwareGlTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -1,4 +1,4 @@
-#include "engine/render/overlay_renderer.h"
+#include "engine/render/passes/overlay_renderer.h"
 
 #include <memory>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr ImU32 orange = IM_COL32(255, 128, 64, 255);
 
-/// An ImGui of the test's own over a picture of the ground.
+/// Has an ImGui context of its own, over a picture of the ground.
 class Overlay : public SoftwareGlTest {
  protected:
   void SetUp() override {
@@ -31,7 +31,7 @@ class Overlay : public SoftwareGlTest {
     SoftwareGlTest::TearDown();
   }
 
-  /// What the picture looks like with `paint` drawn over it.
+  /// Draws the picture with `paint` over it.
   template <typename Paint>
   Image painted(Paint paint) {
     ImGui::NewFrame();

@@ -1,11 +1,11 @@
-#include "engine/render/palette_buffer.h"
+#include "engine/render/palette/palette_buffer.h"
 
 #include <cstdint>
 #include <cstring>
 
 #include <gtest/gtest.h>
 
-#include "engine/render/frame_fences.h"
+#include "engine/render/palette/frame_fences.h"
 #include "tests/gl/gl_test.h"
 
 namespace throng::render::test::palette_buffer_test {

@@ -11,12 +11,12 @@
 namespace throng::app::test {
 namespace {
 
-// A player counts its speed in 65536ths; seconds later, another speed would be another pose.
+// A player counts its speed in 65536ths; any other speed would be another pose seconds later.
 double counted_speed(float speed) { return std::round(static_cast<double>(speed) * 65536.0) / 65536.0; }
 
 double eased(double x) { return x * x * (3.0 - 2.0 * x); }
 
-// What EaseBlender is specified to do: normalised linear interpolation over the shorter arc.
+// Does what EaseBlender is specified to do: normalised linear interpolation over the shorter arc.
 anim::StateTransform blended(const anim::StateTransform& from, const anim::StateTransform& to, double weight) {
   const double side = glm::dot(from.rotation, to.rotation) < 0.0 ? -1.0 : 1.0;
   return {.rotation = glm::normalize(from.rotation * (1.0 - weight) + to.rotation * (side * weight)),
@@ -52,7 +52,7 @@ void ReferenceCrowd::advance(anim::Ticks delta) {
   for (std::uint32_t mover = 0; mover < crowd_.walkers() + crowd_.marchers(); ++mover) keep_pace(mover);
 }
 
-// What an agent plays last goes at the speed that its feet have now; what fades out goes on at its own.
+// The newest clip of an agent plays at the speed that its feet have now; clips that fade out keep their speed.
 void ReferenceCrowd::keep_pace(std::uint32_t agent) {
   std::vector<Stretch>& stretches = plays_[agent].back().stretches;
   const Stretch& last = stretches.back();
@@ -71,13 +71,13 @@ std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, co
   const anim::BakedClip& clip = character_.character->clips[play.clip];
   const anim::Skeleton& skeleton = character_.model.skeleton;
   const double duration = anim::to_seconds(clip.duration);
-  // A pose of a later moment was made at the speed that was known when it was made.
+  // A pose of a later moment was made with the speed of the moment at which it was made.
   const auto known = std::ranges::find_if(std::views::reverse(play.stretches),
                                           [&](const Stretch& stretch) { return stretch.since <= moment.evaluated; });
   const double played = known->position + anim::to_seconds(moment.time - known->since) * known->speed;
   const double seconds = std::fmod(played, duration);
   auto locals = anim::reference_pose(skeleton, &character_.model.clips[play.clip], seconds).locals;
-  // The crowd moves its agents itself: what the clip travels is not part of the pose.
+  // The crowd moves its agents itself, so the travel of a clip is no part of the pose.
   const glm::dvec3 travelled = clip.loop_displacement * (seconds / duration);
   for (std::size_t bone = 0; bone < locals.size(); ++bone) {
     if (skeleton.bones[bone].parent >= 0) continue;

@@ -13,18 +13,19 @@
 
 namespace throng::app::test {
 
-/// When a palette was evaluated, and the time that it is the pose of. What an agent is asked for in between does not
-/// show in it.
+/// The moment at which a palette was evaluated, and the moment whose pose it is. Requests that an agent gets in between
+/// do not show in it.
 struct PoseMoment {
   anim::Ticks evaluated = 0;
   anim::Ticks time = 0;  ///< from `evaluated` on
-  /// On the way to a coarser level: the bones that it lacks are so far on their way to where they stand still, 0 to 1.
+  /// On the way to a coarser level, the bones that it lacks have come this far, 0 to 1, towards their rest.
   std::size_t fade_level = 0;
   double faded = 0.0;
 };
 
-/// Where the surface of each agent belongs, in double, from the definitions alone: a crowd of its own says who is asked
-/// for what and stands where, and poses come from the file's clips. No stream, kernel, player, schedule or slot.
+/// Computes in double, from the definitions alone, where the surface of each agent belongs. A crowd of its own says
+/// where agents are and what they are asked for, and poses come from the clips of the file. It uses no stream, kernel,
+/// player, schedule or slot.
 class ReferenceCrowd {
  public:
   /// `character` must outlive it.
@@ -35,19 +36,19 @@ class ReferenceCrowd {
   anim::Ticks clock() const { return clock_; }
   bool fades(std::uint32_t agent) const;
 
-  /// Every vertex of the surface at a bone level, model space, in the order of Model::meshes.
+  /// Gives every vertex of the surface at a bone level, in model space and in the order of Model::meshes.
   std::vector<glm::dvec3> surface(std::uint32_t agent, const PoseMoment& moment, std::size_t level) const;
   std::vector<glm::dmat4> palette(std::uint32_t agent, const PoseMoment& moment) const;
-  /// The same vertices under any palette.
+  /// Gives the same vertices, moved by any palette.
   std::vector<glm::dvec3> surface_of(const std::vector<glm::dmat4>& palette, std::size_t level) const;
   glm::dvec3 to_world(std::uint32_t agent, const glm::dvec3& position) const;
   double scale(std::uint32_t agent) const { return static_cast<double>(crowd_.scales()[agent]); }
 
  private:
-  /// A stretch of play at one speed.
+  /// A time during which a clip plays at one speed.
   struct Stretch {
     anim::Ticks since = 0;
-    double position = 0.0;  ///< seconds of the clip, then; loops not taken off
+    double position = 0.0;  ///< seconds into the clip at its start, loops included
     double speed = 1.0;
   };
   struct Play {

@@ -1,4 +1,4 @@
-#include "engine/render/shader_library.h"
+#include "engine/render/shader/shader_library.h"
 
 #include <filesystem>
 #include <fstream>
@@ -21,7 +21,7 @@ class ShaderLibraryFolder : public SoftwareGlTest {
     write("good.frag", "#version 450 core\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n");
   }
   void TearDown() override {
-    // The driver reports mistakes that are meant twice, and its own way.
+    // The driver reports the intended mistakes too, in its own words.
     context().messages().clear();
     SoftwareGlTest::TearDown();
   }

@@ -17,7 +17,7 @@ glm::dvec3 turned(const InstanceRecord& record, const glm::dvec3& v) {
   return {cosine * v.x + sine * v.z, v.y, cosine * v.z - sine * v.x};
 }
 
-/// Metres by which the shader's surface of `agent` is away from the CPU's, where `blend` of `to` shows.
+/// Measures, in metres, how far the shader's surface of `agent` is from the CPU's with the share `blend` of `to`.
 double largest_error(DollCrowd& crowd, std::uint32_t agent, const DollPalette& from, const DollPalette& to,
                      double blend) {
   const std::vector<ReadBackVertex> drawn = crowd.renderer().read_back(crowd.frame(), {agent, 0});
@@ -96,7 +96,7 @@ TEST_F(Skinning, LowerBoneLevelFollowsTheNearestKeptJoint) {
     for (const DollJoint dropped : {head, left_arm, right_arm}) (*palette)[dropped] = (*palette)[chest];
   }
   const DollPalette from = crowd().from[5], to = crowd().to[5];
-  // What dropped joints would read is not what vertices of the lower level may read.
+  // Vertices of the lower level must not read the entries of dropped joints.
   for (const DollJoint dropped : {head, left_arm, right_arm}) crowd().to[5][dropped] = crowd().to[5][legs];
   crowd().write_palettes();
   crowd().instances[5].bone_level = 1;

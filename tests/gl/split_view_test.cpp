@@ -1,4 +1,4 @@
-// A split view against the pictures it is made of, each drawn alone.
+// Compares a split view with its two pictures, each drawn alone.
 #include <algorithm>
 #include <memory>
 
@@ -25,7 +25,7 @@ DemoOptions skipping_crowd() {
   options.height = height;
   options.data = THRONG_SOURCE_DIR;
   options.tuning.agents = 40;
-  options.tuning.placed_feet = false;  // without level of detail they would be everyone's
+  options.tuning.placed_feet = false;  // without level of detail every agent would have them
   options.tuning.inspection = {.split_at = static_cast<float>(line) / width, .forced_interval = 16};
   options.tuning.bone_level_distance[0] = options.tuning.bone_level_distance[1] = 1.0F;
   options.tuning.bone_level_distance[2] = 2.0F;
@@ -41,16 +41,16 @@ Image part(const Image& image, int from, int to) {
 Image left(const Image& image) { return part(image, 0, line - beside_the_line); }
 Image right(const Image& image) { return part(image, line + beside_the_line, width); }
 
-/// A crowd in the middle of its intervals.
+/// Shows a crowd in the middle of its intervals.
 class SplitView : public testing::Test {
  protected:
   void SetUp() override { begin(skipping_crowd()); }
 
   void begin(const DemoOptions& options) {
     show_.reset();
-    Failure failure;
-    show_ = Show::create(options, failure);
-    ASSERT_NE(show_, nullptr) << failure.message;
+    StartError error;
+    show_ = Show::create(options, error);
+    ASSERT_NE(show_, nullptr) << error.message;
     for (int frame = 0; frame < 27; ++frame) show_->animate(anim::to_ticks(1.0 / 60.0));
   }
   Image picture(Split split) {
@@ -60,7 +60,7 @@ class SplitView : public testing::Test {
     show_->draw();
     return show_->renderer().read_image();
   }
-  /// The same moment as `--lod off` shows it.
+  /// Draws the same moment as `--lod off` does.
   Image exact_picture() {
     DemoOptions options = skipping_crowd();
     options.tuning = without_level_of_detail(options.tuning);

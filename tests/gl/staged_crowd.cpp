@@ -30,12 +30,12 @@ std::unique_ptr<render::Renderer> create_renderer(render::gl::Context& context, 
       context, {.data = THRONG_SOURCE_DIR, .size = {width, height}, .samples = 0, .shadows = false});
   if (!renderer) throw std::runtime_error(renderer.error().message);
   const render::CrowdMeshData mesh = mesh_data(model);
-  const render::Status loaded = (*renderer)->load_characters({&mesh, 1});
+  const anim::Status loaded = (*renderer)->load_characters({&mesh, 1});
   if (!loaded) throw std::runtime_error(loaded.error().message);
   return std::move(*renderer);
 }
 
-/// Each bone's rotation the shortest way at an even share, its joint straight.
+/// Blends each bone's rotation along the shorter arc and its joint along a straight line.
 std::vector<glm::dmat4> between(const anim::Skeleton& skeleton, const std::vector<glm::dmat4>& from,
                                 const std::vector<glm::dmat4>& to, double blend) {
   std::vector<glm::dmat4> palette;
@@ -87,11 +87,11 @@ void StagedCrowd::pass_frame() {
   const int coarsest = static_cast<int>(renderer_->meshes().front().lod_count()) - 1;
   picture_.compose(*stage_, [coarsest](std::uint8_t, float, int) { return coarsest; });
   instances_.assign(picture_.instances().begin(), picture_.instances().end());
-  // The reference knows poses, not whose body is stout.
+  // The reference knows poses, but no builds of bodies.
   for (render::InstanceRecord& record : instances_) record.shape = record.hair = 0;
 }
 
-// Smooth skipping: an update looks ahead, and the pose that was reached until now is left behind.
+// With smooth skipping an update computes a pose ahead; the blend starts at the pose that was reached until now.
 void StagedCrowd::note_moments() {
   const anim::Ticks now = reference_->clock();
   for (const anim::DueAgent& due : stage_->selection().due) {
@@ -129,8 +129,8 @@ double StagedCrowd::blend_of(std::uint32_t agent) const {
 
 bool StagedCrowd::blends(std::uint32_t agent) const { return blend_of(agent) > 0.0 && blend_of(agent) < 1.0; }
 
-/// What the shader makes of two poses: it mixes float palettes as matrices, which moves vertices straight, and packed
-/// ones bone by bone.
+/// Blends two poses as the shader does. It mixes float palettes as matrices, which moves vertices along straight lines,
+/// and packed ones bone by bone.
 std::vector<glm::dvec3> StagedCrowd::reference_surface(std::uint32_t agent) const {
   const ShownPose& pose = stage_->shown().pose(agent);
   const auto& [from, to] = moments_[agent];

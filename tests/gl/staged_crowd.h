@@ -13,7 +13,7 @@
 
 namespace throng::app::test {
 
-/// Hands a renderer's pages on and remembers where they are, so that a fault can be written into one.
+/// Passes a renderer's pages on and remembers their memory, so that a test can write a fault into one.
 class RememberedPages final : public render::PalettePageSource {
  public:
   explicit RememberedPages(render::PalettePageSource& source) : source_(&source) {}
@@ -25,28 +25,28 @@ class RememberedPages final : public render::PalettePageSource {
   std::vector<render::PalettePage> pages_;
 };
 
-/// A stage that poses the built-in character into a renderer's palette pages, and beside it the reference of what it
-/// should show. What the device is given is open, so that tests can plant faults in it.
+/// A stage that poses the built-in character into a renderer's palette pages, and a reference that knows the right
+/// result. The input of the device is public, so that tests can put faults into it.
 class StagedCrowd {
  public:
   static constexpr anim::Ticks frame_step = anim::ticks_per_second / 60;
 
   StagedCrowd(render::gl::Context& context, const Tuning& tuning);
 
-  /// Fences what was read of the last frame; then the crowd walks on, is posed and composed.
+  /// Fences the last frame, then moves the crowd on, poses and composes it.
   void pass_frame();
   void retune(const Tuning& tuning);
   void draw_camera_back(float metres) { camera_.position -= metres * render::forward(camera_); }
 
-  /// Whether the device shows `agent` strictly between two poses.
+  /// Says whether the device shows `agent` strictly between two poses.
   bool blends(std::uint32_t agent) const;
-  /// Metres by which the device's surface of `agent` is away from the reference's at its worst vertex.
+  /// Measures the distance in metres of the device's surface of `agent` from the reference's, at the worst vertex.
   double largest_error(std::uint32_t agent);
-  /// Pixels by which the device's surface of `agent` is away from where the clips have it now, with all bones, at the
-  /// worst vertex in the picture: what the stage's error meter should say.
+  /// Measures the distance in pixels of the device's surface of `agent` from the clips' pose of this moment with all
+  /// bones, at the worst vertex in the picture. The stage's error meter should say the same.
   double largest_error_on_screen(std::uint32_t agent);
 
-  /// Faults. Both slots of `agent` are written anew with what `change` makes of the palettes that belong there.
+  /// Makes a fault: passes the right palettes of both slots of `agent` through `change` and writes them again.
   template <typename Change>
   void rewrite_palettes(std::uint32_t agent, const Change& change) {
     const ShownPose& pose = stage_->shown().pose(agent);
@@ -54,7 +54,8 @@ class StagedCrowd {
     write(pose.from, change(reference_->palette(agent, moments.from)));
     write(pose.to, change(reference_->palette(agent, moments.to)));
   }
-  /// No fault: the pose that `agent` comes to, packed, by the same rotations' other quaternions.
+  /// Makes no fault: writes the packed pose that `agent` blends to again, with the opposite quaternions of the same
+  /// rotations.
   void negate_rotations(std::uint32_t agent);
   render::InstanceRecord& record(std::uint32_t agent) { return instances_[instance_of(agent)]; }
 
@@ -84,7 +85,7 @@ class StagedCrowd {
   std::vector<Slots> moments_;  // by agent
 };
 
-/// The matrix as animation writes it.
+/// Gives the matrix in the form in which animation writes it.
 anim::PaletteMatrix rows_of(const glm::dmat4& matrix);
 
 }  // namespace throng::app::test

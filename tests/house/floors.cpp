@@ -48,6 +48,7 @@ const std::vector<House>& houses() {
         {"run"},
         {"lod"},
         {"agent"}}},
+      {"engine/render/", {{"gl"}, {"shader", "palette", "frame"}, {"mesh"}, {"passes"}}},
       {"app/",
        {{"files"},
         {"character"},

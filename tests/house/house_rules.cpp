@@ -83,7 +83,7 @@ struct Part {
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       {"tiny_gltf", {"engine/anim/import/"}},
-      {"imgui", {"engine/render/overlay_renderer.cpp", "app/overlay/"}},
+      {"imgui", {"engine/render/passes/overlay_renderer.cpp", "app/overlay/"}},
       {"CLI/", {"app/command_line/option_reader.cpp"}},
       {"GLFW/", {"engine/render/gl/window_context.cpp", "app/demo/window_input.cpp"}},
       {"EGL/", {"engine/render/gl/egl_context.cpp"}},

@@ -63,7 +63,7 @@ TEST(Frustum, KeepsWhatTouchesThePictureAndDropsTheRest) {
   const CameraView view = view_of(camera, 1.0F);
   EXPECT_TRUE(sees(view, {0.0F, 0.0F, -10.0F}, 1.0F));
   EXPECT_FALSE(sees(view, {0.0F, 0.0F, 10.0F}, 1.0F));
-  // At 45 degrees a sphere reaches into the picture up to radius * sqrt(2) beside its edge.
+  // At 45 degrees a sphere reaches into the picture from up to radius * sqrt(2) beside its edge.
   EXPECT_TRUE(sees(view, {11.3F, 0.0F, -10.0F}, 1.0F));
   EXPECT_FALSE(sees(view, {11.5F, 0.0F, -10.0F}, 1.0F));
   EXPECT_TRUE(sees(view, {0.0F, -11.3F, -10.0F}, 1.0F));

@@ -10,7 +10,7 @@
 namespace throng::render::image_test {
 namespace {
 
-/// A folder of the test's own that goes away with it.
+/// Gives the test a folder, and removes it at the end.
 class ImageFile : public testing::Test {
  protected:
   ImageFile() {

@@ -1,4 +1,4 @@
-#include "engine/render/mesh_lod.h"
+#include "engine/render/mesh/mesh_lod.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double full_turn = 6.283185307179586;
 
-/// A closed tube along x from 0 to 2, radius 0.1, whose two joints take over from one another around x = 1: an arm with
-/// its elbow.
+/// Builds an arm with an elbow: a closed tube along x from 0 to 2, of radius 0.1, moved by one joint below x = 1 and by
+/// another above.
 struct Arm {
   static constexpr int rings = 41;
   static constexpr int sides = 16;
@@ -94,7 +94,7 @@ TEST(MeshLods, StayClosed) {
 }
 
 TEST(MeshLods, KeepVerticesInsideAnElbow) {
-  // A straight tube needs no vertex between its ends, but a bent one folds flat without a ring at the elbow.
+  // A straight tube needs no vertex between its ends, but a bent one without a ring at the elbow folds flat.
   const Arm arm;
   const std::vector<MeshLod> lods = build_mesh_lods(arm.view());
   const std::vector<std::uint32_t>& coarse = lods.back().indices;

@@ -1,4 +1,4 @@
-#include "engine/render/palette_slots.h"
+#include "engine/render/palette/palette_slots.h"
 
 #include <cstdint>
 #include <set>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t bytes_of(std::size_t lines) { return lines * palette_line_bytes; }
 
-/// Gives `pages` pages and then no more.
+/// Gives `pages` pages, and then no more.
 class LimitedPages final : public PalettePageSource {
  public:
   LimitedPages(std::size_t page_lines, int pages) : heap_(bytes_of(page_lines)), left_(pages) {}

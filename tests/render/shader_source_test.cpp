@@ -1,4 +1,4 @@
-#include "engine/render/shader_source.h"
+#include "engine/render/shader/shader_source.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "engine/render/surface.h"
+#include "engine/render/mesh/surface.h"
 
 #include <numeric>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace throng::render::surface_test {
 namespace {
 
-/// Two parts of one quad each, of two materials.
+/// Builds two parts, each of one quad and with a material of its own.
 struct TwoQuads {
   TwoQuads() {
     for (int material : {1, 0}) {

@@ -12,7 +12,7 @@
 #include "app/files/exit_status.h"
 #include "app/stage/stage.h"
 #include "engine/render/camera.h"
-#include "engine/render/surface.h"
+#include "engine/render/mesh/surface.h"
 
 namespace throng::app {
 namespace {

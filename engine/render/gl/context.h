@@ -6,14 +6,14 @@
 #include <glm/vec2.hpp>
 
 #include "engine/render/gl/message_log.h"
-#include "engine/render/result.h"
+#include "engine/result.h"
 
 struct GLFWwindow;
 
 namespace throng::render::gl {
 
-/// An OpenGL 4.5 core debug context, current on the thread that made it from then on. One per process: glad's function
-/// table is global.
+/// An OpenGL 4.5 core debug context. It is current on the thread that made it. A process has one at most, because
+/// glad's function table is global.
 class Context {
  public:
   Context() = default;
@@ -24,19 +24,19 @@ class Context {
   /// "window", "egl" or "osmesa".
   virtual const char* kind() const = 0;
 
-  /// The window to take input from; null where there is none.
+  /// Gives the window that input comes from, or null if there is none.
   virtual GLFWwindow* window() const { return nullptr; }
 
-  /// Pixels of the window's own framebuffer; zero where there is no window.
+  /// Gives the size of the window's own framebuffer in pixels, or zero if there is no window.
   virtual glm::ivec2 framebuffer_size() const { return {0, 0}; }
 
-  /// Shows what was drawn into the window; nothing to do where there is none.
+  /// Shows what was drawn into the window, if there is one.
   virtual void swap_buffers() {}
 
   const std::string& version() const { return version_; }
   const std::string& renderer() const { return renderer_; }
 
-  /// Drawing runs on the processor, so the same cores that animate also draw.
+  /// Says whether drawing runs on the processor, on the same cores that animate.
   bool is_software() const { return software_; }
 
   MessageLog& messages() { return messages_; }
@@ -45,7 +45,7 @@ class Context {
   using Procedure = void (*)();
   using ProcedureSource = Procedure (*)(const char* name);
 
-  /// Loads the function table of the context that is current and starts collecting its messages.
+  /// Loads the function table of the current context and starts to collect its messages.
   Status load_functions(ProcedureSource source);
 
  private:
@@ -62,17 +62,17 @@ struct WindowOptions {
   bool vertical_sync = true;
 };
 
-/// A window. Fails, naming --headless, where there is no display.
+/// Opens a window. Without a display it fails, and the error names --headless.
 Result<std::unique_ptr<Context>> make_window_context(const WindowOptions& options);
 
 struct EglOptions {
-  bool force_software = false;  ///< for images that must not depend on the graphics card
+  bool force_software = false;  ///< for pictures that must not depend on the graphics card
 };
 
-/// No window: the first hardware device that EGL lists, else a surfaceless software one.
+/// Makes a context without a window, on the first hardware device that EGL lists, else on a surfaceless software one.
 Result<std::unique_ptr<Context>> make_egl_context(const EglOptions& options = {});
 
-/// No window and no EGL: Mesa's off-screen library, opened at run time.
+/// Makes a context without a window and without EGL, by Mesa's off-screen library, which it opens at run time.
 Result<std::unique_ptr<Context>> make_osmesa_context();
 
 }  // namespace throng::render::gl

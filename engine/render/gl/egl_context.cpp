@@ -13,7 +13,7 @@
 namespace throng::render::gl {
 namespace {
 
-/// EGL's functions that are needed, found by name: a machine without EGL still opens windows and OSMesa.
+/// Finds the functions of EGL by name, so that a machine without EGL still opens windows and OSMesa.
 struct Egl {
   SharedLibrary library;
   PFNEGLGETPROCADDRESSPROC get_procedure = nullptr;
@@ -26,8 +26,8 @@ struct Egl {
   PFNEGLMAKECURRENTPROC make_current = nullptr;
   PFNEGLQUERYSTRINGPROC query_string = nullptr;
   PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr;
-  PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;             // null where devices are not listed
-  PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;  // null where devices are not listed
+  PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;             // null if EGL lists no devices
+  PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;  // null if EGL lists no devices
 
   bool find_functions() {
     find(get_procedure, "eglGetProcAddress");
@@ -78,7 +78,7 @@ class EglContext final : public Context {
     for (const EGLDeviceEXT device : devices(options.force_software)) {
       if (make_current_on(EGL_PLATFORM_DEVICE_EXT, device)) return load_functions(egl_.get_procedure);
     }
-    // Read by Mesa when it loads a driver: the surfaceless platform has no other way to ask for the software one.
+    // Mesa reads this when it loads a driver. The surfaceless platform has no other way to ask for the software driver.
     if (options.force_software) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     if (make_current_on(EGL_PLATFORM_SURFACELESS_MESA, nullptr)) return load_functions(egl_.get_procedure);
     return Error{"EGL gives no OpenGL 4.5 core context without a window; use --headless=osmesa"};
@@ -87,7 +87,7 @@ class EglContext final : public Context {
   const char* kind() const override { return "egl"; }
 
  private:
-  /// Hardware first; only software ones when forced.
+  /// Tries hardware devices first, or only software ones if forced.
   std::vector<EGLDeviceEXT> devices(bool force_software) const {
     if (egl_.query_devices == nullptr || egl_.query_device_string == nullptr) return {};
     std::array<EGLDeviceEXT, 16> listed{};

@@ -6,7 +6,7 @@
 
 namespace throng::render::gl {
 
-/// Owns one OpenGL name; 0 is none.
+/// Owns one OpenGL name, or none: 0.
 template <typename Deleter>
 class Handle {
  public:
@@ -66,10 +66,10 @@ inline Buffer create_buffer() {
   return Buffer(id);
 }
 
-/// A buffer of fixed size, filled once from `data`.
+/// Makes a buffer of fixed size and fills it once from `data`.
 inline Buffer create_buffer(const void* data, std::size_t bytes) {
   Buffer buffer = create_buffer();
-  // A size of zero is an error to OpenGL and a mesh without vertices is not.
+  // OpenGL refuses a size of zero, but a mesh without vertices is no error.
   glNamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(bytes == 0 ? 1 : bytes), bytes == 0 ? nullptr : data, 0);
   return buffer;
 }

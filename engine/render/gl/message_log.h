@@ -6,11 +6,11 @@
 
 namespace throng::render::gl {
 
-/// What the driver complained about (KHR_debug, severities above notification), in order. A message in it is a failure
-/// in tests. Filled on whichever thread the driver calls from.
+/// Collects the driver's messages in order (KHR_debug, severities above notification). A test fails if there is one.
+/// The driver may call from any thread.
 class MessageLog {
  public:
-  /// Beyond this many, messages are counted and not kept.
+  /// Messages beyond this many are counted and not kept.
   static constexpr std::size_t kept_messages = 64;
 
   void add(std::string message);
@@ -24,7 +24,7 @@ class MessageLog {
   std::size_t count_ = 0;
 };
 
-/// Routes KHR_debug messages of the current context into `log`, synchronously, until the context is gone.
+/// Sends KHR_debug messages of the current context to `log`, synchronously, as long as the context lives.
 void collect_messages(MessageLog& log);
 
 }  // namespace throng::render::gl

@@ -1,7 +1,7 @@
 #include <array>
 
 #include <glad/gl.h>
-// OSMesa's header wants OpenGL's types, which glad has declared.
+// OSMesa's header needs OpenGL's types, which glad declares.
 #include <GL/osmesa.h>
 
 #include "engine/render/gl/context.h"
@@ -10,7 +10,7 @@
 namespace throng::render::gl {
 namespace {
 
-/// OSMesa's functions that are needed, found by name.
+/// Finds the functions of OSMesa by name.
 struct OsMesa {
   SharedLibrary library;
   decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
@@ -61,7 +61,7 @@ class OsMesaContext final : public Context {
   const char* kind() const override { return "osmesa"; }
 
  private:
-  // OSMesa wants pixels of ours to be current; everything is drawn into framebuffers of our own instead.
+  // OSMesa becomes current only with pixels to draw into, but everything is drawn into our own framebuffers.
   static constexpr int unseen_size = 16;
   OsMesa functions_;
   OSMesaContext context_ = nullptr;

@@ -4,15 +4,15 @@
 
 namespace throng::render::gl {
 
-/// Where leaks are reported, what a driver keeps for good must stay reachable, and so the driver loaded.
+/// Says whether drivers stay loaded. Where leaks are reported, memory that a driver never frees must stay reachable.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool keeps_drivers_loaded = true;
 #else
 inline constexpr bool keeps_drivers_loaded = false;
 #endif
 
-/// A library opened by name at run time, its symbols kept out of everyone else's sight (RTLD_LOCAL): OSMesa exports
-/// its own gl* functions, which must never stand in for the system's.
+/// Opens a library by name at run time. No other library sees its symbols (RTLD_LOCAL), because OSMesa exports gl*
+/// functions of its own, which must never stand in for the system's.
 class SharedLibrary {
  public:
   SharedLibrary() = default;
@@ -25,7 +25,7 @@ class SharedLibrary {
 
   explicit operator bool() const { return library_ != nullptr; }
 
-  /// The function of that name as `Function*`, or null.
+  /// Gives the function of that name, or null.
   template <typename Function>
   Function* find(const char* name) const {
     return reinterpret_cast<Function*>(find_symbol(name));

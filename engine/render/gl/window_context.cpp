@@ -52,7 +52,7 @@ class WindowContext final : public Context {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
-    // Depth and samples belong to our own framebuffer; the window only receives finished pixels.
+    // Our own framebuffer has depth and samples; the window receives finished pixels only.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
   }

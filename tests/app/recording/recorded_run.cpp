@@ -19,9 +19,9 @@ DemoOptions demo(const std::string& line) {
 }
 
 std::unique_ptr<Show> show_of(const DemoOptions& options) {
-  Failure failure;
-  auto show = Show::create(options, failure);
-  EXPECT_NE(show, nullptr) << failure.message;
+  StartError error;
+  auto show = Show::create(options, error);
+  EXPECT_NE(show, nullptr) << error.message;
   return show;
 }
 

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "engine/render/gl/handles.h"
+#include "engine/render/image.h"
+
+namespace throng::render {
+
+/// Receives what is drawn, and takes it to the window or into an Image.
+///
+///   multisampled sRGB + depth/stencil --resolve()--> sRGB pixels, one sample
+///                                                         | the same bytes seen without conversion
+///                                                    overlay --> window | Image
+class ImageTarget {
+ public:
+  /// `samples`: 0 or 4.
+  ImageTarget(glm::ivec2 size, int samples);
+
+  glm::ivec2 size() const { return size_; }
+  int samples() const { return samples_; }
+
+  /// Binds the scene's framebuffer and clears it. Linear colours are converted on write; depth 0 is far.
+  void bind_scene() const;
+
+  /// Ends the scene by turning its samples into pixels.
+  void resolve() const;
+
+  /// Binds the finished pixels, into which sRGB values are written unconverted.
+  void bind_overlay() const;
+
+  /// Copies the finished pixels into the window's framebuffer, stretched to `window_size`.
+  void copy_to_window(glm::ivec2 window_size) const;
+
+  /// Copies the bytes of the finished pixels into an RGBA8 texture of the same size.
+  void copy_pixels(const gl::Texture& texture) const;
+
+  Image read() const;
+
+ private:
+  glm::ivec2 size_;
+  int samples_;
+  gl::Renderbuffer scene_color_;  // only with several samples a pixel
+  gl::Renderbuffer scene_depth_;
+  gl::Texture pixels_;      // sRGB
+  gl::Texture plain_view_;  // sees the bytes of pixels_ without conversion
+  gl::Framebuffer scene_;
+  gl::Framebuffer resolved_;  // only with several samples a pixel
+  gl::Framebuffer plain_;
+};
+
+}  // namespace throng::render

@@ -1,0 +1,187 @@
+#include "engine/render/mesh/surface.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include <meshoptimizer.h>
+
+#include "engine/render/mesh/mesh_lod.h"
+
+namespace throng::render {
+namespace {
+
+constexpr float unorm16 = 65535.0F;
+
+std::uint16_t to_unorm16(float value) {
+  return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * unorm16));
+}
+
+void store_shares(std::span<const float> shares, std::size_t vertex, std::span<std::int8_t> stored) {
+  if (shares.empty()) return;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    const float share = std::clamp(shares[vertex * stored.size() + i], -1.0F, 1.0F);
+    stored[i] = static_cast<std::int8_t>(std::lround(share * 127.0F));
+  }
+}
+
+/// Rounds weights and keeps their sum one: the strongest takes the remainder.
+void store_weights(std::span<const float> weights, std::uint16_t* stored) {
+  int sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    stored[i] = to_unorm16(weights[i]);
+    sum += stored[i];
+  }
+  std::uint16_t& strongest = *std::max_element(stored, stored + 4);
+  strongest = static_cast<std::uint16_t>(strongest + static_cast<int>(unorm16) - sum);
+}
+
+SurfaceVertex vertex_of(const MeshPartData& part, std::size_t i) {
+  SurfaceVertex vertex{};
+  std::copy_n(&part.positions[i * 3], 3, vertex.position);
+  std::copy_n(&part.normals[i * 3], 3, vertex.normal);
+  if (!part.texture_coords.empty()) std::copy_n(&part.texture_coords[i * 2], 2, vertex.texture_coord);
+  for (std::size_t c = 0; c < 4; ++c) {
+    vertex.color[c] = part.colors.empty() ? static_cast<std::uint16_t>(unorm16) : to_unorm16(part.colors[i * 4 + c]);
+  }
+  store_weights(part.weights.subspan(i * 4, 4), vertex.weights);
+  vertex.region = part.regions.empty() ? untinted_region : part.regions[i];
+  store_shares(part.shapes, i, vertex.shape);
+  store_shares(part.hair, i, vertex.hair);
+  return vertex;
+}
+
+/// Holds the merged vertices and what building the surface needs to know of each.
+struct Merged {
+  std::vector<float> positions;
+  std::vector<std::uint32_t> indices;
+  std::vector<int> materials;                   ///< one a vertex
+  std::vector<float> texture_coords;            ///< one a vertex, or empty: no part shows a texture
+  std::vector<std::uint32_t> belongs_to;        ///< material and tint region, one a vertex
+  std::vector<SkinInfluences> influences;       ///< one a vertex
+  std::vector<PaletteEntries> palette_entries;  ///< at level 0; including those of the bone ends
+};
+
+void append_part(const MeshPartData& part, Surface& surface, Merged& merged) {
+  const std::size_t count = part.positions.size() / 3;
+  assert(part.normals.size() == count * 3 && part.weights.size() == count * 4 &&
+         part.palette_entries.size() == count * 4);
+  const auto first = static_cast<std::uint32_t>(surface.vertices.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    surface.vertices.push_back(vertex_of(part, i));
+    SkinInfluences influences{};
+    std::copy_n(&part.palette_entries[i * 4], 4, influences.entries.begin());
+    std::copy_n(&part.weights[i * 4], 4, influences.weights.begin());
+    merged.influences.push_back(influences);
+    merged.palette_entries.push_back(influences.entries);
+    merged.belongs_to.push_back(static_cast<std::uint32_t>(part.material) << 8U | surface.vertices.back().region);
+  }
+  merged.positions.insert(merged.positions.end(), part.positions.begin(), part.positions.end());
+  merged.materials.insert(merged.materials.end(), count, part.material);
+  for (const std::uint32_t index : part.indices) {
+    assert(index < count);
+    merged.indices.push_back(first + index);
+  }
+}
+
+void append_bone_ends(std::span<const BoneEndData> ends, Surface& surface, Merged& merged) {
+  surface.first_bone_end = static_cast<std::uint32_t>(surface.vertices.size());
+  surface.bone_end_count = static_cast<std::uint32_t>(ends.size());
+  for (const BoneEndData& end : ends) {
+    SurfaceVertex vertex{};
+    std::copy_n(end.position, 3, vertex.position);
+    vertex.normal[1] = 1.0F;
+    vertex.weights[0] = static_cast<std::uint16_t>(unorm16);
+    vertex.region = untinted_region;
+    surface.vertices.push_back(vertex);
+    merged.palette_entries.push_back({end.palette_entry, 0, 0, 0});
+  }
+}
+
+std::vector<float> texture_coords_of(std::span<const SurfaceVertex> vertices) {
+  std::vector<float> coords;
+  coords.reserve(vertices.size() * 2);
+  for (const SurfaceVertex& vertex : vertices)
+    coords.insert(coords.end(), vertex.texture_coord, vertex.texture_coord + 2);
+  return coords;
+}
+
+/// Appends one mesh LOD to the indices of the surface, sorted by the material of each triangle's first vertex. Parts
+/// share no vertices, so only clustering can mix materials in a triangle.
+void append_lod(std::span<const std::uint32_t> lod, std::span<const int> materials, int material_count,
+                Surface& surface) {
+  std::vector<MaterialRun> runs;
+  std::vector<std::uint32_t> of_material;
+  for (int material = 0; material < material_count; ++material) {
+    of_material.clear();
+    for (std::size_t i = 0; i < lod.size(); i += 3) {
+      if (materials[lod[i]] != material) continue;
+      of_material.insert(of_material.end(), lod.begin() + static_cast<std::ptrdiff_t>(i),
+                         lod.begin() + static_cast<std::ptrdiff_t>(i + 3));
+    }
+    if (of_material.empty()) continue;
+    meshopt_optimizeVertexCache(of_material.data(), of_material.data(), of_material.size(), materials.size());
+    runs.push_back(
+        {material, static_cast<std::uint32_t>(surface.indices.size()), static_cast<std::uint32_t>(of_material.size())});
+    surface.indices.insert(surface.indices.end(), of_material.begin(), of_material.end());
+  }
+  surface.runs_by_lod.push_back(std::move(runs));
+  surface.triangles_by_lod.push_back(static_cast<std::uint32_t>(lod.size() / 3));
+}
+
+void append_baked_lod(const BakedLodData& baked, int material_count, Surface& surface, Merged& merged) {
+  const std::size_t first_index = merged.indices.size();
+  for (const MeshPartData& part : baked.parts) append_part(part, surface, merged);
+  const std::span<const std::uint32_t> indices(merged.indices);
+  append_lod(indices.subspan(first_index), merged.materials, material_count, surface);
+  surface.error_by_lod.push_back(baked.error);
+}
+
+void append_simplified_lods(const Merged& merged, int material_count, Surface& surface) {
+  const SkinnedSurfaceView view{merged.positions, merged.influences, merged.belongs_to, merged.indices,
+                                merged.texture_coords};
+  for (const MeshLod& lod : build_mesh_lods(view)) {
+    append_lod(lod.indices, merged.materials, material_count, surface);
+    surface.error_by_lod.push_back(lod.error);
+  }
+}
+
+std::vector<PaletteEntries> entries_at(std::span<const PaletteEntries> entries,
+                                       std::span<const std::uint16_t> entry_at_level) {
+  std::vector<PaletteEntries> moved(entries.begin(), entries.end());
+  for (PaletteEntries& of_vertex : moved) {
+    for (std::uint16_t& entry : of_vertex) {
+      assert(entry < entry_at_level.size());
+      entry = entry_at_level[entry];
+    }
+  }
+  return moved;
+}
+
+}  // namespace
+
+Surface build_surface(const CrowdMeshData& data) {
+  Surface surface;
+  Merged merged;
+  for (const MeshPartData& part : data.parts) append_part(part, surface, merged);
+  surface.vertex_count = static_cast<std::uint32_t>(surface.vertices.size());
+  const auto material_count = static_cast<int>(data.materials.size());
+  if (!data.baked_lods.empty()) {
+    append_lod(merged.indices, merged.materials, material_count, surface);
+    surface.error_by_lod.push_back(0.0F);
+  }
+  for (const BakedLodData& baked : data.baked_lods) append_baked_lod(baked, material_count, surface, merged);
+  append_bone_ends(data.bone_ends, surface, merged);
+  if (std::ranges::any_of(data.materials, [](const MaterialData& material) { return material.image >= 0; })) {
+    merged.texture_coords = texture_coords_of(surface.vertices);
+  }
+  if (data.baked_lods.empty()) append_simplified_lods(merged, material_count, surface);
+  for (const std::vector<std::uint16_t>& entry_at_level : data.entry_at_level) {
+    surface.entries_by_level.push_back(entries_at(merged.palette_entries, entry_at_level));
+  }
+  return surface;
+}
+
+}  // namespace throng::render

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/crowd_mesh_data.h"
+
+namespace throng::render {
+
+inline constexpr std::uint8_t untinted_region = 255;
+
+/// Tells the vertex shader about a vertex; the palette entries that it reads are apart from it.
+///
+///      0  position x y z    space of the palette
+///     12  normal x y z
+///     24  texture coordinates u v
+///     32  color r g b a     linear, 1 is 65535
+///     40  weights           four, sum 65535
+///     48  tint region       0..4; any other is untinted
+///     49  shape             shares of the instance's build, frame and posture (InstanceRecord); 1 is 127
+///     52  hair              shares of its fullness and length; 1 is 127
+struct SurfaceVertex {
+  float position[3];
+  float normal[3];
+  float texture_coord[2];
+  std::uint16_t color[4];
+  std::uint16_t weights[4];
+  std::uint8_t region;
+  std::int8_t shape[3];
+  std::int8_t hair[2];
+  std::uint8_t unused[2];
+};
+static_assert(sizeof(SurfaceVertex) == 56);
+static_assert(offsetof(SurfaceVertex, region) == 48);
+static_assert(offsetof(SurfaceVertex, hair) == 52);
+
+using PaletteEntries = std::array<std::uint16_t, 4>;
+
+/// A run of indices that are drawn with one material.
+struct MaterialRun {
+  int material = 0;
+  std::uint32_t first_index = 0;
+  std::uint32_t index_count = 0;
+};
+
+/// Holds all parts of a character in one set of vertices, ready to be copied to the device. The ends of the bones'
+/// lines are vertices too, and come last.
+struct Surface {
+  std::vector<SurfaceVertex> vertices;
+  std::vector<std::vector<PaletteEntries>> entries_by_level;  ///< one element a vertex
+  std::vector<std::uint32_t> indices;                         ///< of all mesh LODs
+  std::vector<std::vector<MaterialRun>> runs_by_lod;          ///< at most one run a material
+  std::vector<std::uint32_t> triangles_by_lod;
+  std::vector<float> error_by_lod;  ///< metres
+  std::uint32_t vertex_count = 0;   ///< of the full surface, which comes first; those of baked LODs follow
+  std::uint32_t first_bone_end = 0;
+  std::uint32_t bone_end_count = 0;
+};
+
+/// Merges the parts, simplifies them and sorts them by material. It asserts that the spans of a part fit each other and
+/// that indices and entries are in range.
+Surface build_surface(const CrowdMeshData& data);
+
+}  // namespace throng::render

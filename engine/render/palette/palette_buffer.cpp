@@ -1,0 +1,39 @@
+#include "engine/render/palette/palette_buffer.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace throng::render {
+namespace {
+
+constexpr GLbitfield mapping = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+
+std::size_t storage_block_limit() {
+  GLint64 limit = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+  return static_cast<std::size_t>(limit);
+}
+
+}  // namespace
+
+PaletteBuffer::PaletteBuffer(std::size_t first_page)
+    : next_page_bytes_(first_page), block_limit_(std::min(storage_block_limit(), largest_page_bytes)) {}
+
+PalettePage PaletteBuffer::add_page() {
+  const std::size_t size = std::min(next_page_bytes_, block_limit_);
+  gl::Buffer buffer = gl::create_buffer();
+  const auto bytes = static_cast<GLsizeiptr>(size);
+  glNamedBufferStorage(buffer.id(), bytes, nullptr, mapping);
+  void* memory = glMapNamedBufferRange(buffer.id(), 0, bytes, mapping);
+  if (memory == nullptr) return {};
+  next_page_bytes_ = size * 2;
+  pages_.push_back(std::move(buffer));
+  return {static_cast<std::byte*>(memory), size};
+}
+
+void PaletteBuffer::bind(std::uint32_t page, GLuint binding) const {
+  assert(page < pages_.size());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, pages_[page].id());
+}
+
+}  // namespace throng::render

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/render/gl/handles.h"
+#include "engine/render/palette/palette_slots.h"
+
+namespace throng::render {
+
+/// Makes palette pages in buffers that are mapped persistently and coherently. Shaders read them as storage blocks.
+/// The first page has 16 MiB, and each further one twice as much as the last, but none more than a storage block of the
+/// device. The context must be current when a PaletteBuffer is made, used and destroyed.
+class PaletteBuffer final : public PalettePageSource {
+ public:
+  static constexpr std::size_t first_page_bytes = std::size_t{16} << 20U;
+  static constexpr std::size_t largest_page_bytes = std::size_t{128} << 20U;
+
+  explicit PaletteBuffer(std::size_t first_page = first_page_bytes);
+
+  PalettePage add_page() override;
+
+  std::size_t page_count() const { return pages_.size(); }
+
+  /// Binds a page as storage block `binding` of every program.
+  void bind(std::uint32_t page, GLuint binding) const;
+
+ private:
+  std::size_t next_page_bytes_;
+  std::size_t block_limit_ = 0;
+  std::vector<gl::Buffer> pages_;
+};
+
+}  // namespace throng::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+
+#include "engine/render/crowd_draw.h"
+#include "engine/render/mesh/mesh.h"
+#include "engine/render/palette/palette_buffer.h"
+#include "engine/render/passes/indirect_draws.h"
+#include "engine/render/shader/shader_library.h"
+
+namespace throng::render {
+
+/// Draws all agents with one call for each page and material of a character, however many they are.
+/// Instances of one page must follow each other, in the order of their batches. A batch's `character` is an index into
+/// `meshes`. Frame uniforms and instances must be bound (frame_uniforms.h).
+class CrowdPass {
+ public:
+  static Result<CrowdPass> create(ShaderLibrary& shaders);
+
+  /// Draws lit surfaces or, with `bones_as_lines`, only the bones.
+  DrawCounts draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
+
+  /// Projects the same agents onto the ground along the sun's rays and darkens each ground pixel once. The ground must
+  /// be drawn and the stencil all zeros; afterwards it is not.
+  DrawCounts draw_shadows(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
+
+ private:
+  explicit CrowdPass(const ShaderLibrary& shaders) : shaders_(&shaders) {}
+
+  DrawCounts draw_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
+  DrawCounts draw_bones(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
+                        const PaletteBuffer& palettes) const;
+  void use_material(const CrowdMaterial& material) const;
+
+  const ShaderLibrary* shaders_;
+  ProgramHandle opaque_{};
+  ProgramHandle cut_out_{};
+  ProgramHandle bones_{};
+  ProgramHandle shadow_{};
+  IndirectDraws surfaces_;
+  IndirectDraws outlines_;
+};
+
+}  // namespace throng::render

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/render/crowd_draw.h"
+#include "engine/render/gl/handles.h"
+#include "engine/render/mesh/surface.h"
+
+namespace throng::render {
+
+/// One draw as glMultiDrawElementsIndirect reads it (OpenGL 4.5, 10.3.11).
+///
+///      0  indices of the run
+///      4  instances
+///      8  first index
+///     12  added to each index: 0, because all mesh LODs share one set of vertices
+///     16  first instance, gl_BaseInstanceARB in the shader
+struct DrawCommand {
+  std::uint32_t index_count;
+  std::uint32_t instance_count;
+  std::uint32_t first_index;
+  std::int32_t base_vertex;
+  std::uint32_t first_instance;
+};
+static_assert(sizeof(DrawCommand) == 20);
+static_assert(offsetof(DrawCommand, first_instance) == 16);
+
+/// Collects the draws of one pass in groups. A group shares all state and is one call, however many mesh LODs and
+/// instances it holds, so the number of calls does not grow with the crowd.
+class IndirectDraws {
+ public:
+  void clear();
+  /// Starts a group; add() adds to the last one.
+  void begin_group(std::uint32_t page, std::uint8_t character, int material);
+  void add(const MaterialRun& run, const CrowdBatch& batch);
+
+  /// Copies the commands to the device and binds them.
+  void upload();
+
+  struct Group {
+    std::uint32_t page;
+    std::uint8_t character;
+    int material;
+    std::uint32_t first_command;
+    std::uint32_t command_count;
+  };
+  std::span<const Group> groups() const { return groups_; }
+
+  /// Draws one group with the program, page and vertices that are bound. Call upload() before.
+  void draw(const Group& group) const;
+
+  /// Counts what was added. Groups without commands are not drawn and do not count.
+  DrawCounts counts() const;
+
+ private:
+  std::vector<DrawCommand> commands_;
+  std::vector<Group> groups_;
+  gl::Buffer buffer_;
+  std::size_t capacity_ = 0;  // commands
+};
+
+}  // namespace throng::render

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+
+#include <glm/vec2.hpp>
+
+#include "engine/render/crowd_draw.h"
+#include "engine/render/gl/handles.h"
+#include "engine/render/shader/shader_library.h"
+
+namespace throng::render {
+
+/// Draws lines that explain the scene, such as another camera's frustum. They are straight in the world, equally wide
+/// everywhere on the screen, and lie over the crowd; parts behind an agent show through faintly.
+class LinePass {
+ public:
+  static Result<LinePass> create(ShaderLibrary& shaders);
+
+  /// `picture` is the size of the target, in pixels.
+  DrawCounts draw(std::span<const SceneLine> lines, glm::ivec2 picture);
+
+ private:
+  LinePass(const ShaderLibrary& shaders, ProgramHandle program);
+
+  const ShaderLibrary* shaders_;
+  ProgramHandle program_;
+  gl::VertexArray vertex_array_;
+  gl::Buffer lines_;
+};
+
+}  // namespace throng::render

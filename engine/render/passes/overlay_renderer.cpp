@@ -1,0 +1,146 @@
+#include "engine/render/passes/overlay_renderer.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/common.hpp>
+#include <imgui.h>
+
+namespace throng::render {
+namespace {
+
+constexpr GLuint overlay_binding = 0;
+constexpr GLint to_clip_location = 0;
+
+enum OverlayAttribute : GLuint { position_attribute, texture_coord_attribute, ink_attribute };
+
+gl::VertexArray create_overlay_layout() {
+  gl::VertexArray array = gl::create_vertex_array();
+  const GLuint id = array.id();
+  glVertexArrayAttribFormat(id, position_attribute, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
+  glVertexArrayAttribFormat(id, texture_coord_attribute, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
+  glVertexArrayAttribFormat(id, ink_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
+  for (const GLuint attribute : {position_attribute, texture_coord_attribute, ink_attribute}) {
+    glEnableVertexArrayAttrib(id, attribute);
+    glVertexArrayAttribBinding(id, attribute, overlay_binding);
+  }
+  return array;
+}
+
+void* texture_id(GLuint texture) { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(texture)); }
+
+GLuint texture_of(const ImDrawCmd& command) {
+  return static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+}
+
+template <typename Element>
+void upload(const gl::Buffer& buffer, const ImVector<Element>& elements) {
+  glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(elements.size_in_bytes()), elements.Data, GL_STREAM_DRAW);
+}
+
+/// A clip rectangle in pixels of the framebuffer, with the origin at the bottom left.
+struct Scissor {
+  glm::ivec2 corner;
+  glm::ivec2 size;
+};
+
+Scissor scissor_of(const ImDrawCmd& command, const ImDrawData& data, glm::ivec2 target) {
+  const auto pixel = [&](float x, float y) {
+    const glm::vec2 scale(data.FramebufferScale.x, data.FramebufferScale.y);
+    const glm::vec2 point = (glm::vec2(x, y) - glm::vec2(data.DisplayPos.x, data.DisplayPos.y)) * scale;
+    return glm::clamp(glm::ivec2(point), glm::ivec2(0), target);
+  };
+  const glm::ivec2 top_left = pixel(command.ClipRect.x, command.ClipRect.y);
+  const glm::ivec2 bottom_right = pixel(command.ClipRect.z, command.ClipRect.w);
+  return {{top_left.x, target.y - bottom_right.y}, bottom_right - top_left};
+}
+
+void draw_command(const ImDrawCmd& command, const Scissor& scissor) {
+  if (scissor.size.x <= 0 || scissor.size.y <= 0 || command.ElemCount == 0) return;
+  glScissor(scissor.corner.x, scissor.corner.y, scissor.size.x, scissor.size.y);
+  glBindTextureUnit(0, texture_of(command));
+  constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+  const std::uintptr_t first_byte = command.IdxOffset * sizeof(ImDrawIdx);
+  glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
+                           reinterpret_cast<const void*>(first_byte), static_cast<GLint>(command.VtxOffset));
+}
+
+glm::ivec2 target_size(const ImDrawData& data) {
+  return {static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x),
+          static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y)};
+}
+
+}  // namespace
+
+Result<OverlayRenderer> OverlayRenderer::create(ShaderLibrary& shaders) {
+  const Result<ProgramHandle> program = shaders.load({"overlay.vert", "overlay.frag", {}});
+  if (!program) return program.error();
+  ImGuiIO& io = ImGui::GetIO();
+  io.BackendRendererName = "throng";
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  return OverlayRenderer(shaders, *program);
+}
+
+OverlayRenderer::OverlayRenderer(const ShaderLibrary& shaders, ProgramHandle program)
+    : shaders_(&shaders),
+      program_(program),
+      vertex_array_(create_overlay_layout()),
+      vertices_(gl::create_buffer()),
+      indices_(gl::create_buffer()) {
+  glVertexArrayVertexBuffer(vertex_array_.id(), overlay_binding, vertices_.id(), 0, sizeof(ImDrawVert));
+  glVertexArrayElementBuffer(vertex_array_.id(), indices_.id());
+}
+
+void OverlayRenderer::upload_fonts() {
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
+  fonts_ = gl::create_texture(GL_TEXTURE_2D);
+  glTextureStorage2D(fonts_.id(), 1, GL_RGBA8, width, height);
+  glTextureSubImage2D(fonts_.id(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+  glTextureParameteri(fonts_.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(fonts_.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  atlas.SetTexID(texture_id(fonts_.id()));
+}
+
+void OverlayRenderer::set_up(const ImDrawData& data, glm::ivec2 target) const {
+  glViewport(0, 0, target.x, target.y);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_SCISSOR_TEST);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glUseProgram(shaders_->id(program_));
+  glBindVertexArray(vertex_array_.id());
+  // Maps points to clip space by a scale of x and y and an offset of both; ImGui's y points down.
+  const float scale_x = 2.0F / data.DisplaySize.x;
+  const float scale_y = -2.0F / data.DisplaySize.y;
+  glUniform4f(to_clip_location, scale_x, scale_y, -1.0F - data.DisplayPos.x * scale_x,
+              1.0F - data.DisplayPos.y * scale_y);
+}
+
+void OverlayRenderer::draw(const ImDrawData& data) const {
+  const glm::ivec2 target = target_size(data);
+  if (target.x <= 0 || target.y <= 0) return;
+  set_up(data, target);
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    const ImDrawList& list = *data.CmdLists[i];
+    upload(vertices_, list.VtxBuffer);
+    upload(indices_, list.IdxBuffer);
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      if (command.UserCallback != nullptr) {
+        command.UserCallback(&list, &command);
+      } else {
+        draw_command(command, scissor_of(command, data, target));
+      }
+    }
+  }
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glBindVertexArray(0);
+  glUseProgram(0);
+}
+
+}  // namespace throng::render

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "engine/render/gl/handles.h"
+#include "engine/render/shader/shader_library.h"
+#include "engine/result.h"
+
+struct ImDrawData;
+
+namespace throng::render {
+
+/// Draws ImGui's output onto the bound framebuffer, in every context (window, EGL, OSMesa). ImGui's colours are sRGB
+/// and are blended unconverted, so the framebuffer must not convert.
+///
+///   ImGui::CreateContext(); fonts;
+///   auto overlay = OverlayRenderer::create(shaders);     // sets ImGui's renderer flags
+///   overlay->upload_fonts();                             // again after adding fonts
+///   ImGui::NewFrame(); ... ImGui::Render();
+///   overlay->draw(*ImGui::GetDrawData());
+class OverlayRenderer {
+ public:
+  /// An ImGui context must be current. `shaders` must outlive the overlay.
+  static Result<OverlayRenderer> create(ShaderLibrary& shaders);
+
+  /// Builds the font atlas of the current ImGui context and copies it to the device.
+  void upload_fonts();
+
+  /// Leaves blending and scissoring off, and no program or vertex array bound.
+  void draw(const ImDrawData& data) const;
+
+ private:
+  OverlayRenderer(const ShaderLibrary& shaders, ProgramHandle program);
+
+  void set_up(const ImDrawData& data, glm::ivec2 target) const;
+
+  const ShaderLibrary* shaders_;
+  ProgramHandle program_;
+  gl::VertexArray vertex_array_;
+  gl::Buffer vertices_;
+  gl::Buffer indices_;
+  gl::Texture fonts_;
+};
+
+}  // namespace throng::render

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "engine/render/crowd_draw.h"
+#include "engine/render/frame/image_target.h"
+#include "engine/render/gl/handles.h"
+#include "engine/render/shader/shader_library.h"
+
+namespace throng::render {
+
+/// Puts two finished pictures side by side into one, with a line between them. It keeps a copy of each, so that both
+/// can be drawn into the same target.
+class SplitPass {
+ public:
+  static Result<SplitPass> create(ShaderLibrary& shaders);
+
+  void keep_left(const ImageTarget& picture) { keep(left_, picture); }
+  void keep_right(const ImageTarget& picture) { keep(right_, picture); }
+
+  /// Draws over all finished pixels of `target`. Both sides must be kept and have its size.
+  DrawCounts draw(const ImageTarget& target, const SplitView& split) const;
+
+ private:
+  struct Side {
+    gl::Texture pixels;
+    glm::ivec2 size{0};
+  };
+
+  SplitPass(const ShaderLibrary& shaders, ProgramHandle program);
+  static void keep(Side& side, const ImageTarget& picture);
+
+  const ShaderLibrary* shaders_;
+  ProgramHandle program_;
+  gl::VertexArray no_vertices_;
+  Side left_, right_;  // without storage until the first split
+};
+
+}  // namespace throng::render

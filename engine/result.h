@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace throng {
+
+/// Says why something could not be done, in one sentence: it names the file, option or device, and what to do.
+struct Error {
+  std::string message;
+};
+
+/// A value, or the error that says why there is none. Nothing is thrown across a public interface.
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+
+  bool has_value() const { return state_.index() == 0; }
+  explicit operator bool() const { return has_value(); }
+
+  T& value() {
+    assert(has_value());
+    return *std::get_if<0>(&state_);
+  }
+  const T& value() const {
+    assert(has_value());
+    return *std::get_if<0>(&state_);
+  }
+  const Error& error() const {
+    assert(!has_value());
+    return *std::get_if<1>(&state_);
+  }
+
+  T& operator*() { return value(); }
+  const T& operator*() const { return value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+/// Success carries nothing.
+struct Done {};
+using Status = Result<Done>;
+
+}  // namespace throng
+
+namespace throng::anim {
+using throng::Done, throng::Error, throng::Result, throng::Status;
+}
+namespace throng::render {
+using throng::Done, throng::Error, throng::Result, throng::Status;
+}

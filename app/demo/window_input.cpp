@@ -44,6 +44,7 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_Y, Key::y},
     {GLFW_KEY_Z, Key::z},
     {GLFW_KEY_F1, Key::f1},
+    {GLFW_KEY_F5, Key::f5},
     {GLFW_KEY_F12, Key::f12},
     {GLFW_KEY_LEFT_SHIFT, Key::shift},
     {GLFW_KEY_RIGHT_SHIFT, Key::shift},

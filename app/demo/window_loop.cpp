@@ -46,8 +46,7 @@ class WindowLoop {
   }
 
   anim::Status run() {
-    const render::Status prepared = show_.renderer().prepare_overlay();
-    if (!prepared) return anim::Error{prepared.error().message};
+    if (const anim::Status prepared = show_.renderer().prepare_overlay(); !prepared) return prepared;
     for (int frame = 1; !done_ && (!options_.frames_given || frame <= options_.frames); ++frame) {
       run_frame();
       if (frame == 1) announce();
@@ -212,6 +211,7 @@ class WindowLoop {
     if (commands.record) toggle_recording();
     if (commands.character) reporter_.describe_character(show_, *commands.character);
     if (commands.copy_camera) copy(camera_option(fly_camera_.place()));
+    if (commands.reload_shaders) reload_shaders();
   }
 
   void obey_hands(const OverlayCommands& commands) {
@@ -280,8 +280,13 @@ class WindowLoop {
 
   void take_screenshot() {
     const std::string file = unused_file(".png", screenshots_);
-    const render::Status written = render::write_png(show_.renderer().read_image(), file);
+    const anim::Status written = render::write_png(show_.renderer().read_image(), file);
     notice_ = written ? "Wrote " + file : written.error().message;
+  }
+
+  void reload_shaders() {
+    const anim::Status reloaded = show_.renderer().reload_shaders();
+    notice_ = reloaded ? "Built the shaders again" : reloaded.error().message;
   }
 
   void write_ui_map() {

@@ -25,6 +25,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"C", "copy the camera as an option"},
     {"Tab", "hide the overlay"},
     {"R", "begin a recording; again, end it"},
+    {"F5", "build the shaders again"},
     {"F12", "screenshot"},
     {"F1", "this card"},
     {"Esc", "deselect; quit"},

@@ -25,6 +25,9 @@ void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitch
       case Key::r:
         commands.record = true;
         break;
+      case Key::f5:
+        commands.reload_shaders = true;
+        break;
       case Key::f12:
         commands.screenshot = true;
         break;

@@ -150,6 +150,7 @@ struct OverlayCommands {
   bool frame_crowd = false;               ///< as key F
   bool copy_camera = false;               ///< as key C
   bool screenshot = false;                ///< as key F12
+  bool reload_shaders = false;            ///< key F5
   bool record = false;                    ///< begins or ends a recording, as key R
   bool quit = false;                      ///< key Esc, while nobody is selected
   std::optional<PicturePoint> select_at;  ///< clicked at, not at the overlay

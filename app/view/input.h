@@ -46,6 +46,7 @@ enum class Key : std::uint8_t {
   y,
   z,
   f1,
+  f5,
   f12,
   shift,
   control,

@@ -242,6 +242,7 @@ TEST(Overlay, KeysAreCommands) {
   EXPECT_TRUE(driver.press(Key::f).frame_crowd);
   EXPECT_TRUE(driver.press(Key::c).copy_camera);
   EXPECT_TRUE(driver.press(Key::f12).screenshot);
+  EXPECT_TRUE(driver.press(Key::f5).reload_shaders);
   EXPECT_TRUE(driver.press(Key::escape).quit);
 }
 

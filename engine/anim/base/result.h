@@ -1,3 +1,3 @@
 #pragma once
 
-#include "engine/result.h"  // a header of the base for all who include it from here
+#include "engine/result.h"  // Both libraries share it; files of this one include it from here.

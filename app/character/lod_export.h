@@ -23,7 +23,7 @@ struct LodLevel {
 /// The levels of a character with `triangles_by_lod` of its meshes (may be empty) and times by the cost model.
 std::vector<LodLevel> lod_levels(const CharacterSource& source, std::span<const std::uint32_t> triangles_by_lod);
 
-/// A JSON object of a character's level of detail (README "Level of detail for another engine"): intervals between
+/// A JSON object of a character's level of detail (app/commands/lod/README.md): intervals between
 /// updates and bone levels by distance, the bones in order, errors, mesh ratios.
 /// `pixels_per_unit`: pixels that one metre covers at a distance of one metre.
 std::string lod_as_json(const CharacterSource& source, std::span<const LodLevel> levels, const anim::LodRules& rules,

@@ -25,8 +25,8 @@ struct UsageError {
 using ParsedCommand =
     std::variant<DemoOptions, PoseOptions, InspectOptions, LodOptions, BenchOptions, ShowText, UsageError>;
 
-/// Reads a command line as the README documents it; `arguments` are without the program's own name. Of files, it
-/// only looks whether --data is there.
+/// Reads a command line as README.md beside it documents it; `arguments` are without the program's own name. Of files,
+/// it only looks whether --data is there.
 ParsedCommand parse_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace throng::app

@@ -16,7 +16,7 @@ struct DrawnBy {
   std::string gl_version, gl_renderer;  ///< empty without GL
 };
 
-/// Collects a run's figures and writes them as one flat JSON object (README "How to read the statistics").
+/// Collects a run's figures and writes them as one flat JSON object (app/command_line/README.md).
 class Statistics {
  public:
   /// What it took to make the crowd: places, agents, clips, blocks.

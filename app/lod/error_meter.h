@@ -25,7 +25,7 @@ struct MeasuredFrame {
   std::uint64_t number = 0;
 };
 
-/// Measures what level of detail costs the eye (README "What level of detail costs the eye"): the largest distance on
+/// Measures what level of detail costs the eye (app/lod/README.md): the largest distance on
 /// screen, over points of the surface, between what the vertex shader shows and the exact pose of the moment. Changes
 /// no pose.
 class ErrorMeter {

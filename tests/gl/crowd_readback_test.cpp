@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 class PackedCrowd : public StagedCrowdTest {};
 
-// README.md states these figures.
+// app/command_line/README.md states these figures (--palette).
 TEST_F(PackedCrowd, IsOffByLessThanATwentiethOfAMillimetreAndAFortiethOfAPixelOfTheNearestAgent) {
   stage(tuning_of(LodRule::off, Stream::keyframe, Palette::packed));
   double metres = 0.0;

@@ -259,7 +259,7 @@ Findings folders_without_readme(const Tree& tree) {
   std::set<std::string> described;
   for (const SourceFile& file : tree) {
     const fs::path path = file.path;
-    if (!file.path.starts_with("engine/")) continue;
+    if (!file.path.starts_with("engine/") && !file.path.starts_with("app/")) continue;
     (path.filename() == "README.md" ? described : folders).insert(path.parent_path().generic_string());
   }
   Findings findings;

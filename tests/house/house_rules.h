@@ -50,7 +50,7 @@ Findings machine_paths(const Tree& tree);
 /// The C++ of the README is, line by line, the program that tests/library builds and runs.
 Findings readme_program_that_differs(const Tree& tree);
 
-/// Every folder of engine/ with files in it says in a README what it is.
+/// Every folder of engine/ and app/ with files in it says in a README what it is.
 Findings folders_without_readme(const Tree& tree);
 
 /// Each row `| section | it asks for | `file` | `Suite.Test` |` of engine/anim/README.md names a file below engine/anim

@@ -136,8 +136,9 @@ TEST(MachinePath, IsNotEveryPathWithSuchAFolder) {
 
 TEST(Readme, IsMissedInAFolderThatHasNone) {
   const Tree tree{source_file("engine/anim/lod/lod.h", ""), source_file("engine/anim/base/units.h", ""),
-                  source_file("engine/anim/base/README.md", "")};
-  EXPECT_THAT(folders_without_readme(tree), ElementsAre("engine/anim/lod"));
+                  source_file("engine/anim/base/README.md", ""), source_file("app/stage/stage.h", ""),
+                  source_file("tests/house/floors.h", "")};
+  EXPECT_THAT(folders_without_readme(tree), ElementsAre("app/stage", "engine/anim/lod"));
 }
 
 TEST(ReadmeProgram, IsRefusedFromTheFirstLineThatDiffers) {

@@ -1,7 +1,10 @@
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/house/house_rules.h"
+#include "tests/house/page_rules.h"
 
 namespace throng::house::house_test {
 namespace {
@@ -35,7 +38,18 @@ TEST(House, TheProgramOfTheReadmeIsTheOneThatIsBuilt) {
   EXPECT_THAT(readme_program_that_differs(project()), IsEmpty());
 }
 
-TEST(House, EveryFolderOfTheEngineSaysWhatItIs) { EXPECT_THAT(folders_without_readme(project()), IsEmpty()); }
+TEST(House, EveryFolderOfTheEngineAndTheProgramSaysWhatItIs) {
+  EXPECT_THAT(folders_without_readme(project()), IsEmpty());
+}
+
+TEST(House, TheFirstPageIsShort) { EXPECT_THAT(first_page_too_large(project()), IsEmpty()); }
+
+TEST(House, EveryLinkLeadsSomewhere) {
+  EXPECT_THAT(
+      links_that_lead_nowhere(
+          project(), [](const std::string& path) { return std::filesystem::exists(THRONG_SOURCE_DIR "/" + path); }),
+      IsEmpty());
+}
 
 TEST(House, EverythingThatThePaperAsksForHasAFileAndATest) {
   EXPECT_THAT(paper_rows_without_file_or_test(project()), IsEmpty());

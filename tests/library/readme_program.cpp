@@ -6,6 +6,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
+#include "engine/anim/lod/lod.h"
 
 using namespace throng;
 
@@ -31,13 +32,29 @@ int main(int argument_count, char** arguments) {
   const auto entries = static_cast<std::size_t>(character->skeleton.palette_count());
   const std::size_t stride = anim::palette_stride(entries, anim::PaletteFormat::matrices);
   const anim::AlignedBytes palettes = anim::allocate_aligned(agents * stride);
-  std::vector<anim::AgentUpdate> updates;
-  for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    updates.push_back({.agent = agent, .palette = anim::PaletteDestination(palettes.get() + agent * stride)});
-  }
 
-  for (int frame = 0; frame < 60; ++frame) {
+  // They stand in a row that leads away from the camera: those far off are posed more seldom, with fewer bones.
+  std::vector<glm::vec3> positions(agents);
+  for (std::uint32_t agent = 0; agent < agents; ++agent) positions[agent].z = -0.1F * static_cast<float>(agent);
+  const std::vector<float> scales(agents, 1.0F);
+  const anim::LodCharacter seen{.level_count = static_cast<int>(character->skeleton.level_bone_counts.size())};
+  anim::LodFrame frame;  // has the camera and the rules too
+  frame.positions = positions;
+  frame.scales = scales;
+  frame.characters = {&seen, 1};
+  anim::LodState state;
+  anim::LodSelection selection;
+  state.resize(agents, selection);
+
+  std::vector<anim::AgentUpdate> updates;
+  for (; frame.number < 60; ++frame.number) {
     system.advance(anim::ticks_per_second / 60);
+    anim::select_for_update(frame, state, selection);
+    updates.clear();
+    for (const auto& due : selection.due) {
+      const anim::PaletteDestination palette(palettes.get() + due.agent * stride);
+      updates.push_back({.agent = due.agent, .level = due.bone_level, .palette = palette});
+    }
     system.update(updates);  // returns when every palette is written
   }
   std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.pose_hash()));

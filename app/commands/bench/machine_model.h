@@ -25,7 +25,7 @@ struct Machine {
   std::string notes = {};
 };
 
-/// Reads the JSON object of the README. The error names the file, the key and what is allowed there.
+/// Reads the JSON object of tests/benchmark/README.md. The error names the file, the key and what is allowed there.
 anim::Result<Machine> read_machine(const std::filesystem::path& file);
 
 /// One task as it was recorded: what is copied while it is computed, which with double buffering is what the task

@@ -47,12 +47,12 @@ void for_each_line_of_text(const SourceFile& page, auto visit) {
   }
 }
 
-bool is_page(const SourceFile& file) { return file.path.ends_with(".md"); }
+bool is_markdown(const SourceFile& file) { return file.path.ends_with(".md"); }
 
 Headings headings_of(const Tree& tree) {
   Headings headings;
   for (const SourceFile& page : tree) {
-    if (!is_page(page)) continue;
+    if (!is_markdown(page)) continue;
     for_each_line_of_text(page, [&](std::size_t, const std::string& line) {
       if (line.starts_with('#')) headings[page.path].insert(anchor_of(line));
     });
@@ -82,7 +82,7 @@ Findings links_that_lead_nowhere(const Tree& tree, const std::function<bool(cons
   const Headings headings = headings_of(tree);
   Findings findings;
   for (const SourceFile& page : tree) {
-    if (!is_page(page)) continue;
+    if (!is_markdown(page)) continue;
     for_each_line_of_text(page, [&](std::size_t number, const std::string& line) {
       for (std::sregex_iterator match(line.begin(), line.end(), link), end; match != end; ++match) {
         const std::string target = (*match)[1].matched ? (*match)[1] : (*match)[2];

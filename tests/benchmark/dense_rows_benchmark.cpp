@@ -1,6 +1,6 @@
 // Rows of a sampled stream that hold moving lanes only, beside the padded rows that it has: the same arithmetic on 16
 // rotations, once from two padded rows and once from two dense ones, whose 64-bit lanes (one component of four bones)
-// AVX-512 expands over those that stand still. See notes_streams.md for what was measured.
+// AVX-512 expands over those that stand still. See engine/anim/asset/README.md for what was measured.
 
 #include <algorithm>
 #include <array>

@@ -63,9 +63,8 @@ void declare_measured(OptionReader& reader, BenchOptions& options) {
   reader.value("--clips", "K[,K...]", "Different clips for it, 1 to 256 (2)", number_list(options.clips, 1, 256));
   reader.value("--frames", "N", "Rounds in which all that is compared takes turns (60)",
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
-  reader.value(
-      "--sweep", "NAME", "Instead: grain, streams or cost",
-      choice<Sweep>(options.sweep, {{"grain", Sweep::grain}, {"streams", Sweep::streams}, {"cost", Sweep::cost}}));
+  reader.value("--sweep", "NAME", "Instead: grain, below which size tasks are too small",
+               choice<Sweep>(options.sweep, {{"grain", Sweep::grain}}));
   reader.value("--machine", "FILE", "Instead: what a machine with other local stores would do; ps2, spe or a file",
                file_name(options.machine));
 }

@@ -9,7 +9,6 @@
 
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/held.h"
-#include "app/commands/bench/ozz.h"
 #include "app/commands/bench/rounds.h"
 #include "app/figures/statistics.h"
 #include "app/stage/stage.h"
@@ -58,7 +57,6 @@ class CaseBench {
   std::unique_ptr<SystemSubject> update_, keyframe_;
   std::unique_ptr<KernelSubject> kernels_, packed_kernels_, scalar_;
   std::unique_ptr<HeldSubject> held_;
-  std::unique_ptr<OzzSubject> ozz_;
   BenchRounds rounds_;
 };
 
@@ -142,8 +140,6 @@ anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOp
   // stands between it and what is compared.
   add_write_floors();
   rounds_.add({"keyframe", [this] { keyframe_->run(); }});
-  ozz_ = make_ozz_subject(whom.model, agents_, *palettes_);
-  if (ozz_ != nullptr) rounds_.add({"ozz", [this] { ozz_->run(); }});
   add_kernels();
   add_held(whom.model);
   add_updates();
@@ -193,13 +189,11 @@ Json figures_of(const BenchTimes& times, double agents, double bones) {
   json["packed_kernels_ns_per_bone_median"] = per_bone_or_null("packed kernels");
   json["one_pu_ns_per_bone_median"] = per_bone(times.median("one pu"));
   json["held_ns_per_bone_median"] = per_bone_or_null("held");
-  json["ozz_ns_per_bone_median"] = per_bone_or_null("ozz");
   json["speedup_over_one_pu"] = times.median_ratio("one pu", "update");
   json["kernels_over_write_floor"] = ratio_or_null("kernels", floor);
   json["kernels_over_packed_kernels"] = ratio_or_null("kernels", "packed kernels");
   json["scalar_over_kernels"] = ratio_or_null("scalar", "kernels");
   json["one_pu_over_kernels"] = ratio_or_null("one pu", "kernels");
-  json["ozz_over_one_pu"] = ratio_or_null("ozz", "one pu");
   json["other_stores_over_one_pu"] = ratio_or_null("other stores", "one pu");
   json["held_over_streaming"] = ratio_or_null("held", "one pu");
   json["trace_cost_percent"] = 100.0 * (times.median_ratio("traced", "untraced") - 1.0);

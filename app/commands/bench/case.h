@@ -32,9 +32,9 @@ struct BenchPass {
   std::string label;  ///< for a person at a terminal
 };
 
-/// Times whole update, bare kernels, their scalar twin, keyframe streams and write floor (and ozz where it was found)
-/// in interleaved rounds, and puts them behind those of earlier passes in `times`. In the last pass `trace` gets some
-/// frames, and what is returned is one flat object of figures of all passes, as the README lists them; before, null.
+/// Times whole update, bare kernels, their scalar twin, keyframe streams and write floor in interleaved rounds, and
+/// puts them behind those of earlier passes in `times`. In the last pass `trace` gets some frames, and what is returned
+/// is one flat object of figures of all passes, as the README lists them; before, null.
 /// The error is a usage error, found before the first round.
 anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options, const BenchCase& bench,
                                                     const BenchCharacter& character, const BenchPass& pass,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,9 +9,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/commands/bench/grain.h"
 #include "app/commands/bench/machine.h"
 #include "app/commands/bench/plot.h"
-#include "app/commands/bench/sweeps.h"
+#include "app/commands/bench/report.h"
 #include "app/commands/bench/table.h"
 #include "app/commands/bench/turns.h"
 #include "app/files/atomic_file.h"
@@ -40,14 +40,13 @@ constexpr std::array columns = {"agents",
                                 "bytes_per_agent"};
 
 std::string plot_of_one(const Json& row) {
-  constexpr std::array<std::pair<const char*, const char*>, 7> subjects = {
+  constexpr std::array<std::pair<const char*, const char*>, 6> subjects = {
       {{"write_floor_ns_per_bone_median", "writing palettes alone"},
        {"kernels_ns_per_bone_median", "kernels, one thread"},
        {"one_pu_ns_per_bone_median", "update, one PU"},
        {"ns_per_bone_median", "update, all PUs"},
        {"keyframe_ns_per_bone_median", "update, exact keys"},
-       {"scalar_ns_per_bone_median", "kernels without vectors"},
-       {"ozz_ns_per_bone_median", "ozz-animation"}}};
+       {"scalar_ns_per_bone_median", "kernels without vectors"}}};
   std::vector<PlotBar> bars;
   for (const auto& [key, name] : subjects) {
     if (row[key].is_number())
@@ -91,19 +90,6 @@ std::string plot_of_table(const Rows& rows) {
   return lines_as_svg("What an update costs", axis == "bones_per_agent" ? "bones" : axis, "ns a bone", lines);
 }
 
-int write(const BenchOptions& options, const std::string& text, const std::string& json, const std::string& plot) {
-  if (!options.plot.empty()) {
-    const anim::Status written = write_whole_file(options.plot, plot);
-    if (!written) return end_with(exit_job_failed, written.error().message);
-  }
-  if (options.json.empty()) {
-    std::fputs(text.c_str(), stdout);
-    return exit_done;
-  }
-  const anim::Status written = write_output(options.json, json);
-  return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
-}
-
 int run_table(const BenchOptions& options) {
   Rows rows;
   std::optional<TimelineLog> trace;
@@ -114,20 +100,18 @@ int run_table(const BenchOptions& options) {
     if (!written) return end_with(exit_job_failed, written.error().message);
   }
   const bool one = rows.size() == 1;
-  const std::string text = one ? figures_as_text(rows, {}) : figures_as_text(rows, columns);
-  return write(options, text, figures_as_json(rows), one ? plot_of_one(rows.front()) : plot_of_table(rows));
-}
-
-int run_report(const BenchOptions& options, const anim::Result<BenchReport>& report, ExitStatus on_error) {
-  if (!report) return end_with(on_error, report.error().message);
-  return write(options, report->text, report->json.dump(2) + "\n", report->plot);
+  BenchReport report{.text = one ? figures_as_text(rows, {}) : figures_as_text(rows, columns),
+                     .json = figures_as_json(rows),
+                     .plot = {}};
+  if (!options.plot.empty()) report.plot = one ? plot_of_one(rows.front()) : plot_of_table(rows);
+  return end_with_report(options, report);
 }
 
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
-  if (!options.machine.empty()) return run_report(options, run_machine(options), exit_job_failed);
-  if (options.sweep != Sweep::none) return run_report(options, run_sweep(options), exit_job_failed);
+  if (!options.machine.empty()) return end_with_report(options, run_machine(options));
+  if (options.sweep != Sweep::none) return end_with_report(options, sweep_grain(options));
   return run_table(options);
 }
 

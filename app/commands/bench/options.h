@@ -11,9 +11,7 @@ namespace throng::app {
 /// One thing that a sweep of `throng bench` looks at instead of the table.
 enum class Sweep : std::uint8_t {
   none,
-  grain,    ///< tile by tile and crowd by crowd: below which size tasks are too small
-  streams,  ///< key density, step and prefetch: what reading streams costs
-  cost,     ///< the coefficients of anim::CostModel
+  grain,  ///< tile by tile and crowd by crowd: below which size tasks are too small
 };
 
 /// What `throng bench` was asked for. LOD and crowd logic are always off there. Lists: every combination is measured.

@@ -4,13 +4,19 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/commands/bench/options.h"
+#include "engine/anim/base/result.h"
+
 namespace throng::app {
 
-/// What a sweep found, for a person, for programs, and drawn (empty: there is nothing to draw).
+/// The figures of a measurement, for a person, for programs, and drawn (empty: there is nothing to draw).
 struct BenchReport {
   std::string text;
   nlohmann::ordered_json json;
   std::string plot;
 };
+
+/// Writes a report to where the options say, or the sentence of its error. Returns the exit status.
+int end_with_report(const BenchOptions& options, const anim::Result<BenchReport>& report);
 
 }  // namespace throng::app

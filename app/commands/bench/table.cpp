@@ -60,11 +60,11 @@ std::string figures_as_text(std::span<const Json> rows, std::span<const char* co
   return text;
 }
 
-std::string figures_as_json(std::span<const Json> rows) {
-  if (rows.size() == 1) return rows.front().dump(2) + "\n";
+Json figures_as_json(std::span<const Json> rows) {
+  if (rows.size() == 1) return rows.front();
   Json all;
   all["rows"] = rows;
-  return all.dump(2) + "\n";
+  return all;
 }
 
 }  // namespace throng::app

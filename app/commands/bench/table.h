@@ -12,6 +12,6 @@ namespace throng::app {
 std::string figures_as_text(std::span<const nlohmann::ordered_json> rows, std::span<const char* const> columns);
 
 /// One object as it is; several as `{"rows": [...]}`.
-std::string figures_as_json(std::span<const nlohmann::ordered_json> rows);
+nlohmann::ordered_json figures_as_json(std::span<const nlohmann::ordered_json> rows);
 
 }  // namespace throng::app

@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"UnknownWordInAList", "bench --schedule fused,lanes",
                 "--schedule fused,lanes: must be fused or levels, with commas between several"},
         Refused{"PlotThatIsNoSvg", "bench --plot a.png", "--plot a.png: must be a file name that ends in .svg"},
-        Refused{"UnknownSweep", "bench --sweep tiles", "--sweep tiles: must be grain, streams or cost"},
+        Refused{"UnknownSweep", "bench --sweep tiles", "--sweep tiles: must be grain"},
         Refused{"BonesOfAModel", "bench a.glb --bones 5", "--bones: a model brings its own; give one or the other"}),
     name_of);
 

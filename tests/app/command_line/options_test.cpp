@@ -260,8 +260,6 @@ TEST(Bench, TakesListsOfWhatATableHas) {
 
 TEST(Bench, TakesASweepOrAMachineInstead) {
   EXPECT_EQ(accepted<BenchOptions>("bench --sweep grain").sweep, Sweep::grain);
-  EXPECT_EQ(accepted<BenchOptions>("bench --sweep streams").sweep, Sweep::streams);
-  EXPECT_EQ(accepted<BenchOptions>("bench --sweep cost").sweep, Sweep::cost);
   EXPECT_EQ(accepted<BenchOptions>("bench --machine ps2").machine, "ps2");
 }
 

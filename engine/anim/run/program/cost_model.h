@@ -16,8 +16,8 @@ struct ProgramParts {
 
 /// Paper 3.2: "never treat tasks as equal units". What a task takes, nanoseconds of one PU, from bones (as packets of
 /// 16), sources and post processes. Orders tasks and says where tiles are cut; poses do not depend on it, so a coarse
-/// one only costs time. Measured by `throng bench --sweep cost` on one core with AVX-512, within 12% on average; what
-/// counts is the proportion of the coefficients.
+/// one only costs time. Measured by `throng_cost_sweep` (tests/benchmark) on one core with AVX-512, within 12% on
+/// average; what counts is the proportion of the coefficients.
 struct CostModel {
   double tile = 105;           ///< what is done once a strip of a tile, whatever its characters
   double tile_packet = 255;    ///< hierarchy and palettes of 16 bones across a strip, however few its characters

@@ -14,13 +14,13 @@
 
 #include "app/commands/bench/case.h"
 #include "app/commands/bench/crowd.h"
-#include "app/commands/bench/least_squares.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/sweeps.h"
 #include "app/commands/bench/table.h"
 #include "app/figures/statistics.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/agent/look_at_process.h"
+#include "tests/benchmark/programs/least_squares.h"
+#include "tests/benchmark/programs/program.h"
 
 namespace throng::app {
 namespace {
@@ -125,8 +125,6 @@ double wake_up_time(const BenchOptions& options) {
 
 std::string key_of(std::size_t index) { return std::to_string(index); }
 
-}  // namespace
-
 anim::Result<BenchReport> sweep_cost(const BenchOptions& options) {
   std::vector<std::unique_ptr<ShapedCrowd>> crowds;
   BenchRounds rounds;
@@ -175,4 +173,9 @@ anim::Result<BenchReport> sweep_cost(const BenchOptions& options) {
   return report;
 }
 
+}  // namespace
 }  // namespace throng::app
+
+int main(int argument_count, char** arguments) {
+  return throng::app::run_bench_program(argument_count, arguments, throng::app::sweep_cost);
+}

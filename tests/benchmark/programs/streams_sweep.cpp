@@ -8,9 +8,9 @@
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
-#include "app/commands/bench/sweeps.h"
 #include "app/commands/bench/table.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "tests/benchmark/programs/program.h"
 
 namespace throng::app {
 namespace {
@@ -79,10 +79,8 @@ std::string plot_of(const std::vector<Json>& rows) {
   return lines_as_svg("What reading streams costs", "keys a second", "ns a bone", lines);
 }
 
-}  // namespace
-
 anim::Result<BenchReport> sweep_streams(const BenchOptions& options) {
-  if (!options.model.empty()) return anim::Error{"--sweep streams: builds its clips itself; leave the model out"};
+  if (!options.model.empty()) return anim::Error{"the clips are built here; leave the model out"};
   const BenchCase bench{options.agents.front(), options.bones.front(),     options.clips.front(),
                         options.pus.front(),    options.schedules.front(), options.streams.front()};
   std::vector<Json> rows;
@@ -102,4 +100,9 @@ anim::Result<BenchReport> sweep_streams(const BenchOptions& options) {
                      .plot = plot_of(rows)};
 }
 
+}  // namespace
 }  // namespace throng::app
+
+int main(int argument_count, char** arguments) {
+  return throng::app::run_bench_program(argument_count, arguments, throng::app::sweep_streams);
+}

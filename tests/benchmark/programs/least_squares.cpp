@@ -1,4 +1,4 @@
-#include "app/commands/bench/least_squares.h"
+#include "tests/benchmark/programs/least_squares.h"
 
 #include <algorithm>
 #include <cmath>

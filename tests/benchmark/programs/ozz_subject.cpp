@@ -1,4 +1,4 @@
-#include "app/commands/bench/ozz.h"
+#include "tests/benchmark/programs/ozz_subject.h"
 
 #ifdef THRONG_HAS_OZZ
 
@@ -196,12 +196,13 @@ class PlainOzzSubject final : public OzzSubject {
 
 }  // namespace
 
-std::unique_ptr<OzzSubject> make_ozz_subject(const anim::Model& model, std::span<const BenchAgent> agents,
-                                             const BenchPalettes& palettes) {
-  if (!is_plain(model)) return nullptr;
+anim::Result<std::unique_ptr<OzzSubject>> make_ozz_subject(const anim::Model& model, std::span<const BenchAgent> agents,
+                                                           const BenchPalettes& palettes) {
   auto subject = std::make_unique<PlainOzzSubject>(agents, palettes);
-  if (!subject->build(model)) return nullptr;
-  return subject;
+  if (!is_plain(model) || !subject->build(model)) {
+    return anim::Error{"ozz-animation is not given this model: it has matrices, scale or keys that are not LINEAR"};
+  }
+  return std::unique_ptr<OzzSubject>(std::move(subject));
 }
 
 }  // namespace throng::app
@@ -210,8 +211,9 @@ std::unique_ptr<OzzSubject> make_ozz_subject(const anim::Model& model, std::span
 
 namespace throng::app {
 
-std::unique_ptr<OzzSubject> make_ozz_subject(const anim::Model&, std::span<const BenchAgent>, const BenchPalettes&) {
-  return nullptr;
+anim::Result<std::unique_ptr<OzzSubject>> make_ozz_subject(const anim::Model&, std::span<const BenchAgent>,
+                                                           const BenchPalettes&) {
+  return anim::Error{"ozz-animation was not installed when this program was built"};
 }
 
 }  // namespace throng::app

@@ -1,4 +1,4 @@
-#include "app/commands/bench/sweeps.h"
+#include "app/commands/bench/grain.h"
 
 #include <algorithm>
 #include <array>
@@ -155,17 +155,6 @@ anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
   }
   report.plot = lines_as_svg("The grain of tasks", "characters a tile", "ns a bone", {line});
   return report;
-}
-
-anim::Result<BenchReport> run_sweep(const BenchOptions& options) {
-  switch (options.sweep) {
-    case Sweep::grain:
-      return sweep_grain(options);
-    case Sweep::streams:
-      return sweep_streams(options);
-    default:
-      return sweep_cost(options);
-  }
 }
 
 }  // namespace throng::app

@@ -1,0 +1,29 @@
+#include "app/commands/bench/report.h"
+
+#include <cstdio>
+
+#include "app/files/atomic_file.h"
+#include "app/files/exit_status.h"
+
+namespace throng::app {
+namespace {
+
+anim::Status write(const BenchOptions& options, const BenchReport& report) {
+  if (!options.plot.empty()) {
+    anim::Status written = write_whole_file(options.plot, report.plot);
+    if (!written) return written;
+  }
+  if (!options.json.empty()) return write_output(options.json, report.json.dump(2) + "\n");
+  std::fputs(report.text.c_str(), stdout);
+  return anim::Done{};
+}
+
+}  // namespace
+
+int end_with_report(const BenchOptions& options, const anim::Result<BenchReport>& report) {
+  if (!report) return end_with(exit_job_failed, report.error().message);
+  const anim::Status written = write(options, *report);
+  return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
+}
+
+}  // namespace throng::app

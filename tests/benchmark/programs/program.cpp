@@ -1,0 +1,30 @@
+#include "tests/benchmark/programs/program.h"
+
+#include <cstdio>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/command_line/options.h"
+#include "app/files/exit_status.h"
+
+namespace throng::app {
+
+int run_bench_program(int argument_count, char** arguments,
+                      anim::Result<BenchReport> (*measure)(const BenchOptions& options)) {
+  std::vector<std::string> words{"bench"};
+  words.insert(words.end(), arguments + 1, arguments + argument_count);
+  const ParsedCommand parsed = parse_command_line(words);
+  if (const auto* shown = std::get_if<ShowText>(&parsed)) {
+    std::fputs(shown->text.c_str(), stdout);
+    return exit_done;
+  }
+  if (const auto* error = std::get_if<UsageError>(&parsed)) return end_with(exit_usage, error->message);
+  const auto& options = std::get<BenchOptions>(parsed);
+  if (options.sweep != Sweep::none || !options.machine.empty() || !options.trace.empty()) {
+    return end_with(exit_usage, "--sweep, --machine and --trace are of throng bench only");
+  }
+  return end_with_report(options, measure(options));
+}
+
+}  // namespace throng::app

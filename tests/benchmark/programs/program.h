@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/commands/bench/options.h"
+#include "app/commands/bench/report.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Runs a program that takes the options of `throng bench` and writes one report as that command does. Returns the exit
+/// status.
+int run_bench_program(int argument_count, char** arguments,
+                      anim::Result<BenchReport> (*measure)(const BenchOptions& options));
+
+}  // namespace throng::app

@@ -127,8 +127,8 @@ anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice&
   return order ? check_levels(choice.level_counts, skeleton.bone_count()) : order;
 }
 
-BoneLodChoice present_bone_lod(const anim::Skeleton& skeleton) {
-  BoneLodChoice choice{.bones = std::vector<int>(skeleton.bones.size()), .level_counts = skeleton.level_bone_counts};
+BoneLodChoice present_bone_lod(std::size_t bones, std::vector<int> level_counts) {
+  BoneLodChoice choice{.bones = std::vector<int>(bones), .level_counts = std::move(level_counts)};
   std::iota(choice.bones.begin(), choice.bones.end(), 0);
   return choice;
 }

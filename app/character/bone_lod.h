@@ -27,8 +27,8 @@ anim::Result<std::vector<int>> bones_named(std::span<const std::string> keys, co
 /// anim::max_bone_levels levels, the first with all bones, each further one with fewer, none empty.
 anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice);
 
-/// The order that the character has.
-BoneLodChoice present_bone_lod(const anim::Skeleton& skeleton);
+/// The order as it is, of a character with so many bones.
+BoneLodChoice present_bone_lod(std::size_t bones, std::vector<int> level_counts);
 
 /// `choice` with one bone moved to another place: up, and the ancestors that it passes come along before it; down, and
 /// what hangs on it and is passed goes along behind it. So a valid choice stays one. Levels end where they did.

@@ -86,12 +86,6 @@ void OptionReader::flag(const std::string& name, bool& target, const std::string
   bindings_.push_back({app_->add_flag(name), name, "=", "", description, heading_, set, Need::optional});
 }
 
-void OptionReader::later(const std::string& name) {
-  const auto refuse = [](const std::string&) -> Complaint { return "is not built yet"; };
-  CLI::Option* const option = app_->add_option(name)->expected(0, 1);
-  bindings_.push_back({option, name, " ", "", "", heading_, refuse, Need::optional});
-}
-
 std::optional<ParsedCommand> OptionReader::read(const std::vector<std::string>& arguments) {
   if (auto stop = take_apart(arguments)) return stop;
   return read_values();
@@ -131,7 +125,6 @@ std::string OptionReader::help() const {
   std::string text = app_->get_description() + "\n\n" + usage() + "\n";
   std::string heading;
   for (const Binding& binding : bindings_) {
-    if (binding.description.empty()) continue;
     if (binding.heading != heading) text += "\n" + binding.heading + "\n";
     heading = binding.heading;
     const std::string joint = binding.joint == "=" || binding.hint.empty() ? "" : " ";

@@ -44,9 +44,6 @@ class OptionReader {
                       const std::string& description, ValueReader reader);
   void flag(const std::string& name, bool& target, const std::string& description);
 
-  /// An option that the documentation promises for a later release: refused by name, not in the help.
-  void later(const std::string& name);
-
   /// Reads the line; nothing when all went well, else what to show and end with.
   std::optional<ParsedCommand> read(const std::vector<std::string>& arguments);
 
@@ -60,7 +57,7 @@ class OptionReader {
     std::string name;
     std::string joint;  ///< between name and value: a space or =
     std::string hint;
-    std::string description;  ///< empty: not in the help
+    std::string description;
     std::string heading;
     ValueReader reader;
     Need need;

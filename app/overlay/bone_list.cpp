@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <numeric>
 
 #include "app/overlay/bone_order_edit.h"
 #include "app/overlay/numbers.h"
@@ -17,13 +16,6 @@ std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(),
                          [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return text;
-}
-
-/// The order as it is.
-BoneLodChoice present(const FrameReport& report) {
-  BoneLodChoice choice{.bones = std::vector<int>(report.bones.size()), .level_counts = report.level_bone_counts};
-  std::iota(choice.bones.begin(), choice.bones.end(), 0);
-  return choice;
 }
 
 std::vector<int> parents_of(const FrameReport& report) {
@@ -70,7 +62,7 @@ bool BoneList::matches(const BoneRow& bone) const {
 }
 
 void BoneList::change(const TabContext& context, const BoneLodChoice& choice) {
-  const BoneLodChoice now = present(context.report);
+  const BoneLodChoice now = present_bone_lod(context.report.bones.size(), context.report.level_bone_counts);
   if (choice.bones == now.bones && choice.level_counts == now.level_counts) return;
   undo_.push_back(taken_back(choice, now.level_counts));
   context.commands.bone_lod = choice;
@@ -150,7 +142,7 @@ void BoneList::finish_drag(const TabContext& context) {
   const Drag drag = *drag_;
   drag_.reset();
   if (drag.over >= context.report.bones.size()) return;
-  const BoneLodChoice now = present(context.report);
+  const BoneLodChoice now = present_bone_lod(context.report.bones.size(), context.report.level_bone_counts);
   change(context, drag.border ? with_border_moved(now, drag.from, static_cast<int>(drag.over) + 1)
                               : with_bone_moved(parents_of(context.report), now, drag.from, drag.over));
 }

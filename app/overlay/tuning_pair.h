@@ -11,8 +11,6 @@ namespace throng::app {
 class TuningPair {
  public:
   [[nodiscard]] bool shows_b() const { return shows_b_; }
-  /// Whether the other one was ever set.
-  [[nodiscard]] bool has_other() const { return other_.has_value(); }
 
   /// The other one comes into use; the first time it is the same.
   void change_places(Tuning& tuning);

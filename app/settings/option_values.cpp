@@ -259,14 +259,6 @@ ValueReader png_file(std::string& target) {
   };
 }
 
-ValueReader not_built_yet(std::vector<std::string> later, ValueReader reader) {
-  return [later = std::move(later), reader = std::move(reader)](const std::string& text) -> Complaint {
-    const Complaint complaint = reader(text);
-    const bool planned = std::find(later.begin(), later.end(), text) != later.end();
-    return complaint && planned ? "is not built yet; " + *complaint : complaint;
-  };
-}
-
 std::string must_be_one_of(const std::vector<std::string>& names) {
   std::string sentence = "must be ";
   for (std::size_t i = 0; i < names.size(); ++i) {

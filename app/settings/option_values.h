@@ -39,9 +39,6 @@ ValueReader png_file(std::string& target);
 ValueReader svg_file(std::string& target);
 ValueReader role_choices(std::vector<RoleChoice>& target);  ///< ROLE=NAME[,ROLE=NAME...], each role once
 
-/// Says of texts that `reader` refuses and a later release takes that they are not built yet.
-ValueReader not_built_yet(std::vector<std::string> later, ValueReader reader);
-
 /// "must be a, b or c".
 std::string must_be_one_of(const std::vector<std::string>& names);
 

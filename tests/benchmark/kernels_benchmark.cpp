@@ -16,10 +16,6 @@
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
 
-namespace throng::anim {
-void register_dense_rows();  // dense_rows_benchmark.cpp
-}  // namespace throng::anim
-
 /// The fused pipeline of one PU without anything around it: two samples, one blend, model space and palette, 62 bones,
 /// strips of 16 characters, every character at times and a weight of its own. Read ns_per_bone; compare only within one
 /// run.
@@ -339,7 +335,6 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   throng::anim::register_all();
-  throng::anim::register_dense_rows();
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

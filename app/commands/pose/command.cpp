@@ -12,7 +12,6 @@
 #include "app/commands/pose/pipe.h"
 #include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
-#include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::app {
@@ -57,10 +56,10 @@ json describe_clip(const anim::ImportedFile& file, std::optional<int> animation)
 }
 
 anim::Result<json> sample_json(const anim::ImportedFile& file, std::optional<int> animation, double seconds,
-                               PoseSource& source) {
+                               PosePipe& pipe) {
   std::vector<BonePose> poses;
   for (const anim::Model& model : file.models) {
-    anim::Result<BonePose> pose = source.pose(model, find_clip(model, animation), seconds);
+    anim::Result<BonePose> pose = pipe.pose(model, find_clip(model, animation), seconds);
     if (!pose) return pose.error();
     poses.push_back(std::move(*pose));
   }
@@ -72,25 +71,8 @@ anim::Result<json> sample_json(const anim::ImportedFile& file, std::optional<int
   return json{{"time", seconds}, {"skins", std::move(skins)}};
 }
 
-anim::Result<std::string> import_and_pose(const PoseOptions& options, PoseSource& source) {
-  const auto file = import::import_skins(options.model);
-  if (!file) return file.error();
-  const auto animation = find_animation(*file, options.clip);
-  if (!animation) return animation.error();
-  return pose_json(*file, *animation, options.times, source);
-}
-
-}  // namespace
-
-anim::Result<BonePose> ReferencePoseSource::pose(const anim::Model& model, const anim::Clip* clip, double seconds) {
-  anim::ReferencePose reference = anim::reference_pose(model.skeleton, clip, seconds);
-  BonePose pose{.states = {}, .palette = std::move(reference.palette)};
-  for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
-    pose.states.push_back(anim::to_state(model.skeleton, bone, reference.locals[static_cast<std::size_t>(bone)]));
-  }
-  return pose;
-}
-
+/// Index among the file's animations of a name or, where none is called so, an index; nothing for "none". The error
+/// lists what there is.
 anim::Result<std::optional<int>> find_animation(const anim::ImportedFile& file, const std::string& clip) {
   const auto named = std::ranges::find(file.animations, clip);
   if (named != file.animations.end()) return std::optional(static_cast<int>(named - file.animations.begin()));
@@ -107,12 +89,12 @@ anim::Result<std::optional<int>> find_animation(const anim::ImportedFile& file, 
 }
 
 anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optional<int> animation,
-                                    const std::vector<double>& times, PoseSource& source) {
+                                    const std::vector<double>& times, PosePipe& pipe) {
   json skins = json::array();
   for (const PosedSkin& posed : skins_of(file)) skins.push_back(describe_skin(*posed.model, *posed.skin));
   json samples = json::array();
   for (const double seconds : times) {
-    anim::Result<json> sample = sample_json(file, animation, seconds, source);
+    anim::Result<json> sample = sample_json(file, animation, seconds, pipe);
     if (!sample) return sample.error();
     samples.push_back(std::move(*sample));
   }
@@ -124,18 +106,24 @@ anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optiona
   return dump.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-int run_pose(const PoseOptions& options, PoseSource& source) {
-  const auto text = import_and_pose(options, source);
+anim::Result<std::string> import_and_pose(const PoseOptions& options) {
+  const auto file = import::import_skins(options.model);
+  if (!file) return file.error();
+  const auto animation = find_animation(*file, options.clip);
+  if (!animation) return animation.error();
+  PosePipe pipe(options.stream);
+  return pose_json(*file, *animation, options.times, pipe);
+}
+
+}  // namespace
+
+int run_pose(const PoseOptions& options) {
+  const auto text = import_and_pose(options);
   if (!text) return end_with(exit_job_failed, text.error().message);
   if (const auto written = write_output(options.json, *text); !written) {
     return end_with(exit_job_failed, written.error().message);
   }
   return exit_done;
-}
-
-int run_pose(const PoseOptions& options) {
-  PipePoseSource source(options.stream);
-  return run_pose(options, source);
 }
 
 }  // namespace throng::app

@@ -2,11 +2,18 @@
 
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/commands/pose/command.h"
+#include "engine/anim/asset/model.h"
 
 namespace throng::app {
+
+/// One pose of a skeleton.
+struct BonePose {
+  std::vector<anim::StateTransform> states;  ///< one a bone, relative to the bind pose (see anim::ReferenceFrame)
+  std::vector<glm::dmat4> palette;           ///< one a palette entry, model space
+};
 
 /// What a dump says of a skin whatever the time: joints, names, mesh nodes.
 nlohmann::json describe_skin(const anim::Model& model, const anim::Skin& skin);

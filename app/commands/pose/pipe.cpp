@@ -29,7 +29,7 @@ anim::StateTransform state_of_bone(std::span<const float> pose, int components, 
   return state;
 }
 
-anim::Status PipePoseSource::prepare(const anim::Model& model, const anim::Clip* clip) {
+anim::Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip) {
   if (system_ != nullptr && model_ == &model && clip_ == clip) return anim::Done{};
   anim::Model played = model;
   played.clips.clear();
@@ -46,7 +46,7 @@ anim::Status PipePoseSource::prepare(const anim::Model& model, const anim::Clip*
   return anim::Done{};
 }
 
-anim::Result<BonePose> PipePoseSource::pose(const anim::Model& model, const anim::Clip* clip, double seconds) {
+anim::Result<BonePose> PosePipe::pose(const anim::Model& model, const anim::Clip* clip, double seconds) {
   if (const anim::Status prepared = prepare(model, clip); !prepared) return prepared.error();
   system_->set_agent_count(0);
   system_->set_agent_count(1);

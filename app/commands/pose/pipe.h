@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/commands/pose/command.h"
+#include "app/commands/pose/dump.h"
 #include "app/settings/settings.h"
 #include "engine/anim/agent/animation_system.h"
 
@@ -11,11 +11,12 @@ namespace throng::app {
 
 /// Poses as the crowd computes them: a player's block on a PU with its local store, the kernels, a palette slot. One
 /// agent, in the paper's `levels` schedule, whose blocks keep their transforms.
-class PipePoseSource final : public PoseSource {
+class PosePipe {
  public:
-  explicit PipePoseSource(Stream stream) : stream_(stream) {}
+  explicit PosePipe(Stream stream) : stream_(stream) {}
 
-  anim::Result<BonePose> pose(const anim::Model& model, const anim::Clip* clip, double seconds) override;
+  /// `clip` is one of the model's, or null for the rest pose.
+  anim::Result<BonePose> pose(const anim::Model& model, const anim::Clip* clip, double seconds);
 
  private:
   anim::Status prepare(const anim::Model& model, const anim::Clip* clip);

@@ -63,15 +63,6 @@ const float* BoneSelection::still(int packet) const {
          static_cast<std::ptrdiff_t>(packet) * components_ * packet_bones;
 }
 
-std::vector<std::uint8_t> level_priorities(const Skeleton& skeleton) {
-  std::vector<std::uint8_t> priorities;
-  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
-    const auto levels = std::ranges::count_if(skeleton.level_bone_counts, [&](int count) { return bone < count; });
-    priorities.push_back(static_cast<std::uint8_t>(levels));
-  }
-  return priorities;
-}
-
 void apply_bone_priorities(const BoneSelection& bones, int packet, float* pose) {
   const unsigned lanes = bones.lanes(packet);
   if (lanes == all_lanes) return;

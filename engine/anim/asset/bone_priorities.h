@@ -35,10 +35,6 @@ class BoneSelection {
   AlignedBytes still_;
 };
 
-/// The number of levels of detail that a bone is part of: with these priorities, `level + 1` as the least selects the
-/// prefix of `level`.
-std::vector<std::uint8_t> level_priorities(const Skeleton& skeleton);
-
 /// Makes the bones of one packet still that are not selected; the others keep their bits. `pose` is [components][16].
 void apply_bone_priorities(const BoneSelection& bones, int packet, float* pose);
 

@@ -177,10 +177,4 @@ StateClip to_state_space(const Skeleton& skeleton, const Clip& clip) {
   return state;
 }
 
-const StateTrack* find_track(const StateClip& clip, int bone, KeyChannel channel) {
-  const auto found = std::ranges::find_if(
-      clip.tracks, [&](const StateTrack& track) { return track.bone == bone && track.channel == channel; });
-  return found == clip.tracks.end() ? nullptr : &*found;
-}
-
 }  // namespace throng::anim

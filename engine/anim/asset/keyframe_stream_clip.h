@@ -48,9 +48,6 @@ Ticks key_ticks(double seconds);
 /// linear in time. Its position track must not be a moving STEP track; the clip lasts longer than 0.
 void subtract_drift(StateClip& clip, int bone, const glm::dvec3& drift);
 
-/// The track of one channel of a bone, or null if it does not move.
-const StateTrack* find_track(const StateClip& clip, int bone, KeyChannel channel);
-
 AlignedBytes pack_keyframe_stream(const StateClip& clip);
 
 }  // namespace throng::anim

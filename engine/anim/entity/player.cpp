@@ -78,14 +78,6 @@ inline void move_player(Player& player, const ClipStreams& clip) {
 
 void advance_player(Player& player, const ClipStreams& clip) { move_player(player, clip); }
 
-void seek_player(Player& player, FineTicks position, Ticks duration) {
-  player.position = position;
-  player.loop_count = 0;
-  player.state.delta_time = 0;
-  keep_in_clip(player, duration * fine_ticks_per_tick);
-  if ((player.flags & Player::looping) != 0) player.flags &= ~Player::reached_end;
-}
-
 FineTicks unwrapped_position(const Player& player, Ticks duration) {
   return player.loop_count * duration * fine_ticks_per_tick + player.position;
 }

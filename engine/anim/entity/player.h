@@ -55,10 +55,6 @@ static_assert(offsetof(Player, bone_selection) == 124);
 /// delta * |speed| stays below 2^63, which is 55 hours at the clip's own speed.
 void advance_player(Player& player, const ClipStreams& clip);
 
-/// Moves the player to an unwrapped position without playing what lies between. It meets no data keys and displaces
-/// nothing, since callers ask for both between positions that were played.
-void seek_player(Player& player, FineTicks position, Ticks duration);
-
 /// Returns the player's position with whole loops added. for_each_data_key and displacement take two of these.
 FineTicks unwrapped_position(const Player& player, Ticks duration);
 

@@ -113,15 +113,7 @@ class FarthestFirst {
   std::vector<std::size_t> chosen_;
 };
 
-double largest_distance(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) largest = std::max(largest, glm::distance(from[i], to[i]));
-  return largest;
-}
-
 }  // namespace
-
-SurfacePoints whole_surface(const Model& model) { return every_nth_vertex(model, 1); }
 
 SurfacePoints choose_surface_points(const Model& model, std::size_t most) {
   assert(most >= 1 && most <= most_surface_points);
@@ -143,24 +135,6 @@ SurfacePoints choose_surface_points(const Model& model, std::size_t most) {
   SurfacePoints points;
   for (const std::size_t point : choice.chosen()) add_point(points, candidates.of(point));
   return points;
-}
-
-double seen_by_points(const Model& model, const SurfacePoints& points) {
-  constexpr int pairs_a_clip = 4;
-  constexpr double apart = 4.0 / 60.0;  // seconds
-  const SurfacePoints surface = every_nth_vertex(model, 1);
-  double least = 1.0;
-  for (const Clip& clip : model.clips) {
-    for (int i = 0; i < pairs_a_clip; ++i) {
-      const double time = clip.duration * (i + 0.5) / pairs_a_clip;
-      const ReferencePose before = reference_pose(model.skeleton, &clip, time);
-      const ReferencePose after = reference_pose(model.skeleton, &clip, std::min(time + apart, clip.duration));
-      const double whole = largest_distance(places(surface, before), places(surface, after));
-      if (whole <= 0.0) continue;
-      least = std::min(least, largest_distance(places(points, before), places(points, after)) / whole);
-    }
-  }
-  return least;
 }
 
 }  // namespace throng::anim

@@ -35,11 +35,4 @@ struct SurfacePoints {
 /// `most`: 1 to most_surface_points. A character of more bones than that has only its outermost ones represented.
 SurfacePoints choose_surface_points(const Model& model, std::size_t most = most_surface_points);
 
-/// Every vertex as a point, in the order of Model::meshes: what the points stand for.
-SurfacePoints whole_surface(const Model& model);
-
-/// The part, 0 to 1, of the largest displacement on the whole surface that `points` see, in the worst of the pairs of
-/// poses of the model's clips that an update interval of 4 frames lies between. 1 for a model without clips or surface.
-double seen_by_points(const Model& model, const SurfacePoints& points);
-
 }  // namespace throng::anim

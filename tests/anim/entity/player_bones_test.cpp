@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -15,6 +16,16 @@
 
 namespace throng::anim::player_bones_test {
 namespace {
+
+/// The number of levels of detail that a bone is part of: `level + 1` as the least selects the prefix of `level`.
+std::vector<std::uint8_t> level_priorities(const Skeleton& skeleton) {
+  std::vector<std::uint8_t> priorities;
+  for (int bone = 0; bone < skeleton.bone_count(); ++bone) {
+    const auto levels = std::ranges::count_if(skeleton.level_bone_counts, [&](int count) { return bone < count; });
+    priorities.push_back(static_cast<std::uint8_t>(levels));
+  }
+  return priorities;
+}
 
 /// A player a third through a clip, posed as a PU would.
 class PlayerInStore {

@@ -130,31 +130,6 @@ TEST(Player, IsAClosedFormOfTimeWhateverItsSpeed) {
   }
 }
 
-TEST(Player, StandsWhereItIsSoughtWithoutPlayingTheWayThere) {
-  const ClipStreams clip{.duration = second};
-  Player player = player_at(second / 2, 1.0, Player::looping);
-  player.state.delta_time = second;
-  for (const FineTicks sought :
-       {FineTicks{5}, 3 * second * fine_ticks_per_tick + 9, -second * fine_ticks_per_tick / 4}) {
-    seek_player(player, sought, clip.duration);
-    EXPECT_EQ(unwrapped_position(player, clip.duration), sought);
-    EXPECT_FALSE(player.flags & Player::reached_end) << "no loop was played";
-    advance(player, clip, 0);
-    EXPECT_EQ(unwrapped_position(player, clip.duration), sought) << "time that was due before is dropped";
-  }
-}
-
-TEST(Player, SeeksTheEndsOfAClipThatDoesNotLoop) {
-  const ClipStreams clip{.duration = second};
-  Player player = player_at(second / 2, 1.0, 0);
-  seek_player(player, 7 * second * fine_ticks_per_tick, clip.duration);
-  EXPECT_EQ(position(player), second);
-  EXPECT_TRUE(player.flags & Player::reached_end);
-  seek_player(player, -1, clip.duration);
-  EXPECT_EQ(position(player), 0);
-  EXPECT_FALSE(player.flags & Player::reached_end);
-}
-
 /// Walks forward for half a second, then turns left on the spot.
 RootCurve walk_and_turn() {
   return {.duration = second, .keys = {{}, {.time = second / 2, .z = 0.7}, {.time = second, .z = 0.7, .yaw = 0.5}}};

@@ -58,7 +58,7 @@ TEST(BoneLodChoice, IsEveryBoneOnceAfterItsParentInLevelsThatShrink) {
 }
 
 TEST(BoneLodChoice, StaysValidWhereverABoneIsMoved) {
-  const BoneLodChoice choice = present_bone_lod(small_skeleton());
+  const BoneLodChoice choice = present_bone_lod(small_skeleton().bones.size(), small_skeleton().level_bone_counts);
   EXPECT_THAT(with_bone_moved(parents, choice, 4, 1).bones, ElementsAre(0, 3, 4, 1, 2)) << "the leg comes along";
   EXPECT_THAT(with_bone_moved(parents, choice, 1, 3).bones, ElementsAre(0, 3, 1, 2, 4)) << "the head comes along";
   for (std::size_t from = 0; from < 5; ++from) {
@@ -156,7 +156,7 @@ class ReorderedStage : public testing::Test {
   }
   /// Both arms and all below first, and only two levels.
   static BoneLodChoice arms_first(const anim::Skeleton& skeleton) {
-    BoneLodChoice choice = present_bone_lod(skeleton);
+    BoneLodChoice choice = present_bone_lod(skeleton.bones.size(), skeleton.level_bone_counts);
     const auto below_an_arm = [&](int bone) {
       for (; bone >= 0; bone = skeleton.bones[static_cast<std::size_t>(bone)].parent) {
         if (skeleton.bones[static_cast<std::size_t>(bone)].name.find("arm") != std::string::npos) return true;
@@ -206,7 +206,7 @@ TEST_F(ReorderedStage, RefusesAnOrderThatCannotBeAndGoesOn) {
   const auto stage = open({.scene = Scene::grid, .agents = 10, .pus = 1});
   ASSERT_TRUE(stage);
   const auto before = stage->characters().front().character;
-  BoneLodChoice choice = present_bone_lod(before->skeleton);
+  BoneLodChoice choice = present_bone_lod(before->skeleton.bones.size(), before->skeleton.level_bone_counts);
   std::ranges::reverse(choice.bones);
   EXPECT_FALSE(stage->set_bone_lod(0, choice));
   EXPECT_EQ(stage->characters().front().character, before);

@@ -33,7 +33,7 @@ void reorder_bones(Show& show) {
   const anim::Skeleton& skeleton = show.stage().people()[0].character->skeleton;
   std::vector<int> parents;
   for (const anim::Bone& bone : skeleton.bones) parents.push_back(bone.parent);
-  const BoneLodChoice present = present_bone_lod(skeleton);
+  const BoneLodChoice present = present_bone_lod(skeleton.bones.size(), skeleton.level_bone_counts);
   BoneLodChoice choice = with_bone_moved(parents, present, parents.size() - 1, 3);
   choice.level_counts = {present.level_counts[0], present.level_counts[1] / 2};
   expect_done(show.set_bone_lod(0, choice));
@@ -116,7 +116,10 @@ TEST_F(ReplaysOfHands, LoadOtherCharacters) {
       EXPECT_FALSE(show.replace_models(std::vector<std::string>{"none.glb"})) << "is not recorded";
     }
     if (frame == 30) expect_done(show.replace_models(models));
-    if (frame == 40) expect_done(show.set_bone_lod(1, present_bone_lod(show.stage().people()[1].character->skeleton)));
+    if (frame == 40)
+      expect_done(
+          show.set_bone_lod(1, present_bone_lod(show.stage().people()[1].character->skeleton.bones.size(),
+                                                show.stage().people()[1].character->skeleton.level_bone_counts)));
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }

@@ -65,8 +65,6 @@ struct PoseProgram {
   StoreNeeds needs;
   ProgramParts parts;  ///< of its own; shared ones are paid for once a frame
 
-  /// Steps that are not shared.
-  std::size_t own_count() const { return steps.size() - needs.shared; }
   friend bool operator==(const PoseProgram&, const PoseProgram&) = default;
 };
 

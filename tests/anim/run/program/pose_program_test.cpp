@@ -87,7 +87,7 @@ TEST(PoseProgram, OfAPlayerAloneIsOneStep) {
   ASSERT_EQ(program.steps.size(), 1U);
   EXPECT_EQ(made.root(), player);
   EXPECT_EQ(program.needs.registers, 1U);
-  EXPECT_EQ(program.own_count(), 1U);
+  EXPECT_EQ(program.needs.shared, 0U);
 }
 
 TEST(PoseProgram, GivesAnEntityThePriorityBelowTheLowestOfItsSources) {
@@ -170,7 +170,6 @@ TEST(PoseProgram, ReadsASharedEntityAndNothingBelowIt) {
   const PoseProgram& program = graph.compiled(graph.blend(shared, graph.player()));
   ASSERT_EQ(program.steps.size(), 3U);
   EXPECT_TRUE(program.steps[0].is_shared());
-  EXPECT_EQ(program.own_count(), 2U);
   EXPECT_EQ(program.needs.shared, 1U);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/asset/synthetic_model.h"
 
 namespace throng::app::dump_test {
@@ -16,9 +17,12 @@ nlohmann::json joints_of(const anim::Model& model) {
     skin.bones.push_back(bone);
     skin.palette_entries.push_back(bone);
   }
-  ReferencePoseSource source;
-  const auto pose = source.pose(model, &clip, 0.5);
-  return dump_skin(model, skin, &clip, *pose).at("joints");
+  const anim::ReferencePose reference = anim::reference_pose(model.skeleton, &clip, 0.5);
+  BonePose pose{.states = {}, .palette = reference.palette};
+  for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
+    pose.states.push_back(anim::to_state(model.skeleton, bone, reference.locals[static_cast<std::size_t>(bone)]));
+  }
+  return dump_skin(model, skin, &clip, pose).at("joints");
 }
 
 TEST(PoseDump, SaysTheRotationOfEveryJoint) {

@@ -13,6 +13,7 @@
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
+#include "app/commands/bench/turns.h"
 
 namespace throng::app {
 namespace {
@@ -20,11 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double counts_as_slower = 1.1;
-
-BenchCase first_case(const BenchOptions& options) {
-  return {options.agents.front(), options.bones.front(),     options.clips.front(),
-          options.pus.front(),    options.schedules.front(), options.streams.front()};
-}
 
 /// A crowd that is updated with one set of options after the other.
 struct SweptCrowd {
@@ -53,7 +49,7 @@ void add(SweptCrowd& crowd, const std::string& key, const anim::SystemOptions& o
 
 /// Tiles from 1 to the widest that fits: the same work in ever smaller tasks.
 anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
-  const BenchCase bench = first_case(options);
+  const BenchCase bench = bench_cases(options).front();
   anim::SystemOptions system = bench_system_options(options, bench);
   system.tile = 0;
   SweptCrowd crowd;
@@ -76,7 +72,7 @@ anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& char
 
 /// Crowds of 1, 2, 4, ... agents, on one PU and on all: from where on another PU pays.
 anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
-  const BenchCase bench = first_case(options);
+  const BenchCase bench = bench_cases(options).front();
   anim::SystemOptions all = bench_system_options(options, bench);
   all.cost.least_task = 0;  // every PU is woken, whatever there is to do
   anim::SystemOptions one = all;
@@ -126,7 +122,7 @@ std::string verdict(const Json& found) {
 }  // namespace
 
 anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
-  const BenchCase bench = first_case(options);
+  const BenchCase bench = bench_cases(options).front();
   const auto character = bench_character(options.model, bench.bones, bench.clips);
   if (!character) return character.error();
   std::vector<Json> tiles, crowds;

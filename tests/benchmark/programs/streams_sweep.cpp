@@ -9,6 +9,7 @@
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
+#include "app/commands/bench/turns.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/benchmark/programs/program.h"
 
@@ -81,8 +82,7 @@ std::string plot_of(const std::vector<Json>& rows) {
 
 anim::Result<BenchReport> sweep_streams(const BenchOptions& options) {
   if (!options.model.empty()) return anim::Error{"the clips are built here; leave the model out"};
-  const BenchCase bench{options.agents.front(), options.bones.front(),     options.clips.front(),
-                        options.pus.front(),    options.schedules.front(), options.streams.front()};
+  const BenchCase bench = bench_cases(options).front();
   std::vector<Json> rows;
   for (const int keys : key_densities) {
     if (const anim::Status done = sweep_steps(options, bench, keys, rows); !done) return done.error();

@@ -1,15 +1,13 @@
 #include "app/character/bone_lod.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <numeric>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "app/files/json_file.h"
 #include "engine/anim/base/pose.h"
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/run/program/cost_model.h"
@@ -18,12 +16,8 @@ namespace throng::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 constexpr int version = 1;
 constexpr const char* remedy = "; mend it, or delete it to have the order computed again";
-
-anim::Error wrong(const fs::path& file, const std::string& what) { return {file.string() + ": " + what + remedy}; }
 
 // Words for people: a permutation, each bone after its parent.
 anim::Status check_order(const anim::Skeleton& skeleton, std::span<const int> bones) {
@@ -58,41 +52,29 @@ anim::Status check_levels(std::span<const int> counts, int bones) {
   return anim::Done{};
 }
 
-anim::Result<std::vector<int>> bones_in(const Json& names, const anim::Skeleton& skeleton, const fs::path& file) {
-  if (!names.is_array()) return wrong(file, "\"bones\" must be a list of bone names");
-  const bool whole = std::ranges::all_of(names, [](const Json& name) { return name.is_string(); });
-  if (!whole) return wrong(file, "\"bones\" must hold names only");
+anim::Result<std::vector<int>> bones_in(const Json& names, const anim::Skeleton& skeleton, const JsonFile& file) {
+  if (!names.is_array()) return file.wrong("\"bones\" must be a list of bone names");
+  if (!names.is<std::vector<std::string>>()) return file.wrong("\"bones\" must hold names only");
   auto bones = bones_named(names.get<std::vector<std::string>>(), skeleton);
-  return bones ? std::move(bones) : wrong(file, "\"bones\": " + bones.error().message);
+  return bones ? std::move(bones) : file.wrong("\"bones\": " + bones.error().message);
 }
 
-anim::Result<std::vector<int>> counts_in(const Json& numbers, const fs::path& file) {
-  std::vector<int> counts;
-  const bool whole = numbers.is_array() && std::ranges::all_of(numbers, [](const Json& number) {
-                       return number.is_number_unsigned() && number.get<std::uint64_t>() <= anim::max_bones;
-                     });
-  if (!whole) return wrong(file, "\"level_counts\" must be a list of whole numbers of bones");
-  for (const Json& number : numbers) counts.push_back(number.get<int>());
-  return counts;
+anim::Result<std::vector<int>> counts_in(const Json& numbers, const JsonFile& file) {
+  if (numbers.are_whole(0, anim::max_bones)) return numbers.get<std::vector<int>>();
+  return file.wrong("\"level_counts\" must be a list of whole numbers of bones");
 }
 
-anim::Result<BoneLodChoice> choice_in(const Json& table, const anim::Skeleton& skeleton, const fs::path& file) {
-  if (!table.is_object()) return wrong(file, "must be an object with \"version\", \"bones\" and \"level_counts\"");
-  for (const auto& [key, value] : table.items()) {
-    if (key == "version" || key == "bones" || key == "level_counts") continue;
-    return wrong(file, "unknown key \"" + key + "\"; it knows version, bones, level_counts");
-  }
-  if (!table.contains("version") || table["version"] != version) {
-    return wrong(file, "\"version\" must be " + std::to_string(version));
-  }
-  if (!table.contains("bones")) return wrong(file, "\"bones\" is missing");
-  if (!table.contains("level_counts")) return wrong(file, "\"level_counts\" is missing");
+anim::Result<BoneLodChoice> choice_in(const Json& table, const anim::Skeleton& skeleton, const JsonFile& file) {
+  const anim::Status known = file.check_table(table, version, {"version", "bones", "level_counts"});
+  if (!known) return known.error();
+  if (!table.contains("bones")) return file.wrong("\"bones\" is missing");
+  if (!table.contains("level_counts")) return file.wrong("\"level_counts\" is missing");
   auto bones = bones_in(table["bones"], skeleton, file);
   if (!bones) return bones.error();
   auto counts = counts_in(table["level_counts"], file);
   if (!counts) return counts.error();
   BoneLodChoice choice{.bones = std::move(*bones), .level_counts = std::move(*counts)};
-  if (const auto checked = check_bone_lod(skeleton, choice); !checked) return wrong(file, checked.error().message);
+  if (const auto checked = check_bone_lod(skeleton, choice); !checked) return file.wrong(checked.error().message);
   return choice;
 }
 
@@ -165,13 +147,12 @@ double nanoseconds_at_level(const anim::Skeleton& skeleton, std::size_t level) {
 BoneLodFile::BoneLodFile(const fs::path& model) : file_(model, ".lod.json", "The order of the bones") {}
 
 anim::Result<std::optional<BoneLodChoice>> BoneLodFile::read(const anim::Skeleton& skeleton) const {
-  const fs::path file = file_.found();
-  if (file.empty()) return std::optional<BoneLodChoice>();
-  std::ifstream stream(file);
-  if (!stream) return anim::Error{file.string() + ": cannot be read"};
-  const Json table = Json::parse(stream, nullptr, false);
-  if (table.is_discarded()) return wrong(file, "is not JSON");
-  auto choice = choice_in(table, skeleton, file);
+  const fs::path found = file_.found();
+  if (found.empty()) return std::optional<BoneLodChoice>();
+  const JsonFile file(found, {.malformed = remedy, .wrong = remedy});
+  const auto table = file.read();
+  if (!table) return table.error();
+  auto choice = choice_in(*table, skeleton, file);
   if (!choice) return choice.error();
   return std::optional(std::move(*choice));
 }
@@ -179,7 +160,7 @@ anim::Result<std::optional<BoneLodChoice>> BoneLodFile::read(const anim::Skeleto
 anim::Result<fs::path> BoneLodFile::write(const anim::Skeleton& skeleton) const {
   const Json table = {
       {"version", version}, {"bones", bone_keys(skeleton)}, {"level_counts", skeleton.level_bone_counts}};
-  return file_.write(table.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return file_.write(table.dump(2) + "\n");
 }
 
 }  // namespace throng::app

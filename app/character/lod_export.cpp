@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "app/character/bone_lod.h"
+#include "app/files/json.h"
 
 namespace throng::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int lod_export_version = 1;
 
@@ -89,7 +86,7 @@ std::string lod_as_json(const CharacterSource& source, std::span<const LodLevel>
                     {"intervals", intervals_of(rules, source.bounds.height, pixels_per_unit)},
                     {"bone_levels", levels_of(levels, rules, source.bounds.height, pixels_per_unit)},
                     {"bones", bones_of(*source.character)}};
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return all.dump(2) + "\n";
 }
 
 }  // namespace throng::app

@@ -1,17 +1,15 @@
 #include "app/character/role_table.h"
 
 #include <algorithm>
-#include <fstream>
 #include <numeric>
 #include <optional>
 
-#include <nlohmann/json.hpp>
+#include "app/files/json_file.h"
 
 namespace throng::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr int role_table_version = 1;
 
@@ -41,16 +39,14 @@ std::string nearest_names(std::string_view wanted, std::span<const std::string> 
   return list;
 }
 
-anim::Error wrong_table(const fs::path& file, const std::string& what) { return {file.string() + ": " + what}; }
-
-anim::Result<std::vector<RoleChoice>> choices_in(const Json& clips, const fs::path& file) {
-  if (!clips.is_object()) return wrong_table(file, "\"clips\" must be an object of roles and clip names");
+anim::Result<std::vector<RoleChoice>> choices_in(const Json& clips, const JsonFile& file) {
+  if (!clips.is_object()) return file.wrong("\"clips\" must be an object of roles and clip names");
   std::vector<RoleChoice> choices;
-  for (const auto& [name, clip] : clips.items()) {
+  for (const auto& [name, clip] : clips.members()) {
     const auto role = role_named(name);
-    if (!role) return wrong_table(file, "\"clips\" has no role \"" + name + "\"; it knows " + known_roles());
-    if (!clip.is_string())
-      return wrong_table(file, "\"clips\": \"" + name + "\" must be the name of a clip, or \"none\"");
+    if (!role) return file.wrong("\"clips\" has no role \"" + name + "\"; it knows " + known_roles());
+    if (!clip.is<std::string>())
+      return file.wrong("\"clips\": \"" + name + "\" must be the name of a clip, or \"none\"");
     choices.push_back({*role, clip.get<std::string>()});
   }
   return choices;
@@ -87,28 +83,21 @@ std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std:
 RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
 
 anim::Result<std::vector<RoleChoice>> RoleFile::read() const {
-  const fs::path file = file_.found();
-  if (file.empty()) return std::vector<RoleChoice>();
-  std::ifstream stream(file);
-  if (!stream) return wrong_table(file, "cannot be read");
-  const Json table = Json::parse(stream, nullptr, false);
-  if (table.is_discarded()) return wrong_table(file, "is not JSON; delete it to go by the clips' names again");
-  if (!table.is_object()) return wrong_table(file, "must be an object with \"version\" and \"clips\"");
-  for (const auto& [key, value] : table.items()) {
-    if (key != "version" && key != "clips")
-      return wrong_table(file, "unknown key \"" + key + "\"; it knows version, clips");
-  }
-  if (!table.contains("version") || table["version"] != role_table_version) {
-    return wrong_table(file, "\"version\" must be " + std::to_string(role_table_version));
-  }
-  return table.contains("clips") ? choices_in(table["clips"], file) : std::vector<RoleChoice>();
+  const fs::path found = file_.found();
+  if (found.empty()) return std::vector<RoleChoice>();
+  const JsonFile file(found, {.malformed = "; delete it to go by the clips' names again"});
+  const auto table = file.read();
+  if (!table) return table.error();
+  const anim::Status checked = file.check_table(*table, role_table_version, {"version", "clips"});
+  if (!checked) return checked.error();
+  return table->contains("clips") ? choices_in((*table)["clips"], file) : std::vector<RoleChoice>();
 }
 
 anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
   Json clips = Json::object();
   for (const auto& [role, clip] : choices) clips[role_names.at(index_of(role))] = clip;
   const Json table = {{"version", role_table_version}, {"clips", clips}};
-  return file_.write(table.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return file_.write(table.dump(2) + "\n");
 }
 
 }  // namespace throng::app

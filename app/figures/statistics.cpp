@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
-
 #include "app/files/atomic_file.h"
+#include "app/files/json.h"
 
 namespace throng::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double nearest_rank(std::vector<double> values, double part) {
   if (values.empty()) return 0.0;

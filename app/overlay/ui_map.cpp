@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
-#include <nlohmann/json.hpp>
-
+#include "app/files/json.h"
 #include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <std::size_t Count, class Choice>
 const char* word(const std::array<const char*, Count>& words, Choice choice) {
@@ -42,7 +40,7 @@ Json tuning_json(const Tuning& tuning) {
           {"placed_feet", tuning.placed_feet},
           {"inspection", inspection_json(tuning.inspection)},
           {"bone_lod", tuning.bone_lod},
-          {"bone_level_distance", tuning.bone_level_distance},
+          {"bone_level_distance", std::span(tuning.bone_level_distance)},
           {"mesh_lod", tuning.mesh_lod},
           {"pus", tuning.pus},
           {"local_store_kib", tuning.local_store_kib},
@@ -77,7 +75,7 @@ Json selected_json(const std::optional<SelectionReport>& selected) {
           {"bytes", selected->bytes},
           {"entities", entities},
           {"layers", layers},
-          {"held_at", selected->held_at ? Json(*selected->held_at) : Json(nullptr)},
+          {"held_at", selected->held_at},
           {"history_frames", selected->history.size()},
           {"events", selected->events}};
 }
@@ -151,7 +149,7 @@ std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& r
                          {"camera", camera_json(report.camera)},
                          {"widgets", widgets}};
   // A model's name may hold bytes that are not UTF-8.
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document.dump(1) + "\n";
 }
 
 }  // namespace throng::app

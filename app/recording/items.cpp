@@ -75,9 +75,10 @@ std::optional<RecordedRequest> bone_order(NumberReader& numbers) {
   return order;
 }
 
-std::optional<RecordedRequest> characters(std::string_view json) {
+std::optional<RecordedRequest> characters(std::string_view text) {
   RecordedCharacters characters;
-  const bool read = from_json(json, characters.characters);
+  const auto json = parse_json(text);
+  const bool read = json && from_json(*json, characters.characters);
   const bool of_files = std::ranges::none_of(characters.characters, &std::string::empty, &RecordedCharacter::file);
   return read && of_files ? std::optional<RecordedRequest>(std::move(characters)) : std::nullopt;
 }

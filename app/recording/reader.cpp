@@ -112,7 +112,7 @@ std::optional<RecordedItem> RecordingReader::item(RecordKind kind) {
 
 std::optional<RecordedItem> RecordingReader::changed_tuning() {
   Preset preset{.tuning = tuning_, .camera = {}};
-  if (from_json(payload_, preset)) return std::nullopt;
+  if (from_json_text(payload_, preset)) return std::nullopt;
   tuning_ = preset.tuning;
   return RecordedRequest(tuning_);
 }

@@ -5,8 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/character/bone_lod.h"
 #include "app/figures/statistics.h"
 #include "app/files/byte_hash.h"
@@ -15,8 +13,6 @@
 
 namespace throng::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::uint64_t chained(std::uint64_t hash, std::string_view text) {
   ByteHash bytes;
@@ -44,29 +40,18 @@ std::string fingerprint(const CharacterSource& source) {
   return hex_string(hash);
 }
 
-bool are_numbers(const Json& json, int least, int most) {
-  return json.is_array() && std::ranges::all_of(json, [&](const Json& number) {
-           return number.is_number_integer() && number.get<std::int64_t>() >= least &&
-                  number.get<std::int64_t>() <= most;
-         });
-}
-
-bool are_texts(const Json& json) {
-  return json.is_array() && std::ranges::all_of(json, [](const Json& text) { return text.is_string(); });
-}
-
 bool read_character(const Json& json, RecordedCharacter& character) {
   constexpr int most_clips = 65535;
-  const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
-  if (!has("file") || !has("fingerprint") || !has("roles") || !has("bones") || !has("level_counts")) return false;
-  if (!json["file"].is_string() || !json["fingerprint"].is_string() || !are_texts(json["bones"])) return false;
-  if (!are_numbers(json["roles"], no_clip, most_clips) || json["roles"].size() != character.roles.size()) return false;
-  if (!are_numbers(json["level_counts"], 1, anim::max_bones)) return false;
+  const Json& roles = json["roles"];
+  if (!json["file"].is<std::string>() || !json["fingerprint"].is<std::string>()) return false;
+  if (!json["bones"].is<std::vector<std::string>>() || !json["level_counts"].are_whole(1, anim::max_bones))
+    return false;
+  if (!roles.are_whole(no_clip, most_clips) || roles.elements().size() != character.roles.size()) return false;
   character.file = json["file"].get<std::string>();
   character.fingerprint = json["fingerprint"].get<std::string>();
   character.bones = json["bones"].get<std::vector<std::string>>();
   character.level_counts = json["level_counts"].get<std::vector<int>>();
-  std::ranges::transform(json["roles"], character.roles.begin(), [](const Json& clip) { return clip.get<int>(); });
+  std::ranges::transform(roles.elements(), character.roles.begin(), &Json::get<int>);
   return character.file.find('\0') == std::string::npos;
 }
 
@@ -116,7 +101,7 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
   return anim::Done{};
 }
 
-std::string to_json(std::span<const RecordedCharacter> characters) {
+Json to_json(std::span<const RecordedCharacter> characters) {
   Json json = Json::array();
   for (const RecordedCharacter& character : characters) {
     json.push_back({{"file", character.file},
@@ -125,13 +110,12 @@ std::string to_json(std::span<const RecordedCharacter> characters) {
                     {"bones", character.bones},
                     {"level_counts", character.level_counts}});
   }
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json;
 }
 
-bool from_json(std::string_view text, std::vector<RecordedCharacter>& characters) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_array() || json.empty() || json.size() > most_models) return false;
-  for (const Json& each : json) {
+bool from_json(const Json& json, std::vector<RecordedCharacter>& characters) {
+  if (json.elements().empty() || json.elements().size() > most_models) return false;
+  for (const Json& each : json.elements()) {
     if (!read_character(each, characters.emplace_back())) return false;
   }
   return true;

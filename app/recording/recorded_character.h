@@ -2,11 +2,11 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/character/roles.h"
 #include "app/character/source.h"
+#include "app/files/json.h"
 #include "engine/anim/base/result.h"
 
 namespace throng::app {
@@ -34,8 +34,8 @@ bool has_clips(const CharacterSource& character, const RoleClips& roles);
 anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
 
 /// JSON: a list of objects with "file", "fingerprint", "roles", "bones" and "level_counts".
-std::string to_json(std::span<const RecordedCharacter> characters);
+Json to_json(std::span<const RecordedCharacter> characters);
 /// 1 to most_models of them, or false.
-bool from_json(std::string_view text, std::vector<RecordedCharacter>& characters);
+bool from_json(const Json& json, std::vector<RecordedCharacter>& characters);
 
 }  // namespace throng::app

@@ -80,7 +80,7 @@ void RecordingWriter::add(const RecordedBoneOrder& order) {
 }
 
 void RecordingWriter::add(const RecordedCharacters& characters) {
-  payload_ = to_json(characters.characters);
+  payload_ = to_json(characters.characters).dump();
   write_item(RecordKind::characters);
 }
 

@@ -4,20 +4,16 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
-#include <fstream>
 #include <system_error>
 
-#include <nlohmann/json.hpp>
-
 #include "app/files/atomic_file.h"
+#include "app/files/json_file.h"
 #include "app/settings/preset_fields.h"
 
 namespace throng::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t most_bytes = 65536;
 
 fs::path configuration_folder() {
@@ -29,8 +25,8 @@ fs::path configuration_folder() {
 
 // The text that a command line would have; nothing for what none can have.
 std::optional<std::string> text_of(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  if (value.is<std::string>()) return value.get<std::string>();
+  if (value.is<bool>()) return value.get<bool>() ? "on" : "off";
   if (value.is_number()) return value.dump();
   return {};
 }
@@ -58,17 +54,14 @@ Complaint take_key(const std::string& key, const Json& value, Preset& preset) {
 Json json_of(const PresetField& field, const Tuning& tuning) {
   const std::string text = field.text(tuning);
   if (field.form == PresetField::Form::on_off) return text == "on";
-  return field.form == PresetField::Form::word ? Json(text) : Json::parse(text);
+  return field.form == PresetField::Form::word ? Json(text) : *parse_json(text);
 }
 
 Complaint read_into(const fs::path& file, Preset& preset) {
   std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || !fs::is_regular_file(file, error)) return "cannot be read";
-  std::string text(most_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return from_json(text, preset);
+  const std::optional<std::string> text = read_text(file, most_bytes);
+  if (!text || !fs::is_regular_file(file, error)) return "cannot be read";
+  return from_json_text(*text, preset);
 }
 
 std::string option_text(const PresetField& field, const Tuning& tuning) {
@@ -85,19 +78,23 @@ Tuning settled(Tuning defaults, const Tuning& tuning) {
 
 }  // namespace
 
-std::string to_json(const Preset& preset) {
+Json to_json(const Preset& preset) {
   Json json;
   for (const PresetField& field : preset_fields()) json[std::string(field.key)] = json_of(field, preset.tuning);
   if (preset.camera) json["camera"] = camera_text(*preset.camera);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
 }
 
-Complaint from_json(std::string_view text, Preset& preset) {
+Complaint from_json_text(std::string_view text, Preset& preset) {
   if (text.size() > most_bytes) return "is too long to be a preset";
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || !json.is_object()) return "must be a JSON object of keys and values";
+  const auto json = parse_json(text);
+  return from_json(json ? *json : Json(), preset);
+}
+
+Complaint from_json(const Json& json, Preset& preset) {
+  if (!json.is_object()) return "must be a JSON object of keys and values";
   Preset taken = preset;
-  for (const auto& [key, value] : json.items()) {
+  for (const auto& [key, value] : json.members()) {
     if (Complaint complaint = take_key(key, value, taken)) return complaint;
   }
   preset = taken;
@@ -113,7 +110,7 @@ anim::Result<Preset> read_preset(const fs::path& file) {
 anim::Status write_preset(const fs::path& file, const Preset& preset) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  return write_whole_file(file, to_json(preset));
+  return write_whole_file(file, to_json(preset).dump(2) + "\n");
 }
 
 fs::path preset_folder() {

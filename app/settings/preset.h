@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/json.h"
 #include "app/settings/option_values.h"
 #include "app/settings/settings.h"
 #include "engine/anim/base/result.h"
@@ -21,8 +22,10 @@ struct Preset {
 /// One flat JSON object; the keys are those of preset_fields() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has
 /// them, in a string). Missing keys keep what `preset` has. The complaint names the key and what to do, and then
 /// nothing has changed.
-std::string to_json(const Preset& preset);
-Complaint from_json(std::string_view json, Preset& preset);
+Json to_json(const Preset& preset);
+Complaint from_json(const Json& json, Preset& preset);
+/// As from_json(); also complains of what is no JSON.
+Complaint from_json_text(std::string_view text, Preset& preset);
 
 /// Missing keys are the defaults. The error is one line that names file, key and what to do.
 anim::Result<Preset> read_preset(const std::filesystem::path& file);

@@ -83,6 +83,7 @@ struct Part {
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       {"tiny_gltf", {"engine/anim/import/"}},
+      {"nlohmann/", {"app/files/json.cpp", "engine/anim/import/", "assets/"}},
       {"imgui", {"engine/render/passes/overlay_renderer.cpp", "app/overlay/"}},
       {"CLI/", {"app/command_line/option_reader.cpp"}},
       {"GLFW/", {"engine/render/gl/window_context.cpp", "app/demo/window_input.cpp"}},

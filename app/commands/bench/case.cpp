@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/held.h"
 #include "app/commands/bench/rounds.h"
@@ -17,8 +15,6 @@
 
 namespace throng::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int traced_frames = 10;
 
@@ -170,7 +166,7 @@ std::string write_floor(const BenchTimes& times) {
   return std::ranges::min_element(store_policies, {}, median)->first;
 }
 
-Json figures_of(const BenchTimes& times, double agents, double bones) {
+void add_figures(Json& json, const BenchTimes& times, double agents, double bones) {
   const auto per_bone = [&](double nanoseconds) { return nanoseconds / agents / bones; };
   const auto per_bone_or_null = [&](const std::string& key) {
     return times.has(key) ? Json(per_bone(times.median(key))) : Json(nullptr);
@@ -179,7 +175,6 @@ Json figures_of(const BenchTimes& times, double agents, double bones) {
     return times.has(key) && times.has(other) ? Json(times.median_ratio(key, other)) : Json(nullptr);
   };
   const std::string floor = write_floor(times);
-  Json json;
   json["ns_per_bone_median"] = per_bone(times.median("update"));
   json["ns_per_bone_min"] = per_bone(times.fastest("update"));
   json["write_floor_ns_per_bone_median"] = per_bone(times.median(floor));
@@ -198,7 +193,6 @@ Json figures_of(const BenchTimes& times, double agents, double bones) {
   json["held_over_streaming"] = ratio_or_null("held", "one pu");
   json["trace_cost_percent"] = 100.0 * (times.median_ratio("traced", "untraced") - 1.0);
   json["agents_per_60hz_frame"] = static_cast<std::int64_t>(agents * (1e9 / 60.0) / times.median("update"));
-  return json;
 }
 
 }  // namespace
@@ -230,9 +224,8 @@ anim::SystemOptions bench_system_options(const BenchOptions& options, const Benc
   return result;
 }
 
-anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options, const BenchCase& bench,
-                                                    const BenchCharacter& character, const BenchPass& pass,
-                                                    BenchTimes& times, std::optional<TimelineLog>& trace) {
+anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
+                                  const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace) {
   CaseBench work;
   const anim::Status prepared = work.prepare(character, bench_system_options(options, bench), bench.agents);
   if (!prepared) return prepared.error();
@@ -256,7 +249,7 @@ anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options,
   json["simd_target"] = work.system().kernels().target;
   json["pose_hash"] = hex_string(work.hash(options.frames));
   json["clips"] = character.character->clips.size();
-  json.update(figures_of(times, bench.agents, bones));
+  add_figures(json, times, bench.agents, bones);
   json["bytes_per_agent"] = work.system().bytes_per_agent();
   json["stream_bytes_per_frame"] = work.system().stream_bytes();
   json["rounds"] = options.frames;

@@ -4,11 +4,10 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "app/commands/bench/options.h"
 #include "app/commands/bench/times.h"
 #include "app/figures/timeline_log.h"
+#include "app/files/json.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/base/result.h"
@@ -36,8 +35,7 @@ struct BenchPass {
 /// puts them behind those of earlier passes in `times`. In the last pass `trace` gets some frames, and what is returned
 /// is one flat object of figures of all passes, as the README lists them; before, null.
 /// The error is a usage error, found before the first round.
-anim::Result<nlohmann::ordered_json> run_bench_case(const BenchOptions& options, const BenchCase& bench,
-                                                    const BenchCharacter& character, const BenchPass& pass,
-                                                    BenchTimes& times, std::optional<TimelineLog>& trace);
+anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
+                                  const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace);
 
 }  // namespace throng::app

@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/bench/grain.h"
 #include "app/commands/bench/machine.h"
 #include "app/commands/bench/plot.h"
@@ -21,7 +19,6 @@
 namespace throng::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Rows = std::vector<Json>;
 
 constexpr std::array columns = {"agents",
@@ -63,7 +60,7 @@ std::string line_name(const Json& row, const Rows& rows, const std::string& axis
   for (const char* const key : {"agents", "bones_per_agent", "clips", "pus", "schedule", "stream"}) {
     const bool varies = std::ranges::any_of(rows, [&](const Json& other) { return other[key] != row[key]; });
     if (!varies || key == axis) continue;
-    const std::string value = row[key].is_string() ? row[key].get<std::string>() : row[key].dump() + " " + key;
+    const std::string value = row[key].is<std::string>() ? row[key].get<std::string>() : row[key].dump() + " " + key;
     name += (name.empty() ? "" : ", ") + value;
   }
   return name.empty() ? "update" : name;

@@ -18,8 +18,6 @@
 namespace throng::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double counts_as_slower = 1.1;
 
 /// A crowd that is updated with one set of options after the other.
@@ -92,10 +90,10 @@ anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& cha
 }
 
 int smallest_tile(const std::vector<Json>& tiles) {
-  double best = tiles.front()["ns_per_bone_median"];
+  double best = tiles.front()["ns_per_bone_median"].get<double>();
   for (const Json& row : tiles) best = std::min(best, row["ns_per_bone_median"].get<double>());
   for (const Json& row : tiles) {
-    if (row["ns_per_bone_median"].get<double>() <= counts_as_slower * best) return row["tile"];
+    if (row["ns_per_bone_median"].get<double>() <= counts_as_slower * best) return row["tile"].get<int>();
   }
   return 0;
 }
@@ -146,8 +144,8 @@ anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
                 verdict(report.json) + "\n";
   PlotLine line{.name = "update", .x = {}, .y = {}};
   for (const Json& row : tiles) {
-    line.x.push_back(row["tile"]);
-    line.y.push_back(row["ns_per_bone_median"]);
+    line.x.push_back(row["tile"].get<double>());
+    line.y.push_back(row["ns_per_bone_median"].get<double>());
   }
   report.plot = lines_as_svg("The grain of tasks", "characters a tile", "ns a bone", {line});
   return report;

@@ -19,8 +19,6 @@
 namespace throng::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double frame_ns = 1e9 / 60.0;
 
 // The paper's practical result (3): 40 skeletons of 40 bones, different animations, 6% of a frame at 60 Hz.

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
-#include <nlohmann/json.hpp>
+#include "app/files/json_file.h"
 
 namespace throng::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Kind = anim::TraceSpan::Kind;
 
 /// Reads keys one after the other and keeps the first complaint.
 class MachineReader {
  public:
-  MachineReader(std::string file, const Json& json) : file_(std::move(file)), json_(&json) {}
+  MachineReader(const JsonFile& file, const Json& json) : file_(&file), json_(&json) {}
 
   void number(const char* key, double least, double most, double& target, bool needed = true) {
     if (!json_->contains(key)) {
@@ -42,21 +40,19 @@ class MachineReader {
       if (needed) complain(key, "is missing: a text");
       return;
     }
-    if ((*json_)[key].is_string()) {
-      target = (*json_)[key];
+    if ((*json_)[key].is<std::string>()) {
+      target = (*json_)[key].get<std::string>();
     } else {
       complain(key, "must be a text");
     }
   }
   bool has(const char* key) const { return json_->contains(key); }
   void complain(const std::string& key, const std::string& what) {
-    if (complaint_.empty()) complaint_ = file_ + ": \"" + key + "\" " + what;
+    if (complaint_) complaint_ = file_->wrong("\"" + key + "\" " + what);
   }
-  /// What is wrong, a key of an unknown name included; empty: nothing.
-  std::string complaint(std::initializer_list<std::string_view> known) {
-    for (const auto& [key, value] : json_->items()) {
-      if (std::ranges::find(known, key) == known.end()) complain(key, "is no key of a machine");
-    }
+  /// The first thing that is wrong, a key of an unknown name included.
+  anim::Status complaint(std::initializer_list<std::string_view> known) {
+    if (const Json::Member* const other = json_->member_beside(known)) complain(other->key, "is no key of a machine");
     return complaint_;
   }
 
@@ -67,9 +63,9 @@ class MachineReader {
     return text;
   }
 
-  std::string file_;
+  const JsonFile* file_;
   const Json* json_;
-  std::string complaint_;
+  anim::Status complaint_ = anim::Done{};
 };
 
 anim::CopyCounts copies_of(const anim::TraceSpan& span) { return {span.bytes_in, span.bytes_out, span.transfers}; }
@@ -77,12 +73,12 @@ anim::CopyCounts copies_of(const anim::TraceSpan& span) { return {span.bytes_in,
 }  // namespace
 
 anim::Result<Machine> read_machine(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) return anim::Error{file.string() + ": cannot be read; --machine takes ps2, spe or a file"};
-  const Json json = Json::parse(stream, nullptr, false);
-  if (!json.is_object()) return anim::Error{file.string() + ": not a JSON object that describes a machine"};
+  const JsonFile json_file(file, {.unread = "; --machine takes ps2, spe or a file"});
+  const auto json = json_file.read();
+  if (!json) return json.error();
+  if (!json->is_object()) return json_file.wrong("not a JSON object that describes a machine");
   Machine machine;
-  MachineReader reader(file.string(), json);
+  MachineReader reader(json_file, *json);
   reader.text("name", machine.name, true);
   reader.whole("local_store_kib", 1, 65536, machine.local_store_kib);
   reader.whole("pus", 1, 256, machine.pus);
@@ -98,10 +94,10 @@ anim::Result<Machine> read_machine(const std::filesystem::path& file) {
       reader.complain("compute_times", "contradicts compute_ns_per_bone; give one of them");
   }
   reader.text("notes", machine.notes, false);
-  const std::string complaint =
+  const anim::Status complaint =
       reader.complaint({"name", "local_store_kib", "pus", "dma_latency_ns", "dma_gigabytes_per_second",
                         "dma_transfers_in_flight", "compute_times", "compute_ns_per_bone", "notes"});
-  if (!complaint.empty()) return anim::Error{complaint};
+  if (!complaint) return complaint.error();
   return machine;
 }
 

@@ -2,9 +2,8 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/bench/options.h"
+#include "app/files/json.h"
 #include "engine/anim/base/result.h"
 
 namespace throng::app {
@@ -12,7 +11,7 @@ namespace throng::app {
 /// The figures of a measurement, for a person, for programs, and drawn (empty: there is nothing to draw).
 struct BenchReport {
   std::string text;
-  nlohmann::ordered_json json;
+  Json json;
   std::string plot;
 };
 

@@ -5,17 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace throng::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string short_text(const Json& value) {
   if (value.is_null()) return "-";
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_number_float()) return value.dump();
+  if (value.is<std::string>()) return value.get<std::string>();
+  if (!value.is_float()) return value.dump();
   char text[32];
   std::snprintf(text, sizeof(text), "%.4g", value.get<double>());
   return text;
@@ -30,7 +26,7 @@ std::string heading(std::string_view key) {
 
 std::string lines_of(const Json& row) {
   std::string text;
-  for (const auto& [key, value] : row.items()) {
+  for (const auto& [key, value] : row.members()) {
     std::string line = key;
     line.resize(std::max<std::size_t>(34, key.size()), ' ');
     text += line + " " + value.dump() + "\n";
@@ -62,9 +58,7 @@ std::string figures_as_text(std::span<const Json> rows, std::span<const char* co
 
 Json figures_as_json(std::span<const Json> rows) {
   if (rows.size() == 1) return rows.front();
-  Json all;
-  all["rows"] = rows;
-  return all;
+  return {{"rows", rows}};
 }
 
 }  // namespace throng::app

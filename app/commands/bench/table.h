@@ -3,15 +3,15 @@
 #include <span>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
+#include "app/files/json.h"
 
 namespace throng::app {
 
 /// Flat objects of equal keys as text for a person: one as lines of key and value; several as a table of the keys in
 /// `columns`, numbers rounded to four digits.
-std::string figures_as_text(std::span<const nlohmann::ordered_json> rows, std::span<const char* const> columns);
+std::string figures_as_text(std::span<const Json> rows, std::span<const char* const> columns);
 
 /// One object as it is; several as `{"rows": [...]}`.
-nlohmann::ordered_json figures_as_json(std::span<const nlohmann::ordered_json> rows);
+Json figures_as_json(std::span<const Json> rows);
 
 }  // namespace throng::app

@@ -5,8 +5,6 @@
 #include <string>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/bench/case.h"
 #include "app/files/exit_status.h"
 
@@ -42,10 +40,8 @@ std::string label_of(std::size_t pass, std::size_t passes, std::size_t index, st
 }
 
 /// A row's time by agent and bone over that of the first row, round by round.
-double over_first_row(std::span<const nlohmann::ordered_json> rows, std::span<const BenchTimes> times) {
-  const auto bones = [](const nlohmann::ordered_json& row) {
-    return row["agents"].get<double>() * row["bones_per_agent"].get<double>();
-  };
+double over_first_row(std::span<const Json> rows, std::span<const BenchTimes> times) {
+  const auto bones = [](const Json& row) { return row["agents"].get<double>() * row["bones_per_agent"].get<double>(); };
   const std::size_t row = rows.size() - 1;
   return times[row].median_ratio("update", times[0], "update") * bones(rows[0]) / bones(rows[row]);
 }
@@ -72,8 +68,7 @@ std::vector<int> rounds_of_passes(int rounds, std::size_t cases) {
   return result;
 }
 
-std::optional<int> run_cases(const BenchOptions& options, std::vector<nlohmann::ordered_json>& rows,
-                             std::optional<TimelineLog>& trace) {
+std::optional<int> run_cases(const BenchOptions& options, std::vector<Json>& rows, std::optional<TimelineLog>& trace) {
   const std::vector<BenchCase> cases = bench_cases(options);
   const std::vector<int> rounds = rounds_of_passes(options.frames, cases.size());
   BenchCharacters characters;

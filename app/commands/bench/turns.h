@@ -3,10 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "app/commands/bench/options.h"
 #include "app/figures/timeline_log.h"
+#include "app/files/json.h"
 
 namespace throng::app {
 
@@ -19,7 +18,6 @@ std::vector<int> rounds_of_passes(int rounds, std::size_t cases);
 
 /// Times all combinations, a row of figures each; of several, each row's time over the first one's, too. `trace`: gets
 /// some frames of each. Null where it is done, else what ended it, which was said.
-std::optional<int> run_cases(const BenchOptions& options, std::vector<nlohmann::ordered_json>& rows,
-                             std::optional<TimelineLog>& trace);
+std::optional<int> run_cases(const BenchOptions& options, std::vector<Json>& rows, std::optional<TimelineLog>& trace);
 
 }  // namespace throng::app

@@ -6,17 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/files/exit_status.h"
+#include "app/files/json.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::app {
 
 namespace {
-
-using nlohmann::json;
 
 std::size_t count_vertices(const anim::Model& model) {
   std::size_t count = 0;
@@ -69,90 +66,90 @@ void write_model(std::ostream& out, const anim::Model& model) {
   out << " triangles\n";
 }
 
-json mesh_lods_json(const anim::Model& model) {
-  json lods = json::array();
+Json mesh_lods_json(const anim::Model& model) {
+  Json lods = Json::array();
   for (const anim::BakedMeshLod& lod : model.mesh_lods) {
-    lods.push_back({{"triangles", count_triangles(lod.meshes)}, {"error_m", lod.error}});
+    lods.push_back({{"error_m", lod.error}, {"triangles", count_triangles(lod.meshes)}});
   }
   return lods;
 }
 
-json skins_json(const anim::Model& model) {
-  json skins = json::array();
+Json skins_json(const anim::Model& model) {
+  Json skins = Json::array();
   for (const anim::Skin& skin : model.skins) {
-    skins.push_back({{"skin", skin.skin}, {"name", skin.name}, {"joints", skin.bones.size()}});
+    skins.push_back({{"joints", skin.bones.size()}, {"name", skin.name}, {"skin", skin.skin}});
   }
   return skins;
 }
 
-json sampled_json(const anim::BakedClip& clip) {
+Json sampled_json(const anim::BakedClip& clip) {
   if (clip.sampled() == nullptr) return nullptr;
-  return {{"rate_hz", clip.sampled_rate},
-          {"bytes", clip.sampled()->total_size},
+  return {{"bytes", clip.sampled()->total_size},
+          {"rate_hz", clip.sampled_rate},
           {"rows", clip.sampled()->row_count},
           {"surface_error_mm", clip.sampled_error * 1000.0},
           {"surface_error_limit_mm", clip.error_bound * 1000.0}};
 }
 
-json clips_json(const anim::Model& model) {
+Json clips_json(const anim::Model& model) {
   const anim::Character baked = anim::bake_character(model);
-  json clips = json::array();
+  Json clips = Json::array();
   for (std::size_t i = 0; i < model.clips.size(); ++i) {
     const anim::Clip& clip = model.clips[i];
     clips.push_back({{"animation", clip.animation},
-                     {"name", clip.name},
-                     {"start_s", clip.start},
-                     {"duration_s", clip.duration},
                      {"bones_animated", clip.tracks.size()},
-                     {"sampled_stream", sampled_json(baked.clips[i])},
+                     {"duration_s", clip.duration},
                      {"keyframe_bytes", baked.clips[i].keyframe().total_size},
-                     {"note", baked.clips[i].note}});
+                     {"name", clip.name},
+                     {"note", baked.clips[i].note},
+                     {"sampled_stream", sampled_json(baked.clips[i])},
+                     {"start_s", clip.start}});
   }
   return clips;
 }
 
-json meshes_json(const anim::Model& model) {
-  json meshes = json::array();
+Json meshes_json(const anim::Model& model) {
+  Json meshes = Json::array();
   for (const anim::SkinnedMesh& mesh : model.meshes) {
-    meshes.push_back({{"name", mesh.name},
-                      {"material", mesh.material},
-                      {"vertices", mesh.positions.size()},
-                      {"triangles", mesh.indices.size() / 3},
+    meshes.push_back({{"has_colors", !mesh.colors.empty()},
+                      {"has_regions", !mesh.regions.empty()},
                       {"has_texture_coords", !mesh.texture_coords.empty()},
-                      {"has_colors", !mesh.colors.empty()},
-                      {"has_regions", !mesh.regions.empty()}});
+                      {"material", mesh.material},
+                      {"name", mesh.name},
+                      {"triangles", mesh.indices.size() / 3},
+                      {"vertices", mesh.positions.size()}});
   }
   return meshes;
 }
 
-json materials_json(const anim::Model& model) {
-  json materials = json::array();
+Json materials_json(const anim::Model& model) {
+  Json materials = Json::array();
   for (const anim::Material& material : model.materials) {
     const auto& color = material.base_color;
-    materials.push_back({{"name", material.name},
-                         {"base_color", {color.r, color.g, color.b, color.a}},
+    materials.push_back({{"base_color", Json::array({color.r, color.g, color.b, color.a})},
+                         {"double_sided", material.double_sided},
                          {"image", material.image},
-                         {"double_sided", material.double_sided}});
+                         {"name", material.name}});
   }
   return materials;
 }
 
-json model_json(const anim::Model& model) {
-  json bones = json::array();
+Json model_json(const anim::Model& model) {
+  Json bones = Json::array();
   for (const anim::Bone& bone : model.skeleton.bones) bones.push_back(bone.name);
-  json images = json::array();
-  for (const anim::Image& image : model.images) images.push_back({{"width", image.width}, {"height", image.height}});
-  return {{"name", model.skeleton.name},
-          {"path", path_name(model.skeleton)},
-          {"bones", std::move(bones)},
-          {"level_bone_counts", model.skeleton.level_bone_counts},
-          {"palette_entries", model.skeleton.palette_count()},
-          {"skins", skins_json(model)},
+  Json images = Json::array();
+  for (const anim::Image& image : model.images) images.push_back({{"height", image.height}, {"width", image.width}});
+  return {{"bones", std::move(bones)},
           {"clips", clips_json(model)},
-          {"meshes", meshes_json(model)},
-          {"mesh_lods", mesh_lods_json(model)},
+          {"images", std::move(images)},
+          {"level_bone_counts", model.skeleton.level_bone_counts},
           {"materials", materials_json(model)},
-          {"images", std::move(images)}};
+          {"mesh_lods", mesh_lods_json(model)},
+          {"meshes", meshes_json(model)},
+          {"name", model.skeleton.name},
+          {"palette_entries", model.skeleton.palette_count()},
+          {"path", path_name(model.skeleton)},
+          {"skins", skins_json(model)}};
 }
 
 }  // namespace
@@ -166,11 +163,11 @@ std::string inspection_text(const anim::ImportedFile& file) {
 }
 
 std::string inspection_json(const anim::ImportedFile& file) {
-  json models = json::array();
+  Json models = Json::array();
   for (const anim::Model& model : file.models) models.push_back(model_json(model));
-  const json inspection = {
-      {"file", file.file}, {"animations", file.animations}, {"models", std::move(models)}, {"repairs", file.repairs}};
-  return inspection.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  const Json inspection = {
+      {"animations", file.animations}, {"file", file.file}, {"models", std::move(models)}, {"repairs", file.repairs}};
+  return inspection.dump(2) + "\n";
 }
 
 int run_inspect(const InspectOptions& options) {

@@ -7,17 +7,14 @@
 #include <limits>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
+#include "app/files/json.h"
 
 namespace throng::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int timed_agents = 1000;
 constexpr int timed_rounds = 40;
@@ -141,7 +138,7 @@ std::string curve_as_json(const CharacterSource& source, std::span<const LodLeve
                       {"pixels_tall", pixels},
                       {"levels", rows_of(source, levels, pixels)},
                       {"remarks", remarks_on(source, levels)}};
-  return curve.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return curve.dump(2) + "\n";
 }
 
 std::string curve_as_svg(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {

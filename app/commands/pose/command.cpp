@@ -6,19 +6,16 @@
 #include <cstdio>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/pose/dump.h"
 #include "app/commands/pose/pipe.h"
 #include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
+#include "app/files/json.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::app {
 
 namespace {
-
-using nlohmann::json;
 
 /// A skin with the model it belongs to.
 struct PosedSkin {
@@ -42,20 +39,18 @@ const anim::Clip* find_clip(const anim::Model& model, std::optional<int> animati
   return clip == model.clips.end() ? nullptr : &*clip;
 }
 
-json describe_clip(const anim::ImportedFile& file, std::optional<int> animation) {
+Json describe_clip(const anim::ImportedFile& file, std::optional<int> animation) {
   if (!animation) return nullptr;
-  json clip = {{"index", *animation}, {"name", file.animations[static_cast<std::size_t>(*animation)]}};
+  const std::string& name = file.animations[static_cast<std::size_t>(*animation)];
   for (const anim::Model& model : file.models) {
     if (const anim::Clip* found = find_clip(model, animation)) {
-      clip["start"] = found->start;
-      clip["duration"] = found->duration;
-      break;
+      return {{"duration", found->duration}, {"index", *animation}, {"name", name}, {"start", found->start}};
     }
   }
-  return clip;
+  return {{"index", *animation}, {"name", name}};
 }
 
-anim::Result<json> sample_json(const anim::ImportedFile& file, std::optional<int> animation, double seconds,
+anim::Result<Json> sample_json(const anim::ImportedFile& file, std::optional<int> animation, double seconds,
                                PosePipe& pipe) {
   std::vector<BonePose> poses;
   for (const anim::Model& model : file.models) {
@@ -63,12 +58,12 @@ anim::Result<json> sample_json(const anim::ImportedFile& file, std::optional<int
     if (!pose) return pose.error();
     poses.push_back(std::move(*pose));
   }
-  json skins = json::array();
+  Json skins = Json::array();
   for (const PosedSkin& posed : skins_of(file)) {
     const auto model = static_cast<std::size_t>(posed.model - file.models.data());
     skins.push_back(dump_skin(*posed.model, *posed.skin, find_clip(*posed.model, animation), poses[model]));
   }
-  return json{{"time", seconds}, {"skins", std::move(skins)}};
+  return Json{{"skins", std::move(skins)}, {"time", seconds}};
 }
 
 /// Index among the file's animations of a name or, where none is called so, an index; nothing for "none". The error
@@ -90,20 +85,20 @@ anim::Result<std::optional<int>> find_animation(const anim::ImportedFile& file, 
 
 anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optional<int> animation,
                                     const std::vector<double>& times, PosePipe& pipe) {
-  json skins = json::array();
+  Json skins = Json::array();
   for (const PosedSkin& posed : skins_of(file)) skins.push_back(describe_skin(*posed.model, *posed.skin));
-  json samples = json::array();
+  Json samples = Json::array();
   for (const double seconds : times) {
-    anim::Result<json> sample = sample_json(file, animation, seconds, pipe);
+    anim::Result<Json> sample = sample_json(file, animation, seconds, pipe);
     if (!sample) return sample.error();
     samples.push_back(std::move(*sample));
   }
-  const json dump = {{"program", "throng"},
+  const Json dump = {{"clip", describe_clip(file, animation)},
                      {"file", file.file},
-                     {"clip", describe_clip(file, animation)},
-                     {"skins", std::move(skins)},
-                     {"samples", std::move(samples)}};
-  return dump.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+                     {"program", "throng"},
+                     {"samples", std::move(samples)},
+                     {"skins", std::move(skins)}};
+  return dump.dump() + "\n";
 }
 
 anim::Result<std::string> import_and_pose(const PoseOptions& options) {

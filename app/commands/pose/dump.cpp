@@ -5,27 +5,23 @@
 #include <cstddef>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/anim/asset/reference_pose.h"
 
 namespace throng::app {
 
 namespace {
 
-using nlohmann::json;
-
-json to_json(const glm::dmat4& matrix) {
-  json numbers = json::array();
+Json json_of(const glm::dmat4& matrix) {
+  Json numbers = Json::array();
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) numbers.push_back(matrix[column][row]);
   }
   return numbers;
 }
 
-json to_json(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
+Json json_of(const glm::dvec3& vector) { return Json::array({vector.x, vector.y, vector.z}); }
 
-json to_json(const glm::dquat& rotation) { return {rotation.x, rotation.y, rotation.z, rotation.w}; }
+Json json_of(const glm::dquat& rotation) { return Json::array({rotation.x, rotation.y, rotation.z, rotation.w}); }
 
 /// Globals of all bones. Rigid: what the palette itself says, put back on the bind pose. General: composed from the
 /// local transforms, because an inverse bind matrix need not be invertible.
@@ -54,22 +50,21 @@ bool has_unit_keys(const anim::Clip* clip, int bone) {
 
 }  // namespace
 
-nlohmann::json describe_skin(const anim::Model& model, const anim::Skin& skin) {
-  json joints = json::array();
-  json names = json::array();
+Json describe_skin(const anim::Model& model, const anim::Skin& skin) {
+  Json joints = Json::array();
+  Json names = Json::array();
   for (const int bone : skin.bones) {
     joints.push_back(model.skeleton.bones[static_cast<std::size_t>(bone)].node);
     names.push_back(model.skeleton.bones[static_cast<std::size_t>(bone)].name);
   }
-  return {{"skin", skin.skin},
-          {"name", skin.name},
+  return {{"jointNames", std::move(names)},
           {"joints", std::move(joints)},
-          {"jointNames", std::move(names)},
-          {"meshNodes", skin.mesh_nodes}};
+          {"meshNodes", skin.mesh_nodes},
+          {"name", skin.name},
+          {"skin", skin.skin}};
 }
 
-nlohmann::json dump_skin(const anim::Model& model, const anim::Skin& skin, const anim::Clip* clip,
-                         const BonePose& pose) {
+Json dump_skin(const anim::Model& model, const anim::Skin& skin, const anim::Clip* clip, const BonePose& pose) {
   const anim::Skeleton& skeleton = model.skeleton;
   std::vector<anim::StateTransform> locals;
   locals.reserve(skeleton.bones.size());
@@ -78,21 +73,21 @@ nlohmann::json dump_skin(const anim::Model& model, const anim::Skin& skin, const
   }
   const std::vector<glm::dmat4> globals = find_globals(skeleton, pose, locals);
 
-  json joints = json::array();
-  json palette = json::array();
+  Json joints = Json::array();
+  Json palette = Json::array();
   for (std::size_t joint = 0; joint < skin.bones.size(); ++joint) {
     const auto bone = static_cast<std::size_t>(skin.bones[joint]);
-    json dumped = {{"node", skeleton.bones[bone].node}, {"global", to_json(globals[bone])}};
+    Json dumped = {{"global", json_of(globals[bone])}, {"node", skeleton.bones[bone].node}};
     if (!skeleton.bones[bone].prefix_holds_matrix) {
-      dumped["t"] = to_json(locals[bone].position);
-      if (has_unit_keys(clip, skin.bones[joint])) dumped["r"] = to_json(locals[bone].rotation);
-      dumped["s"] = to_json(locals[bone].scale);
+      if (has_unit_keys(clip, skin.bones[joint])) dumped["r"] = json_of(locals[bone].rotation);
+      dumped["s"] = json_of(locals[bone].scale);
+      dumped["t"] = json_of(locals[bone].position);
     }
     joints.push_back(std::move(dumped));
     const auto entry = static_cast<std::size_t>(skin.palette_entries[joint]);
-    palette.push_back(to_json(pose.palette[entry] * skin.bind_to_model));
+    palette.push_back(json_of(pose.palette[entry] * skin.bind_to_model));
   }
-  return {{"skin", skin.skin}, {"joints", std::move(joints)}, {"scenePalette", std::move(palette)}};
+  return {{"joints", std::move(joints)}, {"scenePalette", std::move(palette)}, {"skin", skin.skin}};
 }
 
 }  // namespace throng::app

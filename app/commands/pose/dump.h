@@ -3,10 +3,9 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
-#include <nlohmann/json_fwd.hpp>
 
+#include "app/files/json.h"
 #include "engine/anim/asset/model.h"
-
 namespace throng::app {
 
 /// One pose of a skeleton.
@@ -16,13 +15,12 @@ struct BonePose {
 };
 
 /// What a dump says of a skin whatever the time: joints, names, mesh nodes.
-nlohmann::json describe_skin(const anim::Model& model, const anim::Skin& skin);
+Json describe_skin(const anim::Model& model, const anim::Skin& skin);
 
 /// The joints and the palette of a skin in one pose. A joint that holds a matrix with shear has no t, r, s.
 ///
 /// `r` is a unit quaternion; it is left out where the rotation keys of `clip` (null: the rest pose) are not unit, since
 /// programs then differ in what they call the rotation, while all agree on `global` and palette.
-nlohmann::json dump_skin(const anim::Model& model, const anim::Skin& skin, const anim::Clip* clip,
-                         const BonePose& pose);
+Json dump_skin(const anim::Model& model, const anim::Skin& skin, const anim::Clip* clip, const BonePose& pose);
 
 }  // namespace throng::app

@@ -105,7 +105,7 @@ TEST_F(RoleFileTest, IsTheUsersOwnWhereTheModelsFolderCannotBeWritten) {
 
 TEST_F(RoleFileTest, SaysWhatIsWrongInIt) {
   const std::string file = beside.string() + ": ";
-  EXPECT_EQ(refusal_of_table("{"), file + "is not JSON; delete it to go by the clips' names again");
+  EXPECT_EQ(refusal_of_table("{"), file + "is not JSON at line 1, column 2; delete it to go by the clips' names again");
   EXPECT_EQ(refusal_of_table("[]"), file + "must be an object with \"version\" and \"clips\"");
   EXPECT_EQ(refusal_of_table("{}"), file + "\"version\" must be 1");
   EXPECT_EQ(refusal_of_table(R"({"version": 2})"), file + "\"version\" must be 1");

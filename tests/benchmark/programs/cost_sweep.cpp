@@ -25,8 +25,6 @@
 namespace throng::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::array names = {"tile", "tile_packet", "agent", "player_packet", "blender_packet", "post_process"};
 constexpr int agents_of_a_crowd = 512;
 

@@ -16,8 +16,6 @@
 namespace throng::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::array key_densities = {15, 30, 60, 120};  // keys a second
 constexpr std::array steps_a_second = {240, 60, 15, 2};  // updates of a player in a second of its clip
 
@@ -71,8 +69,8 @@ std::string plot_of(const std::vector<Json>& rows) {
       PlotLine line{.name = name, .x = {}, .y = {}, .dashed = prefetched};
       for (const Json& row : rows) {
         if (row["step_ms"].get<double>() != step_ms) continue;
-        line.x.push_back(row["keys_per_second"]);
-        line.y.push_back(row[prefetched ? "prefetched_ns_per_bone_median" : "ns_per_bone_median"]);
+        line.x.push_back(row["keys_per_second"].get<double>());
+        line.y.push_back(row[prefetched ? "prefetched_ns_per_bone_median" : "ns_per_bone_median"].get<double>());
       }
       lines.push_back(line);
     }

@@ -5,7 +5,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/commands/bench/plot.h"
 #include "app/commands/bench/rounds.h"
@@ -16,7 +15,6 @@
 namespace throng::app::figures_test {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -40,7 +38,7 @@ TEST(Figures, OfSeveralRowsAreATableWithColumnsOfOneWidth) {
             "agents  ns_per_bone\n"
             "    10        12.35\n"
             "100000            -\n");
-  EXPECT_EQ(figures_as_json(rows)["rows"].size(), 2U);
+  EXPECT_EQ(figures_as_json(rows)["rows"].elements().size(), 2U);
 }
 
 TEST(Plot, HasALineAndANameForEachSeriesAndADotForEachPoint) {

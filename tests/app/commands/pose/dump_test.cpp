@@ -1,7 +1,6 @@
 #include "app/commands/pose/dump.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/asset/synthetic_model.h"
@@ -9,7 +8,7 @@
 namespace throng::app::dump_test {
 namespace {
 
-nlohmann::json joints_of(const anim::Model& model) {
+Json joints_of(const anim::Model& model) {
   const anim::Clip& clip = model.clips.front();
   anim::Skin skin;
   skin.skin = 0;
@@ -22,21 +21,22 @@ nlohmann::json joints_of(const anim::Model& model) {
   for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
     pose.states.push_back(anim::to_state(model.skeleton, bone, reference.locals[static_cast<std::size_t>(bone)]));
   }
-  return dump_skin(model, skin, &clip, pose).at("joints");
+  return dump_skin(model, skin, &clip, pose)["joints"];
 }
 
 TEST(PoseDump, SaysTheRotationOfEveryJoint) {
-  for (const auto& joint : joints_of(anim::synthetic_model(8, 1))) EXPECT_TRUE(joint.contains("r")) << joint;
+  const Json joints = joints_of(anim::synthetic_model(8, 1));
+  for (const Json& joint : joints.elements()) EXPECT_TRUE(joint.contains("r")) << joint.dump();
 }
 
 TEST(PoseDump, LeavesOutARotationWhoseKeysAreNotUnitAndKeepsTheMatrix) {
   anim::Model model = anim::synthetic_model(8, 1);
   for (glm::quat& key : model.clips.front().tracks.at(3).rotation.values) key = key * 0.9998F;
-  const nlohmann::json joints = joints_of(model);
+  const Json joints = joints_of(model);
   const auto changed = static_cast<std::size_t>(model.clips.front().tracks.at(3).bone);
-  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-    EXPECT_EQ(joints[joint].contains("r"), joint != changed);
-    EXPECT_TRUE(joints[joint].contains("global"));
+  for (std::size_t joint = 0; joint < joints.elements().size(); ++joint) {
+    EXPECT_EQ(joints.elements()[joint].contains("r"), joint != changed);
+    EXPECT_TRUE(joints.elements()[joint].contains("global"));
   }
 }
 

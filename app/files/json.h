@@ -1,0 +1,167 @@
+#pragma once
+
+#include <cassert>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/anim/base/result.h"
+
+namespace throng::app {
+
+/// Deeper nesting and longer texts are refused by parse_json().
+inline constexpr std::size_t most_json_depth = 64;
+inline constexpr std::size_t most_json_bytes = std::size_t{16} << 20U;
+
+template <class T>
+concept JsonNumber = std::is_arithmetic_v<T>;
+template <class T>
+concept JsonList = !std::convertible_to<T, std::string_view> && requires(const T& list) {
+  list.begin() != list.end();
+};
+
+/// A JSON value: null, a bool, a number, a string, an array, or an object that keeps the order of its members.
+/// Braces make objects: Json row = {{"level", 1}, {"bones", {{"kept", 20}}}}; lists of values become arrays.
+class Json {
+ public:
+  struct Member;
+  using Array = std::vector<Json>;
+  using Object = std::vector<Member>;
+
+  Json() = default;
+  Json(std::nullptr_t) {}
+  template <JsonNumber T>
+  Json(T value);
+  Json(std::string text) : value_(std::move(text)) {}
+  Json(std::string_view text) : value_(std::string(text)) {}
+  Json(const char* text) : value_(std::string(text)) {}
+  Json(std::initializer_list<Member> members);
+  /// Null where it has no value.
+  template <class T>
+  Json(const std::optional<T>& value) {
+    if (value) *this = Json(*value);
+  }
+  template <JsonList T>
+  Json(const T& list) : value_(Array(list.begin(), list.end())) {}
+  static Json array(std::initializer_list<Json> elements = {});
+  static Json object();
+
+  bool is_null() const { return has<std::nullptr_t>(); }
+  bool is_number() const { return is_float() || has<std::int64_t>() || has<std::uint64_t>(); }
+  bool is_float() const { return has<double>(); }
+  /// An integer from `least` to `most`.
+  bool is_whole(std::int64_t least, std::int64_t most) const;
+  bool is_array() const { return has<Array>(); }
+  bool is_object() const { return has<Object>(); }
+  bool are_whole(std::int64_t least, std::int64_t most) const;  ///< an array of such integers, or an empty one
+
+  /// Whether it is a T: a bool, any type of number that can hold it, a string, or a vector of these.
+  template <class T>
+  bool is() const;
+  /// The value must be a T.
+  template <class T>
+  T get() const;
+
+  /// Empty where it is no array, or no object.
+  std::span<const Json> elements() const;
+  std::span<const Member> members() const;
+  bool contains(std::string_view key) const { return find(key) != nullptr; }
+  /// Null where there is no such member.
+  const Json& operator[](std::string_view key) const;
+  /// The member as a T; `otherwise` where there is none.
+  template <class T>
+  T value(std::string_view key, T otherwise) const {
+    const Json& found = (*this)[key];
+    return found.is<T>() ? found.get<T>() : otherwise;
+  }
+  /// The first member whose key is none of `known`; null where there is none.
+  const Member* member_beside(std::initializer_list<std::string_view> known) const;
+
+  /// Adds the member last if there is none; both return what is in its place. A null becomes an object, or an array.
+  Json& operator[](std::string_view key);
+  Json& push_back(Json element);
+
+  /// On one line without spaces, or on many with `indent` spaces a level. Bytes that are not UTF-8 become U+FFFD.
+  std::string dump(int indent = -1) const;
+
+  bool operator==(const Json& other) const = default;
+
+ private:
+  friend struct JsonPrinter;
+  template <class T>
+  bool has() const {
+    return std::holds_alternative<T>(value_);
+  }
+  const Json* find(std::string_view key) const;
+
+  // A whole number that is not negative is unsigned, so that equal numbers are equal values.
+  std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> value_;
+};
+
+struct Json::Member {
+  std::string key;
+  Json value;
+  bool operator==(const Member& other) const = default;
+};
+
+/// The error says the line and column where `text` stops being JSON. Of members of one key the last counts, in the
+/// place of the first.
+anim::Result<Json> parse_json(std::string_view text);
+
+template <JsonNumber T>
+Json::Json(T value) {
+  if constexpr (std::same_as<T, bool>) {
+    value_ = value;
+  } else if constexpr (std::floating_point<T>) {
+    value_ = static_cast<double>(value);
+  } else if (value < T{}) {
+    value_ = static_cast<std::int64_t>(value);
+  } else {
+    value_ = static_cast<std::uint64_t>(value);
+  }
+}
+
+template <class T>
+bool Json::is() const {
+  if constexpr (std::same_as<T, bool> || std::same_as<T, std::string>) {
+    return has<T>();
+  } else if constexpr (std::floating_point<T>) {
+    return is_number();
+  } else if constexpr (std::integral<T>) {
+    if (const auto* const number = std::get_if<std::int64_t>(&value_)) return std::in_range<T>(*number);
+    const auto* const number = std::get_if<std::uint64_t>(&value_);
+    return number != nullptr && std::in_range<T>(*number);
+  } else {
+    for (const Json& element : elements()) {
+      if (!element.is<typename T::value_type>()) return false;
+    }
+    return is_array();
+  }
+}
+
+template <class T>
+T Json::get() const {
+  assert(is<T>());
+  if constexpr (std::same_as<T, bool> || std::same_as<T, std::string>) {
+    return *std::get_if<T>(&value_);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    if (const auto* const number = std::get_if<double>(&value_)) return static_cast<T>(*number);
+    if (const auto* const number = std::get_if<std::int64_t>(&value_)) return static_cast<T>(*number);
+    return static_cast<T>(*std::get_if<std::uint64_t>(&value_));
+  } else {
+    T list;
+    for (const Json& element : elements()) list.push_back(element.get<typename T::value_type>());
+    return list;
+  }
+}
+
+}  // namespace throng::app

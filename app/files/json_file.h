@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/files/json.h"
+
+namespace throng::app {
+
+/// The first `most_bytes` and one of a file, so that a longer one is known; null where it cannot be opened.
+std::optional<std::string> read_text(const std::filesystem::path& file, std::size_t most_bytes);
+
+/// What complaints end with: what to do about a file that is not there, one that is no JSON, one with other contents.
+struct JsonRemedies {
+  std::string_view unread = {}, malformed = {}, wrong = {};
+};
+
+/// A file of JSON that people may write by hand. Every complaint is one sentence that begins with the file's name.
+class JsonFile {
+ public:
+  explicit JsonFile(std::filesystem::path file, JsonRemedies remedies = {});
+
+  anim::Result<Json> read() const;
+  anim::Error wrong(const std::string& what) const;
+  /// Whether `table` is an object that has this "version" and no members but those of `keys`, "version" among them.
+  anim::Status check_table(const Json& table, int version, std::initializer_list<std::string_view> keys) const;
+
+ private:
+  std::filesystem::path file_;
+  JsonRemedies remedies_;
+};
+
+}  // namespace throng::app

@@ -87,8 +87,8 @@ Json sampled_json(const anim::BakedClip& clip) {
   return {{"bytes", clip.sampled()->total_size},
           {"rate_hz", clip.sampled_rate},
           {"rows", clip.sampled()->row_count},
-          {"surface_error_mm", clip.sampled_error * 1000.0},
-          {"surface_error_limit_mm", clip.error_bound * 1000.0}};
+          {"surface_error_limit_mm", clip.error_bound * 1000.0},
+          {"surface_error_mm", clip.sampled_error * 1000.0}};
 }
 
 Json clips_json(const anim::Model& model) {

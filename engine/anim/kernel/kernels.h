@@ -20,11 +20,11 @@ struct FootPlacementJob;
 struct LookAtJob;
 struct TwoBoneIkJob;
 
-/// Kernels are pure functions over shaped spans: across bones up to the local pose, across characters from there.
-/// Inside there is no allocation, no lock and no global. All pointers are 64-byte aligned unless their job says
-/// otherwise. Each job stands beside its kernel.
+/// Kernels are pure functions over plain arrays. Up to the local pose they run across bones, from there across
+/// characters. They do not allocate, lock or read globals. Pointers are 64-byte aligned unless their job says
+/// otherwise. Each job stands in the header of its kernel, with an `is_valid` that the kernel asserts.
 
-/// One SIMD target's set.
+/// The kernels of one SIMD target.
 struct Kernels {
   const char* target;  ///< as Highway names it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
   bool fused_multiply_add;
@@ -43,10 +43,10 @@ struct Kernels {
   void (*model_palette)(const ModelPaletteJob& job);
   void (*write_lines)(const WriteLinesJob& job);
   void (*copy_blocks)(const CopyBlocksJob& job);
-  void (*fence_stores)();  ///< what was streamed is visible to whoever learns of it from now on
+  void (*fence_stores)();  ///< makes all streamed stores visible to other threads
 };
 
-/// The best that this machine runs; all that it runs, best first; and the scalar target (same algorithm).
+/// The best target of this machine; all that it runs, best first; and the scalar target (same algorithm).
 const Kernels& best_kernels();
 std::span<const Kernels> runnable_kernels();
 const Kernels& scalar_kernels();

@@ -13,7 +13,7 @@ ScaleInterpolation& scale_part(std::byte* packet) {
   return *reinterpret_cast<ScaleInterpolation*>(packet + sizeof(RigidInterpolation));
 }
 
-/// What an event writes to: the lanes of one channel of one packet.
+/// The lanes of one channel of one packet, which an event writes.
 struct ChannelLanes {
   float (*from)[packet_bones];
   float (*to)[packet_bones];
@@ -34,7 +34,7 @@ ChannelLanes channel_lanes(std::byte* packet, KeyChannel channel) {
   return {scale.scale_from, scale.scale_to, &scale.scale};
 }
 
-/// The state of a track is what its latest event says, whichever way led to it.
+/// The latest event alone decides the state of a track.
 void apply_event(const KeyframeStream& stream, const KeyEvent& event, std::span<std::byte> interpolations) {
   const std::size_t packet = event.bone / packet_bones;
   const int lane = event.bone % packet_bones;

@@ -23,7 +23,7 @@ namespace throng::anim {
 struct SegmentTiming {
   std::int32_t start[packet_bones];          ///< time units
   float reciprocal_span[packet_bones];       ///< 0: `from` holds
-  std::uint32_t arriving_key[packet_bones];  ///< place of the `to` key in the stream, where CUBICSPLINE tangents stay
+  std::uint32_t arriving_key[packet_bones];  ///< index of the `to` key in the stream, where CUBICSPLINE tangents stay
 };
 struct RigidInterpolation {
   float rotation_from[4][packet_bones];

@@ -65,7 +65,7 @@ void slerp(const RigidInterpolation& keys, const Lanes& fractions, float* rotati
       q[c] = from_weight * keys.rotation_from[c][i] + to_weight * keys.rotation_to[c][i];
       norm += q[c] * q[c];
     }
-    // One Newton step from 1 for the inverse square root: the norm is 1 but for rounding.
+    // One Newton step from 1 for the inverse square root: the norm is nearly 1.
     const float unit = 1.5F - 0.5F * norm;
     for (int c = 0; c < 4; ++c) rotation[c * packet_bones + i] = q[c] * unit;
   }

@@ -1,4 +1,4 @@
-// Angles and turns about them, from polynomials and IEEE divisions and square roots: the same on every target.
+// Angles and rotations from polynomials and IEEE divisions and square roots, with the same bits on every target.
 #if defined(THRONG_KERNEL_ANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_ANGLES_INL_H
 #undef THRONG_KERNEL_ANGLES_INL_H
@@ -40,7 +40,7 @@ struct HalfAngle {
   V sine, cosine;
 };
 
-/// Of an angle of -pi to pi, to 1e-7.
+/// Returns sine and cosine of half an angle of -pi to pi, to 1e-7.
 template <class D, class V>
 HWY_INLINE HalfAngle<V> half_angle(D d, V angle) {
   const V half = hn::Mul(angle, hn::Set(d, 0.5F));

@@ -5,6 +5,7 @@
 #define THRONG_KERNEL_COPY_BLOCKS_INL_H
 #endif
 
+#include <cassert>
 #include <cstddef>
 
 #include "engine/anim/base/guard.h"
@@ -16,8 +17,8 @@ namespace throng::anim::HWY_NAMESPACE {
 
 inline constexpr std::size_t copied_line = 64;
 
-/// At least one line. Never memcpy: the address sanitizer intercepts that, and this must reach guarded pools. Nor
-/// vectors of Highway, whose functions are sanitized.
+/// Copies at least one line. It uses neither memcpy nor Highway: the address sanitizer checks both, and this function
+/// must reach guarded pools.
 THRONG_COPIES_GUARDED_MEMORY inline void copy_lines(const std::byte* from, std::byte* to, std::size_t size) {
   constexpr std::size_t part_bytes = HWY_MIN(HWY_MAX(HWY_MAX_BYTES, 16), copied_line);
   using Part [[gnu::vector_size(part_bytes), gnu::may_alias]] = long long;
@@ -28,12 +29,13 @@ THRONG_COPIES_GUARDED_MEMORY inline void copy_lines(const std::byte* from, std::
     }
     from += copied_line;
     to += copied_line;
-    asm volatile("" : "+r"(from));  // or the compiler would turn the loop back into memcpy
+    asm volatile("" : "+r"(from));  // keeps the compiler from turning the loop into memcpy
   } while (from != end);
 }
 
 inline void copy_blocks(const CopyBlocksJob& shared) {
-  const CopyBlocksJob job = shared;  // or it would be read again after every store
+  assert(is_valid(shared));
+  const CopyBlocksJob job = shared;  // a copy, since the compiler would read the job again after each store
   std::byte* local = job.local;
   for (std::size_t i = 0; i < job.blocks.size(); ++i, local += job.stride) {
     std::byte* const block = job.blocks[i] + job.offset;

@@ -5,15 +5,16 @@
 
 namespace throng::anim {
 
-/// Copies blocks between anywhere and places in a row. Sizes, in bytes, are multiples of 64. Guarded memory may be
-/// copied (base/guard.h).
+/// Copies blocks that lie anywhere into a row of blocks, or back. Pointers and sizes are multiples of 64 bytes.
+/// Guarded memory may be copied (base/guard.h).
 struct CopyBlocksJob {
   std::span<std::byte* const> blocks;  ///< anywhere
-  std::byte* local = nullptr;          ///< in a row: the first
-  std::size_t stride = 0;              ///< from one to the next in the row
-  std::size_t offset = 0;              ///< into each of `blocks`
-  std::size_t size = 0;                ///< from there on
-  bool inward = true;                  ///< to the row
+  std::byte* local = nullptr;          ///< first block of the row
+  std::size_t stride = 0;              ///< bytes from one block of the row to the next
+  std::size_t offset = 0;              ///< bytes into each of `blocks`, where the copy begins
+  std::size_t size = 0;                ///< bytes copied of each block
+  bool inward = true;                  ///< true: into the row
 };
+bool is_valid(const CopyBlocksJob& job);
 
 }  // namespace throng::anim

@@ -1,4 +1,4 @@
-// rotations.h for vectors of directions: what has no direction gets another, lane by lane.
+// The functions of rotations.h, one direction or rotation a lane.
 #if defined(THRONG_KERNEL_DIRECTIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_DIRECTIONS_INL_H
 #undef THRONG_KERNEL_DIRECTIONS_INL_H
@@ -45,7 +45,7 @@ HWY_INLINE Vectors<V> unit_or(D d, const Vectors<V>& v, const Vectors<V>& otherw
   return choose(has_direction, scaled(v, hn::Div(hn::Set(d, 1.0F), hn::Sqrt(square))), otherwise);
 }
 
-/// What is left of `v` at a right angle to `unit`.
+/// Returns the part of `v` that is perpendicular to `unit`.
 template <class V>
 HWY_INLINE Vectors<V> perpendicular_part(const Vectors<V>& v, const Vectors<V>& unit) {
   const V along = dot(v, unit);
@@ -68,21 +68,21 @@ HWY_INLINE Vectors<V> unit_or_perpendicular(D d, const Vectors<V>& v, const Vect
   return unit_or(d, v, any_perpendicular(d, unit));
 }
 
-/// Of any length but 0.
+/// Normalises a quaternion, whose length must not be 0.
 template <class D, class V>
 HWY_INLINE Quaternions<V> unit(D d, const Quaternions<V>& q) {
   return scaled(q, hn::Div(hn::Set(d, 1.0F), hn::Sqrt(dot(q, q))));
 }
 
-/// The shortest rotation between unit vectors, which are not opposite: less than about a degree from it nothing is
-/// promised.
+/// Returns the shortest rotation between unit vectors. They must not be opposite, or less than about a degree from
+/// that.
 template <class D, class V>
 HWY_INLINE Quaternions<V> shortest_turn(D d, const Vectors<V>& from, const Vectors<V>& to) {
   const Vectors<V> crossed = cross(from, to);
   return unit(d, Quaternions<V>{crossed.x, crossed.y, crossed.z, hn::Add(dot(from, to), hn::Set(d, 1.0F))});
 }
 
-/// The rotation of a matrix: of four ways to find it, the one that divides by the most.
+/// Returns the rotation of a matrix. Of the four formulas it takes the one with the largest divisor.
 template <class D, class V>
 HWY_INLINE Quaternions<V> rotation_of(D d, const Matrices<V>& m) {
   const V one = hn::Set(d, 1.0F);
@@ -105,7 +105,7 @@ HWY_INLINE Quaternions<V> rotation_of(D d, const Matrices<V>& m) {
   return unit(d, choose(hn::Ge(hn::Max(four_ww, four_xx), hn::Max(four_yy, four_zz)), by_w_or_x, by_y_or_z));
 }
 
-/// The way from `from` to `to` over the shorter arc: 0 gives `from`, 1 gives `to` or its negative. Unit.
+/// Interpolates over the shorter arc: 0 gives `from`, 1 gives `to` or its negative. The result is unit.
 template <class D, class V>
 HWY_INLINE Quaternions<V> mix_rotations(D d, const Quaternions<V>& from, const Quaternions<V>& to, V weight) {
   const V side = hn::IfThenElse(hn::Lt(dot(from, to), hn::Zero(d)), hn::Neg(weight), weight);

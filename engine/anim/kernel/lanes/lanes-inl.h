@@ -1,4 +1,4 @@
-// The small vocabulary that the kernels are written in, once for every SIMD target (Highway's foreach_target includes
+// The functions that all kernels are written in, compiled once for every SIMD target (Highway's foreach_target includes
 // this file again and again, hence the toggled guard).
 #if defined(THRONG_KERNEL_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_LANES_INL_H
@@ -16,7 +16,7 @@ namespace throng::anim::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// As many float lanes as the target has, at most `most`.
+/// A vector of the float lanes that the target has, at most `most`.
 template <int most>
 using LanesUpTo = hn::CappedTag<float, static_cast<std::size_t>(most)>;
 using BoneLanes = LanesUpTo<packet_bones>;
@@ -37,9 +37,9 @@ HWY_INLINE V inverse_square_root(D d, V x) {
   return hn::Mul(hn::Mul(y, hn::Set(d, 0.50000018F)), hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 3.0F)));
 }
 
-/// 1 / sqrt(x) for x from 1/2 to 1, to 4e-7: what two unit quaternions on one hemisphere blend to has that for the
-/// square of its length. A cubic, then a Newton step whose error is split evenly around zero; scaled so that the step
-/// is three operations. Of `count` side by side, step by step, so that none waits for its own sums.
+/// 1 / sqrt(x) for x from 1/2 to 1, to 4e-7, for the squared length of a blend of two unit quaternions on one
+/// hemisphere. A cubic, then a Newton step whose error is split evenly around zero, scaled so that the step takes
+/// three operations. Computes `count` side by side, step by step, so that none waits for its own sums.
 template <std::size_t count, class D, class V>
 HWY_INLINE void inverse_lengths_of_blends(D d, const V* x, V* y) {
   const V cubic = hn::Set(d, -0.75938344F), quadratic = hn::Set(d, 2.37379403F);
@@ -57,7 +57,7 @@ struct Quaternions {
   V x, y, z, w;
 };
 
-/// Of `count` pairs side by side, step by step.
+/// Computes `count` dot products side by side, step by step.
 template <std::size_t count, class V>
 HWY_INLINE void dots(const Quaternions<V>* a, const Quaternions<V>* b, V* sums) {
   for (std::size_t k = 0; k < count; ++k) sums[k] = hn::Mul(a[k].x, b[k].x);
@@ -78,7 +78,7 @@ HWY_INLINE Quaternions<V> scaled(const Quaternions<V>& q, V factor) {
   return {hn::Mul(q.x, factor), hn::Mul(q.y, factor), hn::Mul(q.z, factor), hn::Mul(q.w, factor)};
 }
 
-/// The rotation back, of unit quaternions.
+/// The inverse rotation, of unit quaternions.
 template <class V>
 HWY_INLINE Quaternions<V> conjugate(const Quaternions<V>& q) {
   return {hn::Neg(q.x), hn::Neg(q.y), hn::Neg(q.z), q.w};
@@ -136,8 +136,8 @@ HWY_INLINE Vectors<V> transform_add(const Matrices<V>& m, const Vectors<V>& v, c
 
 inline constexpr float root_of_two = 1.41421356F;
 
-/// Of quaternions of length root_of_two: products of two components are then what a matrix asks for, twice those of
-/// unit ones.
+/// The matrices of quaternions of length root_of_two. A matrix needs twice the products of two components of a unit
+/// quaternion, which these products are.
 template <class D, class V>
 HWY_INLINE Matrices<V> rotation_matrices(D d, const Quaternions<V>& q) {
   const V one = hn::Set(d, 1.0F);
@@ -156,7 +156,7 @@ HWY_INLINE Vectors<V> broadcast_vector(D d, const float* xyz) {
   return {hn::Set(d, xyz[0]), hn::Set(d, xyz[1]), hn::Set(d, xyz[2])};
 }
 
-/// Components of one thing lie `stride` floats apart.
+/// Loads and stores components that lie `stride` floats apart.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Quaternions<V> load_quaternions(D d, const float* from, int stride) {
   return {hn::Load(d, from), hn::Load(d, from + stride), hn::Load(d, from + 2 * stride),
@@ -196,7 +196,7 @@ HWY_INLINE void store(D d, const Matrices<V>& m, float* to, int stride) {
   store(d, m.z, to + 6 * stride, stride);
 }
 
-/// The components [begin, end) of a lane vector of bones, as they are.
+/// Copies the components [begin, end) of a vector of bones.
 template <class D>
 HWY_INLINE void copy_components(D d, const float* from, float* to, int begin, int end) {
   for (int component = begin; component < end; ++component) {

@@ -1,4 +1,4 @@
-// Between unit quaternions and rotation vectors: axis times angle, rad. Polynomials of ours, the same on every target.
+// Converts between unit quaternions and rotation vectors (axis times angle, rad), with the same bits on every target.
 #if defined(THRONG_KERNEL_ROTATION_VECTOR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_ROTATION_VECTOR_INL_H
 #undef THRONG_KERNEL_ROTATION_VECTOR_INL_H
@@ -37,7 +37,7 @@ HWY_INLINE Vectors<V> scaled(const Vectors<V>& v, V factor) {
   return {hn::Mul(v.x, factor), hn::Mul(v.y, factor), hn::Mul(v.z, factor)};
 }
 
-/// Vectors longer than `most` are cut to it; others keep their bits.
+/// Shortens vectors longer than `most` to it; others keep their bits.
 template <class D, class V>
 HWY_INLINE Vectors<V> no_longer_than(D d, const Vectors<V>& v, float most) {
   const V fits = hn::Mul(hn::Set(d, most), inverse_square_root(d, dot(v, v)));
@@ -50,7 +50,7 @@ HWY_INLINE Quaternions<V> renormalised(D d, const Quaternions<V>& q) {
   return scaled(q, hn::NegMulAdd(dot(q, q), hn::Set(d, 0.5F), hn::Set(d, 1.5F)));
 }
 
-/// The logarithm: q and -q give the two ways round, angles of 0 to pi where w >= 0 and of pi to 2 pi where it is not.
+/// The logarithm: q and -q give the two arcs, angles of 0 to pi where w >= 0 and of pi to 2 pi elsewhere.
 template <class D, class V>
 HWY_INLINE Vectors<V> rotation_vectors(D d, const Quaternions<V>& q) {
   const Vectors<V> axis{q.x, q.y, q.z};
@@ -59,7 +59,7 @@ HWY_INLINE Vectors<V> rotation_vectors(D d, const Quaternions<V>& q) {
   const V seed = inverse_square_root(d, sine_square);
   const V error = hn::NegMulAdd(hn::Mul(sine_square, seed), seed, hn::Set(d, 1.0F));
   const V over_sine = hn::MulAdd(hn::Mul(seed, hn::Set(d, 0.5F)), error, seed);
-  // The arcsine of whichever of sine and cosine is the smaller: there it is steep nowhere.
+  // Takes the arcsine of the smaller of sine and cosine, where its slope is small.
   const V ratio = polynomial(d, hn::Min(sine_square, cosine_square), arcsine_over_sine);
   const V beside_axis = hn::Mul(hn::NegMulAdd(q.w, ratio, hn::Set(d, pi / 2)), over_sine);
   const V beyond = hn::MulSub(hn::Set(d, pi), over_sine, ratio);

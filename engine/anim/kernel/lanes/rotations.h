@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// Directions and rotations for what tweaks single bones. Only additions, multiplications, divisions and square roots,
+/// Directions and rotations for changes of single bones. Only additions, multiplications, divisions and square roots,
 /// in a fixed order: the same bits on every machine, which the sine of a C library does not promise.
 
 /// `v` at length 1; `otherwise` where it is shorter than 1e-12, or not finite.
@@ -19,13 +19,13 @@ glm::vec3 unit_or_perpendicular(const glm::vec3& v, const glm::vec3& unit);
 /// Some unit vector at a right angle to `unit`.
 glm::vec3 any_perpendicular(const glm::vec3& unit);
 
-/// What is left of `v` at a right angle to `unit`.
+/// Returns the part of `v` that is perpendicular to `unit`.
 glm::vec3 perpendicular_part(const glm::vec3& v, const glm::vec3& unit);
 
 /// The shortest rotation between two unit vectors; opposite ones turn about some axis at a right angle to them.
 glm::quat shortest_turn(const glm::vec3& from, const glm::vec3& to);
 
-/// shortest_turn, but of no more than the angle whose cosine is `least_cosine`.
+/// The same, limited to the angle whose cosine is `least_cosine`.
 glm::quat limited_turn(const glm::vec3& from, const glm::vec3& to, float least_cosine);
 
 /// Rotation about a unit axis, counter-clockwise seen from its tip, `radians` of -pi to pi; to 2e-7.
@@ -34,7 +34,7 @@ glm::quat turn_about(const glm::vec3& axis, float radians);
 /// Angle of the point (x, y) from the x axis, -pi to pi, to 3e-7; 0 for (0, 0).
 float angle_of(float y, float x);
 
-/// The way from `from` to `to` over the shorter arc: 0 gives `from`, 1 gives `to` or its negative. Unit.
+/// Interpolates over the shorter arc: 0 gives `from`, 1 gives `to` or its negative. The result is unit.
 glm::quat mix_rotations(const glm::quat& from, const glm::quat& to, float weight);
 
 bool is_finite(const glm::vec3& v);

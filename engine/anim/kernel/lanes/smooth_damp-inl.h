@@ -1,4 +1,4 @@
-// smooth_damp.h for a vector of values.
+// The functions of smooth_damp.h, one value a lane.
 #if defined(THRONG_KERNEL_SMOOTH_DAMP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_SMOOTH_DAMP_INL_H
 #undef THRONG_KERNEL_SMOOTH_DAMP_INL_H

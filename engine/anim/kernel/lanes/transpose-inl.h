@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-inline constexpr int block_floats = 4;  // what shuffles inside 128-bit blocks move together
+inline constexpr int block_floats = 4;  // a block of 128 bits, inside which shuffles are cheap
 
 template <class V>
 struct FourVectors {
@@ -65,7 +65,7 @@ HWY_INLINE FourVectors<V> transpose_whole_blocks(V v0, V v1, V v2, V v3) {
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// One vector of 128-bit blocks, block i from block_at(i).
+/// Loads one vector of 128-bit blocks, block i from block_at(i).
 template <int first = 0, class D, class BlockAt>
 HWY_INLINE hn::Vec<D> load_blocks(D d, BlockAt&& block_at) {
   if constexpr (lane_count<D> == block_floats) {
@@ -79,7 +79,7 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, BlockAt&& block_at) {
   }
 }
 
-/// From blocks that lie `stride` floats apart.
+/// Loads blocks that lie `stride` floats apart.
 template <class D>
 HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, int stride) {
   return load_blocks(d, [=](int block) { return from + block * stride; });
@@ -117,7 +117,7 @@ HWY_INLINE void load_rows_of_four(D d, const float* const* from, int offset, int
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// Block i to to[i * block_floats] + offset.
+/// Stores block i to to[i * block_floats] + offset.
 template <class D>
 HWY_INLINE void store_blocks(D d, hn::Vec<D> blocks, float* const* to, int offset) {
   if constexpr (lane_count<D> == block_floats) {
@@ -131,7 +131,7 @@ HWY_INLINE void store_blocks(D d, hn::Vec<D> blocks, float* const* to, int offse
 
 #endif
 
-/// The way back. Lanes that go to one place hold the same.
+/// The inverse. Lanes that go to the same address hold the same values.
 template <int rows, class D, class V = hn::Vec<D>>
 HWY_INLINE void store_rows_of_four(D d, const FourVectors<V>* in, float* const* to, int stride) {
   if constexpr (lane_count<D> >= block_floats) {

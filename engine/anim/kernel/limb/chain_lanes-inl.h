@@ -1,4 +1,4 @@
-// Joint chains (joint_chain.h) of many poses, a pose a lane.
+// Poses joint chains (joint_chain.h), one character a lane.
 #if defined(THRONG_KERNEL_CHAIN_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_CHAIN_LANES_INL_H
 #undef THRONG_KERNEL_CHAIN_LANES_INL_H
@@ -25,7 +25,7 @@ HWY_INLINE JointMotions<V> no_motion(D d) {
   return {no_rotation(d), {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
 }
 
-/// A joint below `parent`, turned and displaced by what its bone's state is.
+/// Returns the motion of a joint below `parent`, rotated and displaced by the state of its bone.
 template <class D, class V>
 HWY_INLINE JointMotions<V> posed_joint(D d, const JointMotions<V>& parent, const glm::vec3& offset,
                                        const Quaternions<V>& rotation, const Vectors<V>& position) {
@@ -34,7 +34,7 @@ HWY_INLINE JointMotions<V> posed_joint(D d, const JointMotions<V>& parent, const
           sum(parent.position, rotated(parent.rotation, from_parent))};
 }
 
-/// The joints of a chain: their bones among those that were read, and how they are posed, model space.
+/// The joints of a chain: their bones among those that were read, and their motions, model space.
 template <class D>
 struct ChainLanes {
   BonePlace bones[JointChain::max_joints];
@@ -44,7 +44,7 @@ struct ChainLanes {
   void find(const JointChain& chain, Pose& pose) {
     for (int joint = 0; joint < chain.count; ++joint) bones[joint] = pose.place_of(chain.bones.data()[joint]);
   }
-  /// The joints from `first` on; those before it are posed.
+  /// Poses the joints from `first` on; those before it are posed already.
   template <class Pose>
   HWY_INLINE void pose_from(D d, int first, const JointChain& chain, const Pose& pose) {
     JointMotions<hn::Vec<D>> motion = first == 0 ? no_motion(d) : motions[first - 1];

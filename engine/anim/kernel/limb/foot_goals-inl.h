@@ -1,4 +1,4 @@
-// Where feet are to be on the ground that is there (foot_placement.h), a character a lane.
+// Computes where feet go on the ground (foot_placement.h), one character a lane.
 #if defined(THRONG_KERNEL_FOOT_GOALS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_FOOT_GOALS_INL_H
 #undef THRONG_KERNEL_FOOT_GOALS_INL_H
@@ -11,10 +11,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// Least y of a normal; steeper or broken ground counts as flat.
+/// The least y of a normal. Steeper ground counts as flat, and so does ground that is not finite.
 inline constexpr float steepest_ground = 0.2F;
 
-/// From the ankle, turned as the foot is: the two ends of the sole.
+/// The two ends of the sole, relative to the ankle and rotated with the foot.
 template <class V>
 struct Soles {
   Vectors<V> heel, ball;
@@ -25,13 +25,13 @@ HWY_INLINE Soles<V> sole_of(D d, const PlacedLeg& leg, const Quaternions<V>& foo
   return {rotated(foot, broadcast_vector(d, &leg.sole[0].x)), rotated(foot, broadcast_vector(d, &leg.sole[1].x))};
 }
 
-/// How far the lowest point of the sole is below the ankle, along `normal`.
+/// Returns the distance from the ankle to the lowest point of the sole, along `normal`.
 template <class V>
 HWY_INLINE V clearance(const Soles<V>& sole, const Vectors<V>& normal) {
   return hn::Neg(hn::Min(dot(sole.heel, normal), dot(sole.ball, normal)));
 }
 
-/// The shortest turn from straight up, of no more than the angle of this cosine.
+/// Returns the shortest rotation from straight up to `normal`, limited to the angle of this cosine.
 template <class D, class V>
 HWY_INLINE Quaternions<V> limited_tilt(D d, const Vectors<V>& normal, V least_cosine) {
   const V one = hn::Set(d, 1.0F);
@@ -45,7 +45,7 @@ HWY_INLINE Quaternions<V> limited_tilt(D d, const Vectors<V>& normal, V least_co
   return unit(d, Quaternions<V>{hn::Mul(normal.z, aside), hn::Zero(d), hn::Neg(hn::Mul(normal.x, aside)), along});
 }
 
-/// The plane given, or a flat one where it is too steep or broken.
+/// Returns the plane given, or a flat one where it is too steep or not finite.
 template <class D, class V>
 HWY_INLINE Footings<V> usable(D d, const Footings<V>& ground, V otherwise_height) {
   const V zero = hn::Zero(d);
@@ -68,14 +68,14 @@ HWY_INLINE Vectors<V> to_world(const JointMotions<V>& model, const Vectors<V>& p
   return sum(model.position, rotated(model.rotation, place));
 }
 
-/// How a foot is to be: model space.
+/// The goal of a foot, model space.
 template <class V>
 struct FootGoals {
   JointMotions<V> ankle;
   V planted;
 };
 
-/// Of the lanes' planted, or by how high the pose has the sole.
+/// Returns how firmly a foot is planted: as given, or by the height of its sole in the pose.
 template <class D, class V>
 HWY_INLINE V planted_share(D d, const PlacedBodies<D>& bodies, V planted, V lift) {
   const V zero = hn::Zero(d);
@@ -84,7 +84,7 @@ HWY_INLINE V planted_share(D d, const PlacedBodies<D>& bodies, V planted, V lift
   return hn::IfThenElse(hn::Ge(planted, zero), planted, share);
 }
 
-/// The ball of the foot is what stands still while the heel comes and goes: its footing is what is locked.
+/// Returns the goal of a foot. The footing of the ball is locked, so that the heel may rise and fall.
 template <class D, class V>
 HWY_INLINE FootGoals<V> goal_of(D d, const PlacedLeg& leg, const PlacedBodies<D>& bodies, const JointMotions<V>& ankle,
                                 PlacedFeet<D>& foot) {

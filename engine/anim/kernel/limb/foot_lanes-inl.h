@@ -1,4 +1,4 @@
-// What placing feet reads and writes of its characters, a character a lane.
+// Loads and stores the bodies and feet of a strip, one character a lane.
 #if defined(THRONG_KERNEL_FOOT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_FOOT_LANES_INL_H
 #undef THRONG_KERNEL_FOOT_LANES_INL_H
@@ -17,7 +17,7 @@ namespace throng::anim::HWY_NAMESPACE {
 template <class D>
 using FootPlacementJobs = const FootPlacementJob * [lane_count<D>];
 
-/// PlacedBody and what goes with it.
+/// PlacedBody, with seconds and weight of its job.
 template <class D>
 struct PlacedBodies {
   using V = hn::Vec<D>;
@@ -90,7 +90,7 @@ struct PlacedFeet {
     load_rows_of_four<foot_lock_rows>(d, from, 2 * block_floats, block_floats, locks);
     lock.load(d, locks);
   }
-  /// All but where the ground is.
+  /// Stores all but the ground.
   void store(D d, const FootPlacementJobs<D>& jobs, int leg) const {
     float* to[lane_count<D>];
     find(jobs, leg, to);

@@ -1,4 +1,4 @@
-// foot_lock.h for a vector of feet.
+// The locks of foot_lock.h, one foot a lane.
 #if defined(THRONG_KERNEL_FOOT_LOCK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_FOOT_LOCK_INL_H
 #undef THRONG_KERNEL_FOOT_LOCK_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// From this on a foot counts as planted, 0 to 1.
+/// A foot is planted from this value on, 0 to 1.
 inline constexpr float planted_from = 0.5F;
 
 /// Footing, foot_lock.h.
@@ -93,7 +93,7 @@ HWY_INLINE V horizontal_distance(const Vectors<V>& a, const Vectors<V>& b) {
   return hn::Sqrt(hn::MulAdd(z, z, hn::Mul(x, x)));
 }
 
-/// 1 when let go, 0 after release_seconds, without a kink at either end.
+/// Falls from 1 at the release to 0 after release_seconds, smoothly at both ends.
 template <class D, class V>
 HWY_INLINE V fading(D d, V released_for, V release_seconds) {
   const V one = hn::Set(d, 1.0F);
@@ -114,7 +114,7 @@ HWY_INLINE Footings<V> free_footing(D d, const FootLocks<D>& lock, const Footing
   return {choose(eases, easing, posed.place), choose(eases, unit_or(d, between, upwards(d, one)), posed.normal)};
 }
 
-/// Locks that end in this step.
+/// Returns which locks end in this step.
 template <class D, class V>
 HWY_INLINE void let_go(FootLocks<D>& lock, const Footings<V>& posed, hn::Mask<D> planted,
                        const FootLockOptionLanes<D>& options) {
@@ -129,9 +129,9 @@ HWY_INLINE void let_go(FootLocks<D>& lock, const Footings<V>& posed, hn::Mask<D>
   lock.locked = hn::AndNot(goes, lock.locked);
 }
 
-/// One step. `posed` is the footing where the pose has the foot, `planted` 0 to 1: from planted_from on it locks.
-/// Returns the footing to use, all in world space. Never jumps: a foot locks where it is, and what it is away from the
-/// pose when it is let go fades out.
+/// Makes one step and returns the footing to use, world space. `posed` is the footing in the pose; a foot locks from
+/// `planted` of planted_from on. The footing never jumps: a foot locks where it is, and its distance from the pose
+/// fades out after the release.
 template <class D, class V>
 HWY_INLINE Footings<V> step_foot_lock(D d, FootLocks<D>& lock, const Footings<V>& posed, V planted,
                                       const FootLockOptionLanes<D>& options, V seconds) {
@@ -150,7 +150,7 @@ HWY_INLINE Footings<V> step_foot_lock(D d, FootLocks<D>& lock, const Footings<V>
   return {choose(lock.locked, lock.place, free.place), choose(lock.locked, lock.normal, free.normal)};
 }
 
-/// How far the ball of the foot got since the last frame, if it was planted all the while. World space.
+/// Adds the distance that the ball of a planted foot moved since the last frame, world space.
 template <class D, class V>
 HWY_INLINE void measure_slide(D d, FootLocks<D>& lock, const Vectors<V>& ball, V planted, V seconds) {
   const auto is_planted = hn::Ge(planted, hn::Set(d, planted_from));

@@ -8,7 +8,7 @@
 
 namespace throng::anim {
 
-/// Where a foot stands, and that it stays there until it is lifted. Kept from frame to frame, world space, by fours of
+/// Keeps a planted foot where it came down until it is lifted. State from frame to frame, world space, in rows of four
 /// floats:
 ///
 ///      0           12             16            28     32            44                 48               60
@@ -16,14 +16,14 @@ namespace throng::anim {
 struct alignas(16) FootLock {
   static constexpr float long_ago = 1e9F;  ///< seconds
   static constexpr std::uint32_t is_locked = 1;
-  static constexpr std::uint32_t is_overstretched = 2;  ///< let go although it is planted; locks after the next step
+  static constexpr std::uint32_t is_overstretched = 2;  ///< released although planted; locks after the next step
   static constexpr std::uint32_t is_standing = 4;       ///< was planted last frame
 
   glm::vec3 place{0.0F};               ///< locked: point of the ground below the ball of the foot
-  float released_for = long_ago;       ///< seconds since it was let go
+  float released_for = long_ago;       ///< seconds since its release
   glm::vec3 normal{0.0F, 1.0F, 0.0F};  ///< of the ground there
   float slid = 0.0F;                   ///< metres that the ball went over the ground since the foot came down
-  glm::vec3 offset{0.0F};              ///< let go: how far the foot was from where the pose had it; fades out
+  glm::vec3 offset{0.0F};              ///< released: distance of the foot from its pose; fades out
   float standing_seconds = 0.0F;       ///< since the foot came down
   glm::vec3 last_ball{0.0F};
   std::uint32_t flags = 0;
@@ -36,12 +36,12 @@ static_assert(offsetof(FootLock, last_ball) == 48 && offsetof(FootLock, flags) =
 static_assert(std::is_trivially_copyable_v<FootLock>);
 
 struct FootLockOptions {
-  float release_seconds = 0.2F;  ///< a foot that is let go is back where the pose has it after that
-  float farthest = 0.4F;         ///< metres from where the pose has it, beyond which a planted foot is let go
+  float release_seconds = 0.2F;  ///< how long a released foot takes to return to its pose
+  float farthest = 0.4F;         ///< metres from its pose at which a planted foot is released
   bool enabled = true;
 };
 
-/// Ground that a foot is to stand on: a point of it, and how it lies there.
+/// The plane of ground that a foot stands on.
 struct Footing {
   glm::vec3 place{0.0F};
   glm::vec3 normal{0.0F, 1.0F, 0.0F};

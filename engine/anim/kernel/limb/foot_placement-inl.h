@@ -1,10 +1,12 @@
-// foot_placement.h for a vector of characters.
+// The kernel of foot_placement.h, one character a lane.
 #if defined(THRONG_KERNEL_FOOT_PLACEMENT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_FOOT_PLACEMENT_INL_H
 #undef THRONG_KERNEL_FOOT_PLACEMENT_INL_H
 #else
 #define THRONG_KERNEL_FOOT_PLACEMENT_INL_H
 #endif
+
+#include <cassert>
 
 #include "engine/anim/kernel/lanes/smooth_damp-inl.h"
 #include "engine/anim/kernel/limb/foot_goals-inl.h"
@@ -13,10 +15,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// Of the leg's length: the pelvis is lowered before a leg is straighter than that.
+/// A share of the leg's length: the pelvis is lowered before a leg is straighter than that.
 inline constexpr float knee_reserve = 0.02F;
 
-/// How far the hip must come down for a leg to reach its goal without being straighter than it was or than the reserve.
+/// Returns how far the hip must come down for a leg to reach its goal, no straighter than it was or than the reserve.
 template <class D, class V>
 HWY_INLINE V needed_drop(D d, const TwoBoneLimb& limb, const ChainLanes<D>& leg, const Vectors<V>& ankle) {
   const Vectors<V>& hip = leg.motions[limb.upper].position;
@@ -29,7 +31,7 @@ HWY_INLINE V needed_drop(D d, const TwoBoneLimb& limb, const ChainLanes<D>& leg,
   return hn::Sub(away.y, hn::Sqrt(hn::Max(hn::MulSub(reach, reach, level), hn::Zero(d))));
 }
 
-/// Smoothed, but in time for a foot that lands. New ones are there at once.
+/// Smooths the drop, in time for a foot that lands. A new character has its drop at once.
 template <class D, class V>
 HWY_INLINE DampedValues<V> next_drop(D d, const PlacedBodies<D>& bodies, V wanted) {
   DampedValues<V> next = damped(d, bodies.drop, wanted, bodies.drop_smooth_seconds, bodies.seconds);
@@ -43,7 +45,7 @@ class FootPlacer {
  public:
   using V = hn::Vec<D>;
 
-  /// At least one job; lanes beyond the last one repeat it.
+  /// Places the feet of at least one job. Lanes beyond the last job repeat it.
   void place(const FootPlacementRig& rig, std::span<const FootPlacementJob* const> jobs) {
     const D d;
     for (int lane = 0; lane < lane_count<D>; ++lane) {
@@ -72,7 +74,7 @@ class FootPlacer {
     return legs_[leg].motions[rig.legs.data()[leg].limb.end()];
   }
 
-  /// Down to the pelvis all chains are one.
+  /// All legs share one chain down to the pelvis.
   void pose_legs(D d, const FootPlacementRig& rig) {
     const PoseView* poses[lane_count<D>];
     for (int lane = 0; lane < lane_count<D>; ++lane) poses[lane] = &jobs_[lane]->pose;
@@ -128,6 +130,7 @@ class FootPlacer {
 };
 
 inline void place_feet(std::span<const FootPlacementJob> jobs) {
+  assert(is_valid(jobs));
   using D = BoneLanes;
   const FootPlacementJob* some[lane_count<D>];
   FootPlacer<D> placer;

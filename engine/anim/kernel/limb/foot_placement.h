@@ -36,7 +36,7 @@ struct PlacedLeg {
 /// skeleton.
 struct FootPlacementRig {
   int leg_count = 0;
-  int pelvis = 0;    ///< place in every leg's chain: the lowest joint above all hips
+  int pelvis = 0;    ///< index into every leg's chain: the lowest joint above all hips
   int bone_end = 0;  ///< bones from here on are neither read nor changed
   std::array<PlacedLeg, max_legs> legs{};
 
@@ -66,10 +66,10 @@ struct FootPlacementOptions {
   FootLockOptions lock{};
 };
 
-/// What the feet of a character share, by fours of floats. A new one starts without easing.
+/// State that the feet of a character share, in rows of four floats. A new one starts without easing.
 ///
 ///      0                      28        32        72         80
-///     [ where its model is   | started | options | drop     ]
+///     [ model in world       | started | options | drop     ]
 struct alignas(16) PlacedBody {
   JointMotion model_in_world{};    ///< to be set by its owner; turned about the vertical only
   bool started = false;            ///< was updated
@@ -82,7 +82,7 @@ static_assert(offsetof(PlacedBody, started) == 28 && offsetof(PlacedBody, option
 static_assert(offsetof(FootPlacementOptions, lock) == 28 && offsetof(PlacedBody, drop) == 72);
 static_assert(std::is_trivially_copyable_v<PlacedBody>);
 
-/// A foot from frame to frame, by fours of floats.
+/// State of one foot, in rows of four floats.
 ///
 ///      0        24        28          32     96      112
 ///     [ ground | planted | missed_by | lock | ankle ]
@@ -99,7 +99,7 @@ static_assert(sizeof(PlacedFoot) == 112 && offsetof(PlacedFoot, missed_by) == 28
 static_assert(offsetof(PlacedFoot, ankle) == 96);
 static_assert(std::is_trivially_copyable_v<PlacedFoot>);
 
-/// Puts feet on uneven ground: what the pose does over flat ground at height 0, it does over the ground given. Feet
+/// Puts feet on uneven ground. The pose is made for flat ground at height 0 and moves to the ground given. Feet
 /// keep their height above it, tilted with it; planted ones touch it with the lowest point of the sole and stay where
 /// they came down; the pelvis is lowered for the legs to reach. Levels of detail without all legs are left alone.
 struct FootPlacementJob {
@@ -108,12 +108,15 @@ struct FootPlacementJob {
   PlacedFoot* feet = nullptr;  ///< [rig->leg_count]
   PoseView pose;               ///< that may displace rig->pelvis_bone()
   float seconds = 0.0F;        ///< since the last frame, not negative
-  float weight = 1.0F;         ///< 0 leaves the pose to the bit and forgets what was, but for where ankles are
+  float weight = 1.0F;         ///< 0 leaves the pose to the bit and forgets all state except the ankles
 };
+bool is_valid(const FootPlacementJob& job);
+/// All valid and of one rig.
+bool is_valid(std::span<const FootPlacementJob> jobs);
 
 inline bool has_all_legs(const FootPlacementRig& rig, const PoseView& pose) { return rig.bone_end <= pose.bone_count; }
 
-/// As if they had never been placed; what their owner set stays.
+/// Clears the state of earlier updates; members that the owner sets stay.
 void forget_feet(const FootPlacementJob& job);
 
 }  // namespace throng::anim

@@ -43,8 +43,8 @@ Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone) {
 
 namespace {
 
-/// Of a product of two that are nearly unit: the first step towards it, where a square root and a division would keep
-/// the next joint waiting.
+/// Makes a product of nearly unit quaternions unit by one Newton step. A square root and a division would delay the
+/// next joint.
 glm::quat renormalised(const glm::quat& product) { return product * (1.5F - 0.5F * glm::dot(product, product)); }
 
 void pose_joint(const JointChain& chain, std::size_t joint, const PoseView& pose, std::span<JointMotion> motions) {

@@ -15,7 +15,7 @@
 
 namespace throng::anim {
 
-/// The joints from a root bone down to a tip: what it takes to know where the tip is without posing anything else.
+/// The joints from a root bone down to a tip, which are enough to pose the tip without any other bone.
 /// Made at load, shared by every character of the skeleton.
 struct JointChain {
   static constexpr int max_joints = 24;
@@ -24,9 +24,9 @@ struct JointChain {
   std::array<glm::vec3, max_joints> offsets{};   ///< metres, bind pose: from the joint before; of the root, its origin
 
   int tip() const { return count - 1; }
-  /// Above all bones of the chain.
+  /// One above the chain's highest bone.
   int bone_end() const { return bones.data()[tip()] + 1; }
-  /// Place of a bone in the chain, or -1.
+  /// Returns the index of a bone in the chain, or -1.
   int find(int bone) const;
 };
 static_assert(std::is_trivially_copyable_v<JointChain>);
@@ -38,7 +38,7 @@ struct JointMotion {
 };
 static_assert(std::is_trivially_copyable_v<JointMotion>);
 
-/// Room for the motions of a chain: what was not posed is not initialised, since that takes as long as posing.
+/// Memory for the motions of a chain. It is not initialised, because that takes as long as posing.
 class ChainMotion {
  public:
   JointMotion& operator[](std::size_t joint) { return all()[joint]; }
@@ -57,7 +57,7 @@ class ChainMotion {
 /// skeletons on the general path, whose scales and sheared prefixes rotations alone do not describe.
 Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone);
 
-/// Whether the pose has all of the chain. Levels of detail drop limb ends; then there is nothing to do.
+/// Whether the pose has all bones of the chain. Levels of detail drop the ends of limbs.
 inline bool is_within(const JointChain& chain, const PoseView& pose) { return chain.bone_end() <= pose.bone_count; }
 
 /// Poses the joints from `first` on; those before it are as posed before. `motions` has at least chain.count elements;

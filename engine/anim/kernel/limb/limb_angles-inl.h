@@ -1,4 +1,4 @@
-// How a limb of two bones is to bend for its end to be somewhere (two_bone_ik.h), a limb a lane.
+// Computes how a limb bends to bring its end to a target (two_bone_ik.h), one limb a lane.
 #if defined(THRONG_KERNEL_LIMB_ANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_LIMB_ANGLES_INL_H
 #undef THRONG_KERNEL_LIMB_ANGLES_INL_H
@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// What TwoBoneIkJob asks of each limb.
+/// The goal of each limb, from TwoBoneIkJob.
 template <class D>
 struct LimbGoals {
   Vectors<hn::Vec<D>> target, pole;
@@ -26,7 +26,7 @@ struct LimbPlaces {
   Vectors<V> upper, middle, end;
 };
 
-/// The limb as it is to be: model-space turns of the upper and the middle joint.
+/// The rotations of the upper and the middle joint, model space.
 template <class V>
 struct LimbTurns {
   Quaternions<V> upper, middle;
@@ -38,7 +38,7 @@ HWY_INLINE Matrices<V> frame_of(D d, const Vectors<V>& direction, const Vectors<
   return {direction, across, cross(direction, across)};
 }
 
-/// The rotation that brings one direction and the bend normal beside it to another pair.
+/// Returns the rotation that brings a direction and a bend normal to another such pair.
 template <class D, class V>
 HWY_INLINE Quaternions<V> turn_pair(D d, const Vectors<V>& from, const Vectors<V>& from_normal, const Vectors<V>& to,
                                     const Vectors<V>& to_normal) {
@@ -62,7 +62,7 @@ HWY_INLINE Vectors<V> bend_normal(D d, const Vectors<V>& first, const Vectors<V>
   return unit_or(d, scaled_add(unit_or(d, crossed, hinge), bent, scaled(hinge, hn::Sub(one, bent))), hinge);
 }
 
-/// Distance at which the end is put for a target this far away: eases out towards the full length.
+/// Returns the distance of the end for a target at `distance`. It eases out towards the full length.
 template <class D, class V>
 HWY_INLINE V soft_reach(D d, V distance, V length, V softness, V posed_distance) {
   const V zero = hn::Zero(d);
@@ -73,14 +73,14 @@ HWY_INLINE V soft_reach(D d, V distance, V length, V softness, V posed_distance)
   return hn::IfThenElse(hn::Gt(beyond, zero), hn::Add(easing_from, eased), distance);
 }
 
-/// The bend normal after the limb was swung from one reach to another. Swung half round it is swung about the normal.
+/// Returns the bend normal after a swing from one reach to another. A swing of half a turn is about the normal.
 template <class D, class V>
 HWY_INLINE Vectors<V> swung_normal(D d, const Vectors<V>& from, const Vectors<V>& to, const Vectors<V>& normal) {
   const auto opposite = hn::Lt(dot(from, to), hn::Set(d, -0.9999F));
   return choose(opposite, normal, rotated(shortest_turn(d, from, to), normal));
 }
 
-/// Where the middle is to point: to the pole, or where the swung limb has it.
+/// The direction of the middle joint: towards the pole, or as in the swung limb.
 template <class D, class V>
 HWY_INLINE Vectors<V> outward(D d, const Vectors<V>& reach, const Vectors<V>& kept_normal, const Vectors<V>& pole) {
   const V zero = hn::Zero(d);
@@ -113,7 +113,7 @@ HWY_INLINE LimbTurns<V> solve_limb(D d, const LimbGoals<D>& goals, const LimbPla
   const Vectors<V> normal = bend_normal(d, first, second, hinge);
   const Vectors<V> out = outward(d, reach, swung_normal(d, posed_reach, reach, normal), goals.pole);
 
-  // Law of cosines: the middle is `along` the way to the target and `aside` of it.
+  // Law of cosines: the middle is `along` the line to the target and `aside` of it.
   const V unclamped = hn::Div(hn::MulAdd(distance, distance, hn::Mul(excess, length)), hn::Add(distance, distance));
   const V along = hn::Min(hn::Max(unclamped, hn::Neg(first_length)), first_length);
   const V square = hn::Mul(hn::Sub(first_length, along), hn::Add(first_length, along));

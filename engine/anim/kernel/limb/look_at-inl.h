@@ -1,11 +1,13 @@
-// look_at.h for a vector of characters. From the first looking joint on everything is seen from what carries it: there
-// forward, up and left are constants, and the turns about them are short.
+// The kernel of look_at.h, one character a lane. From the first looking joint on everything is relative to its parent:
+// there forward, up and left are constants, and rotations about them are short.
 #if defined(THRONG_KERNEL_LOOK_AT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_LOOK_AT_INL_H
 #undef THRONG_KERNEL_LOOK_AT_INL_H
 #else
 #define THRONG_KERNEL_LOOK_AT_INL_H
 #endif
+
+#include <cassert>
 
 #include "engine/anim/kernel/lanes/rotations.h"
 #include "engine/anim/kernel/lanes/smooth_damp-inl.h"
@@ -20,14 +22,14 @@ inline constexpr float behind = 2.6F;
 /// Metres from the eyes, squared.
 inline constexpr float nearest_target_square = 1e-8F;
 
-/// The looking joints and those between them, by their places in the chain, as their carrier sees them.
+/// The looking joints and those between them, by index in the chain, relative to their parent.
 template <class V>
 struct LookingChain {
   Quaternions<V> rotations[JointChain::max_joints];
   JointMotions<V> head;
 };
 
-/// What carries the first looking joint, in model space.
+/// The parent of the first looking joint, in model space.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE JointMotions<V> pose_carrier(D d, const LookAtRig& rig, const LookLanes<D>& lanes) {
   JointMotions<V> carrier{no_rotation(d), {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
@@ -58,8 +60,8 @@ HWY_INLINE Gazes<V> gaze_along(D d, const LookAtRig& rig, const Vectors<V>& dire
   return {angle_of(d, aside, ahead), angle_of(d, direction.y, level)};
 }
 
-/// From one gaze `share` of the way to another: `back` to the front, up or down, and round again. It keeps the head's
-/// roll, and its angles are never mixed through the back.
+/// Turns from one direction of look by `share` towards another: `back` to the front, up or down, and round again. It
+/// keeps the roll of the head and never turns through the back.
 template <class D, class V>
 HWY_INLINE Quaternions<V> turn_between(D d, const LookAtRig& rig, const Gazes<V>& from, const Gazes<V>& to,
                                        const HalfAngle<V>& back, V share) {
@@ -77,7 +79,7 @@ HWY_INLINE Quaternions<V> turn_between(D d, const LookAtRig& rig, const Gazes<V>
           hn::MulAdd(ahead.y, back.sine, hn::Mul(ahead.w, back.cosine))};
 }
 
-/// The chain with every looking joint turned by its share.
+/// Returns the chain with every looking joint rotated by its share.
 template <class D, class V>
 HWY_INLINE void turn_chain(D d, const LookAtRig& rig, const LookLanes<D>& lanes, const Gazes<V>& from,
                            const Gazes<V>& to, const LookingChain<V>& posed, LookingChain<V>& turned) {
@@ -101,7 +103,7 @@ HWY_INLINE Vectors<V> eyes_of(D d, const LookAtRig& rig, const JointMotions<V>& 
   return sum(head.position, rotated(head.rotation, broadcast_vector(d, &rig.eyes.x)));
 }
 
-/// Where to look from these eyes, within the limits.
+/// Returns the direction from the eyes to the target, within the limits.
 template <class D, class V>
 HWY_INLINE Gazes<V> wanted_gaze(D d, const LookAtRig& rig, const LookLanes<D>& lanes, const Gazes<V>& last,
                                 const Vectors<V>& to_target) {
@@ -117,7 +119,7 @@ HWY_INLINE Gazes<V> wanted_gaze(D d, const LookAtRig& rig, const LookLanes<D>& l
   return {hn::IfThenElse(too_near, last.yaw, gaze.yaw), hn::IfThenElse(too_near, last.pitch, gaze.pitch)};
 }
 
-/// The gaze of each character, a step nearer to where it wants to look.
+/// Brings the direction of look of each character one step nearer to the one it wants.
 template <class D, class V>
 HWY_INLINE Gazes<V> follow(D d, LookLanes<D>& lanes, const Gazes<V>& last, const Gazes<V>& wanted) {
   const auto started = hn::Gt(lanes.started.load(d), hn::Zero(d));
@@ -158,7 +160,7 @@ HWY_INLINE void look_at_lanes(D d, const LookAtRig& rig, LookLanes<D>& lanes) {
   const Gazes<V> last{hn::IfThenElse(started, lanes.yaw.load(d), from.yaw),
                       hn::IfThenElse(started, lanes.pitch.load(d), from.pitch)};
 
-  // The eyes move with the turn; seen from where they were left last, the gaze settles on the target exactly.
+  // The eyes move with the head. Measured from their last position, the look settles on the target exactly.
   LookingChain<V> turned;
   Vectors<V> eyes{lanes.eyes[0].load(d), lanes.eyes[1].load(d), lanes.eyes[2].load(d)};
   if (!hn::AllTrue(d, started)) {
@@ -180,7 +182,7 @@ HWY_INLINE void look_at_lanes(D d, const LookAtRig& rig, LookLanes<D>& lanes) {
   lanes.remaining.store(d, angle_of(d, hn::Sqrt(dot(across, across)), dot(facing, to_target)));
 }
 
-/// Those that turn. The others are done.
+/// Collects the jobs that turn a head. The others are finished here.
 HWY_INLINE std::size_t lookers_of(std::span<const LookAtJob> jobs, const LookAtJob** lookers) {
   std::size_t count = 0;
   for (const LookAtJob& job : jobs) {
@@ -192,6 +194,7 @@ HWY_INLINE std::size_t lookers_of(std::span<const LookAtJob> jobs, const LookAtJ
 }
 
 inline void look_at(std::span<const LookAtJob> jobs) {
+  assert(is_valid(jobs));
   using D = BoneLanes;
   const LookAtJob* all[widest_strip];
   const std::span<const LookAtJob* const> lookers(all, lookers_of(jobs, all));

@@ -23,11 +23,11 @@ struct LookBone {
   float weight = 1.0F;  ///< above 0; shares are relative to the sum
 };
 
-/// The joints that turn towards what is looked at: spine, neck, head. Made at load, shared by every character.
+/// The joints that turn towards the target: spine, neck, head. Made at load, shared by all characters.
 struct LookAtRig {
   JointChain chain;  ///< its tip is the head
   int joint_count = 0;
-  std::array<std::int16_t, max_look_joints> joints{};  ///< places in the chain, ascending; the last is the tip
+  std::array<std::int16_t, max_look_joints> joints{};  ///< indices into the chain, ascending; the last is the tip
   std::array<float, max_look_joints> turned{};  ///< share of the turn that this joint and those above it have made,
                                                 ///< 0 to 1; the last is 1
   glm::vec3 forward{0.0F, 0.0F, 1.0F};          ///< where the head faces in the bind pose, unit, level
@@ -49,7 +49,7 @@ struct alignas(16) LookAtLimits {
   float smooth_seconds = 0.15F;  ///< see smooth_damp; 0 turns at once
 };
 
-/// The gaze that an entity keeps from frame to frame, radians; a new one starts where the pose looks.
+/// The direction of look that an entity keeps, radians. A new one starts with that of the pose.
 ///
 ///      0      8       16         28          32
 ///     [ yaw | pitch | eyes x y z | remaining | started, padding ]
@@ -66,7 +66,7 @@ static_assert(std::is_trivially_copyable_v<LookAtState>);
 
 /// Turns the joints so that the head faces the target, or as near to it as the limits allow. A target behind is looked
 /// at over the shoulder that is already turned: the head never swings through the front because of it. A level of
-/// detail without the head, and a target that is no place (see is_place), leave the pose alone.
+/// detail without the head, and a target that is not finite (is_place), leave the pose alone.
 struct LookAtJob {
   const LookAtRig* rig = nullptr;
   LookAtState* state = nullptr;
@@ -76,6 +76,9 @@ struct LookAtJob {
   LookAtLimits limits{};
   float weight = 1.0F;  ///< 0 leaves the pose to the bit and forgets the state; fade it to look away
 };
+bool is_valid(const LookAtJob& job);
 static_assert(offsetof(LookAtJob, seconds) == offsetof(LookAtJob, target) + 12, "read together");
+/// A strip: at most widest_strip, all valid and of one rig.
+bool is_valid(std::span<const LookAtJob> jobs);
 
 }  // namespace throng::anim

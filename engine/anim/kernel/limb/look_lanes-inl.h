@@ -1,4 +1,4 @@
-// What gazes read and write of their characters, a character a lane.
+// Loads and stores the characters of a look-at strip, one a lane.
 #if defined(THRONG_KERNEL_LOOK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_LOOK_LANES_INL_H
 #undef THRONG_KERNEL_LOOK_LANES_INL_H
@@ -21,7 +21,7 @@ struct Gazes {
   V yaw, pitch;
 };
 
-/// Every lane holds a character: those beyond the last one repeat it.
+/// Every lane holds a character. Lanes beyond the last character repeat it.
 template <class D>
 class LookLanes {
  public:
@@ -46,7 +46,7 @@ class LookLanes {
   }
 
   Quaternions<V> rotation(D d, int joint) const { return pose_.rotation(d, bones_[joint]); }
-  /// From the joint before, in its frame.
+  /// The offset from the previous joint, in its frame.
   Vectors<V> offset(D d, const JointChain& chain, int joint) const {
     return sum(broadcast_vector(d, &chain.offsets.data()[joint].x), pose_.position(d, bones_[joint]));
   }
@@ -66,7 +66,7 @@ class LookLanes {
       started.of[lane] = jobs_[lane]->state->started ? 1.0F : 0.0F;
     }
   }
-  /// Floats that lie side by side, from first_of(job) on.
+  /// Loads floats that lie side by side, from first_of(job) on.
   template <class FirstOf>
   void load_four(Lane<D>* a, Lane<D>* b, Lane<D>* c, Lane<D>* last, FirstOf&& first_of) const {
     const float* from[lane_count<D>];

@@ -1,4 +1,4 @@
-// two_bone_ik.h for a vector of characters.
+// The kernel of two_bone_ik.h, one character a lane.
 #if defined(THRONG_KERNEL_TWO_BONE_IK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_TWO_BONE_IK_INL_H
 #undef THRONG_KERNEL_TWO_BONE_IK_INL_H
@@ -6,13 +6,15 @@
 #define THRONG_KERNEL_TWO_BONE_IK_INL_H
 #endif
 
+#include <cassert>
+
 #include "engine/anim/kernel/limb/chain_lanes-inl.h"
 #include "engine/anim/kernel/limb/limb_angles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// Turns the joints from the upper one on; lanes that are not `active` keep their bits.
+/// Rotates the joints from the upper one on. Lanes that are not `active` keep their bits.
 template <class D, class Pose, class V = hn::Vec<D>>
 HWY_INLINE void turn_limb(D d, const TwoBoneLimb& limb, const LimbGoals<D>& goals, const LimbTurns<V>& turns,
                           hn::Mask<D> active, Pose& pose, ChainLanes<D>& chain) {
@@ -41,7 +43,7 @@ HWY_INLINE void turn_limb(D d, const TwoBoneLimb& limb, const LimbGoals<D>& goal
   }
 }
 
-/// Of limbs whose chains are posed, and follow. Returns how far the ends are from their targets now, metres.
+/// Bends limbs whose chains are posed; the chains follow. Returns the distances of the ends from the targets, metres.
 template <class D, class Pose, class V = hn::Vec<D>>
 HWY_INLINE V solve_two_bone_ik(D d, const TwoBoneLimb& limb, const LimbGoals<D>& goals, Pose& pose,
                                ChainLanes<D>& chain) {
@@ -63,7 +65,7 @@ class LimbLanes {
  public:
   using V = hn::Vec<D>;
 
-  /// Of one limb, at least one job; lanes beyond the last one repeat it.
+  /// Solves at least one job of one limb. Lanes beyond the last job repeat it.
   void solve(std::span<const TwoBoneIkJob* const> jobs, float* const* missed_by) {
     const D d;
     const TwoBoneLimb& limb = *jobs.front()->limb;
@@ -109,6 +111,7 @@ class LimbLanes {
 };
 
 inline void two_bone_ik(std::span<const TwoBoneIkJob> jobs, float* missed_by) {
+  assert(is_valid(jobs));
   using D = BoneLanes;
   const TwoBoneIkJob* some[lane_count<D>];
   float* missed[lane_count<D>];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <type_traits>
 
 #include <glm/gtc/quaternion.hpp>
@@ -15,7 +16,7 @@ namespace throng::anim {
 /// halves of a thigh) follow the joint above. Made at load, shared by every character of the skeleton.
 struct TwoBoneLimb {
   JointChain chain;  ///< its tip is the end of the limb
-  int upper = 0;     ///< places in the chain
+  int upper = 0;     ///< index into the chain, as `middle`
   int middle = 0;
   glm::vec3 hinge{1.0F, 0.0F, 0.0F};  ///< axis about which the middle bends, bind pose, unit
 
@@ -28,7 +29,7 @@ inline constexpr float shortest_limb_bone = 1e-6F;
 
 /// `bend_direction` (model space) says where the middle points when it bends, for limbs that are straight in the bind
 /// pose: +Z for knees, -Z for elbows. Refused as make_joint_chain refuses, and where `middle` is not below `upper`,
-/// `end` not below `middle`, or two of them are at the same place.
+/// `end` not below `middle`, or two of them are at one position.
 Result<TwoBoneLimb> make_two_bone_limb(const Skeleton& skeleton, int upper, int middle, int end,
                                        const glm::vec3& bend_direction);
 
@@ -37,18 +38,19 @@ Result<TwoBoneLimb> make_two_bone_limb(const Skeleton& skeleton, int upper, int 
 inline constexpr float straight_below = 0.02F;
 inline constexpr float bent_above = 0.1F;
 
-/// Axis about which a limb bends whose bones point there, unit vectors. One that is all but straight says nothing about
-/// it; then its hinge does.
+/// Returns the axis about which a limb bends. `first` and `second` are the unit directions of its bones. Where it is
+/// nearly straight, its hinge decides.
 glm::vec3 bend_normal(const glm::vec3& first, const glm::vec3& second, const glm::vec3& hinge);
 
 /// A fraction of the limb's length.
 inline constexpr float default_limb_softness = 0.005F;
+inline constexpr float most_limb_softness = 0.5F;
 
 /// Two-bone IK (paper 2.2.1 names IK among an animation system's tasks): turns the upper and the middle joint so that
 /// the end is at `target`. A target out of reach is reached for.
 ///
 /// The pose stays as it is where this level of detail lacks the limb, where the limb has no length, and where the
-/// target is no place (see is_place). A limb that is straighter than softness allows stays so if its end is at the
+/// target is not finite (see is_place). A limb that is straighter than softness allows stays so if its end is at the
 /// target.
 struct TwoBoneIkJob {
   const TwoBoneLimb* limb = nullptr;
@@ -61,5 +63,8 @@ struct TwoBoneIkJob {
   bool turn_end = false;                           ///< also give the end joint `end_rotation`
   glm::quat end_rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< model space, from the bind pose, unit
 };
+bool is_valid(const TwoBoneIkJob& job);
+/// All valid and of one limb.
+bool is_valid(std::span<const TwoBoneIkJob> jobs);
 
 }  // namespace throng::anim

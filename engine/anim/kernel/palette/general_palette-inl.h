@@ -72,7 +72,7 @@ HWY_INLINE Affine<V> load_local(D d, const float* input, int stride) {
           load_vectors(d, input + 4 * stride, stride)};
 }
 
-/// Palette entries leave by fours, whichever bones they belong to.
+/// Writes palette entries in groups of four, whichever bones they belong to.
 template <class D>
 class EntryWriter {
  public:
@@ -109,7 +109,7 @@ class EntryWriter {
   Stage stage_;
 };
 
-/// Entries lie by bone, so those of the bones from `begin` on start where the first of them starts that has any.
+/// Returns the first entry of the bones from `begin` on. Entries are in the order of bones.
 inline int first_entry_from(const HierarchyProgram& program, int begin, int end) {
   for (int bone = begin; bone < end; ++bone) {
     const HierarchyStep& step = program.steps[static_cast<std::size_t>(bone)];

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int matrix_floats = 12;
 
-/// Per bone, the last bone that reads it as its parent, or -1 where nobody does but the bone right after it.
+/// For each bone, the last child that reads its slot; -1 if only the next bone is its child.
 std::vector<int> last_slot_readers(const Skeleton& skeleton) {
   std::vector<int> last(skeleton.bones.size(), -1);
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) {

@@ -8,7 +8,7 @@
 
 namespace throng::anim {
 
-/// What the model-palette kernel does for one bone. Depth-first chains stay in registers: a bone whose parent is the
+/// The work of the model-palette kernel for one bone. Depth-first chains stay in registers: a bone whose parent is the
 /// previous bone takes its transform from there; only branch points are saved to a slot.
 struct HierarchyStep {
   static constexpr std::int16_t from_previous = -1;  ///< the parent is the bone before

@@ -19,7 +19,6 @@ void model_palette_strip(const ModelPaletteJob& job) {
   using D = LanesUpTo<width>;
   const int begin = job.packet * packet_bones;
   const int end = HWY_MIN(begin + packet_bones, job.bone_count);
-  assert((job.format == PaletteFormat::matrices || job.hierarchy->packs()) && "palettes that cannot be packed");
   if (begin >= end) return;
   for (int lane = 0; lane < job.characters; lane += lane_count<D>) {
     if (job.format == PaletteFormat::packed) {
@@ -33,6 +32,7 @@ void model_palette_strip(const ModelPaletteJob& job) {
 }
 
 void model_palette(const ModelPaletteJob& job) {
+  assert(is_valid(job));
   switch (job.width) {
     case 1:
       return model_palette_strip<1>(job);

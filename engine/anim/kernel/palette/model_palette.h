@@ -29,5 +29,6 @@ struct ModelPaletteJob {
                                     ///< order, whole cache lines where it can, and never reads them
   std::uint64_t* hashes = nullptr;  ///< [characters] or null: adds each written entry's hash, see palette_hash.h
 };
+bool is_valid(const ModelPaletteJob& job);
 
 }  // namespace throng::anim

@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// What a packed entry says.
+/// The motion of a joint, for packed palettes.
 template <class V>
 struct PackedMotion : JointMotion<V> {
   static constexpr int palette_rows = packed_rows;
@@ -39,7 +39,7 @@ HWY_INLINE Vectors<V> rotate_add(const Quaternions<V>& q, const Vectors<V>& v, c
   return cross_add(q, twice, sum(start, v));
 }
 
-/// As for a RigidMotion, with the rotation itself in place of a matrix.
+/// The same as for a RigidMotion, by the rotation instead of its matrix.
 template <class D, class V>
 HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Quaternions<V>& rotation,
                         const float* displacement, int stride, PackedMotion<V>& motion) {

@@ -14,7 +14,7 @@ struct Unpacked {
 float low_half(std::uint32_t word) { return static_cast<float>(static_cast<std::int16_t>(word & 0xFFFFU)); }
 float high_half(std::uint32_t word) { return static_cast<float>(static_cast<std::int16_t>(word >> 16U)); }
 
-/// Of the lowest 21 bits.
+/// Returns the lowest 21 bits as a signed number.
 float signed_joint_bits(std::uint32_t bits) {
   constexpr unsigned unused = 32U - packed_joint_bits;
   return static_cast<float>(static_cast<std::int32_t>(bits << unused) >> unused);

@@ -32,14 +32,14 @@ inline constexpr float packed_rotation_one = 32700.0F;
 inline constexpr int packed_joint_bits = 21;
 inline constexpr float packed_joint_limit = static_cast<float>((1 << (packed_joint_bits - 1)) - 1);
 
-/// What it takes to unpack a bone's entries, the same for all characters of a skeleton.
+/// Data to unpack the entries of a bone, shared by all characters of a skeleton.
 struct PackingFrame {
-  float pivot[3];  ///< where the joint is in the bind pose, metres, in the space of the palette
+  float pivot[3];  ///< the joint in the bind pose, metres, in the space of the palette
   float step;      ///< metres a unit of the joint's position, a power of two
 };
 static_assert(sizeof(PackingFrame) == 16, "a vec4 of the device");
 
-/// How a bone that rests at these places moves points, as the vertex shader unpacks it.
+/// Returns the matrix of an entry, as the vertex shader computes it.
 PaletteMatrix unpack(const PackedPaletteEntry& entry, const PackingFrame& frame);
 
 /// The same between two entries: rotations the shortest way and joints straight, by `blend` from 0 (`from`) to 1.
@@ -52,13 +52,13 @@ constexpr std::size_t palette_entry_bytes(PaletteFormat format) {
 
 /// Bytes from one palette to the next where many lie in a row: whole cache lines, and an odd number of them. The
 /// palettes of a strip are written side by side; an even number of lines apart, several of them would meet in the same
-/// few places of the nearest cache and push each other out.
+/// few sets of L1 and evict each other.
 constexpr std::size_t palette_stride(std::size_t entries, PaletteFormat format) {
   constexpr std::size_t line_bytes = 64;
   return ((entries * palette_entry_bytes(format) + line_bytes - 1) / line_bytes | 1U) * line_bytes;
 }
 
-/// Where a palette is to be written, in the format that its skeleton's palettes have; null: nowhere.
+/// The address at which a palette is written, in the format of its skeleton; null: it is not written.
 class PaletteDestination {
  public:
   PaletteDestination() = default;

@@ -22,7 +22,7 @@ inline bool on_whole_lines(const PaletteDestination* palettes, int characters) {
   return addresses % 64 == 0;
 }
 
-/// What one vector of characters asks of a packet.
+/// How one vector of characters writes a packet.
 struct AnyPacket {
   int characters;
   StorePolicy stores;
@@ -41,7 +41,7 @@ inline AnyPacket any_packet(const ModelPaletteJob& job, int lane, int lanes) {
   return packet;
 }
 
-/// What most ask: a character in every lane, no hashes. The compiler knows it too, and has registers for everything.
+/// The usual case, known to the compiler: a character in every lane and no hashes. It frees registers.
 template <int lanes, StorePolicy policy, bool with_positions>
 struct UsualPacket {
   static constexpr int characters = lanes;
@@ -71,18 +71,18 @@ inline constexpr int packed_rows = sizeof(PackedPaletteEntry) / 16;
 template <int rows>
 using PaletteEntryOf = std::conditional_t<rows == matrix_rows, PaletteMatrix, PackedPaletteEntry>;
 
-/// What a PaletteStage works on; apart from it, so that the compiler keeps the stage itself in registers.
+/// Memory of a PaletteStage. It lies outside the stage, so that the compiler keeps the stage in registers.
 template <class D, int rows>
 struct PaletteStageMemory {
   static constexpr int group_floats = 4 * rows * block_floats * lane_count<D>;
   alignas(64) FloatArray<group_floats> groups[2];
-  alignas(64) float* group_lines[static_cast<std::size_t>(lane_count<D>)];  // a character: where the group put will go
+  alignas(64) float* group_lines[static_cast<std::size_t>(lane_count<D>)];  // destinations of the group that is put
 };
 
-/// Palette entries of the packet's characters on their way out, each `rows` of 16 bytes, by groups of four: as many
-/// whole cache lines a character, which leave in ascending order, so that the destination may be write-combined memory.
-/// While one group is put, a part of the group before it is written after each of its entries: memory takes lines all
-/// along, and not by bursts.
+/// Collects palette entries, each `rows` of 16 bytes, in groups of four and writes them as whole cache lines. Lines of
+/// a character are written in ascending order, so that the destination may be write-combined memory. While one group
+/// is put, a part of the previous group is written after each entry, so that memory receives lines evenly and not in
+/// bursts.
 ///
 ///     group = [character % 4][entry][row] of (character / 4 blocks of 4 floats)      vectors of 4 lanes and more
 ///           = [character][entry][row] of 4 floats                                    narrower ones
@@ -93,7 +93,7 @@ class PaletteStage {
   static constexpr int entries = 4;
   using Memory = PaletteStageMemory<D, rows>;
 
-  /// `palettes`: [packet.characters], which get their entries from `first` on.
+  /// `palettes` is [packet.characters]. Entries are written from `first` on.
   HWY_INLINE PaletteStage(const PaletteDestination* palettes, Packet packet, int first, Memory& memory)
       : packet_(packet), group_lines_(memory.group_lines), put_(memory.groups[0]), written_(memory.groups[1]) {
     for (int i = 0; i < packet_.characters; ++i) {
@@ -126,7 +126,7 @@ class PaletteStage {
     }
   }
 
-  /// The group that was put is complete: from now on it is written, and another one put.
+  /// Call when the group is complete. It is written from now on, and the next one is put.
   HWY_INLINE void turn() {
     float* const written = written_;
     written_ = put_;
@@ -134,7 +134,7 @@ class PaletteStage {
     for (int i = 0; i < packet_.characters; ++i) group_lines_[i] += group_stride;
   }
 
-  /// Fetches for writing what a part of the characters will write of the group that is put.
+  /// Prefetches the lines that a part of the characters will write of the group that is put.
   HWY_INLINE void prefetch(int part) const {
     for (int character = part; character < packet_.characters; character += entries) {
       const float* line = group_lines_[character];
@@ -142,13 +142,13 @@ class PaletteStage {
     }
   }
 
-  /// Writes all entries of the group before, of a part of the characters.
+  /// Writes the previous group for a part of the characters.
   HWY_INLINE void write_part(int part) const {
     if (all_together()) return write_lines_of_four(part, lines);
     for (int character = part; character < packet_.characters; character += entries) write_lines(character, lines);
   }
 
-  /// Writes `count` entries of the group before, of all characters.
+  /// Writes `count` entries of the previous group for all characters.
   HWY_INLINE void write(int count) const {
     const int whole_lines = count * entry_floats / line_floats;
     if (all_together()) {
@@ -159,7 +159,7 @@ class PaletteStage {
     for (int i = 0; i < packet_.characters; ++i) write_rows(i, 4 * whole_lines, rows * count);
   }
 
-  /// Of `count` entries of the group before.
+  /// Adds the hashes of `count` entries of the previous group.
   void add_hashes(const std::int16_t* joints, int count, std::uint64_t* hashes) const {
     if constexpr (lanes >= block_floats) {
       add_hashes_by_fours(joints, count, hashes);
@@ -214,10 +214,10 @@ class PaletteStage {
     }
   }
 
-  /// Sixteen characters, whose lines come out of one transposition.
+  /// Whether there are 16 characters, whose lines one transposition gives.
   bool all_together() const { return lanes == 16 && packet_.characters == lanes; }
 
-  /// Where the group before goes.
+  /// The destination of the previous group.
   float* written_lines(int character) const { return group_lines_[character] - group_stride; }
 
   static PaletteEntryOf<rows> entry_of(const float* floats) {
@@ -249,7 +249,7 @@ class PaletteStage {
     if constexpr (lanes == 16) {
       const D d;
       const float* in = written_ + k * entries * rows * lanes;
-      float* to[4];  // or they would be read again after every store
+      float* to[4];  // copied, since the compiler would read them again after each store
       for (int b = 0; b < 4; ++b) to[b] = written_lines(4 * b + k);
       for (int line = 0; line < count; ++line, in += 4 * lanes) {
         const auto four = transpose_whole_blocks(hn::Load(d, in), hn::Load(d, in + lanes), hn::Load(d, in + 2 * lanes),

@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// How a bone is turned from its bind pose, and where its joint is, in model space.
+/// The rotation of a bone from its bind pose and the position of its joint, model space.
 template <class V>
 struct JointMotion {
   Quaternions<V> rotation;
@@ -29,8 +29,8 @@ HWY_INLINE void store(D d, const JointMotion<V>& motion, float* slot, int stride
   store(d, motion.joint, slot + 4 * stride, stride);
 }
 
-/// With what a palette of matrices needs. A branch slot holds no matrix: to make it again takes less than to bring it
-/// back.
+/// The motion of a joint with its matrix, for palettes of matrices. A branch slot holds no matrix: making it again
+/// is cheaper than loading it.
 template <class V>
 struct RigidMotion : JointMotion<V> {  ///< rotations of length root_of_two
   static constexpr int palette_rows = matrix_rows;
@@ -51,16 +51,16 @@ HWY_INLINE void load(D d, const float* slot, int stride, RigidMotion<V>& motion)
   motion.matrix = rotation_matrices(d, motion.rotation);
 }
 
-/// A vector of the bind pose, displaced.
+/// Adds a displacement, if there is one, to a vector of the bind pose.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Vectors<V> displaced(D d, const Vectors<V>& at_rest, const float* displacement, int stride) {
   return displacement == nullptr ? at_rest : sum(at_rest, load_vectors(d, displacement, stride));
 }
 
-/// `motion` of the parent becomes that of a bone turned by `rotation` about its joint, which was moved by
-/// `displacement`, if that is not null:
+/// Turns the `motion` of the parent into that of a bone. `rotation` is about its joint, which `displacement` moves if
+/// it is not null:
 ///     R = R_parent * R',   joint = joint_parent + R_parent * (offset + displacement)
-/// The parent's matrix is needed no longer than that: with 16 registers, both would not stay in them.
+/// The parent's matrix is not used after that, because 16 registers do not hold two matrices.
 template <class D, class V>
 HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Quaternions<V>& rotation,
                         const float* displacement, int stride, RigidMotion<V>& motion) {
@@ -70,7 +70,7 @@ HWY_INLINE void move_on(D d, const HierarchyProgram& program, int bone, const Qu
   motion.matrix = rotation_matrices(d, motion.rotation);
 }
 
-/// point -> R * (point - where the joint is in the bind pose) + joint
+/// point -> R * (point - joint in the bind pose) + joint
 template <class D, class V, class Packet>
 HWY_INLINE void put(D d, const HierarchyProgram& program, int bone, const RigidMotion<V>& motion,
                     PaletteStage<D, matrix_rows, Packet>& stage) {
@@ -78,7 +78,7 @@ HWY_INLINE void put(D d, const HierarchyProgram& program, int bone, const RigidM
   stage.put(d, bone % stage.entries, motion.matrix, transform_add(motion.matrix, back, motion.joint));
 }
 
-/// What rigid_palette_lanes does, with a packet of which the compiler may know something.
+/// Does the work of rigid_palette_lanes; the compiler may know the members of `packet`.
 template <template <class> class MotionOf, int width, class D, class Packet>
 HWY_INLINE void rigid_palette_packet(D d, const ModelPaletteJob& job, int lane, int begin, int end, Packet packet) {
   using Motion = MotionOf<hn::Vec<D>>;

@@ -12,7 +12,7 @@ namespace {
 constexpr float nearest_to_divide = 1e-3F;  // of clip w: metres in front of the camera
 
 glm::vec4 skinned(std::span<const PointInfluence> influences, std::span<const PaletteMatrix> palette) {
-  // Column by column in four lanes; what they sum to comes last.
+  // Column by column in four lanes; their sum comes last.
   float sums[3][4] = {};
   for (const PointInfluence& influence : influences) {
     const PaletteMatrix& matrix = palette[influence.entry];
@@ -57,7 +57,7 @@ void blend_matrices(const ShownPaletteJob& job) {
 }  // namespace
 
 void blend_shown_palette(const ShownPaletteJob& job) {
-  assert(job.shown.size() == job.kept_entries.size());
+  assert(is_valid(job));
   job.packing.empty() ? blend_matrices(job) : blend_packed(job);
 }
 

@@ -12,7 +12,7 @@
 #include "engine/anim/kernel/palette/packed_palette.h"
 #include "engine/anim/survey/surface_points.h"
 
-/// What an eye sees of the difference between two poses of one character. Pure functions; no allocation.
+/// Measures on screen how far two poses of one character differ. Pure functions, no allocation.
 namespace throng::anim {
 
 /// What the vertex shader shows (shaders/skinning.glsl): a blend of the palettes of two slots, of which a mesh that is
@@ -25,6 +25,7 @@ struct ShownPaletteJob {
   std::span<const std::uint16_t> kept_entries;  ///< [entries] which one stands for each at the level shown
   std::span<PaletteMatrix> shown;               ///< out, [entries]
 };
+bool is_valid(const ShownPaletteJob& job);
 void blend_shown_palette(const ShownPaletteJob& job);
 
 /// How far the shader has come from one slot to the other (blend_of in shaders/skinning.glsl); microseconds modulo

@@ -5,6 +5,7 @@
 #define THRONG_KERNEL_WRITE_LINES_INL_H
 #endif
 
+#include <cassert>
 #include <cstddef>
 
 #include "engine/anim/kernel/lanes/lanes-inl.h"
@@ -14,6 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
 inline void write_lines(const WriteLinesJob& job) {
+  assert(is_valid(job));
   constexpr std::size_t line_floats = 16;
   constexpr std::size_t floats_ahead = 16 * line_floats;  // further than the processor fetches by itself
   const BoneLanes d;

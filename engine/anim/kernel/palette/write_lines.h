@@ -13,12 +13,13 @@ enum class StorePolicy : std::uint8_t {
   streaming    ///< past the caches, where palettes are 64-byte aligned; not visible to others before fence_stores()
 };
 
-/// Whole cache lines of one value and nothing else, in order: the floor under every kernel that writes palettes, and
+/// Writes whole cache lines of one value, in order. It is the lower bound for every kernel that writes palettes, and
 /// the probe that tells how palettes are best written (run/store/store_choice.h).
 struct WriteLinesJob {
   std::span<float> lines;  ///< out, [16 * lines]
   float value = 0.0F;
   StorePolicy stores = StorePolicy::plain;
 };
+bool is_valid(const WriteLinesJob& job);
 
 }  // namespace throng::anim

@@ -5,6 +5,8 @@
 #define THRONG_KERNEL_ADD_INL_H
 #endif
 
+#include <cassert>
+
 #include "engine/anim/kernel/lanes/lanes-inl.h"
 #include "engine/anim/kernel/pose/add.h"
 
@@ -42,6 +44,7 @@ HWY_INLINE void add_lanes(D d, const AddJob& job, int bone) {
 }
 
 inline void add(const AddJob& job) {
+  assert(is_valid(job));
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) add_lanes(BoneLanes(), job, bone);
 }
 

@@ -15,5 +15,6 @@ struct AddJob {
   int components = rigid_components;
   float* out = nullptr;  ///< [components][16]
 };
+bool is_valid(const AddJob& job);
 
 }  // namespace throng::anim

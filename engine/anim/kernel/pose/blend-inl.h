@@ -5,15 +5,17 @@
 #define THRONG_KERNEL_BLEND_INL_H
 #endif
 
+#include <cassert>
+
 #include "engine/anim/kernel/lanes/lanes-inl.h"
 #include "engine/anim/kernel/pose/blend.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// normalise(from * (1 - w) + to * w) of unit quaternions, `to` taken on from's hemisphere. How long the sum is follows
-/// from the cosine between the two, so that both come in with shares, one of them with a sign, that make it unit. Of
-/// `count` pairs side by side, step by step. `out` may be `from`.
+/// normalise(from * (1 - w) + to * w) of unit quaternions, `to` on the hemisphere of `from`. The length of the sum
+/// follows from the cosine between the two, so the shares of both are scaled before the sum. Computes `count` pairs
+/// side by side, step by step. `out` may be `from`.
 template <std::size_t count, class D, class V>
 HWY_INLINE void blend_rotations(D d, const Quaternions<V>* from, const Quaternions<V>* to, const V* weights,
                                 Quaternions<V>* out) {
@@ -41,8 +43,8 @@ HWY_INLINE Quaternions<V> blend_rotations(D d, const Quaternions<V>& from, const
   return blended;
 }
 
-/// A bone of weight 0 keeps the bits of `from`, one of weight 1 takes those of `to`: what a mask leaves out is
-/// untouched.
+/// A bone of weight 0 keeps the bits of `from`, and one of weight 1 takes those of `to`, so a mask leaves all other
+/// bones untouched.
 template <class V, class M>
 struct MaskedLanes {
   M all_from, all_to;
@@ -86,6 +88,7 @@ HWY_INLINE void blend_lanes(D d, const BlendJob& job, int bone) {
 }
 
 inline void blend(const BlendJob& job) {
+  assert(is_valid(job));
   const BoneLanes d;
   constexpr int step = lane_count<BoneLanes>;
   if (job.bone_weights != nullptr) {

@@ -15,5 +15,6 @@ struct BlendJob {
   int components = rigid_components;
   float* out = nullptr;  ///< [components][16]
 };
+bool is_valid(const BlendJob& job);
 
 }  // namespace throng::anim

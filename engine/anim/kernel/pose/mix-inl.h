@@ -5,13 +5,15 @@
 #define THRONG_KERNEL_MIX_INL_H
 #endif
 
+#include <cassert>
+
 #include "engine/anim/kernel/lanes/lanes-inl.h"
 #include "engine/anim/kernel/pose/mix.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// The sources of a job that have a weight at all, in their order.
+/// The sources of a job whose weight is not 0, in their order.
 struct WeighedSources {
   const float* of[most_mixed_sources];
   const float* bone_weights[most_mixed_sources];
@@ -28,7 +30,7 @@ struct WeighedSources {
   }
 };
 
-/// Shares of the sources in some bones: they sum to 1, and a source that alone weighs anything has exactly 1.
+/// Shares of the sources in some bones. They sum to 1; the only source with a weight has exactly 1.
 template <class D, class V = hn::Vec<D>>
 struct MixShares {
   V of[most_mixed_sources];
@@ -55,7 +57,7 @@ HWY_INLINE MixShares<D> shares_of_bones(D d, const WeighedSources& sources, int 
   return shares;
 }
 
-/// Sums start at 0, which is never -0, so a share of 0 adds nothing to the bit.
+/// Sums start at 0, which is never -0, so a share of 0 changes no bit.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Quaternions<V> mix_rotations(D d, const WeighedSources& sources, const MixShares<D>& shares, int bone) {
   const V zero = hn::Zero(d);
@@ -79,7 +81,7 @@ HWY_INLINE V mix_component(D d, const WeighedSources& sources, const MixShares<D
   return sum;
 }
 
-/// Where one source has the whole share, its bits.
+/// Returns the bits of a source that has the whole share, else `mixed`.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V sole_or(D d, const WeighedSources& sources, const MixShares<D>& shares, int at, V mixed) {
   for (int source = 0; source < sources.count; ++source) {
@@ -114,6 +116,7 @@ HWY_INLINE void mix_lanes(D d, const WeighedSources& sources, int components, in
 }
 
 inline void mix(const MixJob& job) {
+  assert(is_valid(job));
   const BoneLanes d;
   const WeighedSources sources(job);
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {

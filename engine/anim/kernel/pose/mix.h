@@ -9,7 +9,8 @@ namespace throng::anim {
 /// source of w = 0 changes no bit; where one source weighs all its bits are copied, and where none weighs anything
 /// those of the first whose `weight` is not 0 (else of the first). `out` may be any of the sources.
 inline constexpr int most_mixed_sources = 8;
-inline constexpr float least_mixed_weight = 1e-30F;  ///< a bone whose weights sum to less is weighed by none
+inline constexpr float least_mixed_weight = 1e-30F;  ///< a bone with a smaller sum of weights has no weight
+inline constexpr float most_mixed_excess = 1e-4F;    ///< largest distance of the sum of all weights from 1
 struct MixJob {
   const float* const* sources = nullptr;       ///< [count], each [components][16]
   const float* weights = nullptr;              ///< [count], 0 or more, their sum is 1
@@ -18,5 +19,6 @@ struct MixJob {
   int components = rigid_components;
   float* out = nullptr;  ///< [components][16]
 };
+bool is_valid(const MixJob& job);
 
 }  // namespace throng::anim

@@ -5,6 +5,8 @@
 #define THRONG_KERNEL_NOISE_INL_H
 #endif
 
+#include <cassert>
+
 #include "engine/anim/kernel/lanes/rotation_vector-inl.h"
 #include "engine/anim/kernel/pose/noise.h"
 
@@ -26,7 +28,7 @@ HWY_INLINE V value_in_bits(D d, hn::Vec<hn::RebindToSigned<D>> bits) {
 template <class D>
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> spread_bones(D, int first_bone) {
   const hn::RebindToUnsigned<D> lanes;
-  // Counted from 0, which is a constant; counted from elsewhere Highway goes through memory.
+  // Iota from 0 is a constant; from another start Highway goes through memory.
   const auto bones = hn::Add(hn::Iota(lanes, 0U), hn::Set(lanes, static_cast<std::uint32_t>(first_bone)));
   return folded(hn::Mul(bones, hn::Set(lanes, 0x9E3779B9U)));
 }
@@ -54,7 +56,7 @@ inline constexpr float small_amplitude = 0.3F;
 /// Taylor series of 1 / sqrt(1 + x).
 inline constexpr float inverse_length_beyond_one[] = {1.0F, -0.5F, 0.375F, -0.3125F};
 
-/// from * (v, 1), made unit: `from`, which is, turned by twice the arc tangent of v's length.
+/// from * (v, 1), made unit: rotates the unit `from` by twice the arc tangent of the length of v.
 template <bool small, class D, class V>
 HWY_INLINE Quaternions<V> turned_by(D d, const Quaternions<V>& from, const Vectors<V>& v) {
   const V square = dot(v, v);
@@ -69,12 +71,12 @@ HWY_INLINE Quaternions<V> turned_by(D d, const Quaternions<V>& from, const Vecto
   return scaled(turned, factor);
 }
 
-/// 16 bones, or as many as the target has lanes, from `bone` on in the packet.
+/// The bones of a packet from `bone` on, one a lane.
 template <class D>
 struct NoiseLanes {
   hn::Vec<hn::RebindToUnsigned<D>> spread;
   int bone;
-  int left;  ///< of the bone count; may be 0 or less
+  int left;  ///< bones from `bone` to the bone count; may be 0 or less
 };
 
 /// Each bone's share of the amplitude; 0 for none.
@@ -101,8 +103,9 @@ HWY_INLINE void noise_lanes(D d, const ShakenBones& bones, const NoiseLanes<D>& 
 }
 
 inline void noise(const NoiseJob& shared) {
+  assert(is_valid(shared));
   using D = BoneLanes;
-  const NoiseJob job = shared;  // or it would be read again after every store
+  const NoiseJob job = shared;  // a copy, since the compiler would read the job again after each store
   for (int bone = 0; bone < packet_bones; bone += lane_count<D>) {
     const int first_bone = job.packet * packet_bones + bone;
     const NoiseLanes<D> lanes{spread_bones(D(), first_bone), bone, job.bone_count - first_bone};

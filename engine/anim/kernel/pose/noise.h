@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// Where a time lies between the lattice points of noise.
+/// A time, relative to the lattice points of noise.
 struct NoisePoint {
   std::int64_t lattice = 0;
   float fraction = 0.0F;  ///< 0 to 1
@@ -23,7 +23,7 @@ NoisePoint noise_at(Ticks time, float frequency);
 /// The upper half of the bits mixed into the lower one; of an exclusive or it is that of both.
 constexpr std::uint32_t folded(std::uint32_t bits) { return bits ^ (bits >> 16); }
 
-/// What all bones of a character have in common at one time: three lattice points, and the share of each in a uniform
+/// Data that all bones of a character share at one time: three lattice points, and the share of each in a uniform
 /// quadratic B-spline.
 struct NoiseMoment {
   std::array<std::uint32_t, 3> keys{};  ///< folded
@@ -45,8 +45,9 @@ struct ShakenBones {
 struct NoiseJob {
   std::span<const ShakenBones> characters;
   int packet = 0;      ///< which 16 bones these are
-  int bone_count = 0;  ///< of the whole pose: what lies at and above it keeps its bits
+  int bone_count = 0;  ///< of the whole pose; bones at and above it keep their bits
   int components = rigid_components;
 };
+bool is_valid(const NoiseJob& job);
 
 }  // namespace throng::anim

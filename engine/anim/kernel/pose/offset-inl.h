@@ -5,6 +5,8 @@
 #define THRONG_KERNEL_OFFSET_INL_H
 #endif
 
+#include <cassert>
+
 #include "engine/anim/kernel/lanes/rotation_vector-inl.h"
 #include "engine/anim/kernel/pose/offset.h"
 
@@ -50,6 +52,7 @@ HWY_INLINE void capture_lanes(D d, const OffsetCaptureJob& job, float per_second
 }
 
 inline void capture_offset(const OffsetCaptureJob& job) {
+  assert(is_valid(job));
   const bool moves = job.shown_before != nullptr && job.seconds_between > 0.0F;
   const float per_second = moves ? 1.0F / job.seconds_between : 0.0F;
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {
@@ -69,7 +72,7 @@ HWY_INLINE Vectors<V> decayed_offsets(D d, const OffsetApplyJob& job, int at) {
           hn::MulAdd(velocity.z, seconds, hn::Mul(offset.z, left))};
 }
 
-/// An offset of 0 keeps the bits, those of -0 too.
+/// An offset of 0 keeps the bits, also those of -0.
 template <class D, class V>
 HWY_INLINE V moved(D d, V from, V by) {
   return hn::IfThenElse(hn::Eq(by, hn::Zero(d)), from, hn::Add(from, by));
@@ -90,6 +93,7 @@ HWY_INLINE void apply_lanes(D d, const OffsetApplyJob& job, int bone) {
 }
 
 inline void apply_offset(const OffsetApplyJob& job) {
+  assert(is_valid(job));
   const BoneLanes d;
   const bool ended = job.decay.offset == 0.0F && job.decay.velocity == 0.0F;
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) {

@@ -7,7 +7,7 @@ namespace {
 constexpr double decay_at_half_life = 1.6783469900166605;
 
 /// e^-u for u of 0 to 16, to 1e-8 of it: a series of u / 128, squared seven times. Only additions and multiplications,
-/// which every machine rounds alike.
+/// which every machine rounds in the same way.
 double decayed(double u) {
   const double part = u / 128.0;
   double value = 1.0;

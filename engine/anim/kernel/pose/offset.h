@@ -4,8 +4,8 @@
 
 namespace throng::anim {
 
-/// Inertialisation: at a change of source the new one is taken at once, and what it lacks to the pose shown last is
-/// added to it and decays. Only one source is evaluated, however often the change is interrupted.
+/// Inertialisation: at a change of source the new one is taken at once. Its offset to the pose shown last is added
+/// and decays. Only one source is evaluated, however often the change is interrupted.
 ///
 /// The offset of a bone is the rotation `shown * target^-1`, on the left of the target's, so fixed in the parent's
 /// frame, as a rotation vector; and the difference of the positions. It commutes with the bind-relative form of
@@ -21,8 +21,8 @@ inline constexpr float fastest_offset_turn = 20.0F;  ///< rad/s
 inline constexpr float fastest_offset_move = 5.0F;   ///< m/s
 
 /// Capture, once at the change: 16 bones. The velocity is that of the offset, from one update to the next: shown
-/// against target now, less shown_before against target_before, over the time between. Rotations take the short way
-/// round.
+/// against target now, less shown_before against target_before, over the time between. Rotations take the shorter
+/// arc.
 struct OffsetCaptureJob {
   const float* shown = nullptr;          ///< [components][16], the pose shown last
   const float* shown_before = nullptr;   ///< [components][16], shown one update earlier; null: velocities are 0
@@ -32,6 +32,7 @@ struct OffsetCaptureJob {
   float* offsets = nullptr;              ///< out, [6][16], apart from all inputs
   float* velocities = nullptr;           ///< out, [6][16], apart from all inputs
 };
+bool is_valid(const OffsetCaptureJob& job);
 
 /// How much is left of an offset and, in seconds, of its velocity. Both are 0 once the offset has ended.
 struct OffsetDecay {
@@ -39,7 +40,7 @@ struct OffsetDecay {
   float velocity = 0.0F;  ///< t e^(-y t)
 };
 
-/// An offset ends after so many half-lives. What is cut off then is less than 0.003 % of it.
+/// An offset ends after so many half-lives, with less than 0.003 % of it left.
 inline constexpr float offset_half_lives = 8.0F;
 
 /// Critically damped decay, `seconds` (>= 0) after the capture: an offset at rest is halved in `half_life` seconds, and
@@ -58,5 +59,6 @@ struct OffsetApplyJob {
   int components = rigid_components;
   float* out = nullptr;  ///< [components][16]
 };
+bool is_valid(const OffsetApplyJob& job);
 
 }  // namespace throng::anim

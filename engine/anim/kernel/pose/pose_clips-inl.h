@@ -5,6 +5,7 @@
 #define THRONG_KERNEL_POSE_CLIPS_INL_H
 #endif
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// Blends that are made side by side, step by step, so that none waits for its own sums where a processor looks no
-/// further ahead than one of them is long. With 16 registers some are spilled, and it is faster all the same; three or
+/// Blends that are made side by side, step by step, so that none waits for its own sums: the window of some processors
+/// holds hardly more than one blend. With 16 registers some values are spilled, and it is faster nevertheless. Three or
 /// four at once are no faster.
 inline constexpr std::size_t blended_together = 2;
 
@@ -33,7 +34,7 @@ HWY_INLINE void sample_moment(const PoseClipsJob& job, const ClipMoment& moment,
   sample_packet(moment.point, packet_of(job, moment), wanted, local);
 }
 
-/// Of `count` characters: blends of two clips.
+/// Blends of two clips, of `count` characters.
 template <std::size_t count>
 struct Blends {
   const ShownClips* shown[count];
@@ -47,7 +48,7 @@ struct Blends {
   }
 };
 
-/// Whether the rotations of all move in all their clips, as they mostly do.
+/// Whether all rotations move in all clips, which is the usual case.
 template <std::size_t count>
 HWY_INLINE bool all_move(const PoseClipsJob& job, const Blends<count>& blends) {
   std::int32_t offsets = 0;
@@ -58,7 +59,7 @@ HWY_INLINE bool all_move(const PoseClipsJob& job, const Blends<count>& blends) {
   return offsets >= 0;
 }
 
-/// `moving`: all_move, and nothing is asked between the sums.
+/// `moving` is all_move: then there is no branch between the sums.
 template <bool moving, std::size_t count>
 HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<count>& blends, int bone) {
   const BoneLanes d;
@@ -87,7 +88,7 @@ HWY_INLINE void blend_sampled_rotations(const PoseClipsJob& job, const Blends<co
   for (std::size_t k = 0; k < count; ++k) store(d, q[k], blends.local[k] + bone, packet_bones);
 }
 
-/// Positions, or scales, as `range_of` a packet has them, into planes that begin `first` floats behind each local pose.
+/// Writes positions or scales, which `range_of` selects, to planes that begin `first` floats behind each local pose.
 template <std::size_t count, class RangeOf>
 HWY_INLINE void blend_sampled_quads(const PoseClipsJob& job, const Blends<count>& blends, QuadMask quads, int first,
                                     RangeOf&& range_of) {
@@ -121,7 +122,8 @@ HWY_INLINE void pose_blends(const PoseClipsJob& job, const Blends<count>& blends
 }
 
 inline void pose_clips(const PoseClipsJob& shared) {
-  const PoseClipsJob job = shared;  // or it would be read again after every store
+  assert(is_valid(shared));
+  const PoseClipsJob job = shared;  // a copy, since the compiler would read the job again after each store
   std::uint8_t blended[widest_strip];
   std::size_t blends = 0;
   for (std::size_t character = 0; character < job.characters.size(); ++character) {

@@ -14,16 +14,17 @@ struct ClipMoment {
   SamplePoint point;
 };
 struct ShownClips {
-  const ClipMoment* clip = nullptr;     ///< null: something else
+  const ClipMoment* clip = nullptr;     ///< null: the character shows no clip
   const ClipMoment* blended = nullptr;  ///< onto it; or null
   float fraction = 0.0F;                ///< of `blended`, above 0 and below 1
 };
 struct PoseClipsJob {
-  std::span<const ShownClips> characters;  ///< at most widest_strip; those that show something else are not touched
+  std::span<const ShownClips> characters;  ///< at most widest_strip; those without a clip keep their bits
   int packet = 0;
   int components = rigid_components;
   QuadMask displaced = all_quads;  ///< on rigid skeletons: positions of others are 0, neither read nor written
   float* local = nullptr;          ///< out, [character][components][16]
 };
+bool is_valid(const PoseClipsJob& job);
 
 }  // namespace throng::anim

@@ -1,4 +1,4 @@
-// Some bones of many poses, a pose a lane: read by quads, which lie side by side in a packet, and written back by them.
+// Some bones of a strip of poses, one pose a lane. They are read and written by quads.
 #if defined(THRONG_KERNEL_POSE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_KERNEL_POSE_LANES_INL_H
 #undef THRONG_KERNEL_POSE_LANES_INL_H
@@ -26,13 +26,13 @@ struct Lane {
 /// A bone among those that were read.
 using BonePlace = int;
 
-/// Bones of up to `most_quads` quads. What is not written keeps its bits.
+/// The bones of up to `most_quads` quads. Bones that are not written keep their bits.
 template <class D, int most_quads>
 class PoseLanes {
  public:
   using V = hn::Vec<D>;
 
-  /// Every lane holds a pose, and all have as many bones.
+  /// Every lane holds a pose, and all have the same bone count.
   void begin(const PoseView* const (&poses)[lane_count<D>]) {
     quad_count_ = 0;
     displaced_ = 0;
@@ -43,7 +43,7 @@ class PoseLanes {
       displaced_ |= poses[lane]->displaced_quads;
     }
   }
-  /// Reads it where it was not read.
+  /// Reads a quad unless it was read before.
   BonePlace place_of(int bone) {
     const int index = bone / quad_bones;
     int quad = 0;
@@ -56,7 +56,7 @@ class PoseLanes {
     const Lane<D>* const parts = parts_of(bone);
     return {parts[0].load(d), parts[quad_bones].load(d), parts[2 * quad_bones].load(d), parts[3 * quad_bones].load(d)};
   }
-  /// 0 where nobody displaces it.
+  /// The position is 0 where no pose displaces the bone.
   Vectors<V> position(D d, BonePlace bone) const {
     const Lane<D>* const parts = parts_of(bone) + first_position;
     if (!quads_[bone / quad_bones].displaced) return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
@@ -70,7 +70,7 @@ class PoseLanes {
     parts[3 * quad_bones].store(d, rotation.w);
     quads_[bone / quad_bones].turned = true;
   }
-  /// Of a quad that may be displaced.
+  /// For a quad that may be displaced.
   void move(D d, BonePlace bone, const Vectors<V>& position) {
     assert(quads_[bone / quad_bones].displaced);
     Lane<D>* const parts = parts_of(bone) + first_position;
@@ -80,7 +80,7 @@ class PoseLanes {
     quads_[bone / quad_bones].moved = true;
   }
 
-  /// Quads with bones that were turned or moved, to their poses.
+  /// Writes quads with changed bones to their poses.
   void store() const {
     for (int i = 0; i < quad_count_; ++i) {
       const Quad& quad = quads_[i];

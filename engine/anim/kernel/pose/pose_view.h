@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// A whole local pose in the local store, for what reads or tweaks single bones: packets as pose.h draws them, each
+/// A whole local pose in the local store, for code that reads or changes single bones: packets as in pose.h, each
 /// [components][16], `packet_stride` floats from one to the next. Owns nothing.
 struct PoseView {
   float* first = nullptr;
@@ -47,5 +47,6 @@ struct PoseView {
     lane[2 * packet_bones] = position.z;
   }
 };
+bool is_valid(const PoseView& pose);
 
 }  // namespace throng::anim

@@ -6,6 +6,7 @@
 #endif
 
 #include <bit>
+#include <cassert>
 
 #include "engine/anim/kernel/lanes/lanes-inl.h"
 #include "engine/anim/kernel/pose/sample.h"
@@ -17,7 +18,7 @@ using Words = hn::Repartition<std::int16_t, BoneLanes>;  // two a bone
 using Sums = hn::RebindToSigned<BoneLanes>;
 using Floats = hn::Vec<BoneLanes>;
 
-// Rows are weighed in integers (row_weights): weigh gives what lies between two, over row_weight_unit.
+// Rows are weighed in integers (row_weights): weigh interpolates two, in units of row_weight_unit.
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -37,7 +38,7 @@ HWY_INLINE Floats weigh_lanes(const std::int16_t* from, const std::int16_t* to, 
   return weigh(from[lane], to[lane], weights);
 }
 
-/// Lanes of a quad from `lane` on to where its bones are in the planes of x, y and z, which begin at `planes`.
+/// Stores lanes of a quad from `lane` on into the planes of x, y and z, which begin at `planes`.
 template <class D>
 HWY_INLINE void store_quad(D d, hn::Vec<D> value, int lane, float* planes) {
   hn::Store(value, d, planes + lane / quad_bones * packet_bones + lane % quad_bones);
@@ -95,8 +96,8 @@ HWY_INLINE const std::int16_t* group_words(const std::byte* row, std::int32_t of
   return reinterpret_cast<const std::int16_t*>(row + offset);
 }
 
-/// 1 / length of what lies between two rows, times row_weight_unit / 32767: a polynomial in what the squared length
-/// lacks of 1, which is at most a tenth (least_row_dot), to 3e-7. Of `count` side by side, step by step.
+/// 1 / length of an interpolation of two rows, times row_weight_unit / 32767, to 3e-7: a polynomial in 1 less the
+/// squared length, which is at most a tenth (least_row_dot). Computes `count` side by side, step by step.
 template <std::size_t count, class D, class V>
 HWY_INLINE void sampled_to_unit(D d, const V* squared_lengths, V* factors) {
   constexpr float unit = row_weight_unit / 32767.0F;
@@ -110,7 +111,7 @@ HWY_INLINE void sampled_to_unit(D d, const V* squared_lengths, V* factors) {
   for (std::size_t k = 0; k < count; ++k) factors[k] = hn::MulAdd(lack[k], factors[k], constant);
 }
 
-/// Between the two rows, of a packet whose rotations move; sampled_to_unit brings them to unit length.
+/// Interpolates the rows of a packet whose rotations move. sampled_to_unit brings the result to unit length.
 HWY_INLINE Quaternions<Floats> moving_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
   const std::int16_t* from = group_words(point.from, packet.rotation_offset);
   const std::int16_t* to = group_words(point.to, packet.rotation_offset);
@@ -120,7 +121,7 @@ HWY_INLINE Quaternions<Floats> moving_rotations(const SamplePoint& point, const 
   return q;
 }
 
-/// The same, or constant; factor_to_unit brings them to unit length.
+/// The same for a packet that moves or stands still. factor_to_unit brings the result to unit length.
 HWY_INLINE Quaternions<Floats> weighed_rotations(const SamplePoint& point, const SampledPacket& packet, int bone) {
   if (packet.rotation_offset < 0) return load_quaternions(BoneLanes(), &packet.rotation[0][0] + bone, packet_bones);
   return moving_rotations(point, packet, bone);
@@ -140,7 +141,7 @@ HWY_INLINE Quaternions<Floats> sampled_rotations(const SamplePoint& point, const
   return scaled(q, factor_to_unit(packet, q));
 }
 
-/// How positions, or scales, of a packet are stored: base + step * what is weighed, quad by quad.
+/// The encoding of positions or scales of a packet: base + step * weighed value, quad by quad.
 struct SampledRange {
   const std::int32_t* offsets;
   const float (*base)[quad_lanes];
@@ -194,10 +195,11 @@ HWY_INLINE void sample_packet(const SamplePoint& point, const SampledPacket& pac
   sample_quads(point, scales_of(packet), wanted.scales, pose + 7 * packet_bones);
 }
 
-/// Of skeletons of so many components.
+/// The quads with scale in a packet of so many components.
 HWY_INLINE QuadMask scaled_quads(int components) { return components == general_components ? all_quads : 0; }
 
 inline void sample(const SampleJob& job) {
+  assert(is_valid(job));
   const Wanted wanted{.positions = all_quads, .scales = scaled_quads(job.stream->components)};
   sample_packet(job.point, job.stream->packets()[job.packet], wanted, job.pose);
 }

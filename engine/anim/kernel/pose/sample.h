@@ -12,5 +12,6 @@ struct SampleJob {
   int packet = 0;         ///< 0 to stream->packet_count() - 1
   float* pose = nullptr;  ///< out, [components][16]
 };
+bool is_valid(const SampleJob& job);
 
 }  // namespace throng::anim

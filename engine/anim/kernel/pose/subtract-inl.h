@@ -5,6 +5,8 @@
 #define THRONG_KERNEL_SUBTRACT_INL_H
 #endif
 
+#include <cassert>
+
 #include "engine/anim/kernel/lanes/lanes-inl.h"
 #include "engine/anim/kernel/pose/subtract.h"
 
@@ -17,7 +19,7 @@ HWY_INLINE void subtract_lanes(D d, const SubtractJob& job, int bone) {
   const auto reference = load_quaternions(d, job.reference + bone, packet_bones);
   const auto between = product(conjugate(reference), pose);
   const V to_unit = inverse_square_root(d, dot(between, between));
-  // On identity's hemisphere, so that deltas can be blended among themselves.
+  // On the hemisphere of the identity, so that deltas can be blended.
   store(d, scaled(between, hn::CopySignToAbs(to_unit, between.w)), job.out + bone, packet_bones);
   for (int component = 4; component < job.components; ++component) {
     const int at = component * packet_bones + bone;
@@ -29,6 +31,7 @@ HWY_INLINE void subtract_lanes(D d, const SubtractJob& job, int bone) {
 }
 
 inline void subtract(const SubtractJob& job) {
+  assert(is_valid(job));
   for (int bone = 0; bone < packet_bones; bone += lane_count<BoneLanes>) subtract_lanes(BoneLanes(), job, bone);
 }
 

@@ -13,5 +13,6 @@ struct SubtractJob {
   int components = rigid_components;
   float* out = nullptr;  ///< [components][16]
 };
+bool is_valid(const SubtractJob& job);
 
 }  // namespace throng::anim

@@ -86,7 +86,7 @@ float lifting_energy(const RagdollRig& rig, const RagdollState& from, const Ragd
   return joules;
 }
 
-/// Where constraints pull against each other, moving positions makes energy from nothing: it is taken back.
+/// Removes the energy that moving positions adds where constraints pull against each other.
 void take_back_energy(const RagdollRig& rig, const RagdollState& before, RagdollState& state) {
   const float moving = kinetic_energy(rig, state);
   const float gained = moving + lifting_energy(rig, before, state) - kinetic_energy(rig, before);

@@ -17,7 +17,7 @@ namespace throng::anim {
 /// "Detailed Rigid Body Simulation with Extended Position Based Dynamics", 2020). Everything is in the model space that
 /// the character had when it fell: its placement must stay while the rag-doll lasts. Lengths are the model's, +Y is up.
 ///
-/// All functions are pure, allocate nothing and use only operations that every machine rounds alike, in a fixed order.
+/// All functions are pure and allocate nothing. They give the same bits on every machine.
 
 /// Time goes on by these steps alone, whatever the frames are: 120 a second.
 inline constexpr Ticks ragdoll_step_ticks = ticks_per_second / 120;
@@ -33,7 +33,7 @@ struct RagdollBodyState {
 struct RagdollState {
   RagdollBodyState bodies[max_ragdoll_bodies];  ///< those at and above the rig's count are not used
   Ticks unspent = 0;                            ///< time given but not yet simulated, below a step
-  std::int32_t quiet_steps = 0;                 ///< so many in a row without movement to speak of
+  std::int32_t quiet_steps = 0;                 ///< steps in a row with almost no movement
   std::int32_t asleep = 0;                      ///< 1: nothing moves until a push or wake_ragdoll
 };
 static_assert(std::is_trivially_copyable_v<RagdollState> && sizeof(RagdollState) <= 1024);
@@ -59,8 +59,8 @@ void ragdoll_from_pose(const RagdollRig& rig, const RagdollStart& start, Ragdoll
 /// bits are the same. A sleeping rag-doll does not notice when the ground changes.
 void ragdoll_step(const RagdollRig& rig, std::span<const GroundPlane> ground, Ticks elapsed, RagdollState& state);
 
-/// Writes the bones that have bodies and those between them; all others keep what the pose has. Positions are the bind
-/// pose's but for the first body's, so bones keep their lengths.
+/// Writes the bones that have bodies and those between them; others keep their pose. Positions are those of the bind
+/// pose, except for the first body, so bones keep their lengths.
 void ragdoll_to_pose(const RagdollRig& rig, const RagdollState& state, const PoseView& pose);
 
 /// An impulse (kg m/s, finite) at a point in model space. Speeds are held below 30 m/s and 40 rad/s.

@@ -61,7 +61,7 @@ class Contact {
  private:
   float depth_of(const glm::vec3& point) const { return ground_.height - glm::dot(ground_.normal, point); }
 
-  /// Takes back what the point slid, as far as ground_friction reaches.
+  /// Moves a point back by the distance that it slid, as far as ground_friction allows.
   void hold(const glm::vec3& arm, const glm::vec3& movement, float pressure) {
     const glm::vec3 slide = movement - ground_.normal * glm::dot(ground_.normal, movement);
     const float length = glm::length(slide);

@@ -143,7 +143,7 @@ class JointSolver {
     return turning / glm::dot(axis, both);
   }
 
-  /// A limit stops what goes out, but does not throw back what a pose had left outside.
+  /// A limit stops a joint that leaves it; it does not throw back one that a pose left outside.
   void keep_limit(const Excess& now, Excess (*measure)(const RagdollLimit&, const JointPose&)) {
     if (now.angle <= 0.0F) return;
     const JointPose before = joint_pose(limit_, step_.previous_rotation[parent_], step_.previous_rotation[child_]);
@@ -172,7 +172,7 @@ void solve_ragdoll_joints(RagdollSubstep& step) {
     joint.keep_limits();
     joint.close();
   };
-  // Down and up again: one way alone, rounding errors of a star of limbs grow until it flies apart.
+  // Down and up again: in one direction alone, rounding errors of a star of limbs grow until it flies apart.
   for (std::size_t body = 1; body < count; ++body) solve(body);
   for (std::size_t body = count - 1; body > 0; --body) solve(body);
 }

@@ -28,7 +28,7 @@ BonePlace follow(std::span<const RagdollLink> links, const PoseView& pose, BoneP
   return place;
 }
 
-/// The bodies of a pose, put together at their joints: the first is where the pose has it.
+/// Joins the bodies of a pose at their joints; the first stays where it is in the pose.
 void place_bodies(const RagdollRig& rig, const PoseView& pose, std::span<RagdollBodyState> states) {
   BonePlace places[max_ragdoll_bodies];
   for (std::size_t b = 0; b < rig.bodies.size(); ++b) {

@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// What the rooms of the rag-doll's solver share during one small step; lives on the stack.
+/// State of one small step of the solver; lives on the stack.
 struct RagdollSubstep {
   const RagdollRig& rig;
   RagdollBodyState* bodies;  ///< one a body of the rig
@@ -25,9 +25,9 @@ void solve_ragdoll_joints(RagdollSubstep& step);
 /// Joints turn against friction.
 void damp_ragdoll_joints(RagdollSubstep& step);
 
-/// Moves what is below the ground out of it, and holds it there by friction.
+/// Moves bodies out of the ground and holds them there by friction.
 void solve_ragdoll_contacts(std::span<const GroundPlane> ground, RagdollSubstep& step);
-/// What touches the ground neither bounces nor rolls on for ever.
+/// Bodies that touch the ground neither bounce nor roll for ever.
 void damp_ragdoll_contacts(std::span<const GroundPlane> ground, RagdollSubstep& step);
 
 /// Inverse inertia times a vector; both in model space.

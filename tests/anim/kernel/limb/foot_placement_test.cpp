@@ -12,6 +12,7 @@
 #include "engine/anim/asset/bone_mask.h"
 #include "tests/anim/kernel/limb/one_character.h"
 #include "tests/anim/kernel/pose/held_pose.h"
+#include "tests/anim/kernel/validity.h"
 #include "tests/anim/rig/named_skeleton.h"
 
 namespace throng::anim::foot_placement_test {
@@ -69,6 +70,44 @@ class PersonOnGround : public testing::Test {
   PlacedBody body_;
   PlacedFoot feet_[2];
 };
+
+TEST_F(PersonOnGround, IsValidAsItsCommentsSay) {
+  static const FootPlacementRig no_legs;
+  static PlacedBody up_below_down, turned_too_long;
+  up_below_down.options.up_above = 0.0F;
+  turned_too_long.model_in_world.rotation.w = 2.0F;
+  expect_validity<FootPlacementJob>(
+      job(planted),
+      {{false, "no rig", [](FootPlacementJob& job) { job.rig = nullptr; }},
+       {false, "a rig without legs", [](FootPlacementJob& job) { job.rig = &no_legs; }},
+       {false, "no body", [](FootPlacementJob& job) { job.body = nullptr; }},
+       {false, "options that contradict each other", [](FootPlacementJob& job) { job.body = &up_below_down; }},
+       {false, "a rotation that is not unit", [](FootPlacementJob& job) { job.body = &turned_too_long; }},
+       {false, "no feet", [](FootPlacementJob& job) { job.feet = nullptr; }},
+       {false, "no pose", [](FootPlacementJob& job) { job.pose.first = nullptr; }},
+       {false, "a pose off the alignment", [](FootPlacementJob& job) { job.pose.first += 1; }},
+       {false, "a pose with scale", [](FootPlacementJob& job) { job.pose.components = general_components; }},
+       {false, "packets that overlap", [](FootPlacementJob& job) { job.pose.packet_stride = 100; }},
+       {false, "a negative bone count", [](FootPlacementJob& job) { job.pose.bone_count = -1; }},
+       {false, "a pelvis that cannot be lowered", [](FootPlacementJob& job) { job.pose.displaced_quads = 0; }},
+       {true, "a level without legs",
+        [](FootPlacementJob& job) { job.pose.bone_count = 1, job.pose.displaced_quads = 0; }},
+       {true, "no time", [](FootPlacementJob& job) { job.seconds = 0.0F; }},
+       {false, "time that goes back", [](FootPlacementJob& job) { job.seconds = -0.01F; }},
+       {true, "weight 0", [](FootPlacementJob& job) { job.weight = 0.0F; }},
+       {true, "weight 1", [](FootPlacementJob& job) { job.weight = 1.0F; }},
+       {false, "weight below 0", [](FootPlacementJob& job) { job.weight = -0.01F; }},
+       {false, "weight above 1", [](FootPlacementJob& job) { job.weight = 1.01F; }},
+       {false, "weight not a number", [](FootPlacementJob& job) { job.weight = std::nanf(""); }}});
+}
+
+TEST_F(PersonOnGround, IsValidInStripsOfOneRig) {
+  const FootPlacementRig other = rig_;
+  std::vector<FootPlacementJob> jobs(3, job(planted));
+  EXPECT_TRUE(is_valid(std::span<const FootPlacementJob>(jobs)));
+  jobs.back().rig = &other;
+  EXPECT_FALSE(is_valid(std::span<const FootPlacementJob>(jobs)));
+}
 
 TEST_F(PersonOnGround, StandsWithBothSolesOnASlopeOf20DegreesWhicheverWayItRises) {
   for (int direction = 0; direction < 8; ++direction) {

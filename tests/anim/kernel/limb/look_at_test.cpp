@@ -11,6 +11,7 @@
 #include "engine/anim/asset/bone_mask.h"
 #include "tests/anim/kernel/limb/one_character.h"
 #include "tests/anim/kernel/pose/held_pose.h"
+#include "tests/anim/kernel/validity.h"
 #include "tests/anim/rig/named_skeleton.h"
 
 namespace throng::anim::look_at_test {
@@ -56,6 +57,42 @@ class PersonLooking : public testing::Test {
                        .value();
   LookAtState state_;
 };
+
+TEST_F(PersonLooking, IsValidAsItsCommentsSay) {
+  expect_validity<LookAtJob>(
+      job({1.0F, 1.6F, 2.0F}),
+      {{false, "no rig", [](LookAtJob& job) { job.rig = nullptr; }},
+       {false, "no state", [](LookAtJob& job) { job.state = nullptr; }},
+       {false, "no pose", [](LookAtJob& job) { job.pose.first = nullptr; }},
+       {false, "a pose off the alignment", [](LookAtJob& job) { job.pose.first += 1; }},
+       {false, "a pose with scale", [](LookAtJob& job) { job.pose.components = general_components; }},
+       {false, "packets that overlap", [](LookAtJob& job) { job.pose.packet_stride = 100; }},
+       {false, "a negative bone count", [](LookAtJob& job) { job.pose.bone_count = -1; }},
+       {true, "a target that is no place", [](LookAtJob& job) { job.target.x = std::nanf(""); }},
+       {true, "no time", [](LookAtJob& job) { job.seconds = 0.0F; }},
+       {false, "time that goes back", [](LookAtJob& job) { job.seconds = -0.01F; }},
+       {false, "a yaw of half a turn", [](LookAtJob& job) { job.limits.yaw = std::numbers::pi_v<float>; }},
+       {false, "a pitch of a quarter turn", [](LookAtJob& job) { job.limits.pitch_up = 1.6F; }},
+       {false, "a negative pitch", [](LookAtJob& job) { job.limits.pitch_down = -0.1F; }},
+       {true, "turns at once", [](LookAtJob& job) { job.limits.smooth_seconds = 0.0F; }},
+       {false, "a negative smooth time", [](LookAtJob& job) { job.limits.smooth_seconds = -0.1F; }},
+       {true, "weight 0", [](LookAtJob& job) { job.weight = 0.0F; }},
+       {true, "weight 1", [](LookAtJob& job) { job.weight = 1.0F; }},
+       {false, "weight below 0", [](LookAtJob& job) { job.weight = -0.01F; }},
+       {false, "weight above 1", [](LookAtJob& job) { job.weight = 1.01F; }},
+       {false, "weight not a number", [](LookAtJob& job) { job.weight = std::nanf(""); }}});
+}
+
+TEST_F(PersonLooking, IsValidInStripsOfOneRig) {
+  const LookAtRig other = rig_;
+  std::vector<LookAtJob> jobs(widest_strip, job({1.0F, 1.6F, 2.0F}));
+  EXPECT_TRUE(is_valid(std::span<const LookAtJob>(jobs)));
+  jobs.push_back(jobs.front());
+  EXPECT_FALSE(is_valid(std::span<const LookAtJob>(jobs)));
+  jobs.pop_back();
+  jobs.back().rig = &other;
+  EXPECT_FALSE(is_valid(std::span<const LookAtJob>(jobs)));
+}
 
 TEST_F(PersonLooking, SettlesOnATargetExactly) {
   std::mt19937 random(31);

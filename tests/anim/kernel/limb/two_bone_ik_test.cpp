@@ -10,6 +10,7 @@
 #include "engine/anim/asset/bone_mask.h"
 #include "tests/anim/kernel/limb/one_character.h"
 #include "tests/anim/kernel/pose/held_pose.h"
+#include "tests/anim/kernel/validity.h"
 #include "tests/anim/rig/named_skeleton.h"
 
 namespace throng::anim::two_bone_ik_test {
@@ -52,6 +53,37 @@ class StraightLeg : public TwoBoneIk {
  protected:
   StraightLeg() : TwoBoneIk(straight_leg(), "hip", "knee", "ankle") {}
 };
+
+TEST_F(TwoBoneIk, IsValidAsItsCommentsSay) {
+  expect_validity<TwoBoneIkJob>(
+      job({0.1F, 0.3F, 0.2F}),
+      {{false, "no limb", [](TwoBoneIkJob& job) { job.limb = nullptr; }},
+       {false, "no pose", [](TwoBoneIkJob& job) { job.pose.first = nullptr; }},
+       {false, "a pose off the alignment", [](TwoBoneIkJob& job) { job.pose.first += 1; }},
+       {false, "a pose with scale", [](TwoBoneIkJob& job) { job.pose.components = general_components; }},
+       {false, "packets that overlap", [](TwoBoneIkJob& job) { job.pose.packet_stride = 100; }},
+       {false, "a negative bone count", [](TwoBoneIkJob& job) { job.pose.bone_count = -1; }},
+       {true, "a target that is no place", [](TwoBoneIkJob& job) { job.target.x = std::nanf(""); }},
+       {true, "weight 0", [](TwoBoneIkJob& job) { job.weight = 0.0F; }},
+       {true, "weight 1", [](TwoBoneIkJob& job) { job.weight = 1.0F; }},
+       {false, "weight below 0", [](TwoBoneIkJob& job) { job.weight = -0.01F; }},
+       {false, "weight above 1", [](TwoBoneIkJob& job) { job.weight = 1.01F; }},
+       {false, "weight not a number", [](TwoBoneIkJob& job) { job.weight = std::nanf(""); }},
+       {true, "softness of a half", [](TwoBoneIkJob& job) { job.softness = 0.5F; }},
+       {false, "too much softness", [](TwoBoneIkJob& job) { job.softness = 0.6F; }},
+       {false, "negative softness", [](TwoBoneIkJob& job) { job.softness = -0.1F; }},
+       {true, "an end rotation that is not asked for", [](TwoBoneIkJob& job) { job.end_rotation *= 2.0F; }},
+       {false, "an end rotation that is not unit",
+        [](TwoBoneIkJob& job) { job.turn_end = true, job.end_rotation *= 2.0F; }}});
+}
+
+TEST_F(TwoBoneIk, IsValidInStripsOfOneLimb) {
+  const TwoBoneLimb other = limb_;
+  std::vector<TwoBoneIkJob> jobs(3, job({0.1F, 0.3F, 0.2F}));
+  EXPECT_TRUE(is_valid(std::span<const TwoBoneIkJob>(jobs)));
+  jobs.back().limb = &other;
+  EXPECT_FALSE(is_valid(std::span<const TwoBoneIkJob>(jobs)));
+}
 
 TEST_F(TwoBoneIk, ReachesAThousandTargetsAndKeepsTheLengthsOfBones) {
   std::mt19937 random(11);

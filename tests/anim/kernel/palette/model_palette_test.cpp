@@ -6,6 +6,7 @@
 
 #include "engine/anim/kernel/palette/palette_hash.h"
 #include "tests/anim/kernel/palette/palette_rig.h"
+#include "tests/anim/kernel/validity.h"
 
 namespace throng::anim::model_palette_test {
 namespace {
@@ -53,6 +54,44 @@ class ModelPalette : public ::testing::TestWithParam<Rig> {
 };
 
 constexpr int all_widths[] = {1, 2, 4, 8, 16};
+
+TEST(ModelPaletteJob, IsValidAsItsCommentsSay) {
+  static const HierarchyProgram program = compile_hierarchy(rigid_skeleton(branching_parents(20)));
+  static const HierarchyProgram general = compile_hierarchy(general_skeleton(branching_parents(20)));
+  alignas(64) static std::array<float, 4096> memory{};
+  static const std::array<PaletteDestination, 2> palettes{
+      PaletteDestination(reinterpret_cast<std::byte*>(memory.data())), nullptr};
+  const ModelPaletteJob job{.hierarchy = &program,
+                            .packet = 1,
+                            .bone_count = program.bone_count,
+                            .width = 2,
+                            .characters = 1,
+                            .local = memory.data(),
+                            .carry = memory.data(),
+                            .branch_slots = memory.data(),
+                            .palettes = palettes.data()};
+  expect_validity<ModelPaletteJob>(
+      job, {{false, "no hierarchy", [](ModelPaletteJob& job) { job.hierarchy = nullptr; }},
+            {false, "a negative packet", [](ModelPaletteJob& job) { job.packet = -1; }},
+            {false, "more bones than the skeleton has", [](ModelPaletteJob& job) { job.bone_count = 21; }},
+            {false, "an odd width", [](ModelPaletteJob& job) { job.width = 3; }},
+            {false, "nobody", [](ModelPaletteJob& job) { job.characters = 0; }},
+            {false, "more characters than the width", [](ModelPaletteJob& job) { job.characters = 3; }},
+            {false, "a character without a palette", [](ModelPaletteJob& job) { job.characters = 2; }},
+            {false, "no palettes", [](ModelPaletteJob& job) { job.palettes = nullptr; }},
+            {false, "no local", [](ModelPaletteJob& job) { job.local = nullptr; }},
+            {false, "local off the alignment", [](ModelPaletteJob& job) { job.local += 4; }},
+            {false, "no carry", [](ModelPaletteJob& job) { job.carry = nullptr; }},
+            {false, "carry off the alignment", [](ModelPaletteJob& job) { job.carry += 4; }},
+            {false, "no branch_slots", [](ModelPaletteJob& job) { job.branch_slots = nullptr; }},
+            {false, "branch_slots off the alignment", [](ModelPaletteJob& job) { job.branch_slots += 4; }},
+            {false, "quads that no packet has", [](ModelPaletteJob& job) { job.displaced = all_quads + 1; }},
+            {false, "no policy", [](ModelPaletteJob& job) { job.stores = static_cast<StorePolicy>(3); }},
+            {true, "packed", [](ModelPaletteJob& job) { job.format = PaletteFormat::packed; }},
+            {true, "a general skeleton", [](ModelPaletteJob& job) { job.hierarchy = &general; }},
+            {false, "a general skeleton packed",
+             [](ModelPaletteJob& job) { job.hierarchy = &general, job.format = PaletteFormat::packed; }}});
+}
 
 TEST_P(ModelPalette, AgreesWithDoublePrecisionMatricesOnEveryTarget) {
   constexpr double hundredth_of_a_millimetre = 1e-5;

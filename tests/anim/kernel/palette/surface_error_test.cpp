@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/anim/kernel/validity.h"
+
 namespace throng::anim::surface_error_test {
 namespace {
 
@@ -35,6 +37,29 @@ SurfaceErrors errors_of(const glm::vec3& at, const glm::vec3& off_by) {
   SurfaceErrors errors;
   measure_surface(points, {&shown, 1}, {&exact, 1}, wide_screen(), errors);
   return errors;
+}
+
+TEST(ShownPaletteJob, IsValidAsItsCommentsSay) {
+  static std::array<PaletteMatrix, 3> matrices{};
+  static constexpr std::uint16_t kept[] = {0, 2, 2};
+  static const std::array<PackingFrame, 3> frames{};
+  alignas(16) static std::array<std::byte, 3 * sizeof(PaletteMatrix)> palette;
+  const PaletteDestination memory(palette.data());
+  const ShownPaletteJob job{.from = memory, .to = memory, .blend = 0.5F, .kept_entries = kept, .shown = matrices};
+  expect_validity<ShownPaletteJob>(
+      job,
+      {{false, "nothing to come from", [](ShownPaletteJob& job) { job.from = nullptr; }},
+       {false, "nothing to go to", [](ShownPaletteJob& job) { job.to = nullptr; }},
+       {false, "a palette off the alignment",
+        [](ShownPaletteJob& job) { job.to = PaletteDestination(palette.data() + 4); }},
+       {false, "fewer entries shown than kept", [](ShownPaletteJob& job) { job.shown = job.shown.first(2); }},
+       {true, "packed", [](ShownPaletteJob& job) { job.packing = frames; }},
+       {false, "an entry that nothing unpacks", [](ShownPaletteJob& job) { job.packing = std::span(frames).first(2); }},
+       {true, "blend 0", [](ShownPaletteJob& job) { job.blend = 0.0F; }},
+       {true, "blend 1", [](ShownPaletteJob& job) { job.blend = 1.0F; }},
+       {false, "blend below 0", [](ShownPaletteJob& job) { job.blend = -0.01F; }},
+       {false, "blend above 1", [](ShownPaletteJob& job) { job.blend = 1.01F; }},
+       {false, "blend not a number", [](ShownPaletteJob& job) { job.blend = std::nanf(""); }}});
 }
 
 TEST(MeasureSurface, SeesADistanceAsManyPixelsAsItCovers) {

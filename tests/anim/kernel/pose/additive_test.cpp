@@ -4,6 +4,7 @@
 
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/kernel/pose/random_packet.h"
+#include "tests/anim/kernel/validity.h"
 
 namespace throng::anim::additive_test {
 namespace {
@@ -38,6 +39,51 @@ void expect_reference_sum(const Packet& out, const Packet& base, const Packet& d
   EXPECT_LT(glm::length(position_of(out, bone) - position_of(base, bone) - position_of(delta, bone) * weight), 1e-6);
   const glm::dvec3 factor = glm::dvec3(1.0) + (scale_of(delta, bone) - glm::dvec3(1.0)) * weight;
   EXPECT_LT(glm::length(scale_of(out, bone) - scale_of(base, bone) * factor), 1e-6);
+}
+
+TEST(AddJob, IsValidAsItsCommentsSay) {
+  alignas(64) static constexpr float too_heavy[packet_bones] = {0.0F, 1.0F, 1.1F};
+  alignas(64) const float weights[packet_bones] = {0.0F, 0.5F, 1.0F};
+  const Packet base = random_packet(1), delta = random_packet(2);
+  Packet out{};
+  const AddJob job{.base = base.data(),
+                   .delta = delta.data(),
+                   .bone_weights = weights,
+                   .weight = 0.5F,
+                   .components = general_components,
+                   .out = out.data()};
+  expect_validity<AddJob>(job, {{false, "no base", [](AddJob& job) { job.base = nullptr; }},
+                                {false, "base off the alignment", [](AddJob& job) { job.base += 4; }},
+                                {false, "no delta", [](AddJob& job) { job.delta = nullptr; }},
+                                {false, "delta off the alignment", [](AddJob& job) { job.delta += 4; }},
+                                {false, "no out", [](AddJob& job) { job.out = nullptr; }},
+                                {false, "out off the alignment", [](AddJob& job) { job.out += 4; }},
+                                {true, "no bone weights", [](AddJob& job) { job.bone_weights = nullptr; }},
+                                {false, "bone weights off the alignment", [](AddJob& job) { job.bone_weights += 4; }},
+                                {false, "a bone weight above 1", [](AddJob& job) { job.bone_weights = too_heavy; }},
+                                {true, "weight 0", [](AddJob& job) { job.weight = 0.0F; }},
+                                {true, "weight 1", [](AddJob& job) { job.weight = 1.0F; }},
+                                {false, "weight below 0", [](AddJob& job) { job.weight = -0.01F; }},
+                                {false, "weight above 1", [](AddJob& job) { job.weight = 1.01F; }},
+                                {false, "weight not a number", [](AddJob& job) { job.weight = std::nanf(""); }},
+                                {true, "rigid", [](AddJob& job) { job.components = rigid_components; }},
+                                {false, "eight components", [](AddJob& job) { job.components = 8; }}});
+}
+
+TEST(SubtractJob, IsValidAsItsCommentsSay) {
+  const Packet pose = random_packet(1), reference = random_packet(2);
+  Packet out{};
+  const SubtractJob job{
+      .pose = pose.data(), .reference = reference.data(), .components = general_components, .out = out.data()};
+  expect_validity<SubtractJob>(job,
+                               {{false, "no pose", [](SubtractJob& job) { job.pose = nullptr; }},
+                                {false, "pose off the alignment", [](SubtractJob& job) { job.pose += 4; }},
+                                {false, "no reference", [](SubtractJob& job) { job.reference = nullptr; }},
+                                {false, "reference off the alignment", [](SubtractJob& job) { job.reference += 4; }},
+                                {false, "no out", [](SubtractJob& job) { job.out = nullptr; }},
+                                {false, "out off the alignment", [](SubtractJob& job) { job.out += 4; }},
+                                {true, "rigid", [](SubtractJob& job) { job.components = rigid_components; }},
+                                {false, "eight components", [](SubtractJob& job) { job.components = 8; }}});
 }
 
 TEST(Add, AgreesWithDoublePrecisionOnEveryTarget) {

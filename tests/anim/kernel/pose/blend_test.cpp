@@ -3,6 +3,7 @@
 
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/kernel/pose/random_packet.h"
+#include "tests/anim/kernel/validity.h"
 
 namespace throng::anim::blend_test {
 namespace {
@@ -24,6 +25,36 @@ Packet blend(const Kernels& kernels, const Packet& from, const Packet& to, float
   job.out = out.lanes[0];
   kernels.blend(job);
   return out;
+}
+
+TEST(BlendJob, IsValidAsItsCommentsSay) {
+  alignas(64) static constexpr float too_heavy[packet_bones] = {0.0F, 1.0F, 1.1F};
+  alignas(64) const float weights[packet_bones] = {0.0F, 0.5F, 1.0F};
+  const Packet from = random_packet(1), to = random_packet(2);
+  Packet out{};
+  const BlendJob job{.from = from.data(),
+                     .to = to.data(),
+                     .bone_weights = weights,
+                     .fraction = 0.5F,
+                     .components = general_components,
+                     .out = out.data()};
+  expect_validity<BlendJob>(job,
+                            {{false, "no from", [](BlendJob& job) { job.from = nullptr; }},
+                             {false, "from off the alignment", [](BlendJob& job) { job.from += 4; }},
+                             {false, "no to", [](BlendJob& job) { job.to = nullptr; }},
+                             {false, "to off the alignment", [](BlendJob& job) { job.to += 4; }},
+                             {false, "no out", [](BlendJob& job) { job.out = nullptr; }},
+                             {false, "out off the alignment", [](BlendJob& job) { job.out += 4; }},
+                             {true, "no bone weights", [](BlendJob& job) { job.bone_weights = nullptr; }},
+                             {false, "bone weights off the alignment", [](BlendJob& job) { job.bone_weights += 4; }},
+                             {false, "a bone weight above 1", [](BlendJob& job) { job.bone_weights = too_heavy; }},
+                             {true, "fraction 0", [](BlendJob& job) { job.fraction = 0.0F; }},
+                             {true, "fraction 1", [](BlendJob& job) { job.fraction = 1.0F; }},
+                             {false, "fraction below 0", [](BlendJob& job) { job.fraction = -0.01F; }},
+                             {false, "fraction above 1", [](BlendJob& job) { job.fraction = 1.01F; }},
+                             {false, "fraction not a number", [](BlendJob& job) { job.fraction = std::nanf(""); }},
+                             {true, "rigid", [](BlendJob& job) { job.components = rigid_components; }},
+                             {false, "eight components", [](BlendJob& job) { job.components = 8; }}});
 }
 
 TEST(Blend, AgreesWithDoublePrecisionOnEveryTarget) {

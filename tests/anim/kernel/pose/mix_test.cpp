@@ -6,6 +6,7 @@
 
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/kernel/pose/random_packet.h"
+#include "tests/anim/kernel/validity.h"
 
 namespace throng::anim::mix_test {
 namespace {
@@ -87,6 +88,43 @@ void expect_reference(const Kernels& kernels, const Mixture& mixture) {
     EXPECT_LT(glm::length(position_of(out, bone) - position / total), 1e-6) << kernels.target << " " << bone;
     EXPECT_LT(glm::length(scale_of(out, bone) - scale / total), 1e-6) << kernels.target << " " << bone;
   }
+}
+
+/// Everything that the rows of the validity table point a job at.
+struct Mixed {
+  alignas(64) static constexpr float too_heavy[packet_bones] = {1.1F};
+  static constexpr const float* masks_too_heavy[] = {nullptr, too_heavy};
+  static constexpr float halves[] = {0.5F, 0.5F}, zeros[] = {0.0F, 0.0F}, more_than_one[] = {0.5F, 0.6F};
+  static constexpr float negative[] = {1.5F, -0.5F}, none[] = {NAN, 1.0F};
+  static inline const Packet packet = random_packet(1);
+  static inline const float* const sources[] = {packet.data(), packet.data()};
+  static inline const float* const one_missing[] = {packet.data(), nullptr};
+  static inline const float* const off_the_alignment[] = {packet.data(), packet.data() + 4};
+};
+
+TEST(MixJob, IsValidAsItsCommentsSay) {
+  Packet out{};
+  const MixJob job{.sources = Mixed::sources,
+                   .weights = Mixed::halves,
+                   .count = 2,
+                   .components = general_components,
+                   .out = out.data()};
+  expect_validity<MixJob>(
+      job, {{false, "no sources", [](MixJob& job) { job.sources = nullptr; }},
+            {false, "a source missing", [](MixJob& job) { job.sources = Mixed::one_missing; }},
+            {false, "a source off the alignment", [](MixJob& job) { job.sources = Mixed::off_the_alignment; }},
+            {false, "no weights", [](MixJob& job) { job.weights = nullptr; }},
+            {true, "no weight above 0", [](MixJob& job) { job.weights = Mixed::zeros; }},
+            {false, "weights of more than 1", [](MixJob& job) { job.weights = Mixed::more_than_one; }},
+            {false, "a negative weight", [](MixJob& job) { job.weights = Mixed::negative; }},
+            {false, "a weight that is not a number", [](MixJob& job) { job.weights = Mixed::none; }},
+            {false, "a bone weight above 1", [](MixJob& job) { job.bone_weights = Mixed::masks_too_heavy; }},
+            {false, "nothing to mix", [](MixJob& job) { job.count = 0; }},
+            {false, "too many sources", [](MixJob& job) { job.count = most_mixed_sources + 1; }},
+            {false, "no out", [](MixJob& job) { job.out = nullptr; }},
+            {false, "out off the alignment", [](MixJob& job) { job.out += 4; }},
+            {true, "rigid", [](MixJob& job) { job.components = rigid_components; }},
+            {false, "eight components", [](MixJob& job) { job.components = 8; }}});
 }
 
 TEST(Mix, AgreesWithDoublePrecisionForEveryNumberOfSources) {

@@ -12,6 +12,7 @@
 #include "engine/anim/base/hash.h"
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/kernel/pose/random_packet.h"
+#include "tests/anim/kernel/validity.h"
 
 namespace throng::anim::noise_test {
 namespace {
@@ -79,6 +80,54 @@ glm::dvec3 reference_turn(const Noise& noise, int bone) {
   const glm::dvec3 half = turn * static_cast<double>(noise.amplitudes.of[bone]) / std::sqrt(12.0);
   const double tangent = glm::length(half);
   return tangent > 0.0 ? half * (2.0 * std::atan(tangent) / tangent) : glm::dvec3(0.0);
+}
+
+/// One character of a noise job, and jobs of it that differ in one thing.
+struct Shaken {
+  alignas(64) static constexpr float too_heavy[packet_bones] = {1.1F};
+  static inline Packet packet = random_packet(1);
+  static inline const NoiseMoment moment = noise_moment(17, {}, 0.1F), beyond_half_a_turn = noise_moment(17, {}, 3.2F);
+  static inline const ShakenBones right{packet.data(), packet.data(), &moment, nullptr};
+  static inline const ShakenBones from_nowhere{nullptr, packet.data(), &moment, nullptr};
+  static inline const ShakenBones to_nowhere{packet.data(), nullptr, &moment, nullptr};
+  static inline const ShakenBones off_the_alignment{packet.data(), packet.data() + 4, &moment, nullptr};
+  static inline const ShakenBones at_no_moment{packet.data(), packet.data(), nullptr, nullptr};
+  static inline const ShakenBones too_far{packet.data(), packet.data(), &beyond_half_a_turn, nullptr};
+  static inline const ShakenBones weighed_above_one{packet.data(), packet.data(), &moment, too_heavy};
+};
+
+TEST(NoiseJob, IsValidAsItsCommentsSay) {
+  const NoiseJob job{
+      .characters = {&Shaken::right, 1}, .packet = 1, .bone_count = 20, .components = general_components};
+  expect_validity<NoiseJob>(job, {{true, "nobody", [](NoiseJob& job) { job.characters = {}; }},
+                                  {false, "no pose",
+                                   [](NoiseJob& job) {
+                                     job.characters = {&Shaken::from_nowhere, 1};
+                                   }},
+                                  {false, "no way out",
+                                   [](NoiseJob& job) {
+                                     job.characters = {&Shaken::to_nowhere, 1};
+                                   }},
+                                  {false, "a pose off the alignment",
+                                   [](NoiseJob& job) {
+                                     job.characters = {&Shaken::off_the_alignment, 1};
+                                   }},
+                                  {false, "no moment",
+                                   [](NoiseJob& job) {
+                                     job.characters = {&Shaken::at_no_moment, 1};
+                                   }},
+                                  {false, "an amplitude of more than half a turn",
+                                   [](NoiseJob& job) {
+                                     job.characters = {&Shaken::too_far, 1};
+                                   }},
+                                  {false, "a bone weight above 1",
+                                   [](NoiseJob& job) {
+                                     job.characters = {&Shaken::weighed_above_one, 1};
+                                   }},
+                                  {false, "a negative packet", [](NoiseJob& job) { job.packet = -1; }},
+                                  {false, "a negative bone count", [](NoiseJob& job) { job.bone_count = -1; }},
+                                  {true, "rigid", [](NoiseJob& job) { job.components = rigid_components; }},
+                                  {false, "eight components", [](NoiseJob& job) { job.components = 8; }}});
 }
 
 TEST(Noise, AgreesWithDoublePrecisionOnEveryTarget) {

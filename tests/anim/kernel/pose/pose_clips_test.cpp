@@ -8,6 +8,7 @@
 
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/bake/sampled_rows.h"
+#include "tests/anim/kernel/validity.h"
 
 namespace throng::anim::pose_clips_test {
 namespace {
@@ -96,6 +97,57 @@ class PoseClips : public ::testing::TestWithParam<int> {
   std::array<ClipMoment, widest_strip> clips_, blended_;
   std::array<ShownClips, widest_strip> shown_;
 };
+
+/// A clip, and characters that show it in a wrong way.
+struct ShownWrongly {
+  static inline const StreamBlock block{wavy_rows(bones, rigid_components, 24)};
+  static inline const ClipMoment moment{&block.stream(), locate(block.stream(), 0)}, no_stream{nullptr, moment.point};
+  static inline const ClipMoment no_rows{&block.stream(), {}};
+  static inline const ClipMoment heavy{&block.stream(), {moment.point.from, moment.point.to, 7}};
+  static inline const ShownClips right{&moment, &moment, 0.5F}, alone{&moment, nullptr, 0.0F},
+      onto_nothing{nullptr, &moment, 0.5F};
+  static inline const ShownClips without_stream{&no_stream, nullptr, 0.0F}, without_rows{&no_rows, nullptr, 0.0F};
+  static inline const ShownClips with_odd_weights{&heavy, nullptr, 0.0F}, wholly_blended{&moment, &moment, 1.0F};
+};
+
+TEST(PoseClipsJob, IsValidAsItsCommentsSay) {
+  static const std::array<ShownClips, widest_strip + 1> too_many{};
+  Local local(rigid_components);
+  const PoseClipsJob job{.characters = {&ShownWrongly::right, 1}, .packet = 1, .displaced = 1, .local = local.data()};
+  expect_validity<PoseClipsJob>(
+      job, {{true, "nobody", [](PoseClipsJob& job) { job.characters = {}; }},
+            {true, "one clip",
+             [](PoseClipsJob& job) {
+               job.characters = {&ShownWrongly::alone, 1};
+             }},
+            {false, "onto nothing",
+             [](PoseClipsJob& job) {
+               job.characters = {&ShownWrongly::onto_nothing, 1};
+             }},
+            {false, "without stream",
+             [](PoseClipsJob& job) {
+               job.characters = {&ShownWrongly::without_stream, 1};
+             }},
+            {false, "without rows",
+             [](PoseClipsJob& job) {
+               job.characters = {&ShownWrongly::without_rows, 1};
+             }},
+            {false, "with odd weights",
+             [](PoseClipsJob& job) {
+               job.characters = {&ShownWrongly::with_odd_weights, 1};
+             }},
+            {false, "wholly blended",
+             [](PoseClipsJob& job) {
+               job.characters = {&ShownWrongly::wholly_blended, 1};
+             }},
+            {false, "a strip that is too wide", [](PoseClipsJob& job) { job.characters = too_many; }},
+            {false, "a negative packet", [](PoseClipsJob& job) { job.packet = -1; }},
+            {false, "a packet that no clip has", [](PoseClipsJob& job) { job.packet = packets; }},
+            {false, "quads that no packet has", [](PoseClipsJob& job) { job.displaced = all_quads + 1; }},
+            {false, "other components than the clip", [](PoseClipsJob& job) { job.components = general_components; }},
+            {false, "no local", [](PoseClipsJob& job) { job.local = nullptr; }},
+            {false, "local off the alignment", [](PoseClipsJob& job) { job.local += 4; }}});
+}
 
 TEST_P(PoseClips, GivesTheBitsOfSamplingAndBlendingOnEveryTarget) {
   for (const Kernels& kernels : runnable_kernels()) {

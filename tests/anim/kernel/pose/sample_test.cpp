@@ -8,6 +8,7 @@
 
 #include "engine/anim/kernel/kernels.h"
 #include "tests/anim/bake/sampled_rows.h"
+#include "tests/anim/kernel/validity.h"
 
 namespace throng::anim::sample_test {
 namespace {
@@ -51,6 +52,21 @@ class Sample : public ::testing::TestWithParam<int> {
   const SampledRows rows_ = wavy_rows(37, GetParam(), 9);
   const StreamBlock block_ = StreamBlock(rows_);
 };
+
+TEST(SampleJob, IsValidAsItsCommentsSay) {
+  const StreamBlock block(wavy_rows(37, rigid_components, 9));
+  Packet out{};
+  const SampleJob job{.stream = &block.stream(), .point = locate(block.stream(), 0), .packet = 1, .pose = out.lanes[0]};
+  expect_validity<SampleJob>(job, {{false, "no stream", [](SampleJob& job) { job.stream = nullptr; }},
+                                   {false, "no row", [](SampleJob& job) { job.point.from = nullptr; }},
+                                   {false, "a row off the alignment", [](SampleJob& job) { job.point.to += 4; }},
+                                   {false, "weights of more than 1", [](SampleJob& job) { job.point.weights += 1; }},
+                                   {false, "a negative packet", [](SampleJob& job) { job.packet = -1; }},
+                                   {true, "the last packet", [](SampleJob& job) { job.packet = 2; }},
+                                   {false, "a packet that the stream lacks", [](SampleJob& job) { job.packet = 3; }},
+                                   {false, "no pose", [](SampleJob& job) { job.pose = nullptr; }},
+                                   {false, "pose off the alignment", [](SampleJob& job) { job.pose += 4; }}});
+}
 
 TEST_P(Sample, AgreesWithTheRowsToTheirQuantisationOnEveryTarget) {
   for (const Kernels& kernels : runnable_kernels()) {

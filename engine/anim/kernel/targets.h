@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+
+/// Which SIMD targets the kernels are compiled for: all that this compiler can write. SCALAR, one lane wide, is among
+/// them, because the tests measure the others against it; Highway would replace it by emulated 128-bit vectors on newer
+/// compilers. Targets without a width that the compiler knows are left out, since the kernels keep vectors in
+/// structures. Each unit of kernels includes this file before Highway.
+#define HWY_COMPILE_ALL_ATTAINABLE
+#define HWY_BROKEN_EMU128 1
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+
+namespace throng::anim {
+
+struct Kernels;
+
+/// Each sets a room's kernels in the table of one target. `target` is an index into Highway's dispatch tables.
+void set_pose_kernels(std::size_t target, Kernels& kernels);
+void set_limb_kernels(std::size_t target, Kernels& kernels);
+void set_palette_kernels(std::size_t target, Kernels& kernels);
+
+}  // namespace throng::anim

@@ -46,8 +46,10 @@ const char* palette_format(const Stage& stage) {
 void add_scheduling(Json& json, const Stage& stage) {
   const anim::ScheduleOptions& schedule = stage.system().schedule();
   std::size_t laid_out = 0;
+  std::size_t beside = 0;
   for (const anim::ProcessingUnit& unit : stage.system().units()) {
     laid_out = std::max(laid_out, unit.store().bytes_used());
+    beside = std::max(beside, unit.list_bytes());
   }
   json["pus"] = schedule.pus;
   json["schedule"] = schedule.schedule == anim::Schedule::fused ? "fused" : "levels";
@@ -57,6 +59,7 @@ void add_scheduling(Json& json, const Stage& stage) {
   json["simd_target"] = stage.system().kernels().target;
   json["pose_hash"] = hex_string(stage.system().pose_hash());
   json["local_store_peak_bytes"] = laid_out;
+  json["beside_local_store_bytes"] = beside;
 }
 
 // Of the whole run; null where it was not measured, or too seldom.

@@ -34,7 +34,7 @@ StoreNeeds usual_needs(const UpdateContext& context, const LocalStoreDemand& dem
           .registers = usual_players};
 }
 
-/// Whatever a cross-fading channel is asked for: a new clip over a fade that is interrupted.
+/// A new clip over a fade that is interrupted is the most that a cross-fading channel makes.
 StoreNeeds interrupted_fade_needs(const UpdateContext& context, const LocalStoreDemand& demand) {
   const EntityLayout& inertialiser = context.pools->layout(EntityPools::inertialisers);
   const EntityLayout& blender = context.pools->layout(EntityPools::ease_blenders);
@@ -44,7 +44,7 @@ StoreNeeds interrupted_fade_needs(const UpdateContext& context, const LocalStore
           .registers = 3};
 }
 
-/// Of each buffer, so that all together hold `bytes`.
+/// Returns the size of each buffer, so that all together hold `bytes`.
 std::size_t share_of_buffers(std::size_t bytes, int buffers) {
   return (bytes / static_cast<std::size_t>(buffers) + 63) / 64 * 64;
 }

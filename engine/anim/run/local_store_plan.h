@@ -18,8 +18,8 @@ enum class Schedule : std::uint8_t {
   levels,  ///< the paper's: players, then blenders priority by priority, a barrier in between
 };
 
-/// What the store must hold: tiles of usual graphs, up to four players and the blenders over them, and at least one
-/// character of the largest.
+/// What the store must hold: tiles of usual graphs, which are up to four players and the blenders over them, and at
+/// least one character of the largest graph.
 struct LocalStoreDemand {
   std::string skeleton;  ///< for the error
   Schedule schedule = Schedule::fused;
@@ -30,21 +30,21 @@ struct LocalStoreDemand {
   std::size_t shared_entity_bytes = 0;      ///< StoreNeeds::entity_bytes of all graphs of shared entities
 };
 
-/// Bytes that a tile of one strip of `width` characters takes of a store.
+/// Returns the bytes of a store that a tile of one strip of `width` characters takes.
 std::size_t local_store_bytes(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, int width);
 
-/// The widest strips that fit `size` bytes, and some of them a tile; or tiles of one, of exactly `tile` characters, if
-/// that is not 0. The error names skeleton, schedule, stream, bytes needed and the smallest size that works, or the
-/// largest tile that fits.
+/// Divides `size` bytes for the widest strips that fit, and for several of them a tile if they fit, too. A `tile` other
+/// than 0 asks for tiles of one strip of exactly so many characters. The error names skeleton, schedule, stream, the
+/// bytes that are needed, and the smallest size that works or the largest tile that fits.
 Result<LocalStorePlan> plan_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand,
                                         std::size_t size, int tile);
 
-/// True: a character of these needs fits the store as it is divided.
+/// Returns true if a character of these needs fits the store as it is divided.
 bool plan_holds(const LocalStorePlan& plan, const UpdateContext& context, Schedule schedule, const StoreNeeds& needs);
 
 inline constexpr std::size_t usual_local_store_bytes = 64 * 1024;
 
-/// The usual size, or the next power of two that holds one character's largest task.
+/// Returns the usual size, or the next power of two that holds the largest task of one character.
 std::size_t automatic_local_store(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand);
 
 }  // namespace throng::anim

@@ -2,9 +2,8 @@
 
 #include <chrono>
 #include <cstdint>
-#include <memory>
 
-#include "engine/anim/run/fused/notes.h"
+#include "engine/anim/run/fused/tile_lists.h"
 #include "engine/anim/run/local_store_plan.h"
 #include "engine/anim/run/store/double_buffer.h"
 #include "engine/anim/run/store/local_store.h"
@@ -23,24 +22,31 @@ struct PuActivity {
 /// A worker with a local memory of its own: runs tasks of any kind through it.
 class alignas(block_alignment) ProcessingUnit {
  public:
-  /// `palette_entries`: of the skeleton, for palettes that nobody sees.
+  /// `palette_entries`: of the largest skeleton, for palettes that nobody sees.
   ProcessingUnit(std::size_t local_store_bytes, std::size_t palette_entries)
       : store_(local_store_bytes),
         unseen_(allocate_aligned(palette_stride(palette_entries, PaletteFormat::matrices))) {}
 
-  /// While no task is under way.
-  void divide_store(const LocalStorePlan& plan) {
-    store_.divide(plan.fetch_bytes, plan.fetch_buffers, plan.scratch_bytes);
+  /// Divides the store, while no task is under way, and makes the lists beside it long enough. Allocates.
+  void set_plan(const LocalStorePlan& plan) {
+    divide_store(plan);
     engine_.reserve(2 * plan.all_fetch_bytes() / entity_header_bytes +
                     2 * widest_strip);  // one tile out while one comes in
+    tile_lists_.reserve(plan.fetch_bytes);
+  }
+  /// Divides the store for tasks that need no more of these lists.
+  void divide_store(const LocalStorePlan& plan) {
+    store_.divide(plan.fetch_bytes, plan.fetch_buffers, plan.scratch_bytes);
   }
 
   LocalStore& store() { return store_; }
   const LocalStore& store() const { return store_; }
-  FusedNotes& fused_notes() { return *fused_notes_; }
+  TileLists& tile_lists() { return tile_lists_; }
+  /// What the tasks of `fused` keep in memory beside the store. It depends on the plan alone.
+  std::size_t list_bytes() const { return tile_lists_.bytes(); }
   PaletteMatrix* unseen() const { return reinterpret_cast<PaletteMatrix*>(unseen_.get()); }
 
-  /// `task_ns`: what one is predicted to take.
+  /// Runs tasks until there are no more. `task_ns`: the time that one is predicted to take.
   template <typename Tasks>
   void run(Tasks& tasks, DoubleBuffering mode, double task_ns) {
     trace_.close(TraceSpan::Kind::wait);
@@ -65,7 +71,7 @@ class alignas(block_alignment) ProcessingUnit {
  private:
   LocalStore store_;
   AlignedBytes unseen_;
-  std::unique_ptr<FusedNotes> fused_notes_ = std::make_unique_for_overwrite<FusedNotes>();
+  TileLists tile_lists_;
   CopyEngine engine_;
   PuActivity activity_;
   Trace trace_;

@@ -8,7 +8,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// About what it takes to put a thread to sleep and to wake it, where cores are virtual.
+/// It takes about as long to put a thread to sleep and to wake it, where cores are virtual.
 constexpr std::chrono::microseconds waits_awake(50);
 
 void pause() {

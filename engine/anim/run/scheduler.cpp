@@ -5,12 +5,12 @@
 namespace throng::anim {
 namespace {
 
-// Of a trace: enough for every task of a few thousand agents in any schedule, and 3 MiB a PU at most.
+// Spans of a trace: enough for every task of a few thousand agents in any schedule, and 3 MiB a PU at most.
 constexpr std::size_t spans_an_agent = 12;
 constexpr std::size_t few_spans = 64;
 constexpr std::size_t most_spans = std::size_t{1} << 16U;
 
-/// What an entity by itself costs in `levels`.
+/// Returns the predicted nanoseconds of one entity in `levels`.
 double cost_of(const EntityKind& kind, int packets, const CostModel& cost) {
   if (kind.sources == nullptr) return cost.agent + packets * cost.player_packet;
   return cost.agent + (kind.whole_pose() ? kind.whole_pose_work * cost.post_process : packets * cost.blender_packet);
@@ -29,7 +29,7 @@ Scheduler::Scheduler(const ScheduleOptions& options, std::size_t palette_entries
 
 void Scheduler::set_plan(const LocalStorePlan& plan) {
   options_.plan = plan;
-  for (ProcessingUnit& unit : units_) unit.divide_store(plan);
+  for (ProcessingUnit& unit : units_) unit.set_plan(plan);
 }
 
 void Scheduler::record_trace(Tracing tracing, std::size_t agents) {
@@ -58,9 +58,9 @@ void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const 
   const std::span<const AgentWork> work = order_.work();
   if (!work.empty()) {
     const double nanoseconds = order_.predicted();
-    tiles_ = cutter_.cut(contexts, order_, options_.plan, options_.schedule, options_.cost, shares_for(nanoseconds));
+    cut_ = cutter_.cut(contexts, order_, options_.plan, options_.schedule, options_.cost, shares_for(nanoseconds));
     if (options_.schedule == Schedule::fused) {
-      run_fused(contexts, work, nanoseconds / static_cast<double>(tiles_.size()), executor);
+      run_fused(contexts, work, nanoseconds / static_cast<double>(cut_.tiles.size()), executor);
     } else {
       run_entities(contexts, work, executor);
       run_palettes(contexts, work, nanoseconds, executor);
@@ -95,7 +95,7 @@ void Scheduler::on_units(Executor& executor, RunUnit&& run_unit) {
 void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, double task_ns,
                           Executor& executor) {
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    FusedTasks tasks(contexts, work, tiles_, queue, unit.store(), unit.fused_notes(),
+    FusedTasks tasks(contexts, work, cut_, queue, unit.store(), unit.tile_lists(),
                      {.unseen = unit.unseen(), .policy = options_.stores}, options_.block_changes);
     unit.run(tasks, options_.double_buffering, task_ns);
     contexts.front().assets.kernels->fence_stores();
@@ -141,11 +141,11 @@ void Scheduler::run_updates(std::span<const UpdateContext> contexts, std::span<c
 void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                              double nanoseconds, Executor& executor) {
   cut_shares(
-      static_cast<int>(tiles_.size()), [this](int tile) { return double{tiles_[static_cast<std::size_t>(tile)].cost}; },
-      shares_for(nanoseconds));
+      static_cast<int>(cut_.tiles.size()),
+      [this](int tile) { return double{cut_.tiles[static_cast<std::size_t>(tile)].cost}; }, shares_for(nanoseconds));
   const double task_ns = options_.cost.tile_packet;
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
-    PaletteTasks tasks(contexts, work, tiles_, queue, unit.store(),
+    PaletteTasks tasks(contexts, work, cut_.tiles, queue, unit.store(),
                        {.unseen = unit.unseen(), .policy = options_.stores});
     unit.run(tasks, options_.double_buffering, task_ns);
     contexts.front().assets.kernels->fence_stores();
@@ -154,7 +154,7 @@ void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<
   });
 }
 
-// Priorities as the paper has them: a player is highest, what reads others one below the lowest of them.
+// The priorities are the paper's: a player has the highest, and a reader has one below the lowest of its sources.
 void Scheduler::collect_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work) {
   for (std::vector<EntityUpdate>& updates : priorities_) updates.clear();
   for (const AgentWork& agent : work) {

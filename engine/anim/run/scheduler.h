@@ -27,34 +27,60 @@ struct ScheduleOptions {
   BlockChanges block_changes = BlockChanges::written_back;  ///< of `fused`; `levels` writes all back
 };
 
-/// Hands tiles to PUs (paper 2.2.3, 2.2.5, 3.2). Tasks are never equal units: big ones go first, and
-/// whoever is free takes the next. The result does not depend on who took what.
+/// Poses the agents of a frame (paper 2.2.3, 2.2.5, 3.2). Here is what an update does, in this order, and why.
+///
+/// 1. *Guard the pools* (base/guard.h). Under the address sanitizer all blocks are poisoned until the update is over.
+///    The copy engine alone reaches them, so a kernel that reads main memory instead of its local store is caught.
+/// 2. *Update shared graphs*, by `levels` in either schedule. Agents of many tiles read their states, so these have to
+///    be whole before the first tile is fetched. Nobody waits for a shared graph later.
+/// 3. *Order the work* (program/work_order.h), on the calling thread, which is PU 0. Agents are grouped by what a tile
+///    must have in common: skeleton, bone level, held or streaming. The dearest groups go first, because a large task
+///    that begins last keeps all other PUs waiting. The list is walked by runs of agents who run one program and cost
+///    the same: a crowd has few of them.
+/// 4. *Cut tiles and shares* (tile_cutter.h). Tasks are never equal units, so each PU gets a share of equal predicted
+///    cost. A tile has as many characters as the local store holds. A tile that straddles two shares is cut where that
+///    gains more than another tile costs. A PU that would have too little to do stays parked, because waking it takes
+///    longer. A prediction that is wrong costs time and changes no pose.
+/// 5. *Run the PUs*, one job each. A PU begins with its own share, whose blocks and palettes are in its caches from the
+///    frame before, and then helps the others (store/task_queue.h). Jobs never wait for each other, so a host whose
+///    job system has fewer threads than there are PUs finishes, too.
+///    - `fused` is one round without a barrier. A task is a tile from blocks to palettes (fused/tasks.h).
+///    - `levels` has a round for each priority: players first, then their readers, because a source has to be back in
+///      main memory before a reader fetches it. The rare update that needs both fetch buffers has a round of its own
+///      after the others of its priority. The last round makes palettes, tile by tile.
+/// 6. *Fence the stores*, at the end of each job that wrote palettes. Palettes may be streamed past the caches, and the
+///    thread that draws must not see them half written.
+/// 7. *Release the pools* and close the traces. All of a PU's time is in some span of its trace.
+///
+/// A task touches three things: the local store of its PU, read-only assets, and the palettes of its own agents. The
+/// copy engine writes back the blocks of its own task, and no other task of the round reads these. That is why there is
+/// no lock, why PUs share nothing but the heads of their queues, and why the result does not depend on who took what.
+/// Memory is set aside between frames, by reserve() and set_plan().
 class Scheduler {
  public:
   /// `palette_entries`: of the largest skeleton.
   Scheduler(const ScheduleOptions& options, std::size_t palette_entries);
 
-  /// Room for so many agents, so that update() does not allocate.
+  /// Makes room for so many agents, so that update() does not allocate.
   void reserve(std::size_t agents);
 
-  /// For updates of so many agents.
+  /// Sets what traces keep, and makes room for updates of so many agents.
   void record_trace(Tracing tracing, std::size_t agents);
 
-  /// How palettes are written from the next update on.
+  /// Sets how palettes are written from the next update on.
   void set_stores(StorePolicy stores) { options_.stores = stores; }
 
-  /// Divides the stores anew, at a frame boundary.
+  /// Divides the stores anew, at a frame boundary. Allocates.
   void set_plan(const LocalStorePlan& plan);
 
-  /// First updates the graphs that `shared` work asks for, whose states others read, then poses `agents`, sorted into
-  /// tiles. The executor runs one job a PU.
+  /// Updates the graphs of `shared`, whose states others read, and then poses `agents`. The executor runs one job a PU.
   void update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared, const WorkInRuns& agents,
               Executor& executor);
 
   std::span<const ProcessingUnit> units() const { return units_; }
-  /// Of the agents of the last update.
+  /// The agents of the last update.
   const WorkOrder& order() const { return order_; }
-  /// Of the last update; its clocks make milliseconds of the units' traces.
+  /// The time of the last update; its clocks make milliseconds of the units' traces.
   const UpdateTime& time() const { return time_; }
   const ScheduleOptions& options() const { return options_; }
 
@@ -75,7 +101,7 @@ class Scheduler {
   std::vector<ProcessingUnit> units_;
   WorkOrder order_;
   TileCutter cutter_;
-  std::span<const Tile> tiles_;                        // of the cutter
+  CutWork cut_;                                        // of the cutter
   std::vector<int> shares_;                            // room for a share a PU
   std::span<int> used_shares_;                         // of the PUs that are worth waking
   std::vector<std::vector<EntityUpdate>> priorities_;  // [i] entities of priority highest - i; [0] players

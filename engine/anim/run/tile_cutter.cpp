@@ -8,7 +8,7 @@
 namespace throng::anim {
 namespace {
 
-/// What the newest tile asks of the store, and how many characters that lets it have.
+/// The needs of the newest tile, and how many characters they let it have.
 class NewestTile {
  public:
   NewestTile(const LocalStorePlan& plan, Schedule schedule) : plan_(plan), schedule_(schedule) {}
@@ -17,7 +17,7 @@ class NewestTile {
   std::uint32_t width() const { return static_cast<std::uint32_t>(fit_.width); }
   const StoreNeeds& needs() const { return needs_; }
 
-  /// Room for its characters is room for those of this program, too.
+  /// Returns true if characters of this program need no more than those that the tile has.
   bool holds(const PoseProgram& program) const {
     StoreNeeds wider = needs_;
     wider.widen(program.needs);
@@ -58,7 +58,6 @@ class NewestTile {
 };
 
 void add_characters(Tile& tile, const AgentWork& like, std::uint32_t count) {
-  if (tile.count > 0 && tile.program != like.program) tile.program = nullptr;
   tile.count += count;
   tile.cost += static_cast<float>(count * like.cost * cost_step);
 }
@@ -86,14 +85,34 @@ void TileCutter::cut_full_width(std::span<const UpdateContext> contexts, const W
     // Tiles behind one that is narrow for somebody in it are as wide as those in them allow.
     if (!holds || newest.needs() != like.program->needs) newest.begin(context, *like.program);
     for (; next < run.count; next += tiles_.back().count) {
-      tiles_.push_back(
-          {.first = run.first + next, .width = newest.width(), .program = like.program, .needs = newest.needs()});
+      tiles_.push_back({.first = run.first + next, .width = newest.width(), .needs = newest.needs()});
       add_characters(tiles_.back(), like, std::min(newest.limit(), run.count - next));
     }
   }
 }
 
-// The sum of all.
+/// Two runs of the work that differ in cost alone are one in a tile.
+void TileCutter::find_runs_of_tiles(const WorkOrder& order) {
+  runs_.clear();
+  auto run = order.runs().begin();
+  for (Tile& tile : tiles_) {
+    tile.first_run = static_cast<std::uint32_t>(runs_.size());
+    for (std::uint32_t next = 0; next < tile.count;) {
+      while (run->first + run->count <= tile.first + next) ++run;
+      const PoseProgram* program = order.work()[run->first].program;
+      const std::uint32_t end = std::min(run->first + run->count - tile.first, tile.count);
+      if (next > 0 && runs_.back().program == program) {
+        runs_.back().count += end - next;
+      } else {
+        runs_.push_back({program, next, end - next});
+      }
+      next = end;
+    }
+    tile.run_count = static_cast<std::uint32_t>(runs_.size()) - tile.first_run;
+  }
+}
+
+// Returns the sum of all costs.
 double TileCutter::add_overheads(std::span<const UpdateContext> contexts, std::span<const AgentWork> work,
                                  const CostModel& cost) {
   double total = 0;
@@ -105,7 +124,7 @@ double TileCutter::add_overheads(std::span<const UpdateContext> contexts, std::s
   return total;
 }
 
-// In two, behind so many agents; `overhead` is that of a strip.
+// Cuts a tile in two behind so many agents; `overhead` is that of a strip.
 void TileCutter::divide(std::size_t tile, std::uint32_t kept, double overhead) {
   Tile& left = tiles_[tile];
   const double agent = (static_cast<double>(left.cost) - left.strips() * overhead) / left.count;
@@ -117,16 +136,15 @@ void TileCutter::divide(std::size_t tile, std::uint32_t kept, double overhead) {
   tiles_.insert(tiles_.begin() + static_cast<std::ptrdiff_t>(tile) + 1, right);
 }
 
-// Of a tile of one strip: how many of its agents cost about `wanted`.
+// Returns how many agents of a tile of one strip cost about `wanted`.
 std::uint32_t TileCutter::agents_for(const Tile& tile, double wanted, double overhead) {
   const double agent = (static_cast<double>(tile.cost) - overhead) / tile.count;
   const double fits = (wanted - overhead) / agent;
   return static_cast<std::uint32_t>(std::clamp(fits + 0.5, 1.0, static_cast<double>(tile.count) - 1));
 }
 
-std::span<const Tile> TileCutter::cut(std::span<const UpdateContext> contexts, const WorkOrder& order,
-                                      const LocalStorePlan& plan, Schedule schedule, const CostModel& cost,
-                                      std::span<int> shares) {
+CutWork TileCutter::cut(std::span<const UpdateContext> contexts, const WorkOrder& order, const LocalStorePlan& plan,
+                        Schedule schedule, const CostModel& cost, std::span<int> shares) {
   const std::span<const AgentWork> work = order.work();
   cut_full_width(contexts, order, plan, schedule);
   const double total = add_overheads(contexts, work, cost);
@@ -151,10 +169,11 @@ std::span<const Tile> TileCutter::cut(std::span<const UpdateContext> contexts, c
     }
     before += static_cast<double>(tiles_[tile++].cost);
   }
+  find_runs_of_tiles(order);
   cut_shares(
       static_cast<int>(tiles_.size()),
       [this](int tile) { return static_cast<double>(tiles_[static_cast<std::size_t>(tile)].cost); }, shares);
-  return tiles_;
+  return {tiles_, runs_};
 }
 
 int pus_worth_waking(double nanoseconds, int pus, const CostModel& cost) {

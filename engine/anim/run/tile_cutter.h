@@ -7,34 +7,39 @@
 #include "engine/anim/run/program/agent_work.h"
 #include "engine/anim/run/program/cost_model.h"
 #include "engine/anim/run/program/shared_sources.h"
+#include "engine/anim/run/program/tile.h"
 #include "engine/anim/run/program/work_order.h"
-#include "engine/anim/run/store/tile_scratch.h"
 
 namespace throng::anim {
 
 /// Cuts the work of a frame into tiles, and tiles into shares for PUs, by what they are predicted to cost (paper 3.2).
 class TileCutter {
  public:
-  /// Room for so many agents, so that cut() does not allocate.
-  void reserve(std::size_t agents) { tiles_.reserve(agents); }
+  /// Makes room for so many agents, so that cut() does not allocate.
+  void reserve(std::size_t agents) {
+    tiles_.reserve(agents);
+    runs_.reserve(agents);
+  }
 
-  /// Tiles as wide as the plan lets them be, cut once more where a share ends so that no PU is late: `shares` gets the
-  /// first tile of each share and, last, the number of tiles.
-  std::span<const Tile> cut(std::span<const UpdateContext> contexts, const WorkOrder& order, const LocalStorePlan& plan,
-                            Schedule schedule, const CostModel& cost, std::span<int> shares);
+  /// Cuts tiles as wide as the plan lets them be, and once more where a share ends so that no PU is late. `shares` gets
+  /// the first tile of each share and, last, the number of tiles. The result is there until the next call.
+  CutWork cut(std::span<const UpdateContext> contexts, const WorkOrder& order, const LocalStorePlan& plan,
+              Schedule schedule, const CostModel& cost, std::span<int> shares);
 
  private:
   void cut_full_width(std::span<const UpdateContext> contexts, const WorkOrder& order, const LocalStorePlan& plan,
                       Schedule schedule);
   double add_overheads(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, const CostModel& cost);
   void divide(std::size_t tile, std::uint32_t kept, double overhead);
+  void find_runs_of_tiles(const WorkOrder& order);
   static std::uint32_t agents_for(const Tile& tile, double wanted, double overhead);
 
   std::vector<Tile> tiles_;
+  std::vector<AgentRun> runs_;
 };
 
-/// Shares of about equal cost of tasks 0 to count - 1: `firsts` has one element a share and the end. A task lies in the
-/// share in which most of it does. `cost_of(task)`: any unit.
+/// Cuts tasks 0 to count - 1 into shares of about equal cost. `firsts` gets the first task of each share, and then
+/// `count`. A task lies in the share in which most of it does. `cost_of(task)` may have any unit.
 template <typename CostOf>
 void cut_shares(int count, CostOf&& cost_of, std::span<int> firsts) {
   double total = 0;
@@ -52,7 +57,7 @@ void cut_shares(int count, CostOf&& cost_of, std::span<int> firsts) {
   while (share < firsts.size()) firsts[share++] = count;
 }
 
-/// How many of `pus` are worth waking for work of so many nanoseconds: at least one.
+/// Returns how many of `pus` are worth waking for work of so many nanoseconds: at least one.
 int pus_worth_waking(double nanoseconds, int pus, const CostModel& cost);
 
 }  // namespace throng::anim

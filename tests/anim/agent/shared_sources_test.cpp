@@ -65,14 +65,17 @@ TEST(SharedSources, ATreeFiveDeepFetchesEachOnceATileAndWritesNoneBack) {
         {.program = &system.program(agent), .entities = system.graph(agent).entities.data(), .agent = agent});
   StoreNeeds needs;
   for (const AgentWork& agent : work) needs.widen(agent.program->needs);
-  const std::vector<Tile> tiles{{.first = 0, .count = 4, .needs = needs}, {.first = 4, .count = 12, .needs = needs}};
+  const std::vector<Tile> tiles{{.first = 0, .count = 4, .first_run = 0, .run_count = 1, .needs = needs},
+                                {.first = 4, .count = 12, .first_run = 1, .run_count = 1, .needs = needs}};
+  const std::vector<AgentRun> runs{{work.front().program, 0, 4}, {work.front().program, 0, 12}};
   TaskQueue queue(1);
   queue.open(std::array{0, static_cast<int>(tiles.size())});
   LocalStore store(256 * kib);
   store.divide(64 * kib, 2, 64 * kib);
   const AlignedBytes unseen = allocate_aligned(64 * kib);
-  const auto notes = std::make_unique<FusedNotes>();
-  FusedTasks tasks({&context, 1}, work, tiles, {queue, 0}, store, *notes,
+  TileLists lists;
+  lists.reserve(64 * kib);
+  FusedTasks tasks({&context, 1}, work, {tiles, runs}, {queue, 0}, store, lists,
                    {.unseen = reinterpret_cast<PaletteMatrix*>(unseen.get())});
   CopyEngine engine;
   for (int tile = 0; tile < 2; ++tile) {

@@ -43,12 +43,13 @@ class Crowd {
     order_.sort({work, runs_});
     TileCutter cutter;
     cutter.reserve(work.size());
-    const std::span<const Tile> tiles =
-        cutter.cut(contexts(), order_, rig_->schedule().plan, Schedule::fused, cost, shares);
-    return {tiles.begin(), tiles.end()};
+    const CutWork cut = cutter.cut(contexts(), order_, rig_->schedule().plan, Schedule::fused, cost, shares);
+    runs_of_tiles.assign(cut.runs.begin(), cut.runs.end());
+    return {cut.tiles.begin(), cut.tiles.end()};
   }
 
   std::vector<AgentWork> work;
+  std::vector<AgentRun> runs_of_tiles;  ///< of the last cut
   const WorkOrder& order() const { return order_; }
   const LocalStorePlan& plan() const { return rig_->schedule().plan; }
 
@@ -125,22 +126,43 @@ TEST(TileCutter, LosesNobody) {
   EXPECT_EQ(next, 1000U);
 }
 
-TEST(TileCutter, KnowsTheProgramOfTilesThatHaveOne) {
-  for (const std::size_t walking : {16U, 20U, 32U}) {
-    Crowd crowd(48);
-    const PoseProgram other = *crowd.work.front().program;
-    for (std::size_t i = walking; i < crowd.work.size(); ++i) crowd.work[i].program = &other;
-    std::array<int, 2> shares{};
-    int mixed = 0;
-    for (const Tile& tile : crowd.cut(shares)) {
-      const std::span<const AgentWork> agents = crowd.order().work().subspan(tile.first, tile.count);
-      const bool alike =
-          std::ranges::all_of(agents, [&](const AgentWork& work) { return work.program == agents.front().program; });
-      EXPECT_EQ(tile.program, alike ? agents.front().program : nullptr) << tile.first;
-      mixed += alike ? 0 : 1;
+TEST(TileCutter, GivesEachTileItsRunsOfAgentsWhoRunOneProgram) {
+  for (const std::size_t pus : {1U, 2U, 5U}) {
+    for (const std::size_t walking : {16U, 20U, 32U, 95U}) {
+      Crowd crowd(96);
+      const PoseProgram other = *crowd.work.front().program;
+      for (std::size_t i = walking; i < crowd.work.size(); ++i) crowd.work[i].program = &other;
+      for (std::size_t i = 0; i < crowd.work.size(); i += 3)
+        ++crowd.work[i].cost;  // which does not end a run of a tile
+      std::vector<int> shares(pus + 1);
+      const std::vector<Tile> tiles = crowd.cut(shares);
+      const CutWork cut{tiles, crowd.runs_of_tiles};
+      std::size_t runs = 0;
+      for (const Tile& tile : tiles) {
+        const std::span<const AgentWork> agents = crowd.order().work().subspan(tile.first, tile.count);
+        std::uint32_t next = 0;
+        const PoseProgram* before = nullptr;
+        for (const AgentRun& run : cut.runs_of(tile)) {
+          EXPECT_EQ(run.first, next);
+          EXPECT_NE(run.program, before) << "a longer run was there";
+          for (const AgentWork& work : agents.subspan(run.first, run.count)) EXPECT_EQ(work.program, run.program);
+          next = run.end();
+          before = run.program;
+          ++runs;
+        }
+        EXPECT_EQ(next, tile.count);
+      }
+      EXPECT_EQ(runs, cut.runs.size());
     }
-    EXPECT_EQ(mixed, walking == 32 ? 0 : 1) << walking;
   }
+}
+
+TEST(AgentRun, OfPartOfATileIsCountedFromItsFirstAgent) {
+  const PoseProgram walking, turning;
+  const std::vector<AgentRun> runs{{&walking, 0, 10}, {&turning, 10, 12}, {&walking, 22, 10}};
+  std::vector<std::array<std::uint32_t, 2>> seen;
+  for_each_run(runs, 16, 16, [&](const AgentRun& run) { seen.push_back({run.first, run.count}); });
+  EXPECT_THAT(seen, testing::ElementsAre(std::array{0U, 6U}, std::array{6U, 10U}));
 }
 
 TEST(TileCutter, PredictsOfATileWhatItsAgentsAndThePacketsOfItsStripsTake) {

@@ -9,10 +9,10 @@
 
 namespace throng::anim {
 
-/// What the characters of a strip show, for the kernel that poses the clips of all of them, packet by packet.
+/// The clips that the characters of a strip show, for the kernel that poses all of them, packet by packet.
 class ClipStrip {
  public:
-  /// Who adds characters has said before what they show.
+  /// `shown`: [character], where callers write what each shows before they add it.
   void begin(std::span<ShownClips> shown) {
     shown_ = shown;
     clip_count_ = 0;
@@ -36,10 +36,10 @@ class ClipStrip {
     displaced_quads_ |= displaced;
   }
   bool empty() const { return clip_count_ == 0; }
-  /// Those of which some position is not 0, as quads_of_packet reads them.
+  /// The quads in which some position is not 0, as quads_of_packet reads them.
   std::uint64_t displaced_quads() const { return displaced_quads_; }
 
-  /// But for what a packet adds.
+  /// Everything but the packet and its displaced quads.
   PoseClipsJob job(int components, float* local) const {
     return {.characters = shown_, .components = components, .local = local};
   }

@@ -10,10 +10,11 @@ namespace throng::anim {
 
 struct LocalStorePlan;
 
-/// The scratch of a tile in the `fused` schedule, and of its strips of up to `width` characters one after the other.
+/// The scratch of a tile in the `fused` schedule. Its strips, of up to `width` characters, use it one after the other.
 ///
 ///     prepared   std::byte [characters of the tile][prepared bytes]
-///     model      see tile_scratch.h; local poses of a held tile are the first held ones, which are done by then
+///     model      see tile_scratch.h; streamed packets of a held tile lie over its first held one,
+///                which is done by then
 ///     registers  float [registers][components][16]                 streaming: one packet of one character
 ///                float [registers][held packets][components][16]   held: poses of one character
 ///     held       float [held packets][width][components][16]       held tiles only
@@ -34,8 +35,8 @@ struct FusedFit {
   int characters = 0;  ///< of a tile, one strip or several
 };
 
-/// The widest strip, and the largest tile, that the plan allows, of characters of these needs, who read `shared_bytes`
-/// together, whose blocks and scratch fit; none: not even one.
+/// The widest strip and the largest tile whose blocks and scratch fit the plan, of characters of these needs who read
+/// `shared_bytes` together; none: not even one character fits.
 FusedFit fused_fit(const UpdateContext& context, const StoreNeeds& needs, std::size_t shared_bytes,
                    const LocalStorePlan& plan);
 

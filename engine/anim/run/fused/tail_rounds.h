@@ -1,45 +1,58 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/anim/entity/entity_kind.h"
-#include "engine/anim/run/program/pose_program.h"
+#include "engine/anim/run/fused/composed_run.h"
+#include "engine/anim/run/fused/tile_in_store.h"
 
 namespace throng::anim {
 
-/// The tails of a strip's programs, in rounds: entities of one layout, each of another character.
+/// The tails of the programs of a strip, in rounds. The steps of a tail read the step before and nothing else, and
+/// change the pose where it lies. A round is entities of one layout, each of another character, which one call poses.
 class TailRounds {
  public:
-  void clear() {
-    entity_count_ = 0;
-    round_count_ = 0;
-  }
-  void add(const PosedEntities::Place& place) { places_[entity_count_++] = place; }
-  void end_round(const EntityLayout& layout) {
-    rounds_[round_count_++] = {&layout, static_cast<std::uint16_t>(entity_count_)};
-  }
+  /// Makes room for as many entities as a tile has blocks. Allocates.
+  void reserve(std::size_t blocks);
+  std::size_t bytes() const;
+
+  /// Sorts the tails of these runs into rounds and leaves their cursors at the end. The rounds of steps that need whole
+  /// poses, and of what comes before them, are first.
+  void sort(const Strip& strip, std::span<ComposedRun> composed);
 
   std::size_t count() const { return round_count_; }
-  std::span<const PosedEntities::Place> places(std::size_t round) const {
+  std::span<const PosedEntities::Place> entities(std::size_t round) const {
     const std::size_t first = round == 0 ? 0 : rounds_[round - 1].end;
-    return std::span(places_).subspan(first, rounds_[round].end - first);
+    return std::span(entities_).subspan(first, rounds_[round].end - first);
   }
   const EntityLayout& layout(std::size_t round) const { return *rounds_[round].layout; }
+  /// The quads whose bones the tails may move.
+  std::uint64_t displaced_quads() const { return displaced_quads_; }
+
+  /// Poses the rounds of whole poses, on the packets that are held. `first`: the pose of the first character.
+  void pose_whole(const Strip& strip, const PoseView& first) const;
+  /// Poses one packet: all rounds where it is streamed, those after the whole poses where it is held.
+  void pose_packet(const Strip& strip, const PoseView& first, int packet) const;
 
  private:
   struct Round {
     const EntityLayout* layout;
-    std::uint16_t end;
+    std::uint32_t end;
   };
-  static constexpr std::size_t most_entities = PoseProgram::max_steps * widest_strip;
+  using EndOfSteps = std::size_t (*)(const PoseProgram& program);
 
-  std::array<PosedEntities::Place, most_entities> places_;
-  std::array<Round, most_entities> rounds_;
+  void add_rounds(const Strip& strip, std::span<ComposedRun> composed, EndOfSteps end);
+  PosedEntities entities_of(const Strip& strip, const PoseView& first, std::size_t round) const;
+
+  std::vector<PosedEntities::Place> entities_;
+  std::vector<Round> rounds_;
   std::size_t entity_count_ = 0;
   std::size_t round_count_ = 0;
+  std::size_t whole_rounds_ = 0;
+  std::uint64_t displaced_quads_ = 0;
 };
 
 }  // namespace throng::anim

@@ -5,6 +5,7 @@
 
 #include "engine/anim/run/program/agent_work.h"
 #include "engine/anim/run/program/task_content.h"
+#include "engine/anim/run/program/tile.h"
 #include "engine/anim/run/store/copy_engine.h"
 #include "engine/anim/run/store/local_store.h"
 #include "engine/anim/run/store/strip_palettes.h"
@@ -58,8 +59,8 @@ class EntityTasks {
   std::uint32_t entities_done_ = 0;
 };
 
-/// The last level: model space and palettes of finished states. Runs across characters, so it streams one packet of
-/// each character of a tile at a time through the fetch buffers.
+/// The last level makes palettes of finished states, by way of model space. It runs across characters, so it streams
+/// one packet of each character of a tile at a time through the fetch buffers.
 class PaletteTasks {
  public:
   struct Task {

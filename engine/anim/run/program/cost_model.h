@@ -5,7 +5,7 @@
 
 namespace throng::anim {
 
-/// What of a program costs time.
+/// The parts of a program that cost time.
 struct ProgramParts {
   std::uint8_t players = 0;           ///< read a stream
   std::uint8_t blenders = 0;          ///< whatever else makes packets: blenders, mixers, layers, noise
@@ -19,11 +19,11 @@ struct ProgramParts {
 /// one only costs time. Measured by `throng_cost_sweep` (tests/benchmark) on one core with AVX-512, within 12% on
 /// average; what counts is the proportion of the coefficients.
 struct CostModel {
-  double tile = 105;           ///< what is done once a strip of a tile, whatever its characters
+  double tile = 105;           ///< once a strip of a tile, whatever its characters
   double tile_packet = 255;    ///< hierarchy and palettes of 16 bones across a strip, however few its characters
   double agent = 95;           ///< copies, clocks
   double player_packet = 23;   ///< 16 bones of a player
-  double blender_packet = 27;  ///< of what combines or changes them
+  double blender_packet = 27;  ///< 16 bones of an entity that combines or changes them
   double post_process = 165;   ///< a whole pose held, and a gaze
   double least_task = 10'000;  ///< below which another PU is not worth waking
 
@@ -31,7 +31,7 @@ struct CostModel {
     const double packet = parts.players * player_packet + parts.blenders * blender_packet;
     return agent + packets * packet + parts.whole_pose_work * post_process;
   }
-  /// Of each strip.
+  /// The overhead of each strip.
   double of_tile(int packets) const { return tile + packets * tile_packet; }
 
   friend bool operator==(const CostModel&, const CostModel&) = default;

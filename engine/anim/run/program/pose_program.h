@@ -31,7 +31,7 @@ struct PoseStep {
 };
 static_assert(sizeof(PoseStep) == 16);
 
-/// What a program asks of the local store.
+/// The room that a program needs in the local store.
 struct StoreNeeds {
   std::uint32_t fetch_bytes = 0;     ///< blocks of its own
   std::uint32_t shared_bytes = 0;    ///< of others, once a tile
@@ -68,7 +68,7 @@ struct PoseProgram {
   friend bool operator==(const PoseProgram&, const PoseProgram&) = default;
 };
 
-/// The program of those that play nothing.
+/// The program of agents that play nothing.
 extern const PoseProgram no_program;
 
 class ProgramTable;

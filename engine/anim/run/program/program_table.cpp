@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t usual_programs = 64;
 constexpr std::size_t usual_steps = 16;
 
-/// Of the steps; what else a program says nearly always follows from them.
+/// Hashes the steps; the rest of a program nearly always follows from them.
 std::uint64_t hash_of(const PoseProgram& program) {
   std::uint64_t hash = 0;
   for (const PoseStep& step : program.steps) {

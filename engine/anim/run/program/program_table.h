@@ -9,15 +9,15 @@
 namespace throng::anim {
 
 /// The programs of one skeleton, each once, however many agents run it: a crowd has few graphs that look different. So
-/// two graphs look alike if they have the same program, and a frame finds programs in the nearest cache. Programs stay
-/// until the table goes. A new one seldom allocates, since graphs change in the frame.
+/// two graphs look alike if they have the same program, and a frame finds programs in L1. Programs stay until the table
+/// goes. A new one seldom allocates, since graphs change in the frame.
 class ProgramTable {
  public:
   ProgramTable();
 
-  /// Memory to write a program in, ...
+  /// Returns memory to write a program in.
   PoseProgram& draft() { return draft_; }
-  /// ... and the program that is equal to what was written; kept if there was none.
+  /// Returns the program that is equal to what was written. Keeps what was written if there was none.
   const PoseProgram& same_as_draft();
   std::size_t size() const { return hashes_.size(); }
 

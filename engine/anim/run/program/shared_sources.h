@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/anim/run/program/agent_work.h"
+#include "engine/anim/run/program/tile.h"
 
 namespace throng::anim {
 
@@ -15,11 +15,11 @@ class SharedSources {
   static constexpr std::size_t most = PoseProgram::max_steps;
 
   SharedSources() = default;
-  explicit SharedSources(std::span<const AgentWork> tile) {
-    for (const AgentWork& work : tile) add(*work.program);
+  explicit SharedSources(std::span<const AgentRun> tile) {
+    for (const AgentRun& run : tile) add(*run.program);
   }
 
-  /// What the program reads. False: the list has no room for all of it, and is of no use then.
+  /// Adds what the program reads. False: the list has no room for all of it, and is of no use then.
   bool add(const PoseProgram& program) {
     if (program.needs.shared == 0) return true;
     for (const PoseStep& step : program.steps) {
@@ -38,7 +38,7 @@ class SharedSources {
 
   std::span<const Handle> all() const { return {entities_.data(), count_}; }
 
-  /// Where the block of `entity` lies behind `first`, the first of them all.
+  /// Returns the block of `entity`, where `first` is the block of the first source.
   template <typename Byte>
   Byte* block(const EntityPools& pools, Handle entity, Byte* first) const {
     for (const Handle other : all()) {

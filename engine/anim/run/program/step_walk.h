@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace throng::anim {
 
-/// What the steps of a program left behind, for those that read them.
+/// What each step of a program left behind, for the steps that read it.
 template <typename Left>
 struct LeftBySteps {
   std::array<Left, PoseProgram::max_steps> left;
@@ -30,8 +31,8 @@ void for_each_shared(const PoseProgram& program, Visit&& visit) {
   }
 }
 
-/// Where a step of a character lies in the local store: its block, if it owns it, and what is prepared for it.
-struct StepPlace {
+/// A step of a character in the local store: its block, if the character owns it, and what is prepared for it.
+struct StepCursor {
   std::size_t step = 0;
   std::byte* block = nullptr;
   std::byte* prepared = nullptr;
@@ -44,34 +45,41 @@ struct StepPlace {
     block += layout.total_size;
     prepared += layout.kind->prepared_bytes;
   }
-  /// Of the character in the tile that is so many further on, after others who run the same program.
-  StepPlace of_next(const PoseProgram& program, std::size_t characters = 1) const {
+  /// The same step of a character further on in the tile, after so many who run this program.
+  StepCursor of_next(const PoseProgram& program, std::size_t characters = 1) const {
     return {.step = step,
             .block = block + characters * program.needs.fetch_bytes,
             .prepared = prepared + characters * program.needs.prepared_bytes};
   }
-  /// From the first step.
-  StepPlace at_tail(const PoseProgram& program) const {
+  /// The first step of the tail, from the first step of all.
+  StepCursor at_tail(const PoseProgram& program) const {
     return {.step = program.tail,
             .block = block + program.blocks_before_tail,
             .prepared = prepared + program.prepared_before_tail};
   }
 };
 
+/// The number of steps before `step` whose entities the character owns.
+inline std::size_t own_steps_before(const PoseProgram& program, std::size_t step) {
+  if (program.needs.shared == 0) return step;
+  const auto is_own = [](const PoseStep& one) { return !one.is_shared(); };
+  return static_cast<std::size_t>(std::ranges::count_if(std::span(program.steps).first(step), is_own));
+}
+
 /// Calls visit(step index, step, entity) for each entity before the step `end` that the character owns, sources first,
-/// and leaves `place` at `end`.
+/// and leaves `cursor` at `end`.
 template <typename Visit>
-void for_each_own(const UpdateContext& context, const PoseProgram& program, StepPlace& place, std::size_t end,
+void for_each_own(const UpdateContext& context, const PoseProgram& program, StepCursor& cursor, std::size_t end,
                   Visit&& visit) {
-  while (place.step < end) {
-    const PoseStep& step = program.steps[place.step];
+  while (cursor.step < end) {
+    const PoseStep& step = program.steps[cursor.step];
     if (step.is_shared()) {
-      ++place.step;
+      ++cursor.step;
       continue;
     }
     const EntityLayout& layout = step.layout(*context.pools);
-    visit(place.step, step, place.entity(context, layout));
-    place.pass(layout);
+    visit(cursor.step, step, cursor.entity(context, layout));
+    cursor.pass(layout);
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// Whom a PU worked for. Agents of a tile are in no particular order, and need not follow each other.
+/// The agents that a PU worked for. Agents of a tile are in no particular order, and need not follow each other.
 struct TaskContent {
   static constexpr std::uint8_t several_levels = 255;
 
@@ -21,7 +21,7 @@ struct TaskContent {
   friend bool operator==(const TaskContent&, const TaskContent&) = default;
 };
 
-/// Of several tasks in a row. One for the same agents as the task before adds nobody.
+/// The agents of several tasks in a row. A task for the same agents as the one before adds nobody.
 class JoinedContent {
  public:
   void add(const TaskContent& task) {
@@ -48,7 +48,6 @@ inline TaskContent content_of(std::uint32_t agent, std::uint8_t bone_level) {
   return {.first_agent = agent, .last_agent = agent, .agents = 1, .bone_level = bone_level};
 }
 
-/// Of a tile.
 inline TaskContent content_of(std::span<const AgentWork> tile) {
   std::uint32_t first = tile.front().agent;
   std::uint32_t last = first;

@@ -25,9 +25,9 @@ std::size_t class_of(const AgentWork& work) { return group_of(work) * buckets + 
 
 using ClassStarts = std::array<std::uint32_t, groups * buckets>;
 
-/// Where each class begins, groups of the dearest agents first.
-void place_classes(const std::array<std::uint64_t, groups>& costs, const std::array<std::uint32_t, groups>& counts,
-                   ClassStarts& sizes_then_starts) {
+/// Finds where each class begins; groups of the dearest agents come first.
+void find_class_starts(const std::array<std::uint64_t, groups>& costs, const std::array<std::uint32_t, groups>& counts,
+                       ClassStarts& sizes_then_starts) {
   std::array<std::uint16_t, groups> order;
   std::size_t count = 0;
   for (std::size_t group = 0; group < groups; ++group) {
@@ -48,7 +48,7 @@ void place_classes(const std::array<std::uint64_t, groups>& costs, const std::ar
   }
 }
 
-bool are_alike(const AgentWork& a, const AgentWork& b) {
+bool continue_a_run(const AgentWork& a, const AgentWork& b) {
   return a.program == b.program && a.cost == b.cost && share_a_tile(a, b);
 }
 
@@ -58,7 +58,7 @@ void find_runs(std::span<const AgentWork> work, std::vector<WorkRun>& runs) {
   runs.clear();
   const auto count = static_cast<std::uint32_t>(work.size());
   for (std::uint32_t first = 0, end = 0; first < count; first = end) {
-    for (end = first + 1; end < count && are_alike(work[first], work[end]);) ++end;
+    for (end = first + 1; end < count && continue_a_run(work[first], work[end]);) ++end;
     runs.push_back({first, end - first});
   }
 }
@@ -72,27 +72,27 @@ void WorkOrder::reserve(std::size_t agents) {
 void WorkOrder::sort(const WorkInRuns& given) {
   ordered_ = given;
   if (is_in_order()) return;
-  ClassStarts places{};
+  ClassStarts starts{};
   std::array<std::uint64_t, groups> costs{};
   std::array<std::uint32_t, groups> counts{};
   for (const WorkRun& run : given.runs) {
     const AgentWork& like = given.work[run.first];
-    places[class_of(like)] += run.count;
+    starts[class_of(like)] += run.count;
     costs[group_of(like)] += std::uint64_t{run.count} * like.cost;
     counts[group_of(like)] += run.count;
   }
-  place_classes(costs, counts, places);
+  find_class_starts(costs, counts, starts);
   sorted_.resize(given.work.size());
   for (const WorkRun& run : given.runs) {
-    std::uint32_t& place = places[class_of(given.work[run.first])];
-    std::ranges::copy(given.work.subspan(run.first, run.count), sorted_.begin() + place);
-    place += run.count;
+    std::uint32_t& next = starts[class_of(given.work[run.first])];
+    std::ranges::copy(given.work.subspan(run.first, run.count), sorted_.begin() + next);
+    next += run.count;
   }
   find_runs(sorted_, sorted_runs_);
   ordered_ = {sorted_, sorted_runs_};
 }
 
-/// All are of one class.
+/// Returns true if all work is of one class.
 bool WorkOrder::is_in_order() const {
   if (runs().empty()) return true;
   return std::ranges::all_of(runs(), [this, first = class_of(work().front())](const WorkRun& run) {

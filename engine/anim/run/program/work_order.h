@@ -14,7 +14,7 @@ struct WorkRun {
   std::uint32_t count = 0;
 };
 
-/// Of all of `work`, in its order; none can be made longer.
+/// Finds the runs of all of `work`, in its order; none can be made longer.
 void find_runs(std::span<const AgentWork> work, std::vector<WorkRun>& runs);
 
 /// The work of a frame, and the runs in it.
@@ -23,20 +23,21 @@ struct WorkInRuns {
   std::span<const WorkRun> runs;
 };
 
-/// The work of a frame in the order in which tiles are cut from it (paper 3.2): groups of one skeleton and bone level,
-/// held or not, whose agents cost most first; within a group the dearest agents first. Agents who cost the same stay in
-/// their order.
+/// The work of a frame in the order in which tiles are cut from it (paper 3.2). A group is of one skeleton and bone
+/// level, held or streaming. Groups whose agents cost most are first, and within a group the dearest agents. Agents who
+/// cost the same stay in their order.
 class WorkOrder {
  public:
-  /// Room for so many agents, so that nothing below allocates.
+  /// Makes room for so many agents, so that sort() does not allocate.
   void reserve(std::size_t agents);
 
-  /// What is given stays where it is until the next call. A crowd of one group, which is common, is not copied.
+  /// Sorts what is given, which stays where it is until the next call. A crowd of one group, which is common, is not
+  /// copied.
   void sort(const WorkInRuns& given);
 
   std::span<const AgentWork> work() const { return ordered_.work; }
   std::span<const WorkRun> runs() const { return ordered_.runs; }
-  /// Nanoseconds that all of it is predicted to take, without what tiles add.
+  /// Returns the nanoseconds that all of it is predicted to take, without what tiles add.
   double predicted() const;
 
  private:
@@ -47,7 +48,7 @@ class WorkOrder {
   std::vector<WorkRun> sorted_runs_;
 };
 
-/// They may be in one tile.
+/// Returns true if both may be in one tile.
 inline bool share_a_tile(const AgentWork& a, const AgentWork& b) {
   return a.skeleton == b.skeleton && a.level == b.level && a.held == b.held;
 }

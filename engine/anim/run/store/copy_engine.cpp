@@ -6,7 +6,7 @@
 namespace throng::anim {
 namespace {
 
-/// Of a block: what follows in order comes by itself.
+/// No more of a block is asked for, because hardware fetches what follows in order.
 constexpr std::size_t most_asked_bytes = 256;
 
 }  // namespace
@@ -48,7 +48,7 @@ CopyCounts CopyEngine::finish() {
   return std::exchange(queued_, {});
 }
 
-/// What comes in comes with the last slice: earlier, kernels would drive it out of the nearest cache again.
+/// Rows come in with the last slice. If they came sooner, kernels would evict them from L1 again.
 bool CopyEngine::is_next_due() const {
   if (moved_rows_ == queue_.size()) return false;
   return slices_left_ <= 0 || (!queue_[moved_rows_].inward && moved_bytes_ < due_bytes_);
@@ -63,7 +63,7 @@ void CopyEngine::move_rows() {
   }
 }
 
-/// A hint, for those that lie anywhere in main memory.
+/// A hint, for blocks that lie anywhere in main memory.
 void CopyEngine::ask_for_rows(std::size_t due) {
   while (asked_rows_ < queue_.size() && asked_bytes_ < due) {
     const Entry& entry = queue_[asked_rows_++];

@@ -27,18 +27,18 @@ struct BlockRow {
 /// of bones. The only code that touches guarded pool memory (see base/guard.h).
 class CopyEngine {
  public:
-  /// Room for `transfers` queued at once, so that queueing never allocates in the frame.
+  /// Makes room for `transfers` queued at once, so that queueing never allocates in the frame.
   void reserve(std::size_t transfers) { queue_.reserve(transfers); }
-  /// Whose copy_blocks moves; the best that this machine runs unless said.
+  /// Sets the kernels that move rows; the best that this machine runs unless this is called.
   void use(const Kernels& kernels) { kernels_ = &kernels; }
 
   /// Queue, each block a transfer of all but its first `skipped` bytes, which stay as they are. A fetch closes its
   /// destinations until their bytes have arrived; where none arrive, for as long as the block is there.
   void fetch(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped, .inward = true}); }
   void write_back(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped}); }
-  /// At once, while it lies in a near cache; counted with what is queued.
+  /// Moves a row at once, while it lies in a near cache. It is counted with what is queued.
   void write_back_now(const BlockRow& row, std::size_t skipped);
-  /// The same for one block.
+  /// Queue one block.
   void fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
     push({.row = {.local = local, .size = size}, .only = const_cast<std::byte*>(main_memory), .inward = true});
   }
@@ -51,10 +51,10 @@ class CopyEngine {
   /// comes in with the last one. Of some tasks the trace is told of each.
   void spread_over(int slices, Trace* trace = nullptr);
   void advance();
-  /// Moves all that is left; returns what was queued since the last finish().
+  /// Moves all that is left, and returns what was queued since the last finish().
   CopyCounts finish();
 
-  /// Since it was last asked.
+  /// Returns what was moved since the last call.
   CopyCounts take_counts();
 
   struct Transfer {
@@ -63,7 +63,7 @@ class CopyEngine {
     std::size_t size;
     bool inward;  ///< to the local store
   };
-  /// Since the last finish(). To look at: allocates.
+  /// Returns what was queued since the last finish(). For tests: it allocates.
   std::vector<Transfer> queued() const;
 
  private:

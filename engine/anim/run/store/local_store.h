@@ -16,7 +16,7 @@ struct LocalStorePlan {
   std::size_t scratch_bytes = 0;
   std::size_t shared_bytes = 0;  ///< of a fetch buffer, for what others own
 
-  /// What the rare entity of `levels` that one buffer cannot hold has, by itself.
+  /// The room of the rare entity of `levels` that one buffer cannot hold.
   std::size_t all_fetch_bytes() const { return fetch_bytes * static_cast<std::size_t>(fetch_buffers); }
 };
 
@@ -39,7 +39,7 @@ class LocalStore {
   std::span<std::byte> fetch_buffer(int index) const;
   std::span<std::byte> scratch() const;
   std::size_t size() const { return size_; }
-  /// Laid out by divide(); the most that a task can use.
+  /// The bytes that divide() laid out: the most that a task can use.
   std::size_t bytes_used() const { return fetch_bytes_ * static_cast<std::size_t>(fetch_buffers_) + scratch_bytes_; }
 
  private:

@@ -7,12 +7,12 @@
 
 namespace throng::anim {
 
-/// The second half of an entity's update where whole poses are at hand: `out` from `sources`, [components][16] by
-/// packets. Lets the copy engine move a slice after each packet; `engine` may be null.
+/// Poses an entity after it was advanced: `out` from `sources`, which are whole poses. It lets the copy engine move a
+/// slice after each packet; `engine` may be null.
 void pose_entity(const EntityInStore& entity, std::span<const PoseView> sources, const PoseView& out, int packets,
                  CopyEngine* engine);
 
-/// Nothing where both are the same pose.
+/// Does nothing where both are the same pose.
 void copy_pose(const PoseView& from, const PoseView& to, int packets);
 
 }  // namespace throng::anim

@@ -25,7 +25,8 @@ double seconds_to_write(std::span<float> lines, StorePolicy stores) {
   return least;
 }
 
-/// Whoever reads lines next finds them there, and a busy neighbour takes caches away for a while: so ties are theirs.
+/// Stores into the caches win ties: the next reader finds lines there, and a busy neighbour may have taken the caches
+/// away for a while.
 constexpr double clearly_longer = 1.1;
 
 bool measured_faster_where_they_lie(std::size_t bytes) {

@@ -7,25 +7,25 @@
 
 namespace throng::anim {
 
-/// What the strips of an update have in common about palettes.
+/// How palettes are written; the same for all strips of an update.
 struct PaletteStores {
   PaletteMatrix* unseen = nullptr;  ///< the PU's own, for characters that nobody draws
   StorePolicy policy = StorePolicy::prefetched;
 };
 
-/// Local poses of one packet of the characters of a strip.
+/// One packet of the local poses of a strip.
 struct StripPacket {
   int packet;
   float* local;                    ///< [width][components][16]
   QuadMask displaced = all_quads;  ///< see ModelPaletteJob
 };
 
-/// The last step of a strip: model space and palettes, packet by packet in ascending order. Bones that leave a level
-/// are changed first. Small, so that it stays near while kernels drive all else out of the nearest cache.
+/// Makes palettes of a strip by way of model space, packet by packet in ascending order. Bones that leave a level are
+/// changed first. This object is small, so that it stays in L1 while kernels evict all else.
 class StripPalettes {
  public:
   StripPalettes() = default;
-  /// Of a strip of `width` lanes. What is pointed to stays where it is until the strip is done.
+  /// `width`: lanes. Everything that is pointed to stays where it is until the strip is done.
   StripPalettes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> strip, int width,
                 const PaletteStores& stores);
 

@@ -10,10 +10,10 @@
 
 namespace throng::anim {
 
-/// Tasks 0, 1, 2, ... for a number of PUs. Each begins with a share of its own, the same tasks frame after frame, so
-/// that it finds in its caches what it left there, and then helps whoever is not done. Many at once while many are
-/// left, one by one at the end: an atomic operation waits until all that was stored has left the core, and palettes
-/// that are streamed to memory take long to.
+/// Hands tasks 0, 1, 2, ... to a number of PUs. Each begins with a share of its own, the same tasks frame after frame,
+/// so that it finds in its caches what it left there, and then helps the others. It takes many tasks at once while many
+/// are left, and one by one at the end: an atomic operation waits until all that was stored has left the core, which
+/// takes long for palettes that are streamed to memory.
 class TaskQueue {
   struct Tasks {
     int first = 0;
@@ -25,8 +25,8 @@ class TaskQueue {
 
   explicit TaskQueue(int pus) : pus_(pus), shares_(std::make_unique<Share[]>(static_cast<std::size_t>(pus))) {}
 
-  /// Before the PUs run: the first task of each share and, last, how many tasks there are. PUs without a share of their
-  /// own only help.
+  /// Fills the queue before the PUs run. `firsts`: the first task of each share and, last, how many tasks there are.
+  /// PUs without a share of their own only help.
   void open(std::span<const int> firsts) {
     for (std::size_t pu = 0; pu < static_cast<std::size_t>(pus_); ++pu) {
       const bool has_share = pu + 1 < firsts.size();
@@ -57,7 +57,7 @@ class TaskQueue {
     int end = 0;
   };
 
-  /// No more than half of what is left for each PU; none: there are no more.
+  /// Takes no more than half of what is left for each PU; none: there are no more.
   Tasks take_some(int pu) {
     int of = pu;
     for (int asked = 0; asked < pus_; ++asked, of = of + 1 < pus_ ? of + 1 : 0) {

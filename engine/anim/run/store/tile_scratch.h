@@ -27,24 +27,7 @@ class ScratchCarver {
   std::size_t used_ = 0;
 };
 
-/// Of one tile; each as wide as kernels work side by side.
-inline constexpr int most_strips = 2;
-inline constexpr int most_characters = most_strips * widest_strip;
-
-/// What a PU is handed: agents of one skeleton and bone level, all held or all streaming. They come into its store
-/// together, and are posed strip by strip.
-struct Tile {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-  std::uint32_t width = widest_strip;    ///< characters of a strip
-  float cost = 0;                        ///< predicted, nanoseconds
-  const PoseProgram* program = nullptr;  ///< of all of them; null: several
-  StoreNeeds needs = {};                 ///< the widest of its agents
-
-  std::uint32_t strips() const { return (count + width - 1) / width; }
-};
-
-/// Scratch of the model-palette step of a strip of `width` characters; hierarchy and palette run across them.
+/// The scratch of the last step of a strip of `width` characters. Hierarchy and palettes run across them.
 ///
 ///     local     float [width][components][16]              one packet of each character's local pose
 ///     carry     float [branch_slot_floats][width]          the last bone's transform

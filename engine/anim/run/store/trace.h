@@ -77,7 +77,7 @@ struct UpdateTime {
     milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     last_tick = std::max(TraceClock::now(), first_tick + 1);
   }
-  /// Of a tick, since the update began.
+  /// Returns the milliseconds from the start of the update to a tick.
   double ms(std::uint64_t tick) const {
     const auto whole = static_cast<double>(last_tick - first_tick);
     return static_cast<double>(std::max(tick, first_tick) - first_tick) / whole * milliseconds;
@@ -98,7 +98,7 @@ class Trace {
   static constexpr double shortest_span_ns =
       4000;  ///< by prediction: a hundred times what reading the clock takes, thrice
 
-  /// Room for so many spans; 0: records nothing.
+  /// Makes room for so many spans; 0: records nothing.
   void reserve(std::size_t spans, Tracing tracing) {
     spans_.clear();
     spans_.reserve(spans);
@@ -113,7 +113,7 @@ class Trace {
     tasks_ = 0;
   }
 
-  /// Between these: tasks of about so many nanoseconds.
+  /// The tasks between these two take about so many nanoseconds each.
   void begin_tasks(double task_ns) {
     tasks_in_span_ = every_task_ ? 1 : static_cast<std::uint32_t>(1 + shortest_span_ns / std::max(task_ns, 10.0));
     if (task_ns >= shortest_span_ns) tasks_in_span_ = 1;
@@ -125,7 +125,7 @@ class Trace {
 
   bool records() const { return room_ > 0; }
 
-  /// The time since the last span was spent so, for them.
+  /// Ends a span: the time since the last one was spent so, for these agents.
   void close(TraceSpan::Kind kind, const CopyCounts& copied = {}, const TaskContent& content = {}) {
     if (!records()) return;
     if (tasks_in_span_ > 1) {
@@ -140,7 +140,7 @@ class Trace {
     last_ = now;
   }
 
-  /// The same, never joined with others: what happens once for many tasks.
+  /// The same, never joined with others, for what happens once for many tasks.
   void close_alone(TraceSpan::Kind kind, const CopyCounts& copied, const TaskContent& content) {
     const std::uint32_t joining = std::exchange(tasks_in_span_, 1U);
     if (joined_tasks_ > 0) close_joined();
@@ -148,7 +148,7 @@ class Trace {
     tasks_in_span_ = joining;
   }
 
-  /// True now and then: record the slices in which the copies of this task are done, too.
+  /// Returns true for one task in many: the slices of its copies are recorded, too.
   bool wants_slices() { return room_ > 0 && tasks_in_span_ == 1 && tasks_++ % slices_of_one_task_in == 0; }
   void add_slice(std::uint64_t begin) { add(TraceSpan::Kind::copy_slice, begin, TraceClock::now(), {}, {}); }
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/anim/run/fused/strip_poses.h"
+#include "engine/anim/run/store/copy_engine.h"
+#include "engine/anim/run/store/strip_palettes.h"
+
+namespace throng::anim {
+
+/// Takes the packets of a strip that are not held from rows of clips to palettes, 16 bones of all characters at a time,
+/// and lets the copy engine move a slice after each.
+void pose_streaming(const Strip& strip, const StripPoses& poses, StripPalettes& palettes, CopyEngine& engine);
+
+}  // namespace throng::anim

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "engine/anim/run/program/agent_work.h"
+
+namespace throng::anim {
+
+/// Of one tile; each is as wide as kernels work side by side.
+inline constexpr int most_strips = 2;
+inline constexpr int most_characters = most_strips * widest_strip;
+
+/// Agents of a tile who follow each other and run one program.
+struct AgentRun {
+  const PoseProgram* program = nullptr;
+  std::uint32_t first = 0;  ///< in the tile
+  std::uint32_t count = 0;
+
+  std::uint32_t end() const { return first + count; }
+};
+
+/// A PU is handed a tile: agents of one skeleton and bone level, all held or all streaming. They come into its store
+/// together, and are posed strip by strip.
+struct Tile {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  std::uint32_t width = widest_strip;  ///< characters of a strip
+  float cost = 0;                      ///< predicted, nanoseconds
+  std::uint32_t first_run = 0;         ///< of CutWork::runs
+  std::uint32_t run_count = 0;         ///< none can be made longer
+  StoreNeeds needs = {};               ///< the widest of its agents
+
+  std::uint32_t strips() const { return (count + width - 1) / width; }
+};
+
+/// The work of an update in tiles, and the runs in these.
+struct CutWork {
+  std::span<const Tile> tiles;
+  std::span<const AgentRun> runs;
+
+  std::span<const AgentRun> runs_of(const Tile& tile) const { return runs.subspan(tile.first_run, tile.run_count); }
+};
+
+/// Calls visit(run) for each run in the `count` agents of a tile from `first` on, and counts from that agent.
+template <typename Visit>
+void for_each_run(std::span<const AgentRun> runs, std::size_t first, std::size_t count, Visit&& visit) {
+  for (const AgentRun& run : runs) {
+    const auto begin = static_cast<std::uint32_t>(std::max<std::size_t>(run.first, first));
+    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(run.end(), first + count));
+    if (begin < end) visit(AgentRun{run.program, begin - static_cast<std::uint32_t>(first), end - begin});
+  }
+}
+
+}  // namespace throng::anim

@@ -60,13 +60,13 @@ float applied_weight(const anim::EntityPools& pools, anim::Handle entity, float 
 }  // namespace
 
 std::vector<LayerRow> agent_layers(const anim::AnimationSystem& system, std::uint32_t agent) {
-  const anim::PoseGraph& graph = system.graph(agent);
+  const anim::PoseGraph& graph = system.agent(agent).graph();
   const Steps& steps = graph.program->steps;
-  const anim::EntityPools& pools = system.pools(agent);
+  const anim::EntityPools& pools = system.agent(agent).pools();
   std::vector<LayerRow> layers;
   std::vector<bool> claimed(steps.size());
-  for (std::size_t channel = 0; channel < system.channel_count(agent); ++channel) {
-    const std::size_t state = index_of(graph, system.channel(agent, channel).state());
+  for (std::size_t channel = 0; channel < system.agent(agent).channel_count(); ++channel) {
+    const std::size_t state = index_of(graph, system.agent(agent).channel(channel).state());
     LayerRow& layer = layers.emplace_back(LayerRow{.name = "Channel " + std::to_string(channel), .entities = {}});
     claim(steps, state, claimed, layer.entities);
     if (channel == 0 || state == steps.size()) continue;
@@ -75,7 +75,7 @@ std::vector<LayerRow> agent_layers(const anim::AnimationSystem& system, std::uin
     layer.weight = blender->fraction;
     layer.is_masked = blender->mask != anim::EaseBlender::no_mask;
   }
-  const anim::PoseWeights in_pose = system.motion(agent).weights(system.clock());
+  const anim::PoseWeights in_pose = system.agent(agent).motion().weights(system.clock());
   for (std::size_t step = 0; step < steps.size(); ++step) {
     if (claimed[step]) continue;
     layers.push_back({.name = pools.kind(graph.entities[step]).name,

@@ -154,9 +154,9 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   remember(report_.update_ms_history, show.last_update_ms());
   report_.agents = static_cast<int>(show.stage().crowd().size());
   report_.drawn = static_cast<int>(show.picture().instances().size());
-  report_.agents_updated = static_cast<int>(system.report().agents_updated);
-  report_.bones_evaluated = system.report().bones_evaluated;
-  report_.pose_hash = system.pose_hash();
+  report_.agents_updated = static_cast<int>(system.figures().report().agents_updated);
+  report_.bones_evaluated = system.figures().report().bones_evaluated;
+  report_.pose_hash = system.figures().pose_hash();
   report_.draw_calls = show.draw_counts().draw_calls;
   report_.triangles = show.draw_counts().triangles;
   add_level_of_detail(show.stage());
@@ -176,7 +176,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
 
 void FrameReporter::add_memory(const anim::AnimationSystem& system) {
   report_.memory.clear();
-  for (const anim::KindMemory& kind : system.memory()) {
+  for (const anim::KindMemory& kind : system.figures().memory()) {
     const std::size_t blocks = kind.own.blocks_alive + kind.shared.blocks_alive;
     if (blocks == 0) continue;
     report_.memory.push_back({.kind = kind.kind,
@@ -234,19 +234,19 @@ void FrameReporter::add_heads(const Stage& stage) {
 }
 
 void FrameReporter::add_units(const anim::AnimationSystem& system, double update_ms) {
-  const anim::ScheduleOptions& schedule = system.schedule();
+  const anim::ScheduleOptions& schedule = system.figures().schedule();
   report_.pus = schedule.pus;
   report_.local_store_kib = static_cast<int>(schedule.local_store_bytes / 1024);
   report_.tile = schedule.plan.width;
-  report_.simd_target = system.kernels().target;
-  report_.dma_in_bytes = system.report().copies.bytes_in;
-  report_.dma_out_bytes = system.report().copies.bytes_out;
-  report_.dma_transfers = system.report().copies.transfers;
-  report_.palette_bytes = system.report().palette_bytes;
+  report_.simd_target = system.figures().kernels().target;
+  report_.dma_in_bytes = system.figures().report().copies.bytes_in;
+  report_.dma_out_bytes = system.figures().report().copies.bytes_out;
+  report_.dma_transfers = system.figures().report().copies.transfers;
+  report_.palette_bytes = system.figures().report().palette_bytes;
   report_.pu.clear();
   report_.local_store_laid_out_bytes = 0;
-  for (const anim::ProcessingUnit& unit : system.units()) {
-    report_.pu.push_back(report_of(unit, system.update_time(), update_ms));
+  for (const anim::ProcessingUnit& unit : system.figures().units()) {
+    report_.pu.push_back(report_of(unit, system.figures().update_time(), update_ms));
     report_.local_store_laid_out_bytes =
         std::max(report_.local_store_laid_out_bytes, report_.pu.back().local_store_laid_out_bytes);
   }

@@ -27,7 +27,7 @@ void SelectionLog::note_data_keys(const Stage& stage) {
     note(anim::to_seconds(event.time),
          character.data_key_names[event.name] + " of " + character.clips[event.clip].name);
   };
-  stage.system().motion(agent_).for_each_data_key(seen_until_, stage.system().clock(), tell);
+  stage.system().agent(agent_).motion().for_each_data_key(seen_until_, stage.system().clock(), tell);
 }
 
 void SelectionLog::note_clip(const Stage& stage) {

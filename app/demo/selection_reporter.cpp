@@ -54,10 +54,11 @@ EntityRow row_of(anim::Handle entity, const anim::EntityPools& pools, const anim
 }
 
 void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
-  const std::vector<anim::Handle>& entities = system.graph(report.agent).entities;
-  const anim::PoseWeights weights = system.motion(report.agent).weights(system.clock());
+  const std::vector<anim::Handle>& entities = system.agent(report.agent).graph().entities;
+  const anim::PoseWeights weights = system.agent(report.agent).motion().weights(system.clock());
   for (std::size_t i = 0; i < entities.size(); ++i) {
-    report.entities.push_back(row_of(entities[i], system.pools(report.agent), system.character(report.agent)));
+    report.entities.push_back(
+        row_of(entities[i], system.agent(report.agent).pools(), system.agent(report.agent).character()));
     report.entities.back().weight = weights[i];
     report.bytes += report.entities.back().bytes;
   }
@@ -91,7 +92,7 @@ std::optional<SelectionReport> report_selection(const Stage& stage) {
                          .z = position.z,
                          .speed = crowd.speeds()[agent],
                          .can_fall = stage.can_fall(agent),
-                         .channels = static_cast<int>(stage.system().channel_count(agent)),
+                         .channels = static_cast<int>(stage.system().agent(agent).channel_count()),
                          .entities = {}};
   if (stage.held_clip()) report.held_at = stage.held_clip()->seconds;
   report.clip_seconds = stage.clip_seconds(agent);

@@ -21,9 +21,10 @@ constexpr double longest_step = 0.1;  // seconds: a breakpoint or a dragged wind
 constexpr double single_step = 1.0 / 60.0;
 
 UpdateCost cost_of_last_update(const anim::AnimationSystem& system) {
-  const anim::CopyCounts& copied = system.report().copies;
-  UpdateCost cost{.milliseconds = system.update_time().milliseconds, .bytes = copied.bytes_in + copied.bytes_out};
-  for (const anim::ProcessingUnit& unit : system.units()) cost.tasks += unit.activity().tasks;
+  const anim::CopyCounts& copied = system.figures().report().copies;
+  UpdateCost cost{.milliseconds = system.figures().update_time().milliseconds,
+                  .bytes = copied.bytes_in + copied.bytes_out};
+  for (const anim::ProcessingUnit& unit : system.figures().units()) cost.tasks += unit.activity().tasks;
   return cost;
 }
 
@@ -169,7 +170,7 @@ class WindowLoop {
   void measure_for_sweep() {
     const anim::AnimationSystem& system = show_.stage().system();
     const bool tells = sweep_.runs() && show_.stage().tuning() == sweep_.tuning();
-    if (tells && system.report().agents_updated > 0) sweep_.add(cost_of_last_update(system));
+    if (tells && system.figures().report().agents_updated > 0) sweep_.add(cost_of_last_update(system));
     reporter_.show_sweep(sweep_.curve());
   }
 

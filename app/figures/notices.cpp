@@ -16,7 +16,7 @@ std::string software_notice(const std::string& renderer, const Spared& spared) {
 }
 
 std::string local_store_notice(const anim::AnimationSystem& system) {
-  const std::size_t bytes = system.schedule().local_store_bytes;
+  const std::size_t bytes = system.figures().schedule().local_store_bytes;
   if (system.options().local_store_bytes != 0 || bytes <= anim::usual_local_store_bytes) return {};
   const auto kib = [](std::size_t size) { return std::to_string(size / 1024) + " KiB"; };
   return "The local store is " + kib(bytes) + " instead of " + kib(anim::usual_local_store_bytes) +
@@ -32,7 +32,7 @@ std::string palette_format_notice(const anim::AnimationSystem& system, std::span
   if (system.options().palettes != anim::PaletteFormat::packed) return {};
   std::string names;
   for (std::uint32_t character = 0; character < characters.size(); ++character) {
-    if (system.palette_format(character) == anim::PaletteFormat::packed) continue;
+    if (system.characters().palette_format(character) == anim::PaletteFormat::packed) continue;
     names += (names.empty() ? "" : ", ") + characters[character].name;
   }
   if (names.empty()) return {};

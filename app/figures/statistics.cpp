@@ -27,7 +27,7 @@ Json bones_per_agent(const Stage& stage) {
   std::uint64_t bones = 0;
   const std::size_t agents = stage.crowd().size();
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    bones += static_cast<std::uint64_t>(stage.system().character(agent).skeleton.bone_count());
+    bones += static_cast<std::uint64_t>(stage.system().agent(agent).character().skeleton.bone_count());
   }
   if (bones % agents == 0) return bones / agents;
   return mean(bones, agents);
@@ -37,17 +37,17 @@ const char* palette_format(const Stage& stage) {
   std::size_t packed = 0;
   const std::size_t characters = stage.people().size();
   for (std::uint32_t character = 0; character < characters; ++character) {
-    if (stage.system().palette_format(character) == anim::PaletteFormat::packed) ++packed;
+    if (stage.system().characters().palette_format(character) == anim::PaletteFormat::packed) ++packed;
   }
   if (packed == 0) return "float";
   return packed == characters ? "packed" : "mixed";
 }
 
 void add_scheduling(Json& json, const Stage& stage) {
-  const anim::ScheduleOptions& schedule = stage.system().schedule();
+  const anim::ScheduleOptions& schedule = stage.system().figures().schedule();
   std::size_t laid_out = 0;
   std::size_t beside = 0;
-  for (const anim::ProcessingUnit& unit : stage.system().units()) {
+  for (const anim::ProcessingUnit& unit : stage.system().figures().units()) {
     laid_out = std::max(laid_out, unit.store().bytes_used());
     beside = std::max(beside, unit.list_bytes());
   }
@@ -56,8 +56,8 @@ void add_scheduling(Json& json, const Stage& stage) {
   json["local_store_kib"] = schedule.local_store_bytes / 1024;
   json["tile"] = schedule.plan.width;
   json["stream"] = stage.system().options().stream == anim::StreamKind::sampled ? "sampled" : "keyframe";
-  json["simd_target"] = stage.system().kernels().target;
-  json["pose_hash"] = hex_string(stage.system().pose_hash());
+  json["simd_target"] = stage.system().figures().kernels().target;
+  json["pose_hash"] = hex_string(stage.system().figures().pose_hash());
   json["local_store_peak_bytes"] = laid_out;
   json["beside_local_store_bytes"] = beside;
 }
@@ -113,13 +113,13 @@ void Statistics::set_draw(std::uint32_t draw_calls, std::uint64_t triangles) {
 }
 
 void Statistics::add_report(const Stage& stage) {
-  const anim::UpdateReport& report = stage.system().report();
+  const anim::UpdateReport& report = stage.system().figures().report();
   ++frames_;
   palette_bytes_ += report.palette_bytes;
   dma_in_ += report.copies.bytes_in;
   dma_out_ += report.copies.bytes_out;
   dma_transfers_ += report.copies.transfers;
-  stream_bytes_ += stage.system().stream_bytes();
+  stream_bytes_ += stage.system().figures().stream_bytes();
   agents_updated_ += report.agents_updated;
   bones_evaluated_ += report.bones_evaluated;
   lod_.add(stage.level_of_detail().figures());

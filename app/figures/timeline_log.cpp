@@ -64,10 +64,10 @@ void TimelineLog::add_update(const anim::AnimationSystem& system, Clock::time_po
   if (frames_.empty()) start_ = frame_start;
   frames_.emplace_back();
   add_part("update", frame_start, Clock::now());
-  const anim::UpdateTime& time = system.update_time();
+  const anim::UpdateTime& time = system.figures().update_time();
   const double update_us = since_start(time.start);
   std::uint32_t lane = 0;
-  for (const anim::ProcessingUnit& unit : system.units()) {
+  for (const anim::ProcessingUnit& unit : system.figures().units()) {
     ++lane;
     not_kept_ += unit.trace().not_kept();
     for (const anim::TraceSpan& span : unit.trace().spans()) {

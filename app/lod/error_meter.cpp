@@ -79,11 +79,11 @@ void ErrorMeter::choose_whom_to_measure(const anim::AnimationSystem& system, con
   chosen_.clear();
   exact_.clear();
   const bool all = sampling_ == ErrorSampling::all;
-  const double affordable = share_of_pose_cost * static_cast<double>(system.report().bones_evaluated);
+  const double affordable = share_of_pose_cost * static_cast<double>(system.figures().report().bones_evaluated);
   credit_ = std::min(credit_ + affordable, frames_of_credit * affordable + 2 * characters_.front().cost);
   const std::span<WatchedAgent> watched = watched_.all();
   const auto is_ready = [&](const WatchedAgent& each) {
-    return each.can_be_measured() && system.can_pose_exactly(each.agent);
+    return each.can_be_measured() && system.agent(each.agent).can_pose_exactly();
   };
   for (WatchedAgent& each : watched) {
     const bool again = each.measured_in + 1 == frame.number && each.measured_again_in != each.measured_in;

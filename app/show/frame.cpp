@@ -53,7 +53,8 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
     stage_->pose(view.camera, view.width, view.height, step, completed);
   });
   times_.animation_ms = update_ms_;
-  if (recorder_) recorder_->add({step, view, stage_->system().pose_hash()}, stage_->system().agent_hashes());
+  if (recorder_)
+    recorder_->add({step, view, stage_->system().figures().pose_hash()}, stage_->system().figures().agent_hashes());
   if (keeps_moments_ && !stage_->tuning().paused) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();
   if (timeline_) timeline_->add_update(stage_->system(), start);

@@ -116,7 +116,7 @@ RecordedRequest Replay::with_own_scheduling(RecordedRequest request) const {
 }
 
 anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) const {
-  const auto hashes = stage.system().agent_hashes();
+  const auto hashes = stage.system().figures().agent_hashes();
   const auto recorded_hashes = reader_->agent_hashes();
   const std::uint64_t number = reader_->frames_read();
   if (hashes.size() != recorded_hashes.size()) {
@@ -129,10 +129,11 @@ anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) con
                                          std::to_string(found.agents) + " of " + std::to_string(hashes.size()) +
                                          " agents are posed otherwise than recorded");
   }
-  if (stage.system().pose_hash() == frame.pose_hash) return anim::Done{};
-  return reader_->error_at(
-      number, "is the first that differs, with pose hash " + hex_string(stage.system().pose_hash()) + " instead of " +
-                  hex_string(frame.pose_hash) + ", and in no agent as far as 16 bits of each can tell");
+  if (stage.system().figures().pose_hash() == frame.pose_hash) return anim::Done{};
+  return reader_->error_at(number, "is the first that differs, with pose hash " +
+                                       hex_string(stage.system().figures().pose_hash()) + " instead of " +
+                                       hex_string(frame.pose_hash) +
+                                       ", and in no agent as far as 16 bits of each can tell");
 }
 
 std::string Replay::summary() const {

@@ -30,7 +30,7 @@ CutScene::CutScene(anim::AnimationSystem& system, Crowd& crowd, std::span<const 
 }
 
 void CutScene::play(std::uint32_t agent, int clip, anim::Ticks fade, bool loop, const anim::AbsoluteRoot& root) {
-  system_->play(agent, {.clip = clip, .fade = fade, .loop = loop, .absolute_root = root});
+  system_->agent(agent).play({.clip = clip, .fade = fade, .loop = loop, .absolute_root = root});
 }
 
 void CutScene::play_role(Role role, anim::Ticks fade) {
@@ -39,7 +39,7 @@ void CutScene::play_role(Role role, anim::Ticks fade) {
 }
 
 anim::AbsoluteRoot CutScene::root_of(std::uint32_t agent) const {
-  return system_->motion(agent).absolute_root(system_->clock()).value_or(origin);
+  return system_->agent(agent).motion().absolute_root(system_->clock()).value_or(origin);
 }
 
 void CutScene::begin(Act act) {

@@ -23,7 +23,7 @@ void EventSums::reset(std::size_t agents) {
 
 void EventSums::add_events(const anim::AnimationSystem& system, anim::Ticks before) {
   for (std::uint32_t agent = 0; agent < hashes_.size(); ++agent) {
-    system.motion(agent).for_each_data_key(before, system.clock(), [&](const anim::DataKeyEvent& event) {
+    system.agent(agent).motion().for_each_data_key(before, system.clock(), [&](const anim::DataKeyEvent& event) {
       if (event.weight <= least_weight) return;
       ++events_;
       const std::uint64_t what = std::uint64_t{event.name} << 32U | event.clip;

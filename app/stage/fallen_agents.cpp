@@ -18,14 +18,14 @@ constexpr anim::Ticks most_unrest = 12 * anim::ticks_per_second;  // who never c
 // The process stays once it is there: without a rag-doll it is nothing.
 anim::Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place) {
   if (!process_of(agent)) {
-    const std::size_t index = system_->post_process_count(agent);
-    const anim::Status added =
-        system_->add_post_process(agent, std::make_unique<RagdollProcess>(*kinds_[system_->character_number(agent)]));
+    const std::size_t index = system_->agent(agent).post_process_count();
+    const anim::Status added = system_->agent(agent).add_post_process(
+        std::make_unique<RagdollProcess>(*kinds_[system_->agent(agent).character_number()]));
     if (!added) return added;
     processes_.push_back({agent, index});
   }
-  const anim::Status pushed = system_->change_process<RagdollProcess>(
-      agent, *process_of(agent), [&](RagdollProcess& ragdoll) { ragdoll.push(impulse, place); });
+  const anim::Status pushed = system_->agent(agent).change_process<RagdollProcess>(
+      *process_of(agent), [&](RagdollProcess& ragdoll) { ragdoll.push(impulse, place); });
   if (!pushed) return pushed;
   const auto found = std::ranges::find(fallen_, agent, &Fallen::agent);
   Fallen& fallen = found == fallen_.end() ? fallen_.emplace_back() : *found;
@@ -38,7 +38,7 @@ bool FallenAgents::wants_up(Fallen& fallen) const {
   if (ragdoll.phase() != Phase::down) return false;
   const anim::Ticks now = system_->clock();
   fallen.rests_since =
-      ragdoll.is_asleep(system_->pools(fallen.agent)) ? std::min(fallen.rests_since, now) : anim::never;
+      ragdoll.is_asleep(system_->agent(fallen.agent).pools()) ? std::min(fallen.rests_since, now) : anim::never;
   return now - fallen.pushed_at >= most_unrest || (fallen.rests_since <= now && now - fallen.rests_since >= lies_for);
 }
 
@@ -47,8 +47,10 @@ std::span<const std::uint32_t> FallenAgents::advance() {
   for (Fallen& fallen : fallen_) {
     if (wants_up(fallen)) {
       // One that cannot get up for want of room in the local store is let go of, and then it stands.
-      static_cast<void>(system_->change_process<RagdollProcess>(
-          fallen.agent, *process_of(fallen.agent), [](RagdollProcess& ragdoll) { ragdoll.recover(gets_up_in); }));
+      static_cast<void>(system_->agent(fallen.agent)
+                            .change_process<RagdollProcess>(*process_of(fallen.agent), [](RagdollProcess& ragdoll) {
+                              ragdoll.recover(gets_up_in);
+                            }));
     }
     if (phase(fallen.agent) == Phase::standing) risen_.push_back(fallen.agent);
   }
@@ -62,7 +64,7 @@ std::optional<std::size_t> FallenAgents::process_of(std::uint32_t agent) const {
 }
 
 const RagdollProcess& FallenAgents::process(std::uint32_t agent) const {
-  return system_->post_process<RagdollProcess>(agent, *process_of(agent));
+  return system_->agent(agent).post_process<RagdollProcess>(*process_of(agent));
 }
 
 FallenAgents::Phase FallenAgents::phase(std::uint32_t agent) const {
@@ -70,12 +72,12 @@ FallenAgents::Phase FallenAgents::phase(std::uint32_t agent) const {
 }
 
 bool FallenAgents::at_rest(std::uint32_t agent) const {
-  return phase(agent) == Phase::down && process(agent).is_asleep(system_->pools(agent));
+  return phase(agent) == Phase::down && process(agent).is_asleep(system_->agent(agent).pools());
 }
 
 std::optional<glm::vec3> FallenAgents::hips(std::uint32_t agent) const {
   if (phase(agent) != Phase::down && phase(agent) != Phase::recovering) return std::nullopt;
-  return process(agent).hips(system_->pools(agent));
+  return process(agent).hips(system_->agent(agent).pools());
 }
 
 }  // namespace throng::app

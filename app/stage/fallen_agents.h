@@ -30,7 +30,7 @@ class FallenAgents {
       : kinds_(std::move(kinds)), system_(&system) {}
 
   /// The skeleton of the agent's character can be a rag-doll.
-  bool possible(std::uint32_t agent) const { return kinds_[system_->character_number(agent)].has_value(); }
+  bool possible(std::uint32_t agent) const { return kinds_[system_->agent(agent).character_number()].has_value(); }
 
   /// `impulse` (kg m/s) and the `place` that it meets, in the agent's model space; one who lies already is pushed
   /// again. Errors: the local store has no room for a rag-doll.

@@ -42,7 +42,7 @@ void Stage::match_playback() {
   const std::size_t movers = crowd_->walkers() + crowd_->marchers();
   for (std::uint32_t agent = 0; agent < movers; ++agent) {
     if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip || holds_clip(agent)) continue;
-    system_->set_speed(agent, static_cast<double>(speeds[agent]));
+    system_->agent(agent).set_speed(static_cast<double>(speeds[agent]));
     played_speeds_[agent] = speeds[agent];
   }
 }
@@ -120,7 +120,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   pose_fallen(last_frame);
   system_->update(updates_);
   measure(camera, width, height);
-  crowd_lod_.settle(tuning_, selection_.cost, system_->report().predicted_nanoseconds, moving_);
+  crowd_lod_.settle(tuning_, selection_.cost, system_->figures().report().predicted_nanoseconds, moving_);
   get_up();
 }
 
@@ -128,7 +128,7 @@ void Stage::pose_exactly() {
   exact_.give_back(frame_);
   for (const anim::VisibleAgent& each : selection_.visible) {
     const ShownPose& shown = shown_.pose(each.agent);
-    const bool known = shown.shown() && system_->can_pose_exactly(each.agent);
+    const bool known = shown.shown() && system_->agent(each.agent).can_pose_exactly();
     exact_.add(each.agent, shown, known ? palette_entries_[crowd_->characters()[each.agent]].front() : 0);
   }
   exact_.pose(*system_);
@@ -161,7 +161,7 @@ anim::PaletteDestination Stage::show(std::uint32_t agent, std::uint8_t level, st
                      .level = level,
                      .entries = palette_entries_[character][level],
                      .time = pose_time,
-                     .format = system_->palette_format(character)};
+                     .format = system_->characters().palette_format(character)};
   const anim::PaletteDestination memory = shown_.show(pose, now(), last_frame);
   return meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
 }

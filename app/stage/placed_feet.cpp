@@ -35,7 +35,7 @@ void PlacedFeet::reset(std::size_t agents) {
   const std::size_t usual = std::min(agents, usually_near_by);
   for (std::uint32_t character = 0; character < kinds_.size(); ++character) {
     if (!kinds_[character]) continue;
-    system_->reserve_entities(*kinds_[character], usual, character);
+    system_->characters().reserve_entities(*kinds_[character], usual, character);
     while (not_given_[character].size() < usual)
       not_given_[character].push_back(std::make_unique<Process>(*kinds_[character]));
   }
@@ -51,15 +51,15 @@ std::unique_ptr<anim::PostProcess> PlacedFeet::make(std::uint32_t character) {
 
 // A local store that has no room for it will have none for others.
 bool PlacedFeet::give(std::uint32_t agent, bool is_shown) {
-  const std::uint32_t character = system_->character_number(agent);
+  const std::uint32_t character = system_->agent(agent).character_number();
   if (!kinds_[character]) return false;
   Feet& feet = now_.feet[agent];
   if (feet.process != none) return true;
   std::unique_ptr<anim::PostProcess> process = make(character);
   static_cast<Process&>(*process) = Process(*kinds_[character]);
   static_cast<Process&>(*process).set_weight(1.0F, is_shown ? fade : 0);
-  const std::size_t index = system_->post_process_count(agent);
-  if (!system_->add_post_process(agent, std::move(process))) {
+  const std::size_t index = system_->agent(agent).post_process_count();
+  if (!system_->agent(agent).add_post_process(std::move(process))) {
     kinds_[character].reset();
     return false;
   }
@@ -72,7 +72,7 @@ void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown) {
   if (!give(agent, is_shown)) return;
   const bool begins = !std::exchange(now_.feet[agent].placed, true);
   [[maybe_unused]] const anim::Status placed =
-      system_->change_process<anim::FootPlacementProcess>(agent, now_.feet[agent].process, [&](auto& feet) {
+      system_->agent(agent).change_process<anim::FootPlacementProcess>(now_.feet[agent].process, [&](auto& feet) {
         const anim::JointMotion placement = placement_of(crowd, agent);
         feet.set_placement(placement);
         feet.set_ground({.place = placement.position});  // the tier of a stadium that it stands on
@@ -83,23 +83,24 @@ void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown) {
 
 void PlacedFeet::let_go(std::uint32_t agent) {
   if (!std::exchange(now_.feet[agent].placed, false)) return;
-  [[maybe_unused]] const anim::Status let_go = system_->change_process<anim::FootPlacementProcess>(
-      agent, now_.feet[agent].process, [](auto& feet) { feet.set_weight(0.0F, fade); });
+  [[maybe_unused]] const anim::Status let_go = system_->agent(agent).change_process<anim::FootPlacementProcess>(
+      now_.feet[agent].process, [](auto& feet) { feet.set_weight(0.0F, fade); });
   assert(let_go && "the graph is as large as it was");
 }
 
 bool PlacedFeet::needs(std::uint32_t agent, std::span<const anim::VisibleAgent> visible) const {
   const Feet& feet = now_.feet[agent];
-  if (feet.process + 1 != system_->post_process_count(agent)) return true;  // others came after it: a rag-doll
+  if (feet.process + 1 != system_->agent(agent).post_process_count()) return true;  // others came after it: a rag-doll
   if (!std::ranges::binary_search(visible, agent, {}, &anim::VisibleAgent::agent)) return false;
-  return feet.placed || system_->post_process<Process>(agent, feet.process).weight(system_->pools(agent)) > 0.0F;
+  return feet.placed ||
+         system_->agent(agent).post_process<Process>(feet.process).weight(system_->agent(agent).pools()) > 0.0F;
 }
 
 void PlacedFeet::take_back(std::span<const anim::VisibleAgent> visible) {
   std::erase_if(now_.have, [&](std::uint32_t agent) {
     if (needs(agent, visible)) return false;
-    std::unique_ptr<anim::PostProcess> process = system_->take_last_post_process(agent);
-    std::vector<std::unique_ptr<anim::PostProcess>>& ready = not_given_[system_->character_number(agent)];
+    std::unique_ptr<anim::PostProcess> process = system_->agent(agent).take_last_post_process();
+    std::vector<std::unique_ptr<anim::PostProcess>>& ready = not_given_[system_->agent(agent).character_number()];
     if (ready.size() < ready.capacity()) ready.push_back(std::move(process));
     now_.feet[agent] = {};
     return true;

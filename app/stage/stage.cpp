@@ -130,11 +130,11 @@ anim::Status Stage::open_system() {
   if (!system) return system.error();
   system_ = std::move(*system);
   for (const CharacterSource& more : std::span(characters_).subspan(1)) {
-    if (const auto added = system_->add_character(more.character); !added) {
+    if (const auto added = system_->characters().add(more.character); !added) {
       return anim::Error{more.name + ": " + added.error().message};
     }
   }
-  const auto camera = system_->add_character(film_camera(common_roles().size()));
+  const auto camera = system_->characters().add(film_camera(common_roles().size()));
   if (!camera) return camera.error();
   film_camera_ = *camera;
   std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
@@ -181,7 +181,7 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   if (const anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
   const ReorderedCharacter reordered = in_order(source, choice);
   const auto number = static_cast<std::uint32_t>(character);
-  const anim::Status replaced = system_->replace_character(number, reordered.character, reordered.places);
+  const anim::Status replaced = system_->characters().replace(number, reordered.character, reordered.places);
   if (!replaced) return replaced;
   anim::reorder_bones(source.model, choice);
   source.character = reordered.character;
@@ -246,12 +246,13 @@ void Stage::request_clip(std::uint32_t agent, int clip, anim::Ticks fade, double
   const bool plays = clip != no_clip;
   played_speeds_[agent] = crowd_->playback_speeds()[agent];
   const bool is_made = agent < lod_.is_called.size();  // else the crowd is being made
-  if (is_made && system_->can_wind_back(agent)) lod_.make_due(agent);
+  if (is_made && system_->agent(agent).can_wind_back()) lod_.make_due(agent);
   crowd_lod_.fade(agent, system_->clock() + fade);
-  system_->play(agent, {.clip = index,
-                        .fade = fade,
-                        .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,
-                        .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
+  system_->agent(agent).play(
+      {.clip = index,
+       .fade = fade,
+       .speed = plays ? static_cast<double>(crowd_->playback_speeds()[agent]) : 0.0,
+       .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
 }
 
 void Stage::request_clip(const std::optional<ClipRequest>& request) {

@@ -50,7 +50,7 @@ class Stage {
 
   /// Another order of a character's bones, and other levels, at a frame boundary: it is baked anew, the crowd goes on.
   /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
-  /// anim::AnimationSystem::replace_character.
+  /// anim::Characters::replace.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
   /// The crowd and every clock begin anew: from here on, all happens as on a stage just made.
   void restart();

@@ -17,7 +17,7 @@ int main() {
   if (!created) return std::fprintf(stderr, "%s\n", created.error().message.c_str()), 1;
   anim::AnimationSystem& system = **created;
   system.set_agent_count(1);
-  system.play(0, {.clip = 0});
+  system.agent(0).play({.clip = 0});
 
   anim::LodState state;
   anim::LodSelection selection;
@@ -33,5 +33,5 @@ int main() {
   const anim::AgentUpdate update{.agent = selection.due[0].agent};
   system.advance(anim::ticks_per_second / 60);
   system.update({&update, 1});
-  std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.pose_hash()));
+  std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.figures().pose_hash()));
 }

@@ -22,16 +22,16 @@ inline std::uint64_t crowd_hash(Schedule schedule, Executor* executor = nullptr)
   system.set_agent_count(agents);
   std::vector<AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    system.play(agent, {.clip = static_cast<int>(agent % 3), .start = to_ticks(0.004 * agent)});
+    system.agent(agent).play({.clip = static_cast<int>(agent % 3), .start = to_ticks(0.004 * agent)});
     updates.push_back({.agent = agent});
   }
   for (std::uint32_t frame = 0; frame < 20; ++frame) {
     const PlayRequest next{.clip = static_cast<int>(frame % 3), .fade = to_ticks(0.2)};
-    for (std::uint32_t agent = frame; agent < agents; agent += 11) system.play(agent, next);
+    for (std::uint32_t agent = frame; agent < agents; agent += 11) system.agent(agent).play(next);
     system.advance(ticks_per_second / 60);
     system.update(updates);
   }
-  return system.pose_hash();
+  return system.figures().pose_hash();
 }
 
 inline void expect_the_poses_of_our_own_threads(Executor& executor) {

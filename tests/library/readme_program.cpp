@@ -24,9 +24,9 @@ int main(int argument_count, char** arguments) {
   system.set_agent_count(agents);
   const int clips = static_cast<int>(character->clips.size());
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    system.play(agent, {.clip = static_cast<int>(agent) % clips});
+    system.agent(agent).play({.clip = static_cast<int>(agent) % clips});
   }
-  system.play(0, {.clip = clips - 1, .fade = anim::to_ticks(0.25)});  // eases in over a quarter of a second
+  system.agent(0).play({.clip = clips - 1, .fade = anim::to_ticks(0.25)});  // eases in over a quarter of a second
 
   // A palette an agent, each on cache lines of its own, as far apart as they are written fastest.
   const auto entries = static_cast<std::size_t>(character->skeleton.palette_count());
@@ -57,5 +57,5 @@ int main(int argument_count, char** arguments) {
     }
     system.update(updates);  // returns when every palette is written
   }
-  std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.pose_hash()));
+  std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.figures().pose_hash()));
 }

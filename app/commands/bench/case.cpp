@@ -94,8 +94,9 @@ void CaseBench::add_updates() {
   one_pu.pus = 1;
   const auto run = [this] { update_->run(); };
   anim::SystemOptions other_stores = one_pu;
-  other_stores.stores = system().schedule().stores == anim::StorePolicy::streaming ? anim::StorePolicy::prefetched
-                                                                                   : anim::StorePolicy::streaming;
+  other_stores.stores = system().figures().schedule().stores == anim::StorePolicy::streaming
+                            ? anim::StorePolicy::prefetched
+                            : anim::StorePolicy::streaming;
   rounds_.add({"other stores", run, [this, other_stores] { update_->configure(other_stores); }});
   rounds_.add({"one pu", run, [this, one_pu] { update_->configure(one_pu); }});
   rounds_.add({"update", run, [this] { update_->configure(options_); }});
@@ -157,7 +158,7 @@ std::uint64_t CaseBench::hash(int frames) const {
   const auto made = subject(hashed);
   if (!made) return 0;
   for (int frame = 0; frame < frames; ++frame) (*made)->run();
-  return (*made)->system().pose_hash();
+  return (*made)->system().figures().pose_hash();
 }
 
 /// The way of writing that took least.
@@ -232,7 +233,7 @@ anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& 
   times.append(work.run(pass.rounds, pass.label));
   if (!pass.is_last) return Json(nullptr);
   if (trace) work.trace(*trace);
-  const anim::ScheduleOptions& schedule = work.system().schedule();
+  const anim::ScheduleOptions& schedule = work.system().figures().schedule();
   const int bones = character.character->skeleton.bone_count();
   Json json;
   json["agents"] = bench.agents;
@@ -243,15 +244,15 @@ anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& 
   json["local_store_kib"] = schedule.local_store_bytes / 1024;
   json["tile"] = schedule.plan.width;
   json["stream"] = bench.stream == Stream::sampled ? "sampled" : "keyframe";
-  const bool packed = work.system().palette_format(0) == anim::PaletteFormat::packed;
+  const bool packed = work.system().characters().palette_format(0) == anim::PaletteFormat::packed;
   json["palette_format"] = packed ? "packed" : "float";
   json["stores"] = schedule.stores == anim::StorePolicy::streaming ? "streaming" : "prefetched";
-  json["simd_target"] = work.system().kernels().target;
+  json["simd_target"] = work.system().figures().kernels().target;
   json["pose_hash"] = hex_string(work.hash(options.frames));
   json["clips"] = character.character->clips.size();
   add_figures(json, times, bench.agents, bones);
-  json["bytes_per_agent"] = work.system().bytes_per_agent();
-  json["stream_bytes_per_frame"] = work.system().stream_bytes();
+  json["bytes_per_agent"] = work.system().figures().bytes_per_agent();
+  json["stream_bytes_per_frame"] = work.system().figures().stream_bytes();
   json["rounds"] = options.frames;
   return json;
 }

@@ -56,12 +56,12 @@ anim::Result<SystemSubject> SystemSubject::create(std::shared_ptr<const anim::Ch
   subject.system_ = std::move(*system);
   subject.system_->set_agent_count(static_cast<std::uint32_t>(agents.size()));
   for (std::uint32_t i = 0; i < agents.size(); ++i) {
-    subject.system_->play(i, request(agents[i].from_clip, agents[i].from_start));
+    subject.system_->agent(i).play(request(agents[i].from_clip, agents[i].from_start));
     subject.updates_.push_back({.agent = i, .palette = palettes.of(i)});
     if (agents[i].to_clip == BenchAgent::none) continue;
     anim::PlayRequest blended = request(agents[i].to_clip, agents[i].to_start);
     blended.held_fraction = agents[i].fraction;
-    subject.system_->play(i, blended);
+    subject.system_->agent(i).play(blended);
   }
   return subject;
 }

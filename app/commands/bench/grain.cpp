@@ -52,7 +52,7 @@ anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& char
   system.tile = 0;
   SweptCrowd crowd;
   if (anim::Status made = make(crowd, character, system, bench.agents); !made) return made;
-  const int widest = crowd.subject->system().schedule().plan.width;
+  const int widest = crowd.subject->system().figures().schedule().plan.width;
   for (int tile = 1; tile <= widest; tile *= 2) {
     system.tile = tile;
     add(crowd, std::to_string(tile), system);
@@ -63,7 +63,7 @@ anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& char
     const double agent_ns = crowd.per_agent(std::to_string(tile));
     rows.push_back({{"tile", tile},
                     {"ns_per_bone_median", agent_ns / bones},
-                    {"task_us", agent_ns * tile * crowd.subject->system().schedule().pus / 1000.0}});
+                    {"task_us", agent_ns * tile * crowd.subject->system().figures().schedule().pus / 1000.0}});
   }
   return anim::Done{};
 }

@@ -37,8 +37,8 @@ bool HeldSubject::add_processes(std::size_t agents) {
     auto gaze = std::make_unique<anim::LookAtProcess>(*kinds.look_at);
     gaze->look_at(sight_of(agent));
     auto noise = std::make_unique<anim::NoiseProcess>(anim::NoiseProcess::Settings{.seed = agent});
-    if (!system.add_post_process(agent, std::move(gaze))) return false;
-    if (!system.add_post_process(agent, std::move(noise))) return false;
+    if (!system.agent(agent).add_post_process(std::move(gaze))) return false;
+    if (!system.agent(agent).add_post_process(std::move(noise))) return false;
   }
   return true;
 }

@@ -53,10 +53,10 @@ class RecordedCrowd {
     double least = 1e300;
     for (int frame = 0; frame < frames; ++frame) {
       subject_->run();
-      const anim::UpdateTime& time = system().update_time();
+      const anim::UpdateTime& time = system().figures().update_time();
       if (time.milliseconds >= least) continue;
       least = time.milliseconds;
-      fastest = recorded_tasks(system().units().front().trace().spans(), time, beside_blocks());
+      fastest = recorded_tasks(system().figures().units().front().trace().spans(), time, beside_blocks());
     }
     return fastest;
   }
@@ -66,12 +66,12 @@ class RecordedCrowd {
 
  private:
   BesideBlocks beside_blocks() const {
-    const anim::UpdateReport& report = system().report();
+    const anim::UpdateReport& report = system().figures().report();
     std::uint64_t players = 0;
     for (std::uint32_t agent = 0; agent < system().agent_count(); ++agent)
-      players += system().program(agent).parts.players;
+      players += system().agent(agent).program().parts.players;
     return {.bones = static_cast<double>(report.bones_evaluated),
-            .stream_bytes = system().stream_bytes(),
+            .stream_bytes = system().figures().stream_bytes(),
             .stream_reads = 2 * players,
             .palette_bytes = report.palette_bytes,
             .palettes = report.agents_updated};
@@ -175,7 +175,7 @@ anim::Result<BenchReport> run_machine(const BenchOptions& options) {
   json["stream"] = options.streams.front() == Stream::sampled ? "sampled" : "keyframe";
   json["agents"] = options.agents.front();
   json["bones_per_agent"] = character->character->skeleton.bone_count();
-  json["tile"] = crowd->system().schedule().plan.width;
+  json["tile"] = crowd->system().figures().schedule().plan.width;
   json["tasks"] = tasks.size();
   json["recorded_compute_ns_per_agent"] = recorded_ns / crowd->agents();
   json["dma_bytes_per_agent"] = static_cast<double>(copies.bytes_in + copies.bytes_out) / crowd->agents();

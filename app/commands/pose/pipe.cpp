@@ -50,7 +50,7 @@ anim::Result<BonePose> PosePipe::pose(const anim::Model& model, const anim::Clip
   if (const anim::Status prepared = prepare(model, clip); !prepared) return prepared.error();
   system_->set_agent_count(0);
   system_->set_agent_count(1);
-  system_->play(0, {.clip = 0, .start = anim::to_ticks(seconds), .loop = false});
+  system_->agent(0).play({.clip = 0, .start = anim::to_ticks(seconds), .loop = false});
   auto* palette = reinterpret_cast<anim::PaletteMatrix*>(palette_.get());
   const anim::AgentUpdate update{.agent = 0, .palette = palette};
   system_->update({&update, 1});
@@ -58,7 +58,7 @@ anim::Result<BonePose> PosePipe::pose(const anim::Model& model, const anim::Clip
   BonePose pose;
   const int components = model.skeleton.components();
   for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
-    pose.states.push_back(state_of_bone(system_->pose(0), components, bone));
+    pose.states.push_back(state_of_bone(system_->agent(0).pose(), components, bone));
   }
   for (std::size_t entry = 0; entry < model.skeleton.palette.size(); ++entry) {
     pose.palette.push_back(to_matrix(palette[entry]));

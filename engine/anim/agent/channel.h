@@ -23,7 +23,7 @@ class Channel {
   virtual Handle state() const = 0;
 
   /// Brings the channel's entities up to date with its parameters and the clock. True: state(), or what it reads, is
-  /// another than before. Called when a parameter was set through `AnimationSystem::change`, and at or after
+  /// another than before. Called when a parameter was set through `Agent::change`, and at or after
   /// next_update().
   virtual bool update(const EntityBuilder& build) = 0;
 

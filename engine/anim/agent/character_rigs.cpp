@@ -115,10 +115,10 @@ void CharacterRigs::reorder_bones(std::span<const int> places) {
 
 RigKinds CharacterRigs::add_to(AnimationSystem& system, std::uint32_t character) const {
   RigKinds kinds;
-  if (look_at_) kinds.look_at = system.add_entity_kind(look_at_kind_, character);
-  if (foot_placement_) kinds.foot_placement = system.add_entity_kind(foot_placement_kind_, character);
-  if (!limbs_.empty()) kinds.limbs = system.add_entity_kind(ik_kind_, character);
-  if (ragdoll_) kinds.ragdoll = system.add_entity_kind(ragdoll_kind_, character);
+  if (look_at_) kinds.look_at = system.characters().add_entity_kind(look_at_kind_, character);
+  if (foot_placement_) kinds.foot_placement = system.characters().add_entity_kind(foot_placement_kind_, character);
+  if (!limbs_.empty()) kinds.limbs = system.characters().add_entity_kind(ik_kind_, character);
+  if (ragdoll_) kinds.ragdoll = system.characters().add_entity_kind(ragdoll_kind_, character);
   return kinds;
 }
 

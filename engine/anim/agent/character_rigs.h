@@ -40,7 +40,7 @@ class CharacterRigs {
   RigKinds add_to(AnimationSystem& system, std::uint32_t character = 0) const;
 
   /// The character's bones are in another order from now on: `places` has the new index of each. What systems point at
-  /// stays where it is; see AnimationSystem::replace_character.
+  /// stays where it is; see Characters::replace.
   void reorder_bones(std::span<const int> places);
 
   const std::optional<LookAtRig>& look_at() const { return look_at_; }

@@ -17,13 +17,13 @@ struct PlayRequest {
   Ticks start = 0;     ///< position in the clip, 0 to its duration
   bool loop = true;
   std::optional<float> held_fraction = std::nullopt;  ///< instead of fading: blend for good, this much of the new clip
-  /// What `AnimationSystem::add_mask` returned: the clip is laid over what plays now, on the masked bones, and stays
+  /// What `Characters::add_mask` returned: the clip is laid over what plays now, on the masked bones, and stays
   /// there until a request without a mask takes the place of all. no_mask: on all bones.
   int mask = no_mask;
 
   /// A cut scene: the agent stands here, and moves on from here by the clip's own root motion.
   std::optional<AbsoluteRoot> absolute_root = std::nullopt;
-  std::uint32_t bone_selection = Player::every_bone;  ///< what `AnimationSystem::add_bone_selection` returned
+  std::uint32_t bone_selection = Player::every_bone;  ///< what `Characters::add_bone_selection` returned
 
   static constexpr int no_mask = EaseBlender::no_mask;
 };

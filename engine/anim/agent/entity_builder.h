@@ -19,7 +19,7 @@ struct PlayerStart {
   Ticks start = 0;     ///< position in the clip, 0 to its duration
   bool loop = true;
   std::optional<AbsoluteRoot> absolute_root = std::nullopt;  ///< of a cut scene
-  std::uint32_t bone_selection = Player::every_bone;         ///< what `AnimationSystem::add_bone_selection` returned
+  std::uint32_t bone_selection = Player::every_bone;         ///< what `Characters::add_bone_selection` returned
 };
 
 /// What channels and post processes make their entities with, at a frame boundary. An agent's entities may stand ahead

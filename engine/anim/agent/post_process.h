@@ -20,7 +20,7 @@ class PostProcess {
   virtual Handle attach(const EntityBuilder& build, Handle source) = 0;
 
   /// Brings its entities up to date with its parameters. True: attach() is to be called again. Called when a parameter
-  /// was set through `AnimationSystem::change_process`, and at or after next_update().
+  /// was set through `Agent::change_process`, and at or after next_update().
   virtual bool update(const EntityBuilder&) { return false; }
   /// When update() wants to be called again by itself: a time of the clock, or never.
   virtual Ticks next_update() const { return never; }

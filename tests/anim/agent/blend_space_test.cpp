@@ -21,20 +21,20 @@ constexpr BlendPoint run{.clip = 0, .parameter = 4.2F};
 struct Runner {
   explicit Runner(float speed, const SystemOptions& options = {}) : crowd(options) {
     const Status added =
-        crowd->add_channel(0, std::make_unique<BlendSpaceChannel>(std::vector{walk, jog, run}, speed, true));
+        crowd->agent(0).add_channel(std::make_unique<BlendSpaceChannel>(std::vector{walk, jog, run}, speed, true));
     EXPECT_TRUE(added) << added.error().message;
   }
   void set_speed(float speed) {
     const Status changed =
-        crowd->change<BlendSpaceChannel>(0, 0, [&](BlendSpaceChannel& channel) { channel.set_parameter(speed); });
+        crowd->agent(0).change<BlendSpaceChannel>(0, [&](BlendSpaceChannel& channel) { channel.set_parameter(speed); });
     EXPECT_TRUE(changed) << changed.error().message;
   }
   /// Where each player is in its cycle, 0 to 1.
   std::vector<double> phases() const {
     std::vector<double> phases;
-    for (const Handle entity : crowd->graph(0).entities) {
-      if (crowd->pools().state(entity).type != EntityType::sampled_player) continue;
-      const auto& player = crowd->pools().as<Player>(entity);
+    for (const Handle entity : crowd->agent(0).graph().entities) {
+      if (crowd->characters().pools(0).state(entity).type != EntityType::sampled_player) continue;
+      const auto& player = crowd->characters().pools(0).as<Player>(entity);
       const auto duration = static_cast<double>(test_character()->clips[player.clip].duration);
       phases.push_back(static_cast<double>(player.position) / static_cast<double>(fine_ticks_per_tick) / duration);
     }
@@ -53,7 +53,7 @@ TEST(BlendSpace, AtAPointPlaysItsClipAlone) {
     runner.crowd.step(20);
     EXPECT_EQ(runner.crowd.entities(), 1U);
     CrowdRig plain;
-    plain->play(0, {.clip = point.clip});
+    plain->agent(0).play({.clip = point.clip});
     plain.step(20);
     EXPECT_TRUE(runner.crowd.bones_unlike(plain).empty());
   }
@@ -63,7 +63,7 @@ TEST(BlendSpace, BetweenTwoPointsBlendsThem) {
   Runner runner(2.0F);
   runner.crowd.step(20);
   EXPECT_EQ(runner.crowd.entities(), 3U);
-  const auto& blender = runner.crowd->pools().as<EaseBlender>(runner.crowd->graph(0).root());
+  const auto& blender = runner.crowd->characters().pools(0).as<EaseBlender>(runner.crowd->agent(0).graph().root());
   EXPECT_NEAR(blender.fraction, 0.5F, 1e-6F);
 }
 
@@ -71,7 +71,7 @@ TEST(BlendSpace, OutsideItsPointsPlaysTheNearestAtThePaceOfTheSpeed) {
   Runner slow(0.7F);
   slow.crowd.step(1);
   EXPECT_EQ(slow.crowd.entities(), 1U);
-  const auto& player = slow.crowd->pools().as<Player>(slow.crowd->graph(0).root());
+  const auto& player = slow.crowd->characters().pools(0).as<Player>(slow.crowd->agent(0).graph().root());
   EXPECT_NEAR(player.speed / 65536.0, 0.5, 1e-4) << "half as fast as the walk was made";
 }
 
@@ -130,7 +130,7 @@ TEST(BlendSpace, IsTheSameUnderEverySchedule) {
       runner->crowd.step(10);
     }
   }
-  EXPECT_EQ(fused.crowd->pose_hash(), levels.crowd->pose_hash());
+  EXPECT_EQ(fused.crowd->figures().pose_hash(), levels.crowd->figures().pose_hash());
 }
 
 }  // namespace

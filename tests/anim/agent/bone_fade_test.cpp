@@ -31,7 +31,7 @@ Palette pose(const Fade& fade, const SystemOptions& options) {
   auto system = AnimationSystem::create(std::make_shared<const Character>(bake_character(model())), options);
   EXPECT_TRUE(system);
   (*system)->set_agent_count(1);
-  (*system)->play(0, {.clip = 0, .start = to_ticks(0.3)});
+  (*system)->agent(0).play({.clip = 0, .start = to_ticks(0.3)});
   Palette palette(64);
   const AgentUpdate update{.agent = 0,
                            .level = fade.level,

@@ -38,7 +38,7 @@ struct Solo {
   std::vector<float> bone(int index) const {
     const int components = character()->skeleton.components();
     const float* const packet =
-        system->pose(0).data() + index / packet_bones * components * packet_bones + index % packet_bones;
+        system->agent(0).pose().data() + index / packet_bones * components * packet_bones + index % packet_bones;
     std::vector<float> values;
     for (int component = 0; component < components; ++component) values.push_back(packet[component * packet_bones]);
     return values;
@@ -49,7 +49,7 @@ struct Solo {
 /// Plays one clip alone, as long as the blends it is compared with.
 Solo playing(int clip, int frames) {
   Solo solo;
-  solo.system->play(0, {.clip = clip});
+  solo.system->agent(0).play({.clip = clip});
   solo.step(frames);
   return solo;
 }
@@ -76,27 +76,27 @@ void expect_each_bone_from_its_clip(const Solo& masked, const BoneMask& mask, in
 
 TEST(MaskedBlend, GivesWeighedBonesTheSecondClipAndLeavesTheOthersTheirBits) {
   Solo solo;
-  const int mask = solo.system->add_mask(arm());
-  solo.system->play(0, {.clip = under});
-  solo.system->play(0, {.clip = over, .held_fraction = 1.0F, .mask = mask});
+  const int mask = solo.system->characters().add_mask(arm());
+  solo.system->agent(0).play({.clip = under});
+  solo.system->agent(0).play({.clip = over, .held_fraction = 1.0F, .mask = mask});
   solo.step(7);
   expect_each_bone_from_its_clip(solo, arm(), 7);
 }
 
 TEST(MaskedBlend, WithoutAFadeIsThereAtOnceAndStays) {
   Solo solo;
-  const int mask = solo.system->add_mask(arm());
-  solo.system->play(0, {.clip = under});
-  solo.system->play(0, {.clip = over, .mask = mask});
+  const int mask = solo.system->characters().add_mask(arm());
+  solo.system->agent(0).play({.clip = under});
+  solo.system->agent(0).play({.clip = over, .mask = mask});
   solo.step(90);
   expect_each_bone_from_its_clip(solo, arm(), 90);
 }
 
 TEST(MaskedBlend, EasesInOnTheMaskedBonesAloneAndStaysWhenTheFadeIsOver) {
   Solo solo;
-  const int mask = solo.system->add_mask(arm());
-  solo.system->play(0, {.clip = under});
-  solo.system->play(0, {.clip = over, .fade = 10 * frame, .mask = mask});
+  const int mask = solo.system->characters().add_mask(arm());
+  solo.system->agent(0).play({.clip = under});
+  solo.system->agent(0).play({.clip = over, .fade = 10 * frame, .mask = mask});
   solo.step(5);
   const Solo below = playing(under, 5);
   const Solo above = playing(over, 5);
@@ -114,11 +114,11 @@ TEST(MaskedBlend, EasesInOnTheMaskedBonesAloneAndStaysWhenTheFadeIsOver) {
 
 TEST(MaskedBlend, GoesWithTheNextFadeWithoutAMask) {
   Solo solo;
-  const int mask = solo.system->add_mask(arm());
-  solo.system->play(0, {.clip = 2});
-  solo.system->play(0, {.clip = over, .mask = mask});
+  const int mask = solo.system->characters().add_mask(arm());
+  solo.system->agent(0).play({.clip = 2});
+  solo.system->agent(0).play({.clip = over, .mask = mask});
   solo.step();
-  solo.system->play(0, {.clip = under, .fade = 5 * frame});
+  solo.system->agent(0).play({.clip = under, .fade = 5 * frame});
   solo.step(10);
   const Solo below = playing(under, 10);
   for (int bone = 0; bone < bones; ++bone) EXPECT_EQ(solo.bone(bone), below.bone(bone)) << bone;
@@ -126,10 +126,10 @@ TEST(MaskedBlend, GoesWithTheNextFadeWithoutAMask) {
 
 TEST(MaskedBlend, UsesTheMaskThatIsNamed) {
   Solo solo;
-  solo.system->add_mask(arm(0.0F));
-  const int mask = solo.system->add_mask(arm());
-  solo.system->play(0, {.clip = under});
-  solo.system->play(0, {.clip = over, .mask = mask});
+  solo.system->characters().add_mask(arm(0.0F));
+  const int mask = solo.system->characters().add_mask(arm());
+  solo.system->agent(0).play({.clip = under});
+  solo.system->agent(0).play({.clip = over, .mask = mask});
   solo.step(3);
   expect_each_bone_from_its_clip(solo, arm(), 3);
 }
@@ -139,16 +139,16 @@ TEST(MaskedBlend, IsTheSamePoseUnderBothSchedules) {
   Solo fused(Schedule::fused);
   Solo unmasked(Schedule::fused);
   for (Solo* solo : {&levels, &fused}) {
-    const int mask = solo->system->add_mask(arm(0.7F));
-    solo->system->play(0, {.clip = under});
-    solo->system->play(0, {.clip = over, .fade = 10 * frame, .mask = mask});
+    const int mask = solo->system->characters().add_mask(arm(0.7F));
+    solo->system->agent(0).play({.clip = under});
+    solo->system->agent(0).play({.clip = over, .fade = 10 * frame, .mask = mask});
     solo->step(20);
   }
-  unmasked.system->play(0, {.clip = under});
-  unmasked.system->play(0, {.clip = over, .fade = 10 * frame});
+  unmasked.system->agent(0).play({.clip = under});
+  unmasked.system->agent(0).play({.clip = over, .fade = 10 * frame});
   unmasked.step(20);
-  EXPECT_EQ(levels.system->pose_hash(), fused.system->pose_hash());
-  EXPECT_NE(levels.system->pose_hash(), unmasked.system->pose_hash());
+  EXPECT_EQ(levels.system->figures().pose_hash(), fused.system->figures().pose_hash());
+  EXPECT_NE(levels.system->figures().pose_hash(), unmasked.system->figures().pose_hash());
 }
 
 }  // namespace

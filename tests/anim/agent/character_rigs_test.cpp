@@ -50,9 +50,9 @@ TEST(CharacterRigs, GiveASystemOnlyTheKindsThatTheCharacterHas) {
   const auto system = std::move(*AnimationSystem::create(character, {}));
   const RigKinds kinds = rigs.add_to(*system);
   EXPECT_FALSE(kinds.look_at || kinds.foot_placement || kinds.limbs || kinds.ragdoll);
-  EXPECT_EQ(system->pools().kind_count(), EntityPools::usual_kinds);
+  EXPECT_EQ(system->characters().pools(0).kind_count(), EntityPools::usual_kinds);
   PersonCrowd people;
-  EXPECT_EQ(people.system().pools().kind_count(), EntityPools::usual_kinds + 4U);
+  EXPECT_EQ(people.system().characters().pools(0).kind_count(), EntityPools::usual_kinds + 4U);
 }
 
 }  // namespace

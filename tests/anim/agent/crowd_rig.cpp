@@ -71,7 +71,7 @@ std::vector<int> CrowdRig::bones_unlike(const CrowdRig& other, std::uint32_t age
 }
 
 std::size_t CrowdRig::depth(std::uint32_t agent) const {
-  const std::vector<PoseStep>& steps = system->program(agent).steps;
+  const std::vector<PoseStep>& steps = system->agent(agent).program().steps;
   std::array<std::size_t, PoseProgram::max_steps> depths{};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     depths[i] = 1;

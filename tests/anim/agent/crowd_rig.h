@@ -32,7 +32,7 @@ struct CrowdRig {
   /// Palette entries whose bits differ, by bone.
   std::vector<int> bones_unlike(const CrowdRig& other, std::uint32_t agent = 0) const;
 
-  std::size_t entities(std::uint32_t agent = 0) const { return system->program(agent).steps.size(); }
+  std::size_t entities(std::uint32_t agent = 0) const { return system->agent(agent).program().steps.size(); }
   /// From the root to the farthest player.
   std::size_t depth(std::uint32_t agent = 0) const;
 

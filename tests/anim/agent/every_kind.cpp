@@ -112,15 +112,16 @@ EveryKind::EveryKind(const SystemOptions& options) {
   EXPECT_TRUE(created.has_value()) << created.error().message;
   system = std::move(*created);
   system->set_agent_count(agents);
-  const EntityPools::Kind drifts = system->add_entity_kind(drift_kind);
-  const EntityPools::Kind whole_drifts = system->add_entity_kind(whole_drift_kind);
+  const EntityPools::Kind drifts = system->characters().add_entity_kind(drift_kind);
+  const EntityPools::Kind whole_drifts = system->characters().add_entity_kind(whole_drift_kind);
   for (const int bone : {1, 5}) {
     const SubtreeWeight subtree{.bone = bone, .weight = 0.75F};
-    system->add_mask(BoneMask("part", test_character()->skeleton, {&subtree, 1}));
+    system->characters().add_mask(BoneMask("part", test_character()->skeleton, {&subtree, 1}));
   }
   const auto fixed = [](FixedChannel::Make make) { return std::make_unique<FixedChannel>(std::move(make)); };
-  const Handle breath = *system->add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = 4, .speed = 0.5}));
-  const Handle stance = *system->add_shared(fixed([breath](const EntityBuilder& build) {
+  const Handle breath =
+      *system->characters().add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = 4, .speed = 0.5}));
+  const Handle stance = *system->characters().add_shared(fixed([breath](const EntityBuilder& build) {
     const Handle player = build.player({.clip = 3});
     return std::vector{player, build.hold(player, breath, 0.5F)};
   }));
@@ -128,45 +129,44 @@ EveryKind::EveryKind(const SystemOptions& options) {
     switch (agent % 8) {
       case 0:
         expect_done(
-            system->add_channel(agent, fixed([=](const EntityBuilder& build) { return mixed(build, stance); })));
+            system->agent(agent).add_channel(fixed([=](const EntityBuilder& build) { return mixed(build, stance); })));
         break;
       case 1:
-        expect_done(system->add_channel(agent, fixed(leaning)));
+        expect_done(system->agent(agent).add_channel(fixed(leaning)));
         break;
       case 2:
-        expect_done(system->add_channel(
-            agent, fixed([=](const EntityBuilder& build) { return drifting(build, drifts, breath); })));
+        expect_done(system->agent(agent).add_channel(
+            fixed([=](const EntityBuilder& build) { return drifting(build, drifts, breath); })));
         break;
       case 3:
-        expect_done(system->add_channel(
-            agent,
-            std::make_unique<BlendSpaceChannel>(
-                std::vector<BlendPoint>{{.clip = 4, .parameter = 1.0F}, {.clip = 0, .parameter = 3.0F}}, 1.0F, true)));
+        expect_done(system->agent(agent).add_channel(std::make_unique<BlendSpaceChannel>(
+            std::vector<BlendPoint>{{.clip = 4, .parameter = 1.0F}, {.clip = 0, .parameter = 3.0F}}, 1.0F, true)));
         break;
       default:
-        system->play(agent, {.clip = static_cast<int>(agent % 5)});
+        system->agent(agent).play({.clip = static_cast<int>(agent % 5)});
     }
     if (agent % 3 == 0) {
-      expect_done(system->add_channel(agent, std::make_unique<SimpleChannel>(PlayerStart{.clip = 1}),
-                                      {.weight = 0.4F, .mask = 0}));
+      expect_done(system->agent(agent).add_channel(std::make_unique<SimpleChannel>(PlayerStart{.clip = 1}),
+                                                   {.weight = 0.4F, .mask = 0}));
     }
     if (agent % 5 == 0)
       expect_done(
-          system->add_post_process(agent, std::make_unique<NoiseProcess>(NoiseProcess::Settings{.seed = agent})));
-    if (agent % 7 == 0) expect_done(system->add_post_process(agent, std::make_unique<DriftProcess>(whole_drifts)));
+          system->agent(agent).add_post_process(std::make_unique<NoiseProcess>(NoiseProcess::Settings{.seed = agent})));
+    if (agent % 7 == 0)
+      expect_done(system->agent(agent).add_post_process(std::make_unique<DriftProcess>(whole_drifts)));
   }
 }
 
 void EveryKind::request(std::uint32_t agent, std::uint32_t frame) {
   const std::uint32_t mixed = (agent * 2654435761U + frame * 40503U) >> 4U;
   if (agent % 8 == 3 && (agent + frame) % 5 == 0) {
-    expect_done(system->change<BlendSpaceChannel>(agent, 0, [&](BlendSpaceChannel& channel) {
+    expect_done(system->agent(agent).change<BlendSpaceChannel>(0, [&](BlendSpaceChannel& channel) {
       channel.set_parameter(static_cast<float>(mixed % 300U) * 0.01F + 0.5F);
     }));
   } else if (agent % 8 > 3 && (agent + frame) % 9 == 0) {
-    system->play(agent, {.clip = static_cast<int>(mixed % 5U),
-                         .fade = to_ticks(0.1 + 0.02 * (mixed % 13U)),
-                         .speed = 0.6 + 0.05 * (mixed % 17U)});
+    system->agent(agent).play({.clip = static_cast<int>(mixed % 5U),
+                               .fade = to_ticks(0.1 + 0.02 * (mixed % 13U)),
+                               .speed = 0.6 + 0.05 * (mixed % 17U)});
   }
 }
 

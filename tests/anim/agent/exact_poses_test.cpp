@@ -32,8 +32,8 @@ class Skipped : public testing::TestWithParam<SystemOptions> {
   static constexpr int interval = 5;
 
   void ask_both(const PlayRequest& request) {
-    skipped_->play(0, request);
-    each_frame_->play(0, request);
+    skipped_->agent(0).play(request);
+    each_frame_->agent(0).play(request);
   }
   void pass(int frames, Ticks look_ahead = interval * frame_ticks) {
     const auto level = static_cast<std::uint8_t>(test_character()->skeleton.level_bone_counts.size() - 1);
@@ -75,7 +75,7 @@ TEST_P(Skipped, IsWoundBackByAnUpdateBeforeTheTimeWhereItStands) {
   ask_both({.clip = 0});
   pass(interval + 2);
   ask_both({.clip = 1, .fade = fade});
-  ASSERT_TRUE(skipped_->can_wind_back(0));
+  ASSERT_TRUE(skipped_->agent(0).can_wind_back());
   each_frame_.step();
   skipped_->advance(frame_ticks);
   const AgentUpdate update{.agent = 0, .palette = exact_.get()};
@@ -94,10 +94,10 @@ TEST_P(Skipped, SaysWhenAFadeThatWasInterruptedCannotBeWoundBack) {
     skipped_->advance(frame_ticks);
     const AgentUpdate update{.agent = 0, .look_ahead = interval * frame_ticks};
     if (i % interval == 0) skipped_->update({&update, 1});
-    unknown += skipped_->can_pose_exactly(0) ? 0 : 1;
+    unknown += skipped_->agent(0).can_pose_exactly() ? 0 : 1;
   }
   EXPECT_EQ(unknown, 2 * interval) << "until the clock is where the offset was captured, at the second update";
-  EXPECT_TRUE(skipped_->can_pose_exactly(0));
+  EXPECT_TRUE(skipped_->agent(0).can_pose_exactly());
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Skipped,
@@ -116,14 +116,14 @@ TEST(PoseExactly, ChangesNothingInACrowdOfEveryKind) {
       looked_at->pose_exactly({&exact, 1});
     }
   }
-  EXPECT_EQ(looked_at->pose_hash(), left_alone->pose_hash());
+  EXPECT_EQ(looked_at->figures().pose_hash(), left_alone->figures().pose_hash());
 }
 
 TEST(PoseExactly, GivesEachOfManyAgentsItsOwnPalette) {
   constexpr std::uint32_t agents = 40;
   CrowdRig crowd({.pus = 3}, agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    crowd->play(agent, {.clip = static_cast<int>(agent % 5), .start = to_ticks(0.01 * agent)});
+    crowd->agent(agent).play({.clip = static_cast<int>(agent % 5), .start = to_ticks(0.01 * agent)});
   }
   crowd.step();
   std::vector<Palette> palettes(agents);

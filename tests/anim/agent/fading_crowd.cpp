@@ -34,13 +34,13 @@ std::uint64_t hash_of_fading_crowd(const SystemOptions& options, unsigned seed) 
   if (!created) return 0;
   AnimationSystem& system = **created;
   system.set_agent_count(agents);
-  for (std::uint32_t agent = 0; agent < agents; ++agent) system.play(agent, request(agent, 0, seed));
+  for (std::uint32_t agent = 0; agent < agents; ++agent) system.agent(agent).play(request(agent, 0, seed));
   std::vector<AgentUpdate> updates;
   for (std::uint32_t frame = 1; frame <= frames; ++frame) {
     system.advance(ticks_per_second / 60);
     updates.clear();
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      if ((agent + frame) % 11 == 0) system.play(agent, request(agent, frame, seed));
+      if ((agent + frame) % 11 == 0) system.agent(agent).play(request(agent, frame, seed));
       if (agent % 3 == 0 && frame % 2 == 0) continue;
       const auto levels = static_cast<std::uint32_t>(character()->skeleton.level_bone_counts.size());
       updates.push_back({.agent = agent,
@@ -49,7 +49,7 @@ std::uint64_t hash_of_fading_crowd(const SystemOptions& options, unsigned seed) 
     }
     system.update(updates);
   }
-  return system.pose_hash();
+  return system.figures().pose_hash();
 }
 
 }  // namespace throng::anim

@@ -26,14 +26,14 @@ class PersonOnASlope : public testing::TestWithParam<float> {
     auto feet = std::make_unique<FootPlacementProcess>(*crowd_.kinds().foot_placement);
     feet->set_ground(slope);
     feet->set_placement(placement_);
-    EXPECT_TRUE(crowd_.system().add_post_process(0, std::move(feet)));
+    EXPECT_TRUE(crowd_.system().agent(0).add_post_process(std::move(feet)));
   }
-  const FootPlacementProcess& feet() { return crowd_.system().post_process<FootPlacementProcess>(0, 0); }
+  const FootPlacementProcess& feet() { return crowd_.system().agent(0).post_process<FootPlacementProcess>(0); }
   glm::vec3 in_world(const glm::vec3& point) const { return placement_.position + placement_.rotation * point; }
 
   /// How far the animation has lifted an ankle from where it is in the bind pose.
   float lift(int leg) {
-    const float ankle = feet().ankle(crowd_.system().pools(), leg).y - placement_.position.y;
+    const float ankle = feet().ankle(crowd_.system().characters().pools(0), leg).y - placement_.position.y;
     return ankle + person_rigs().foot_placement()->legs[static_cast<std::size_t>(leg)].sole[0].y;
   }
 
@@ -60,7 +60,7 @@ TEST_P(PersonOnASlope, HasPlantedFeetWithinACentimetreOfIt) {
     crowd_.step();
     for (std::size_t leg = 0; leg < 2; ++leg) {
       const float over = sole_over(slope, leg == 0 ? "foot.L" : "foot.R", leg);
-      const bool is_locked = feet().lock(crowd_.system().pools(), static_cast<int>(leg)).locked();
+      const bool is_locked = feet().lock(crowd_.system().characters().pools(0), static_cast<int>(leg)).locked();
       if (is_locked && lift(static_cast<int>(leg)) < 0.02F) {
         ++planted;
         EXPECT_NEAR(over, 0.0F, 0.01F) << "frame " << frame << ", leg " << leg;
@@ -82,13 +82,13 @@ TEST_P(PersonOnASlope, StandsOnGroundThatTheHostSamplesUnderEachAnkle) {
     process.set_planted(0, 1.0F);
     process.set_planted(1, 1.0F);
   };
-  EXPECT_TRUE(crowd_.system().play(0, {.clip = 1}));
-  EXPECT_TRUE(crowd_.system().change_process<FootPlacementProcess>(0, 0, stand_up));
+  EXPECT_TRUE(crowd_.system().agent(0).play({.clip = 1}));
+  EXPECT_TRUE(crowd_.system().agent(0).change_process<FootPlacementProcess>(0, stand_up));
   for (int frame = 0; frame < 60; ++frame) {
     crowd_.step();
-    EXPECT_TRUE(crowd_.system().change_process<FootPlacementProcess>(0, 0, [&](auto& process) {
+    EXPECT_TRUE(crowd_.system().agent(0).change_process<FootPlacementProcess>(0, [&](auto& process) {
       for (int leg = 0; leg < 2; ++leg) {
-        process.set_ground(leg, ground_at(process.ankle(crowd_.system().pools(), leg)));
+        process.set_ground(leg, ground_at(process.ankle(crowd_.system().characters().pools(0), leg)));
       }
     }));
     EXPECT_NEAR(sole_over(slope, "foot.L", 0), 0.0F, 0.01F);

@@ -36,12 +36,12 @@ std::shared_ptr<const Character> held_character() {
 void add_gaze(AnimationSystem& system, const RigKinds& kinds, std::uint32_t agent) {
   auto gaze = std::make_unique<LookAtProcess>(*kinds.look_at);
   gaze->look_at({std::sin(static_cast<float>(agent)), 1.4F, 1.5F}, agent * ticks_per_second / 100);
-  EXPECT_TRUE(system.add_post_process(agent, std::move(gaze)));
+  EXPECT_TRUE(system.agent(agent).add_post_process(std::move(gaze)));
 }
 
 void add_noise(AnimationSystem& system, std::uint32_t agent) {
   const NoiseProcess::Settings settings{.frequency = 2.0F, .amplitude = 0.05F, .seed = agent};
-  EXPECT_TRUE(system.add_post_process(agent, std::make_unique<NoiseProcess>(settings)));
+  EXPECT_TRUE(system.agent(agent).add_post_process(std::make_unique<NoiseProcess>(settings)));
 }
 
 /// A host's kind that moves no bone, and turns the first by where all of them are: where no clip displaces one it has
@@ -89,7 +89,7 @@ class WandererProcess final : public OneEntityProcess<Wanderer> {
 };
 
 void add_wanderer(AnimationSystem& system, EntityPools::Kind kind, std::uint32_t agent) {
-  EXPECT_TRUE(system.add_post_process(agent, std::make_unique<WandererProcess>(kind)));
+  EXPECT_TRUE(system.agent(agent).add_post_process(std::make_unique<WandererProcess>(kind)));
 }
 
 }  // namespace
@@ -102,12 +102,12 @@ std::uint64_t hash_of_held_crowd(const SystemOptions& options) {
   }
   AnimationSystem& system = **created;
   const RigKinds kinds = rigs().add_to(system);
-  const EntityPools::Kind wanderers = system.add_entity_kind(wanderer_kind);
-  const EntityPools::Kind keepers = system.add_entity_kind(keeping_wanderer_kind);
+  const EntityPools::Kind wanderers = system.characters().add_entity_kind(wanderer_kind);
+  const EntityPools::Kind keepers = system.characters().add_entity_kind(keeping_wanderer_kind);
   system.set_agent_count(held_agents);
   for (std::uint32_t agent = 0; agent < held_agents; ++agent) {
-    system.play(agent, {.clip = 0, .start = agent * ticks_per_second / 60});
-    if (agent % 2 == 0) system.play(agent, {.clip = 1, .held_fraction = 0.3F});
+    system.agent(agent).play({.clip = 0, .start = agent * ticks_per_second / 60});
+    if (agent % 2 == 0) system.agent(agent).play({.clip = 1, .held_fraction = 0.3F});
     if (agent % 5 == 1) add_noise(system, agent);
     if (agent % 5 > 1) add_gaze(system, kinds, agent);
     if (agent % 5 == 3) add_noise(system, agent);
@@ -123,7 +123,7 @@ std::uint64_t hash_of_held_crowd(const SystemOptions& options) {
     system.advance(ticks_per_second / 60);
     system.update(updates);
   }
-  return system.pose_hash();
+  return system.figures().pose_hash();
 }
 
 }  // namespace throng::anim

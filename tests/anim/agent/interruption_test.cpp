@@ -35,7 +35,7 @@ struct Motion {
 /// A clip after the other, each asked for `frames_between` frames after the one before.
 Motion play_in_a_row(Schedule schedule, int frames_between) {
   CrowdRig crowd({.schedule = schedule});
-  crowd->play(0, {.clip = 0});
+  crowd->agent(0).play({.clip = 0});
   LargestStep largest;
   Motion motion;
   const auto run = [&](int frames) {
@@ -47,7 +47,7 @@ Motion play_in_a_row(Schedule schedule, int frames_between) {
   };
   run(10);
   for (int request = 1; request <= requests; ++request) {
-    crowd->play(0, {.clip = request % 5, .fade = frames_of_a_fade * frame_ticks});
+    crowd->agent(0).play({.clip = request % 5, .fade = frames_of_a_fade * frame_ticks});
     run(frames_between);
   }
   run(3 * frames_of_a_fade);
@@ -74,7 +74,7 @@ TEST(Interruption, ACutIsFurtherThanThat) {
   CrowdRig crowd;
   LargestStep largest;
   for (int request = 0; request <= requests; ++request) {
-    crowd->play(0, {.clip = request % 5});
+    crowd->agent(0).play({.clip = request % 5});
     for (int i = 0; i < 5; ++i) {
       crowd.step();
       largest.look(crowd);
@@ -86,15 +86,15 @@ TEST(Interruption, ACutIsFurtherThanThat) {
 
 TEST(Interruption, EndsInTheClipThatWasAskedForLast) {
   CrowdRig interrupted;
-  interrupted->play(0, {.clip = 0});
+  interrupted->agent(0).play({.clip = 0});
   interrupted.step(5);
   for (int request = 0; request < 10; ++request) {
-    interrupted->play(0, {.clip = request % 5, .fade = frames_of_a_fade * frame_ticks});
+    interrupted->agent(0).play({.clip = request % 5, .fade = frames_of_a_fade * frame_ticks});
     interrupted.step(3);
   }
-  interrupted->play(0, {.clip = 3, .fade = frames_of_a_fade * frame_ticks});
+  interrupted->agent(0).play({.clip = 3, .fade = frames_of_a_fade * frame_ticks});
   CrowdRig plain;
-  plain->play(0, {.clip = 3});
+  plain->agent(0).play({.clip = 3});
   interrupted.step(60);
   plain.step(60);
   EXPECT_TRUE(interrupted.bones_unlike(plain).empty());
@@ -104,11 +104,11 @@ TEST(Interruption, EndsInTheClipThatWasAskedForLast) {
 /// How much of each clip is in the agent's pose, 0 to 1: what decides whose data keys are met.
 std::map<std::uint32_t, float> shares_of_clips(const AnimationSystem& system) {
   std::map<std::uint32_t, float> shares;
-  const PoseWeights weights = system.motion(0).weights(system.clock());
-  for (std::size_t i = 0; i < system.graph(0).entities.size(); ++i) {
-    const Handle entity = system.graph(0).entities[i];
+  const PoseWeights weights = system.agent(0).motion().weights(system.clock());
+  for (std::size_t i = 0; i < system.agent(0).graph().entities.size(); ++i) {
+    const Handle entity = system.agent(0).graph().entities[i];
     if (entity.pool() != EntityPools::sampled_players || weights[i] == 0.0F) continue;
-    shares[system.pools().as<Player>(entity).clip] += weights[i];
+    shares[system.characters().pools(0).as<Player>(entity).clip] += weights[i];
   }
   return shares;
 }
@@ -117,13 +117,13 @@ std::map<std::uint32_t, float> shares_of_clips(const AnimationSystem& system) {
 std::map<std::uint32_t, float> shares_after_three(int frames, const std::function<void(CrowdRig&, int)>& wait) {
   constexpr Ticks fade = frames_of_a_fade * frame_ticks;
   CrowdRig crowd;
-  crowd->play(0, {.clip = 0});
+  crowd->agent(0).play({.clip = 0});
   crowd.step(5);
-  crowd->play(0, {.clip = 1, .fade = fade});
+  crowd->agent(0).play({.clip = 1, .fade = fade});
   wait(crowd, 3);
-  crowd->play(0, {.clip = 2, .fade = fade});
+  crowd->agent(0).play({.clip = 2, .fade = fade});
   wait(crowd, frames);
-  crowd->play(0, {.clip = 3, .fade = fade});
+  crowd->agent(0).play({.clip = 3, .fade = fade});
   wait(crowd, 4);
   return shares_of_clips(*crowd);
 }

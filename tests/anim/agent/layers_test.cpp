@@ -24,12 +24,12 @@ BoneMask upper_body() {
 
 CrowdRig playing(int clip) {
   CrowdRig crowd;
-  crowd->play(0, {.clip = clip});
+  crowd->agent(0).play({.clip = clip});
   return crowd;
 }
 
 Status lay(CrowdRig& crowd, int clip, const LayerSettings& settings) {
-  return crowd->add_channel(0, std::make_unique<SimpleChannel>(PlayerStart{.clip = clip}), settings);
+  return crowd->agent(0).add_channel(std::make_unique<SimpleChannel>(PlayerStart{.clip = clip}), settings);
 }
 
 float distance(const CrowdRig& one, const CrowdRig& other, std::size_t bone) {
@@ -38,7 +38,7 @@ float distance(const CrowdRig& one, const CrowdRig& other, std::size_t bone) {
 
 TEST(Layer, WithAMaskWavesWhileItWalks) {
   CrowdRig layered = playing(walk);
-  const int mask = layered->add_mask(upper_body());
+  const int mask = layered->characters().add_mask(upper_body());
   ASSERT_TRUE(lay(layered, wave, {.mask = mask}));
   CrowdRig walking = playing(walk);
   for (CrowdRig* crowd : {&layered, &walking}) crowd->step(30);
@@ -68,7 +68,7 @@ TEST(Layer, MovesWithItsWeight) {
   ASSERT_TRUE(lay(layered, wave, {.weight = 0.0F}));
   float before = 0.0F;
   for (const float weight : {0.25F, 0.5F, 0.75F, 1.0F}) {
-    layered->set_channel_weight(0, 1, weight);
+    layered->agent(0).set_channel_weight(1, weight);
     for (CrowdRig* crowd : {&layered, &walking})
       crowd->system->update(
           std::vector<AgentUpdate>{{.agent = 0, .palette = const_cast<PaletteMatrix*>(crowd->palette())}});
@@ -82,7 +82,7 @@ TEST(Layer, MovesWithItsWeight) {
 TEST(Layer, SeveralLieOneOnTopOfTheOther) {
   CrowdRig layered = playing(walk);
   for (const int clip : {2, 3, wave}) ASSERT_TRUE(lay(layered, clip, {}));
-  EXPECT_EQ(layered->channel_count(0), 4U);
+  EXPECT_EQ(layered->agent(0).channel_count(), 4U);
   CrowdRig waving = playing(wave);
   for (CrowdRig* crowd : {&layered, &waving}) crowd->step(30);
   for (std::size_t bone = 0; bone < layered.joints().size(); ++bone) EXPECT_LT(distance(layered, waving, bone), 1e-5F);
@@ -91,7 +91,7 @@ TEST(Layer, SeveralLieOneOnTopOfTheOther) {
 TEST(Layer, FadesBelowGoOn) {
   CrowdRig layered = playing(walk);
   ASSERT_TRUE(lay(layered, wave, {.weight = 0.0F}));
-  layered->play(0, {.clip = 2, .fade = 20 * frame_ticks});
+  layered->agent(0).play({.clip = 2, .fade = 20 * frame_ticks});
   layered.step(60);
   CrowdRig plain = playing(2);
   plain.step(60);
@@ -104,18 +104,18 @@ TEST(Layer, ThatIsRemovedGivesItsEntitiesBack) {
   ASSERT_TRUE(lay(layered, 3, {.weight = 0.5F}));
   CrowdRig walking = playing(walk);
   for (CrowdRig* crowd : {&layered, &walking}) crowd->step(10);
-  layered->remove_channel(0, 2);
-  layered->remove_channel(0, 1);
+  layered->agent(0).remove_channel(2);
+  layered->agent(0).remove_channel(1);
   for (CrowdRig* crowd : {&layered, &walking}) crowd->step();
   EXPECT_TRUE(layered.bones_unlike(walking).empty());
-  EXPECT_EQ(layered->pools().pool(EntityPools::ease_blenders).alive_count(), 0U);
-  EXPECT_EQ(layered->pools().pool(EntityPools::sampled_players).alive_count(), 1U);
+  EXPECT_EQ(layered->characters().pools(0).pool(EntityPools::ease_blenders).alive_count(), 0U);
+  EXPECT_EQ(layered->characters().pools(0).pool(EntityPools::sampled_players).alive_count(), 1U);
 }
 
 TEST(Layer, TheFirstMayBeRemovedToo) {
   CrowdRig layered = playing(walk);
   ASSERT_TRUE(lay(layered, wave, {.weight = 0.5F}));
-  layered->remove_channel(0, 0);
+  layered->agent(0).remove_channel(0);
   CrowdRig waving = playing(wave);
   for (CrowdRig* crowd : {&layered, &waving}) crowd->step(10);
   EXPECT_TRUE(layered.bones_unlike(waving).empty());
@@ -125,45 +125,45 @@ TEST(Layer, TheFirstMayBeRemovedToo) {
 TEST(Layer, WhoseGraphHasACycleIsRefusedAndTheAgentIsAsItWas) {
   CrowdRig crowd = playing(walk);
   CrowdRig plain = playing(walk);
-  const Status added = crowd->add_channel(0, std::make_unique<FixedChannel>([](const EntityBuilder& build) {
-                                            const Handle player = build.player({.clip = wave});
-                                            const Handle blender = build.hold(player, player, 0.5F);
-                                            build.as<EaseBlender>(blender).to = blender;
-                                            return std::vector{player, blender};
-                                          }));
+  const Status added = crowd->agent(0).add_channel(std::make_unique<FixedChannel>([](const EntityBuilder& build) {
+    const Handle player = build.player({.clip = wave});
+    const Handle blender = build.hold(player, player, 0.5F);
+    build.as<EaseBlender>(blender).to = blender;
+    return std::vector{player, blender};
+  }));
   ASSERT_FALSE(added);
   EXPECT_THAT(added.error().message, testing::HasSubstr("is among its own sources"));
-  EXPECT_EQ(crowd->channel_count(0), 1U);
-  EXPECT_EQ(crowd->pools().pool(EntityPools::ease_blenders).alive_count(), 0U);
+  EXPECT_EQ(crowd->agent(0).channel_count(), 1U);
+  EXPECT_EQ(crowd->characters().pools(0).pool(EntityPools::ease_blenders).alive_count(), 0U);
   for (CrowdRig* one : {&crowd, &plain}) one->step(10);
   EXPECT_TRUE(crowd.bones_unlike(plain).empty());
-  crowd->play(0, {.clip = 2, .fade = frame_ticks});
+  crowd->agent(0).play({.clip = 2, .fade = frame_ticks});
   crowd.step(5);
 }
 
 TEST(Layer, ThatAStoreOfFixedSizeHasNoRoomForIsRefusedAndTheAgentIsAsItWas) {
   CrowdRig crowd({.local_store_bytes = 16 * 1024});
-  crowd->play(0, {.clip = walk});
+  crowd->agent(0).play({.clip = walk});
   CrowdRig plain = playing(walk);
   std::size_t layers = 1;
   Status added = Done{};
   while ((added = lay(crowd, wave, {.weight = 0.0F}))) ASSERT_LT(++layers, 32U);
   EXPECT_THAT(added.error().message, testing::HasSubstr("the smallest --local-store that works is"));
-  EXPECT_EQ(crowd->channel_count(0), layers);
+  EXPECT_EQ(crowd->agent(0).channel_count(), layers);
   for (CrowdRig* one : {&crowd, &plain}) one->step(10);
   for (std::size_t bone = 0; bone < 40; ++bone) EXPECT_LT(distance(crowd, plain, bone), 1e-5F);
 }
 
 TEST(Layer, MakesAnAutomaticStoreGrow) {
   CrowdRig crowd({.stream = StreamKind::keyframe});
-  crowd->play(0, {.clip = walk});
-  const std::size_t before = crowd->schedule().local_store_bytes;
+  crowd->agent(0).play({.clip = walk});
+  const std::size_t before = crowd->figures().schedule().local_store_bytes;
   for (int layer = 1; layer < 20; ++layer) {
     const Status added = lay(crowd, layer % 5, {.weight = 0.5F});
     ASSERT_TRUE(added) << added.error().message;
   }
   crowd.step(10);
-  EXPECT_GT(crowd->schedule().local_store_bytes, before);
+  EXPECT_GT(crowd->figures().schedule().local_store_bytes, before);
 }
 
 }  // namespace

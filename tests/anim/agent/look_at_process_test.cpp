@@ -20,11 +20,11 @@ class PersonWhoIsTold : public testing::Test {
 class PersonWhoIsToldToLook : public PersonWhoIsTold {
  protected:
   PersonWhoIsToldToLook() {
-    EXPECT_TRUE(crowd_.system().add_post_process(0, std::make_unique<LookAtProcess>(*crowd_.kinds().look_at)));
+    EXPECT_TRUE(crowd_.system().agent(0).add_post_process(std::make_unique<LookAtProcess>(*crowd_.kinds().look_at)));
   }
   template <typename Change>
   void tell(Change&& change) {
-    EXPECT_TRUE(crowd_.system().change_process<LookAtProcess>(0, 0, change));
+    EXPECT_TRUE(crowd_.system().agent(0).change_process<LookAtProcess>(0, change));
   }
 };
 
@@ -41,7 +41,8 @@ TEST_F(PersonWhoIsToldToLook, LooksAtTheTargetAndAwayAgainWithoutAJump) {
   };
   watch(1);
   watch(120);
-  EXPECT_LT(crowd_.system().post_process<LookAtProcess>(0, 0).remaining(crowd_.system().pools()), 0.03F);
+  EXPECT_LT(crowd_.system().agent(0).post_process<LookAtProcess>(0).remaining(crowd_.system().characters().pools(0)),
+            0.03F);
   EXPECT_GT(facing().x, 0.6F);
   tell([](auto& look) { look.look_away(ticks_per_second / 2); });
   watch(60);
@@ -55,7 +56,9 @@ TEST_F(PersonWhoIsToldToLook, FollowsATargetThatMovesFromFrameToFrame) {
     tell([&](auto& look) { look.look_at({2.0F * side, 1.5F, 2.0F}); });
     crowd_.step();
     if (frame < 100) continue;
-    EXPECT_LT(crowd_.system().post_process<LookAtProcess>(0, 0).remaining(crowd_.system().pools()), 0.2F) << frame;
+    EXPECT_LT(crowd_.system().agent(0).post_process<LookAtProcess>(0).remaining(crowd_.system().characters().pools(0)),
+              0.2F)
+        << frame;
   }
 }
 
@@ -65,12 +68,13 @@ TEST_F(PersonWhoIsTold, ReachesForAPlaceWithAHand) {
   auto reach = std::make_unique<ReachProcess>(*crowd_.kinds().limbs, ReachProcess::Settings{.limb = arm});
   reach->set_target(target);
   reach->set_weight(1.0F, ticks_per_second / 4);
-  ASSERT_TRUE(crowd_.system().add_post_process(0, std::move(reach)));
+  ASSERT_TRUE(crowd_.system().agent(0).add_post_process(std::move(reach)));
   crowd_.step(1);
   EXPECT_GT(glm::distance(crowd_.joint("hand.R").position, target), 0.1F);
   crowd_.step(20);
   EXPECT_LT(glm::distance(crowd_.joint("hand.R").position, target), 1e-3F);
-  EXPECT_LT(crowd_.system().post_process<ReachProcess>(0, 0).missed_by(crowd_.system().pools()), 1e-3F);
+  EXPECT_LT(crowd_.system().agent(0).post_process<ReachProcess>(0).missed_by(crowd_.system().characters().pools(0)),
+            1e-3F);
 }
 
 }  // namespace

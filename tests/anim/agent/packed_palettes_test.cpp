@@ -29,8 +29,8 @@ class PackedCrowd {
     system_ = std::move(*AnimationSystem::create(character_, options));
     system_->set_agent_count(agents);
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      system_->play(agent, {.clip = static_cast<int>(agent % 3), .start = to_ticks(0.03 * agent)});
-      if (blends) system_->play(agent, {.clip = static_cast<int>((agent + 1) % 3), .held_fraction = 0.4F});
+      system_->agent(agent).play({.clip = static_cast<int>(agent % 3), .start = to_ticks(0.03 * agent)});
+      if (blends) system_->agent(agent).play({.clip = static_cast<int>((agent + 1) % 3), .held_fraction = 0.4F});
     }
     std::vector<AgentUpdate> updates;
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
@@ -82,11 +82,12 @@ TEST(PackedPalettes, SayWhatFloatOnesSayToFiftyMicrometresAndRadians) {
 }
 
 TEST(PackedPalettes, AreAThirdOfTheBytes) {
-  EXPECT_EQ(PackedCrowd(packed).system().report().palette_bytes * 3, PackedCrowd({}).system().report().palette_bytes);
+  EXPECT_EQ(PackedCrowd(packed).system().figures().report().palette_bytes * 3,
+            PackedCrowd({}).system().figures().report().palette_bytes);
 }
 
 TEST(PackedPalettes, HaveOneHashHoweverTheyAreScheduled) {
-  const std::uint64_t expected = PackedCrowd(packed).system().pose_hash();
+  const std::uint64_t expected = PackedCrowd(packed).system().figures().pose_hash();
   SystemOptions options = packed;
   for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
     options.schedule = schedule;
@@ -94,26 +95,26 @@ TEST(PackedPalettes, HaveOneHashHoweverTheyAreScheduled) {
       options.tile = tile;
       for (const int pus : {1, 3}) {
         options.pus = pus;
-        EXPECT_EQ(PackedCrowd(options).system().pose_hash(), expected) << tile << " " << pus;
+        EXPECT_EQ(PackedCrowd(options).system().figures().pose_hash(), expected) << tile << " " << pus;
       }
     }
   }
 }
 
 TEST(PackedPalettes, HaveAHashOfTheirOwn) {
-  const std::uint64_t hash = PackedCrowd(packed).system().pose_hash();
-  EXPECT_NE(hash, PackedCrowd({}).system().pose_hash());
-  EXPECT_NE(hash, PackedCrowd(packed, false).system().pose_hash());
+  const std::uint64_t hash = PackedCrowd(packed).system().figures().pose_hash();
+  EXPECT_NE(hash, PackedCrowd({}).system().figures().pose_hash());
+  EXPECT_NE(hash, PackedCrowd(packed, false).system().figures().pose_hash());
 }
 
 TEST(PackedPalettes, AreRefusedToSkeletonsThatAreNotRigidWhichKeepMatrices) {
   const PackedCrowd crowd(packed);
-  EXPECT_EQ(crowd.system().palette_format(0), PaletteFormat::packed);
+  EXPECT_EQ(crowd.system().characters().palette_format(0), PaletteFormat::packed);
   Model general = synthetic_model(62, 3);
   general.skeleton.rigid = false;
   for (ReferenceFrame& frame : general.skeleton.references) frame = {};
   const auto system = std::move(*AnimationSystem::create(character_of(general), packed));
-  EXPECT_EQ(system->palette_format(0), PaletteFormat::matrices);
+  EXPECT_EQ(system->characters().palette_format(0), PaletteFormat::matrices);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ PersonCrowd::PersonCrowd(const SystemOptions& options, std::uint32_t agents)
     : system_(std::move(*AnimationSystem::create(person(), options))), kinds_(person_rigs().add_to(*system_)) {
   system_->set_agent_count(agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    system_->play(agent, {.clip = 0, .start = to_ticks(0.07 * (agent % 13))});
+    system_->agent(agent).play({.clip = 0, .start = to_ticks(0.07 * (agent % 13))});
   }
 }
 
@@ -107,7 +107,7 @@ void PersonCrowd::step(int frames, std::uint8_t level) {
 }
 
 PoseView PersonCrowd::pose(std::uint32_t agent) const {
-  return {const_cast<float*>(system_->pose(agent).data()), rigid_components * packet_bones, rigid_components,
+  return {const_cast<float*>(system_->agent(agent).pose().data()), rigid_components * packet_bones, rigid_components,
           marching_person().skeleton.bone_count()};
 }
 

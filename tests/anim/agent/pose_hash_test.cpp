@@ -33,7 +33,7 @@ std::uint64_t hash_of_fading(const SystemOptions& options) { return hash_of_fadi
 std::uint64_t hash_of_every_kind(const SystemOptions& options) {
   EveryKind crowd(options);
   crowd.step(90);
-  return crowd->pose_hash();
+  return crowd->figures().pose_hash();
 }
 
 class PoseHash : public testing::TestWithParam<HashedCrowd> {
@@ -121,7 +121,7 @@ TEST(PoseHashOfCrowds, IsTheSameWhenTheScheduleChangesWhileRunning) {
     ASSERT_TRUE(crowd->configure({.pus = 1 + part % 3, .schedule = schedule}));
     crowd.step(10);
   }
-  EXPECT_EQ(crowd->pose_hash(), hash_of_every_kind({}));
+  EXPECT_EQ(crowd->figures().pose_hash(), hash_of_every_kind({}));
 }
 
 }  // namespace

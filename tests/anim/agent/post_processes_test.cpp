@@ -34,11 +34,12 @@ void add_everything(PersonCrowd& crowd) {
         *kinds.limbs, ReachProcess::Settings{.limb = *person_rigs().limb(CharacterRigs::Limb::left_arm)});
     reach->set_target({0.4F, 1.3F, 0.3F});
     reach->set_weight(0.7F, to_ticks(0.2));
-    EXPECT_TRUE(system.add_post_process(agent, std::move(look)));
-    EXPECT_TRUE(system.add_post_process(agent, std::move(feet)));
-    EXPECT_TRUE(system.add_post_process(agent, std::move(reach)));
-    EXPECT_TRUE(system.add_post_process(agent, std::make_unique<NoiseProcess>(NoiseProcess::Settings{.seed = agent})));
-    EXPECT_TRUE(system.add_post_process(agent, std::make_unique<RagdollProcess>(*kinds.ragdoll)));
+    EXPECT_TRUE(system.agent(agent).add_post_process(std::move(look)));
+    EXPECT_TRUE(system.agent(agent).add_post_process(std::move(feet)));
+    EXPECT_TRUE(system.agent(agent).add_post_process(std::move(reach)));
+    EXPECT_TRUE(
+        system.agent(agent).add_post_process(std::make_unique<NoiseProcess>(NoiseProcess::Settings{.seed = agent})));
+    EXPECT_TRUE(system.agent(agent).add_post_process(std::make_unique<RagdollProcess>(*kinds.ragdoll)));
   }
 }
 
@@ -48,20 +49,20 @@ void play_on(PersonCrowd& crowd, int first, int last) {
   for (int frame = first; frame < last; ++frame) {
     for (std::uint32_t agent = 0; agent < people; ++agent) {
       const auto time = static_cast<float>(frame) * 0.05F + static_cast<float>(agent);
-      EXPECT_TRUE(system.change_process<LookAtProcess>(agent, looks, [&](auto& look) {
+      EXPECT_TRUE(system.agent(agent).change_process<LookAtProcess>(looks, [&](auto& look) {
         look.look_at({2.0F * std::sin(time), 1.5F, 2.0F});
       }));
-      EXPECT_TRUE(system.change_process<FootPlacementProcess>(agent, stands, [&](auto& feet) {
+      EXPECT_TRUE(system.agent(agent).change_process<FootPlacementProcess>(stands, [&](auto& feet) {
         feet.set_placement({.rotation = {1.0F, 0.0F, 0.0F, 0.0F}, .position = {0.01F * time, 0.1F, 0.0F}});
       }));
       if (frame % 40 == static_cast<int>(agent)) {
-        EXPECT_TRUE(system.change_process<RagdollProcess>(agent, falls, [](auto& ragdoll) {
+        EXPECT_TRUE(system.agent(agent).change_process<RagdollProcess>(falls, [](auto& ragdoll) {
           ragdoll.push({0.0F, 5.0F, -60.0F}, {0.0F, 1.3F, 0.1F});
         }));
       }
       if (frame % 40 == static_cast<int>(agent) + 18) {
-        EXPECT_TRUE(system.change_process<RagdollProcess>(
-            agent, falls, [](auto& ragdoll) { ragdoll.recover(ticks_per_second / 5); }));
+        EXPECT_TRUE(system.agent(agent).change_process<RagdollProcess>(
+            falls, [](auto& ragdoll) { ragdoll.recover(ticks_per_second / 5); }));
       }
     }
     crowd.step(1, static_cast<std::uint8_t>(frame % 10 == 9 ? 1 : 0));
@@ -73,7 +74,7 @@ std::uint64_t hash_after(const SystemOptions& options, int frames, const std::fu
   PersonCrowd crowd(options, people);
   add(crowd);
   crowd.step(frames, level);
-  return crowd.system().pose_hash();
+  return crowd.system().figures().pose_hash();
 }
 
 void add_nothing(PersonCrowd&) {}
@@ -87,11 +88,11 @@ TEST(PostProcesses, WithoutWeightAreTheSameBitsAsNone) {
         auto feet = std::make_unique<FootPlacementProcess>(*crowd.kinds().foot_placement);
         feet->set_ground(slope);
         feet->set_weight(0.0F);
-        EXPECT_TRUE(system.add_post_process(agent, std::make_unique<LookAtProcess>(*crowd.kinds().look_at)));
-        EXPECT_TRUE(system.add_post_process(agent, std::move(feet)));
-        EXPECT_TRUE(system.add_post_process(
-            agent, std::make_unique<ReachProcess>(*crowd.kinds().limbs, ReachProcess::Settings{})));
-        EXPECT_TRUE(system.add_post_process(agent, std::make_unique<RagdollProcess>(*crowd.kinds().ragdoll)));
+        EXPECT_TRUE(system.agent(agent).add_post_process(std::make_unique<LookAtProcess>(*crowd.kinds().look_at)));
+        EXPECT_TRUE(system.agent(agent).add_post_process(std::move(feet)));
+        EXPECT_TRUE(system.agent(agent).add_post_process(
+            std::make_unique<ReachProcess>(*crowd.kinds().limbs, ReachProcess::Settings{})));
+        EXPECT_TRUE(system.agent(agent).add_post_process(std::make_unique<RagdollProcess>(*crowd.kinds().ragdoll)));
       }
     }
   };
@@ -108,8 +109,8 @@ TEST(PostProcesses, LeaveALevelOfDetailAloneThatLacksTheirJoints) {
       look->look_at({1.0F, 1.4F, 2.0F});
       auto feet = std::make_unique<FootPlacementProcess>(*crowd.kinds().foot_placement);
       feet->set_ground(slope);
-      EXPECT_TRUE(crowd.system().add_post_process(agent, std::move(look)));
-      EXPECT_TRUE(crowd.system().add_post_process(agent, std::move(feet)));
+      EXPECT_TRUE(crowd.system().agent(agent).add_post_process(std::move(look)));
+      EXPECT_TRUE(crowd.system().agent(agent).add_post_process(std::move(feet)));
     }
   };
   EXPECT_EQ(hash_after({}, 5, add, hips_alone), hash_after({}, 5, add_nothing, hips_alone));
@@ -121,7 +122,7 @@ TEST(PostProcesses, GiveOnePoseHashHoweverTheyAreRun) {
     PersonCrowd crowd(options, people);
     add_everything(crowd);
     play_on(crowd, 0, 70);
-    return crowd.system().pose_hash();
+    return crowd.system().figures().pose_hash();
   };
   const std::uint64_t expected = run({});
   for (const SystemOptions& options : many_options()) {
@@ -138,7 +139,7 @@ TEST(PostProcesses, GoOnThroughChangesOfTheSchedule) {
     play_on(crowd, 25, 50);
     EXPECT_TRUE(!changes || crowd.system().configure({}));
     play_on(crowd, 50, 60);
-    return crowd.system().pose_hash();
+    return crowd.system().figures().pose_hash();
   };
   EXPECT_EQ(run(true), run(false));
 }
@@ -151,11 +152,11 @@ TEST(PostProcesses, AreRestoredFromASnapshotTheSameBits) {
     SystemSnapshot snapshot;
     crowd.system().snapshot(snapshot);
     play_on(crowd, 30, 80);
-    const std::uint64_t expected = crowd.system().pose_hash();
+    const std::uint64_t expected = crowd.system().figures().pose_hash();
     ASSERT_TRUE(crowd.system().restore(snapshot));
     crowd.system().compact();
     play_on(crowd, 30, 80);
-    EXPECT_EQ(crowd.system().pose_hash(), expected);
+    EXPECT_EQ(crowd.system().figures().pose_hash(), expected);
   }
 }
 
@@ -163,8 +164,8 @@ TEST(PostProcesses, GiveEveryEntityBackWhenTheyAreRemoved) {
   PersonCrowd crowd({}, people);
   add_everything(crowd);
   play_on(crowd, 0, 30);
-  for (std::uint32_t agent = 0; agent < people; ++agent) crowd.system().remove_post_processes(agent);
-  const EntityPools& pools = crowd.system().pools();
+  for (std::uint32_t agent = 0; agent < people; ++agent) crowd.system().agent(agent).remove_post_processes();
+  const EntityPools& pools = crowd.system().characters().pools(0);
   for (const auto kind :
        {crowd.kinds().look_at, crowd.kinds().foot_placement, crowd.kinds().limbs, crowd.kinds().ragdoll}) {
     EXPECT_EQ(pools.pool(*kind).memory().bytes_alive, 0U);

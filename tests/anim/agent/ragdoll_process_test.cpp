@@ -16,19 +16,20 @@ using Phase = RagdollProcess::Phase;
 class PersonPushedOver : public testing::Test {
  protected:
   PersonPushedOver() {
-    EXPECT_TRUE(crowd_.system().add_post_process(0, std::make_unique<RagdollProcess>(*crowd_.kinds().ragdoll)));
+    EXPECT_TRUE(crowd_.system().agent(0).add_post_process(std::make_unique<RagdollProcess>(*crowd_.kinds().ragdoll)));
     crowd_.step(2);
     joints_ = crowd_.joints();
   }
   void push(const glm::vec3& impulse = {0.0F, 0.0F, -40.0F}) {
-    EXPECT_TRUE(crowd_.system().change_process<RagdollProcess>(0, 0, [&](auto& ragdoll) {
+    EXPECT_TRUE(crowd_.system().agent(0).change_process<RagdollProcess>(0, [&](auto& ragdoll) {
       ragdoll.push(impulse, {0.0F, 1.3F, 0.0F});
     }));
   }
   void recover(Ticks fade = ticks_per_second) {
-    EXPECT_TRUE(crowd_.system().change_process<RagdollProcess>(0, 0, [&](auto& ragdoll) { ragdoll.recover(fade); }));
+    EXPECT_TRUE(
+        crowd_.system().agent(0).change_process<RagdollProcess>(0, [&](auto& ragdoll) { ragdoll.recover(fade); }));
   }
-  const RagdollProcess& ragdoll() { return crowd_.system().post_process<RagdollProcess>(0, 0); }
+  const RagdollProcess& ragdoll() { return crowd_.system().agent(0).post_process<RagdollProcess>(0); }
   /// The longest way that a joint goes from one frame to the next, in metres.
   double largest_step(int frames) {
     double largest = 0.0;
@@ -51,14 +52,14 @@ TEST_F(PersonPushedOver, FallsLiesStillAndComesBack) {
   push();
   crowd_.step(480);
   EXPECT_EQ(ragdoll().phase(), Phase::down);
-  EXPECT_TRUE(ragdoll().is_asleep(crowd_.system().pools()));
+  EXPECT_TRUE(ragdoll().is_asleep(crowd_.system().characters().pools(0)));
   EXPECT_LT(crowd_.joint("head").position.y, 0.5F);
-  EXPECT_LT(ragdoll().hips(crowd_.system().pools()).y, 0.4F);
+  EXPECT_LT(ragdoll().hips(crowd_.system().characters().pools(0)).y, 0.4F);
   recover();
   crowd_.step(62);
   EXPECT_EQ(ragdoll().phase(), Phase::standing);
   EXPECT_NEAR(crowd_.joint("head").position.y, 1.565F, 0.01F);
-  EXPECT_EQ(crowd_.system().pools().pool(*crowd_.kinds().ragdoll).memory().bytes_alive, 0U);
+  EXPECT_EQ(crowd_.system().characters().pools(0).pool(*crowd_.kinds().ragdoll).memory().bytes_alive, 0U);
 }
 
 // A joint of the march goes 3.6 cm in its fastest frame. At a switch none goes more than 2 cm farther than it might.
@@ -126,15 +127,15 @@ TEST(PersonInASmallStore, StaysAsItIsWhereARagdollHasNoRoom) {
   while (!AnimationSystem::create(person(), {.local_store_bytes = kib * 1024})) ++kib;
   PersonCrowd crowd({.local_store_bytes = kib * 1024});
   PersonCrowd other({.local_store_bytes = kib * 1024});
-  ASSERT_TRUE(crowd.system().add_post_process(0, std::make_unique<RagdollProcess>(*crowd.kinds().ragdoll)));
+  ASSERT_TRUE(crowd.system().agent(0).add_post_process(std::make_unique<RagdollProcess>(*crowd.kinds().ragdoll)));
   const auto push = [](auto& ragdoll) { ragdoll.push({0.0F, 0.0F, -40.0F}, {0.0F, 1.3F, 0.0F}); };
-  const Status pushed = crowd.system().change_process<RagdollProcess>(0, 0, push);
+  const Status pushed = crowd.system().agent(0).change_process<RagdollProcess>(0, push);
   ASSERT_FALSE(pushed);
   EXPECT_NE(pushed.error().message.find("local store"), std::string::npos);
-  EXPECT_EQ(crowd.system().post_process<RagdollProcess>(0, 0).phase(), Phase::standing);
+  EXPECT_EQ(crowd.system().agent(0).post_process<RagdollProcess>(0).phase(), Phase::standing);
   crowd.step(10);
   other.step(10);
-  EXPECT_EQ(crowd.system().pose_hash(), other.system().pose_hash());
+  EXPECT_EQ(crowd.system().figures().pose_hash(), other.system().figures().pose_hash());
 }
 
 TEST_F(PersonPushedOver, FallsTheWayItIsPushed) {

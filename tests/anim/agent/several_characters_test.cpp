@@ -43,14 +43,14 @@ void run(AnimationSystem& system, Palettes& palettes, int frames) {
 }
 
 void play(AnimationSystem& system, std::uint32_t agent, int seed) {
-  system.play(agent, {.clip = seed % 3, .speed = 0.8 + 0.1 * (seed % 5)});
-  if (seed % 2 == 0) system.play(agent, {.clip = (seed + 1) % 3, .fade = 20 * frame});
+  system.agent(agent).play({.clip = seed % 3, .speed = 0.8 + 0.1 * (seed % 5)});
+  if (seed % 2 == 0) system.agent(agent).play({.clip = (seed + 1) % 3, .fade = 20 * frame});
 }
 
 std::unique_ptr<AnimationSystem> mixed_crowd(const SystemOptions& options, std::uint32_t agents_of_each) {
   auto system = std::move(*AnimationSystem::create(character_of(bone_counts[0]), options));
-  EXPECT_EQ(*system->add_character(character_of(bone_counts[1])), 1U);
-  EXPECT_EQ(*system->add_character(character_of(bone_counts[2])), 2U);
+  EXPECT_EQ(*system->characters().add(character_of(bone_counts[1])), 1U);
+  EXPECT_EQ(*system->characters().add(character_of(bone_counts[2])), 2U);
   for (std::uint32_t i = 0; i < agents_of_each; ++i) {
     for (std::uint32_t character = 0; character < bone_counts.size(); ++character) {
       const std::uint32_t agent = system->add_agents(1, character);
@@ -83,7 +83,7 @@ TEST(SeveralCharacters, HaveOneHashUnderEveryScheduleTileAndNumberOfPus) {
     const auto system = mixed_crowd(options, 13);
     Palettes palettes(system->agent_count());
     run(*system, palettes, 12);
-    return system->pose_hash();
+    return system->figures().pose_hash();
   };
   const std::uint64_t expected = hash({});
   EXPECT_EQ(hash({.schedule = Schedule::levels}), expected);
@@ -95,8 +95,8 @@ TEST(SeveralCharacters, HaveOneHashUnderEveryScheduleTileAndNumberOfPus) {
 TEST(SeveralCharacters, AreRefusedWhereTheLocalStoreIsTooSmallForOneAndNothingHasChanged) {
   auto system = std::move(*AnimationSystem::create(character_of(20), {.local_store_bytes = 8 * 1024}));
   system->set_agent_count(1);
-  system->play(0, {.clip = 0});
-  const auto added = system->add_character(character_of(900));
+  system->agent(0).play({.clip = 0});
+  const auto added = system->characters().add(character_of(900));
   ASSERT_FALSE(added.has_value());
   EXPECT_NE(added.error().message.find("local store"), std::string::npos) << added.error().message;
   Palettes palettes(1);
@@ -109,17 +109,17 @@ TEST(SeveralCharacters, OneThatPlaysFromKeysDoesNotNarrowTheTilesOfTheOthers) {
   auto system = std::move(*AnimationSystem::create(character_of(62), options));
   Character steps = bake_character(synthetic_model(1, 1));
   steps.clips[0].sampled_block = nullptr;
-  const auto added = system->add_character(std::make_shared<const Character>(std::move(steps)));
+  const auto added = system->characters().add(std::make_shared<const Character>(std::move(steps)));
   ASSERT_TRUE(added.has_value()) << added.error().message;
-  EXPECT_EQ(system->schedule().plan.width, 16);
+  EXPECT_EQ(system->figures().schedule().plan.width, 16);
 }
 
 TEST(SeveralCharacters, BeyondWhatASystemAnimatesAreRefused) {
   auto system = std::move(*AnimationSystem::create(character_of(2), {}));
   for (std::uint32_t number = 1; number < most_skeletons; ++number) {
-    ASSERT_TRUE(system->add_character(character_of(2)).has_value()) << number;
+    ASSERT_TRUE(system->characters().add(character_of(2)).has_value()) << number;
   }
-  const auto added = system->add_character(character_of(2));
+  const auto added = system->characters().add(character_of(2));
   ASSERT_FALSE(added.has_value());
   EXPECT_NE(added.error().message.find("at most 32"), std::string::npos) << added.error().message;
 }
@@ -131,8 +131,8 @@ TEST(CutScene, PlacesAgentsACameraAndAPropByTheirAbsoluteRoots) {
   const Ticks duration = walker.clips[0].duration;
   walker.clips[0].root_motion = straight_root_curve(duration, {0.0, 0.0, 2.0});
   auto system = std::move(*AnimationSystem::create(std::make_shared<const Character>(std::move(walker)), {}));
-  const std::uint32_t camera_kind = *system->add_character(character_of(2));
-  const std::uint32_t prop_kind = *system->add_character(character_of(20));
+  const std::uint32_t camera_kind = *system->characters().add(character_of(2));
+  const std::uint32_t prop_kind = *system->characters().add(character_of(20));
   const std::uint32_t actor = system->add_agents(1, 0);
   const std::uint32_t camera = system->add_agents(1, camera_kind);
   const std::uint32_t prop = system->add_agents(1, prop_kind);
@@ -141,28 +141,28 @@ TEST(CutScene, PlacesAgentsACameraAndAPropByTheirAbsoluteRoots) {
   const AbsoluteRoot scene{.position = {10.0, 0.5, -3.0},
                            .rotation = glm::angleAxis(glm::half_pi<float>(), glm::vec3(0.0F, 1.0F, 0.0F))};
   for (const std::uint32_t agent : {actor, camera, prop}) {
-    system->play(agent, {.clip = 0, .loop = false, .absolute_root = scene});
+    system->agent(agent).play({.clip = 0, .loop = false, .absolute_root = scene});
   }
-  system->play(bystander, {.clip = 0});
+  system->agent(bystander).play({.clip = 0});
 
   Palettes palettes(4);
   std::vector<AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < 4; ++agent) updates.push_back({.agent = agent, .palette = palettes.of(agent)});
   system->advance(duration / 2);
   system->update(updates);
-  const auto actor_root = system->motion(actor).absolute_root(system->clock());
+  const auto actor_root = system->agent(actor).motion().absolute_root(system->clock());
   ASSERT_TRUE(actor_root.has_value());
   EXPECT_NEAR(actor_root->position.x, 11.0, 1e-6) << "half of two metres, turned from +Z to +X";
   EXPECT_NEAR(actor_root->position.z, -3.0, 1e-6);
   for (const std::uint32_t agent : {camera, prop}) {
-    const auto root = system->motion(agent).absolute_root(system->clock());
+    const auto root = system->agent(agent).motion().absolute_root(system->clock());
     ASSERT_TRUE(root.has_value());
     EXPECT_EQ(root->position, scene.position) << "its clip moves bones, not the root";
   }
-  EXPECT_FALSE(system->motion(bystander).absolute_root(system->clock()).has_value());
+  EXPECT_FALSE(system->agent(bystander).motion().absolute_root(system->clock()).has_value());
 
   system->advance(10 * duration);
-  EXPECT_NEAR(system->motion(actor).absolute_root(system->clock())->position.x, 12.0, 1e-6)
+  EXPECT_NEAR(system->agent(actor).motion().absolute_root(system->clock())->position.x, 12.0, 1e-6)
       << "the scene holds its end";
 }
 

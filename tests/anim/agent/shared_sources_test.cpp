@@ -21,22 +21,23 @@ constexpr std::size_t kib = 1024;
 struct DeepTrees {
   explicit DeepTrees(const SystemOptions& options, std::uint32_t agents = 16) : crowd(options, agents) {
     for (int clip = 0; clip < 6; ++clip) {
-      const auto added =
-          crowd->add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = clip % 5, .speed = 0.5 + 0.2 * clip}));
+      const auto added = crowd->characters().add_shared(
+          std::make_unique<SimpleChannel>(PlayerStart{.clip = clip % 5, .speed = 0.5 + 0.2 * clip}));
       EXPECT_TRUE(added) << added.error().message;
       shared.push_back(*added);
     }
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      const Status added = crowd->add_channel(agent, std::make_unique<FixedChannel>([&](const EntityBuilder& build) {
-                                                std::vector<Handle> made;
-                                                Handle below = shared[0];
-                                                for (std::size_t depth = 1; depth <= 5; ++depth) {
-                                                  const float share = 0.1F * static_cast<float>((agent + depth) % 9);
-                                                  below = build.hold(below, shared[depth], share);
-                                                  made.push_back(below);
-                                                }
-                                                return made;
-                                              }));
+      const Status added =
+          crowd->agent(agent).add_channel(std::make_unique<FixedChannel>([&](const EntityBuilder& build) {
+            std::vector<Handle> made;
+            Handle below = shared[0];
+            for (std::size_t depth = 1; depth <= 5; ++depth) {
+              const float share = 0.1F * static_cast<float>((agent + depth) % 9);
+              below = build.hold(below, shared[depth], share);
+              made.push_back(below);
+            }
+            return made;
+          }));
       EXPECT_TRUE(added) << added.error().message;
     }
   }
@@ -47,22 +48,23 @@ struct DeepTrees {
 TEST(SharedSources, ATreeFiveDeepFetchesEachOnceATileAndWritesNoneBack) {
   DeepTrees trees({.local_store_bytes = 256 * kib});
   const AnimationSystem& system = *trees.crowd;
-  const EntityPools& pools = system.pools();
+  const EntityPools& pools = system.characters().pools(0);
   ASSERT_EQ(trees.crowd.depth(), 6U) << "five blenders and a player";
   const Character& character = *test_character();
   const UpdateContext context{.hierarchy = &character.hierarchy,
                               .assets = {.clips = {},
                                          .masks = {},
                                          .selections = {},
-                                         .kernels = &system.kernels(),
+                                         .kernels = &system.figures().kernels(),
                                          .bone_count = character.skeleton.bone_count(),
                                          .components = character.skeleton.components()},
                               .level_bone_counts = character.skeleton.level_bone_counts,
                               .pools = &pools};
   std::vector<AgentWork> work;
   for (std::uint32_t agent = 0; agent < 16; ++agent)
-    work.push_back(
-        {.program = &system.program(agent), .entities = system.graph(agent).entities.data(), .agent = agent});
+    work.push_back({.program = &system.agent(agent).program(),
+                    .entities = system.agent(agent).graph().entities.data(),
+                    .agent = agent});
   StoreNeeds needs;
   for (const AgentWork& agent : work) needs.widen(agent.program->needs);
   const std::vector<Tile> tiles{{.first = 0, .count = 4, .first_run = 0, .run_count = 1, .needs = needs},
@@ -98,7 +100,7 @@ TEST(SharedSources, CostWhatTheirBlocksTakeOnceATile) {
   DeepTrees trees({.local_store_bytes = 256 * kib, .tile = 16, .double_buffering = DoubleBuffering::off});
   trees.crowd.step();
   const std::uint64_t block = 128 + pose_bytes(40, rigid_components);
-  const CopyCounts counts = trees.crowd->report().copies;
+  const CopyCounts counts = trees.crowd->figures().report().copies;
   EXPECT_EQ(counts.bytes_in, 6 * block + 16 * 5 * 64 + 6 * block) << "updated once, then read by one tile";
   EXPECT_EQ(counts.bytes_out, 6 * block + 16 * 5 * 64);
 }
@@ -111,7 +113,8 @@ TEST(SharedSources, AreTheSameForAnyPusSchedulesAndTiles) {
       for (const int tile : {1, 4, 0}) {
         DeepTrees trees({.pus = pus, .tile = tile, .schedule = schedule});
         trees.crowd.step(60);
-        EXPECT_EQ(trees.crowd->pose_hash(), reference.crowd->pose_hash()) << pus << " PUs, tiles of " << tile;
+        EXPECT_EQ(trees.crowd->figures().pose_hash(), reference.crowd->figures().pose_hash())
+            << pus << " PUs, tiles of " << tile;
       }
     }
   }
@@ -119,7 +122,7 @@ TEST(SharedSources, AreTheSameForAnyPusSchedulesAndTiles) {
 
 TEST(SharedSources, GiveTheBitsOfAPlayerOfTheAgentsOwn) {
   CrowdRig with;
-  const Handle shared = *with->add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = 2}));
+  const Handle shared = *with->characters().add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = 2}));
   CrowdRig without;
   const auto half = [](Handle other) {
     return std::make_unique<FixedChannel>([other](const EntityBuilder& build) {
@@ -129,17 +132,17 @@ TEST(SharedSources, GiveTheBitsOfAPlayerOfTheAgentsOwn) {
       return std::vector{one, own, build.hold(one, own, 0.5F)};
     });
   };
-  ASSERT_TRUE(with->add_channel(0, half(shared)));
-  ASSERT_TRUE(without->add_channel(0, half({})));
+  ASSERT_TRUE(with->agent(0).add_channel(half(shared)));
+  ASSERT_TRUE(without->agent(0).add_channel(half({})));
   with.step(100);
   without.step(100);
-  EXPECT_EQ(with->pose_hash(), without->pose_hash());
+  EXPECT_EQ(with->figures().pose_hash(), without->figures().pose_hash());
 }
 
 TEST(SharedSources, MayBeAnAgentsWholePose) {
   for (const Schedule schedule : {Schedule::fused, Schedule::levels}) {
     CrowdRig crowd({.schedule = schedule}, 3);
-    const Handle shared = *crowd->add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = 2}));
+    const Handle shared = *crowd->characters().add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = 2}));
     struct Reading final : Channel {
       explicit Reading(Handle handle) : root(handle) {}
       Handle state() const override { return root; }
@@ -150,10 +153,10 @@ TEST(SharedSources, MayBeAnAgentsWholePose) {
       Handle root;
     };
     for (std::uint32_t agent = 0; agent < 3; ++agent) {
-      ASSERT_TRUE(crowd->add_channel(agent, std::make_unique<Reading>(shared)));
+      ASSERT_TRUE(crowd->agent(agent).add_channel(std::make_unique<Reading>(shared)));
     }
     CrowdRig plain;
-    plain->play(0, {.clip = 2});
+    plain->agent(0).play({.clip = 2});
     crowd.step(30);
     plain.step(30);
     for (std::uint32_t agent = 0; agent < 3; ++agent) {
@@ -164,9 +167,9 @@ TEST(SharedSources, MayBeAnAgentsWholePose) {
 
 TEST(SharedSources, MayReadEarlierOnes) {
   DeepTrees trees({.pus = 3});
-  const Handle above = *trees.crowd->add_shared(std::make_unique<FixedChannel>(
+  const Handle above = *trees.crowd->characters().add_shared(std::make_unique<FixedChannel>(
       [&](const EntityBuilder& build) { return std::vector{build.hold(trees.shared[0], trees.shared[1], 0.5F)}; }));
-  EXPECT_EQ(trees.crowd->pools().state(above).priority, highest_priority - 1);
+  EXPECT_EQ(trees.crowd->characters().pools(0).state(above).priority, highest_priority - 1);
   trees.crowd.step(10);
 }
 
@@ -181,7 +184,7 @@ TEST(SharedSources, AreReadWithoutLookAhead) {
       updates.push_back({.agent = agent, .look_ahead = 5 * frame_ticks});
     ahead.crowd->update(updates);
   }
-  EXPECT_EQ(ahead.crowd->pose_hash(), now.crowd->pose_hash());
+  EXPECT_EQ(ahead.crowd->figures().pose_hash(), now.crowd->figures().pose_hash());
 }
 
 TEST(SharedSources, GoOnWhereAFrameWithoutAgentsLeftThem) {
@@ -203,19 +206,19 @@ std::uint64_t hash_of_sources_apart(int tile) {
   for (std::uint32_t agent = 0; agent < 16; ++agent) {
     std::vector<Handle> shared;
     for (int i = 0; i < 8; ++i) {
-      shared.push_back(*crowd->add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = i % 5})));
+      shared.push_back(*crowd->characters().add_shared(std::make_unique<SimpleChannel>(PlayerStart{.clip = i % 5})));
     }
-    EXPECT_TRUE(crowd->add_channel(agent, std::make_unique<FixedChannel>([shared](const EntityBuilder& build) {
-                                     std::vector<Handle> made{shared[0]};
-                                     for (std::size_t i = 1; i < shared.size(); ++i) {
-                                       made.push_back(build.hold(made.back(), shared[i], 0.5F));
-                                     }
-                                     made.erase(made.begin());
-                                     return made;
-                                   })));
+    EXPECT_TRUE(crowd->agent(agent).add_channel(std::make_unique<FixedChannel>([shared](const EntityBuilder& build) {
+      std::vector<Handle> made{shared[0]};
+      for (std::size_t i = 1; i < shared.size(); ++i) {
+        made.push_back(build.hold(made.back(), shared[i], 0.5F));
+      }
+      made.erase(made.begin());
+      return made;
+    })));
   }
   crowd.step(5);
-  return crowd->pose_hash();
+  return crowd->figures().pose_hash();
 }
 
 TEST(SharedSources, MoreThanATileCanListAreSpreadOverSmallerTiles) {
@@ -224,10 +227,10 @@ TEST(SharedSources, MoreThanATileCanListAreSpreadOverSmallerTiles) {
 
 TEST(SharedSources, ThatPlayNothingOrHaveACycleAreRefused) {
   CrowdRig crowd;
-  const auto nothing = crowd->add_shared(std::make_unique<CrossFadeChannel>());
+  const auto nothing = crowd->characters().add_shared(std::make_unique<CrossFadeChannel>());
   ASSERT_FALSE(nothing);
   EXPECT_EQ(nothing.error().message, "a shared channel must play something");
-  const auto cycle = crowd->add_shared(std::make_unique<FixedChannel>([](const EntityBuilder& build) {
+  const auto cycle = crowd->characters().add_shared(std::make_unique<FixedChannel>([](const EntityBuilder& build) {
     const Handle player = build.player({});
     const Handle blender = build.hold(player, player, 0.5F);
     build.as<EaseBlender>(blender).to = blender;
@@ -235,7 +238,7 @@ TEST(SharedSources, ThatPlayNothingOrHaveACycleAreRefused) {
   }));
   ASSERT_FALSE(cycle);
   EXPECT_THAT(cycle.error().message, testing::HasSubstr("among its own sources"));
-  EXPECT_EQ(crowd->pools().shared_pool(EntityPools::sampled_players).alive_count(), 0U);
+  EXPECT_EQ(crowd->characters().pools(0).shared_pool(EntityPools::sampled_players).alive_count(), 0U);
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ void expect_the_same_again(const SystemOptions& options) {
   crowd.step(ten_seconds);
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
-  const std::uint64_t before = crowd->pose_hash();
+  const std::uint64_t before = crowd->figures().pose_hash();
   crowd.step(ten_seconds);
-  const std::uint64_t after = crowd->pose_hash();
+  const std::uint64_t after = crowd->figures().pose_hash();
   EXPECT_NE(after, before);
   ASSERT_TRUE(crowd->restore(snapshot));
-  EXPECT_EQ(crowd->pose_hash(), before);
+  EXPECT_EQ(crowd->figures().pose_hash(), before);
   crowd.step(ten_seconds);
-  EXPECT_EQ(crowd->pose_hash(), after);
+  EXPECT_EQ(crowd->figures().pose_hash(), after);
 }
 
 TEST(Snapshot, RestoredGoesOnToTheSamePosesUnderFused) { expect_the_same_again({.pus = 2}); }
@@ -32,7 +32,7 @@ TEST(Snapshot, RestoredGoesOnToTheSamePosesUnderLevels) { expect_the_same_again(
 TEST(Snapshot, HasEveryKindOfEntityInPlay) {
   EveryKind crowd;
   crowd.step(100);
-  const EntityPools& pools = crowd->pools();
+  const EntityPools& pools = crowd->characters().pools(0);
   std::size_t shared = 0;
   for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
     shared += pools.shared_pool(kind).alive_count();
@@ -51,8 +51,8 @@ TEST(Snapshot, MayBeRestoredAgainAndAgain) {
   for (int time = 0; time < 3; ++time) {
     ASSERT_TRUE(crowd->restore(snapshot));
     crowd.step(50);
-    if (time == 0) hash = crowd->pose_hash();
-    EXPECT_EQ(crowd->pose_hash(), hash);
+    if (time == 0) hash = crowd->figures().pose_hash();
+    EXPECT_EQ(crowd->figures().pose_hash(), hash);
   }
 }
 
@@ -62,12 +62,12 @@ TEST(Snapshot, IsWholeWhateverWasCompactedInBetween) {
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
   crowd.step(200);
-  const std::uint64_t hash = crowd->pose_hash();
+  const std::uint64_t hash = crowd->figures().pose_hash();
   crowd->compact();
   ASSERT_TRUE(crowd->restore(snapshot));
   crowd->compact();
   crowd.step(200);
-  EXPECT_EQ(crowd->pose_hash(), hash);
+  EXPECT_EQ(crowd->figures().pose_hash(), hash);
 }
 
 TEST(Compaction, WhileRunningChangesNoBit) {
@@ -83,7 +83,7 @@ TEST(Compaction, WhileRunningChangesNoBit) {
       moved += done.blocks_moved;
     }
     EXPECT_GT(moved, 0U);
-    EXPECT_EQ(compacted->pose_hash(), left->pose_hash());
+    EXPECT_EQ(compacted->figures().pose_hash(), left->figures().pose_hash());
   }
 }
 
@@ -93,12 +93,12 @@ TEST(Snapshot, OfAnotherCrowdCountBringsItsAgentsBack) {
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
   crowd.step(20);
-  const std::uint64_t hash = crowd->pose_hash();
+  const std::uint64_t hash = crowd->figures().pose_hash();
   crowd->set_agent_count(3);
   ASSERT_TRUE(crowd->restore(snapshot));
   EXPECT_EQ(crowd->agent_count(), EveryKind::agents);
   crowd.step(20);
-  EXPECT_EQ(crowd->pose_hash(), hash);
+  EXPECT_EQ(crowd->figures().pose_hash(), hash);
 }
 
 TEST(Snapshot, IsRefusedUnderAScheduleOfOtherBlocksAndNothingChanges) {
@@ -108,24 +108,24 @@ TEST(Snapshot, IsRefusedUnderAScheduleOfOtherBlocksAndNothingChanges) {
   crowd->snapshot(snapshot);
   ASSERT_TRUE(crowd->configure({.schedule = Schedule::levels}));
   crowd.step(20);
-  const std::uint64_t hash = crowd->pose_hash();
+  const std::uint64_t hash = crowd->figures().pose_hash();
   EXPECT_FALSE(crowd->restore(snapshot));
-  EXPECT_EQ(crowd->pose_hash(), hash);
+  EXPECT_EQ(crowd->figures().pose_hash(), hash);
   crowd.step(20);
 }
 
 TEST(Snapshot, IsRefusedWhereItsGraphsHaveNoRoom) {
   CrowdRig crowd({.local_store_bytes = 256 * 1024});
-  crowd->play(0, {.clip = 0});
+  crowd->agent(0).play({.clip = 0});
   for (int layer = 0; layer < 30; ++layer) {
-    ASSERT_TRUE(crowd->add_channel(0, std::make_unique<SimpleChannel>(PlayerStart{.clip = 1})));
+    ASSERT_TRUE(crowd->agent(0).add_channel(std::make_unique<SimpleChannel>(PlayerStart{.clip = 1})));
   }
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
-  while (crowd->channel_count(0) > 1) crowd->remove_channel(0, 1);
+  while (crowd->agent(0).channel_count() > 1) crowd->agent(0).remove_channel(1);
   ASSERT_TRUE(crowd->configure({.local_store_bytes = 16 * 1024}));
   EXPECT_FALSE(crowd->restore(snapshot));
-  EXPECT_EQ(crowd->channel_count(0), 1U);
+  EXPECT_EQ(crowd->agent(0).channel_count(), 1U);
   crowd.step();
 }
 

@@ -53,13 +53,13 @@ class RandomIdleChannel final : public Channel {
 
 CrowdRig idling(unsigned seed, const SystemOptions& options = {}) {
   CrowdRig crowd(options);
-  const Status added = crowd->add_channel(0, std::make_unique<RandomIdleChannel>(std::vector{1, 2, 4}, seed));
+  const Status added = crowd->agent(0).add_channel(std::make_unique<RandomIdleChannel>(std::vector{1, 2, 4}, seed));
   EXPECT_TRUE(added) << added.error().message;
   return crowd;
 }
 
 const RandomIdleChannel& channel_of(const CrowdRig& crowd) {
-  return static_cast<const RandomIdleChannel&>(crowd->channel(0, 0));
+  return static_cast<const RandomIdleChannel&>(crowd->agent(0).channel(0));
 }
 
 TEST(UserChannel, PlaysOneIdleAfterTheOther) {
@@ -69,14 +69,15 @@ TEST(UserChannel, PlaysOneIdleAfterTheOther) {
   EXPECT_GE(channel_of(crowd).idles_played(), 9) << "none is longer than 1.1 s";
   EXPECT_LE(channel_of(crowd).idles_played(), 12) << "none is shorter than 0.9 s";
   EXPECT_EQ(crowd.entities(), 1U);
-  EXPECT_EQ(crowd->pools().pool(EntityPools::sampled_players).alive_count(), 1U) << "the others went back";
+  EXPECT_EQ(crowd->characters().pools(0).pool(EntityPools::sampled_players).alive_count(), 1U)
+      << "the others went back";
 }
 
 TEST(UserChannel, ShowsTheClipThatItPlays) {
   CrowdRig crowd(SystemOptions{});
-  ASSERT_TRUE(crowd->add_channel(0, std::make_unique<RandomIdleChannel>(std::vector{3}, 1U)));
+  ASSERT_TRUE(crowd->agent(0).add_channel(std::make_unique<RandomIdleChannel>(std::vector{3}, 1U)));
   CrowdRig plain;
-  plain->play(0, {.clip = 3, .loop = false});
+  plain->agent(0).play({.clip = 3, .loop = false});
   crowd.step(20);
   plain.step(20);
   EXPECT_TRUE(crowd.bones_unlike(plain).empty());
@@ -89,8 +90,8 @@ TEST(UserChannel, IsTheSameUnderEverySchedule) {
   fused.step(300);
   levels.step(300);
   other.step(300);
-  EXPECT_EQ(fused->pose_hash(), levels->pose_hash());
-  EXPECT_NE(fused->pose_hash(), other->pose_hash());
+  EXPECT_EQ(fused->figures().pose_hash(), levels->figures().pose_hash());
+  EXPECT_NE(fused->figures().pose_hash(), other->figures().pose_hash());
 }
 
 TEST(UserChannel, GoesOnAcrossAChangeOfStream) {
@@ -98,8 +99,8 @@ TEST(UserChannel, GoesOnAcrossAChangeOfStream) {
   crowd.step(30);
   ASSERT_TRUE(crowd->configure({.stream = StreamKind::keyframe}));
   crowd.step(300);
-  EXPECT_EQ(crowd->pools().pool(EntityPools::sampled_players).alive_count(), 0U);
-  EXPECT_EQ(crowd->pools().pool(EntityPools::keyframe_players).alive_count(), 1U);
+  EXPECT_EQ(crowd->characters().pools(0).pool(EntityPools::sampled_players).alive_count(), 0U);
+  EXPECT_EQ(crowd->characters().pools(0).pool(EntityPools::keyframe_players).alive_count(), 1U);
 }
 
 TEST(UserChannel, PlaysTheSameIdlesAgainAfterARewind) {
@@ -108,10 +109,10 @@ TEST(UserChannel, PlaysTheSameIdlesAgainAfterARewind) {
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
   crowd.step(300);
-  const std::uint64_t hash = crowd->pose_hash();
+  const std::uint64_t hash = crowd->figures().pose_hash();
   ASSERT_TRUE(crowd->restore(snapshot));
   crowd.step(300);
-  EXPECT_EQ(crowd->pose_hash(), hash);
+  EXPECT_EQ(crowd->figures().pose_hash(), hash);
 }
 
 }  // namespace

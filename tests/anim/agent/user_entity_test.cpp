@@ -75,13 +75,14 @@ Handle make_sway(const EntityBuilder& build, EntityPools::Kind kind) {
 /// Half a clip, half a sway.
 CrowdRig swaying(const SystemOptions& options, std::uint32_t agents = 3) {
   CrowdRig crowd(options, agents);
-  const EntityPools::Kind kind = crowd->add_entity_kind(sway_kind);
+  const EntityPools::Kind kind = crowd->characters().add_entity_kind(sway_kind);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    const Status added = crowd->add_channel(agent, std::make_unique<FixedChannel>([kind](const EntityBuilder& build) {
-                                              const Handle player = build.player({.clip = 2});
-                                              const Handle sway = make_sway(build, kind);
-                                              return std::vector{player, sway, build.hold(player, sway, 0.5F)};
-                                            }));
+    const Status added =
+        crowd->agent(agent).add_channel(std::make_unique<FixedChannel>([kind](const EntityBuilder& build) {
+          const Handle player = build.player({.clip = 2});
+          const Handle sway = make_sway(build, kind);
+          return std::vector{player, sway, build.hold(player, sway, 0.5F)};
+        }));
     EXPECT_TRUE(added) << added.error().message;
   }
   return crowd;
@@ -90,7 +91,7 @@ CrowdRig swaying(const SystemOptions& options, std::uint32_t agents = 3) {
 TEST(UserEntity, IsASourceOfABlenderAsPlayersAre) {
   CrowdRig crowd = swaying({});
   CrowdRig plain({}, 3);
-  for (std::uint32_t agent = 0; agent < 3; ++agent) plain->play(agent, {.clip = 2});
+  for (std::uint32_t agent = 0; agent < 3; ++agent) plain->agent(agent).play({.clip = 2});
   crowd.step(30);
   plain.step(30);
   EXPECT_EQ(crowd.bones_unlike(plain).size(), static_cast<std::size_t>(test_character()->skeleton.bone_count()));
@@ -103,13 +104,13 @@ TEST(UserEntity, IsToldApartFromOursByNothing) {
     CrowdRig levels = swaying({.pus = pus, .schedule = Schedule::levels});
     fused.step(100);
     levels.step(100);
-    EXPECT_EQ(fused->pose_hash(), levels->pose_hash());
+    EXPECT_EQ(fused->figures().pose_hash(), levels->figures().pose_hash());
   }
 }
 
 TEST(UserEntity, HasAPoolOfItsOwn) {
   CrowdRig crowd = swaying({}, 5);
-  const EntityPools& pools = crowd->pools();
+  const EntityPools& pools = crowd->characters().pools(0);
   const EntityPools::Kind kind = pools.kind_count() - 1;
   EXPECT_STREQ(pools.layout(kind).kind->name, "sway");
   EXPECT_EQ(pools.pool(kind).alive_count(), 5U);
@@ -121,9 +122,9 @@ TEST(UserEntity, HasAPoolOfItsOwn) {
 TEST(UserEntity, IsFetchedWholeUnlessItsKindSaysWhatItDoesNotRead) {
   CrowdRig crowd = swaying({}, 1);
   crowd.step();
-  const EntityPools& pools = crowd->pools();
+  const EntityPools& pools = crowd->characters().pools(0);
   const std::uint64_t changing = entity_header_bytes - identity_bytes;  // of the player and the blender
-  EXPECT_EQ(crowd->report().copies.bytes_in, 2 * changing + pools.layout(pools.kind_count() - 1).total_size);
+  EXPECT_EQ(crowd->figures().report().copies.bytes_in, 2 * changing + pools.layout(pools.kind_count() - 1).total_size);
 }
 
 TEST(UserEntity, IsRewoundWithAllOthers) {
@@ -132,19 +133,19 @@ TEST(UserEntity, IsRewoundWithAllOthers) {
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
   crowd.step(50);
-  const std::uint64_t hash = crowd->pose_hash();
+  const std::uint64_t hash = crowd->figures().pose_hash();
   ASSERT_TRUE(crowd->restore(snapshot));
   crowd->compact();
   crowd.step(50);
-  EXPECT_EQ(crowd->pose_hash(), hash);
+  EXPECT_EQ(crowd->figures().pose_hash(), hash);
 }
 
 TEST(UserEntity, OfAKindThatIsNewSinceASnapshotKeepsItFromBeingRestored) {
   CrowdRig crowd;
-  crowd->play(0, {.clip = 0});
+  crowd->agent(0).play({.clip = 0});
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
-  crowd->add_entity_kind(sway_kind);
+  crowd->characters().add_entity_kind(sway_kind);
   const Status restored = crowd->restore(snapshot);
   ASSERT_FALSE(restored);
   EXPECT_EQ(restored.error().message, "kinds of entities were added since this snapshot: take another one");

@@ -75,11 +75,12 @@ class TiltProcess final : public PostProcess {
 constexpr int neck = 5;
 
 struct Dancer {
-  explicit Dancer(const SystemOptions& options = {}) : crowd(options), tilts(crowd->add_entity_kind(tilt_kind)) {
-    crowd->play(0, {.clip = 1});
+  explicit Dancer(const SystemOptions& options = {})
+      : crowd(options), tilts(crowd->characters().add_entity_kind(tilt_kind)) {
+    crowd->agent(0).play({.clip = 1});
   }
   void tilt(float radians) {
-    const Status added = crowd->add_post_process(0, std::make_unique<TiltProcess>(tilts, neck, radians));
+    const Status added = crowd->agent(0).add_post_process(std::make_unique<TiltProcess>(tilts, neck, radians));
     EXPECT_TRUE(added) << added.error().message;
   }
   CrowdRig crowd;
@@ -109,12 +110,12 @@ TEST(UserPostProcess, TwoThatAreIdentitiesGiveTheSameBitsAsNone) {
   Dancer plain;
   Dancer processed;
   processed.tilt(0.0F);
-  ASSERT_TRUE(
-      processed.crowd->add_post_process(0, std::make_unique<NoiseProcess>(NoiseProcess::Settings{.amplitude = 0.0F})));
+  ASSERT_TRUE(processed.crowd->agent(0).add_post_process(
+      std::make_unique<NoiseProcess>(NoiseProcess::Settings{.amplitude = 0.0F})));
   plain.crowd.step(60);
   processed.crowd.step(60);
   EXPECT_EQ(processed.crowd.entities(), 3U);
-  EXPECT_EQ(processed.crowd->pose_hash(), plain.crowd->pose_hash());
+  EXPECT_EQ(processed.crowd->figures().pose_hash(), plain.crowd->figures().pose_hash());
 }
 
 TEST(UserPostProcess, SeveralAreAppliedOneOnTopOfTheOther) {
@@ -141,10 +142,10 @@ TEST(UserPostProcess, IsTheSameUnderEverySchedule) {
   Dancer levels({.schedule = Schedule::levels});
   for (Dancer* dancer : {&fused, &levels}) {
     dancer->tilt(0.5F);
-    dancer->crowd->play(0, {.clip = 2, .fade = 20 * frame_ticks});
+    dancer->crowd->agent(0).play({.clip = 2, .fade = 20 * frame_ticks});
     dancer->crowd.step(40);
   }
-  EXPECT_EQ(fused.crowd->pose_hash(), levels.crowd->pose_hash());
+  EXPECT_EQ(fused.crowd->figures().pose_hash(), levels.crowd->figures().pose_hash());
 }
 
 TEST(UserPostProcess, GoesAndGivesItsEntityBack) {
@@ -153,11 +154,11 @@ TEST(UserPostProcess, GoesAndGivesItsEntityBack) {
   tilted.tilt(0.5F);
   plain.crowd.step(10);
   tilted.crowd.step(10);
-  tilted.crowd->remove_post_processes(0);
+  tilted.crowd->agent(0).remove_post_processes();
   plain.crowd.step();
   tilted.crowd.step();
   EXPECT_TRUE(tilted.crowd.bones_unlike(plain.crowd).empty());
-  EXPECT_EQ(tilted.crowd->pools().pool(tilted.tilts).alive_count(), 0U);
+  EXPECT_EQ(tilted.crowd->characters().pools(0).pool(tilted.tilts).alive_count(), 0U);
 }
 
 }  // namespace

@@ -30,13 +30,13 @@ CopyCounts counts_of_one_frame(SystemOptions options, StreamKind stream, int pus
   (*system)->set_agent_count(agents);
   std::vector<AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    (*system)->play(agent, {.clip = 0});
-    (*system)->play(agent, {.clip = 1, .fade = ticks_per_second});
+    (*system)->agent(agent).play({.clip = 0});
+    (*system)->agent(agent).play({.clip = 1, .fade = ticks_per_second});
     updates.push_back({.agent = agent});
   }
   (*system)->advance(ticks_per_second / 60);
   (*system)->update(updates);
-  return (*system)->report().copies;
+  return (*system)->figures().report().copies;
 }
 
 void expect_in_every_mode(Schedule schedule, StreamKind stream, const CopyCounts& expected) {

@@ -36,11 +36,11 @@ HotPathCounts counts_of_frames(const SystemOptions& options) {
   CrowdRig crowd(options, agents);
   std::vector<AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    crowd->play(agent, {.clip = 0});
-    if (agent % 3 == 1) crowd->play(agent, {.clip = 1, .fade = ticks_per_second});
-    if (agent % 3 == 2) crowd->play(agent, {.clip = 2, .held_fraction = 0.5F});
+    crowd->agent(agent).play({.clip = 0});
+    if (agent % 3 == 1) crowd->agent(agent).play({.clip = 1, .fade = ticks_per_second});
+    if (agent % 3 == 2) crowd->agent(agent).play({.clip = 2, .held_fraction = 0.5F});
   }
-  const std::size_t levels = crowd->character().skeleton.level_bone_counts.size();
+  const std::size_t levels = crowd->characters()[0].skeleton.level_bone_counts.size();
   HotPathCounts before;
   updates.reserve(agents);
   for (int frame = 0; frame < warm_up_frames + counted_frames; ++frame) {
@@ -73,12 +73,12 @@ TEST(HotPath, NeitherAllocatesNorLocksUnderAnySchedule) {
 TEST(BytesPerAgent, OfTwoPlayersAndABlenderAreAtMostAKibibyte) {
   CrowdRig crowd({.schedule = Schedule::fused}, agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    crowd->play(agent, {.clip = 0});
-    crowd->play(agent, {.clip = 1, .held_fraction = 0.5F});
+    crowd->agent(agent).play({.clip = 0});
+    crowd->agent(agent).play({.clip = 1, .held_fraction = 0.5F});
   }
   EXPECT_EQ(crowd.entities(), 3U);
-  EXPECT_LE(crowd->bytes_per_agent(), 1024.0);
-  EXPECT_GE(crowd->bytes_per_agent(), 3.0 * 128) << "three transient blocks are in it";
+  EXPECT_LE(crowd->figures().bytes_per_agent(), 1024.0);
+  EXPECT_GE(crowd->figures().bytes_per_agent(), 3.0 * 128) << "three transient blocks are in it";
 }
 
 }  // namespace

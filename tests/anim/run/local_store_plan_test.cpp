@@ -28,7 +28,7 @@ std::string error_of(int bones, const SystemOptions& options) {
 int tile_of(const SystemOptions& options) {
   const auto system = AnimationSystem::create(character(62), options);
   EXPECT_TRUE(system.has_value()) << (system ? "" : system.error().message);
-  return system ? (*system)->schedule().plan.width : 0;
+  return system ? (*system)->figures().schedule().plan.width : 0;
 }
 
 TEST(LocalStorePlan, ALargerStoreHoldsAWiderTile) {
@@ -40,7 +40,7 @@ TEST(LocalStorePlan, ALargerStoreHoldsAWiderTile) {
 
 TEST(LocalStorePlan, ATileOfASizeThatIsAskedForIsOneStrip) {
   const auto strips_of = [](const SystemOptions& options) {
-    return (*AnimationSystem::create(character(62), options))->schedule().plan.strips;
+    return (*AnimationSystem::create(character(62), options))->figures().schedule().plan.strips;
   };
   EXPECT_EQ(strips_of({}), most_strips);
   EXPECT_EQ(strips_of({.tile = 16}), 1);
@@ -49,7 +49,7 @@ TEST(LocalStorePlan, ATileOfASizeThatIsAskedForIsOneStrip) {
 
 TEST(LocalStorePlan, ALargeStoreFetchesTwoStripsOfAnyUsualGraph) {
   const auto plan_of = [](const SystemOptions& options) {
-    return (*AnimationSystem::create(character(62), options))->schedule().plan;
+    return (*AnimationSystem::create(character(62), options))->figures().schedule().plan;
   };
   const LocalStorePlan usual = plan_of({.local_store_bytes = 64 * kib});
   const LocalStorePlan large = plan_of({.local_store_bytes = 256 * kib});
@@ -88,10 +88,10 @@ TEST(LocalStorePlan, ATileThatDoesNotFitIsRefusedWithTheLargestThatDoes) {
 
 TEST(LocalStorePlan, AutomaticIs64KiBUntilACharacterNeedsMore) {
   const auto small = AnimationSystem::create(character(62), {});
-  EXPECT_EQ((*small)->schedule().local_store_bytes, 64 * kib);
+  EXPECT_EQ((*small)->figures().schedule().local_store_bytes, 64 * kib);
   const auto large = AnimationSystem::create(character(600), {.stream = StreamKind::keyframe});
   ASSERT_TRUE(large.has_value());
-  EXPECT_GT((*large)->schedule().local_store_bytes, 64 * kib);
+  EXPECT_GT((*large)->figures().schedule().local_store_bytes, 64 * kib);
 }
 
 }  // namespace

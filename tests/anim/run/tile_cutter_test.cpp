@@ -32,7 +32,7 @@ class Crowd {
   }
 
   void add(std::uint32_t agent, int level, const ProgramParts& parts) {
-    work.push_back({.program = &rig_->program(agent % rig_->agent_count()),
+    work.push_back({.program = &rig_->agent(agent % rig_->agent_count()).program(),
                     .agent = agent,
                     .cost = cost_in_steps(cost.of_agent(parts, packets_)),
                     .level = static_cast<std::uint8_t>(level & 3)});
@@ -43,7 +43,7 @@ class Crowd {
     order_.sort({work, runs_});
     TileCutter cutter;
     cutter.reserve(work.size());
-    const CutWork cut = cutter.cut(contexts(), order_, rig_->schedule().plan, Schedule::fused, cost, shares);
+    const CutWork cut = cutter.cut(contexts(), order_, rig_->figures().schedule().plan, Schedule::fused, cost, shares);
     runs_of_tiles.assign(cut.runs.begin(), cut.runs.end());
     return {cut.tiles.begin(), cut.tiles.end()};
   }
@@ -51,14 +51,14 @@ class Crowd {
   std::vector<AgentWork> work;
   std::vector<AgentRun> runs_of_tiles;  ///< of the last cut
   const WorkOrder& order() const { return order_; }
-  const LocalStorePlan& plan() const { return rig_->schedule().plan; }
+  const LocalStorePlan& plan() const { return rig_->figures().schedule().plan; }
 
  private:
   std::span<const UpdateContext> contexts() {
-    context_ = {.hierarchy = &rig_->character().hierarchy,
-                .assets = {.bone_count = rig_->character().skeleton.bone_count()},
-                .level_bone_counts = rig_->character().skeleton.level_bone_counts,
-                .pools = &rig_->pools()};
+    context_ = {.hierarchy = &rig_->characters()[0].hierarchy,
+                .assets = {.bone_count = rig_->characters()[0].skeleton.bone_count()},
+                .level_bone_counts = rig_->characters()[0].skeleton.level_bone_counts,
+                .pools = &rig_->characters().pools(0)};
     return {&context_, 1};
   }
   int context_packets() { return contexts().front().packets(0); }
@@ -79,9 +79,9 @@ TEST(CostModel, GrowsWithBonesSourcesAndPostProcesses) {
 
 TEST(CostModel, CountsThePartsOfAProgram) {
   CrowdRig crowd({}, 1);
-  crowd->play(0, {.clip = 0});
-  crowd->play(0, {.clip = 1, .fade = ticks_per_second});
-  const ProgramParts& parts = crowd->program(0).parts;
+  crowd->agent(0).play({.clip = 0});
+  crowd->agent(0).play({.clip = 1, .fade = ticks_per_second});
+  const ProgramParts& parts = crowd->agent(0).program().parts;
   EXPECT_EQ(parts.players, 2);
   EXPECT_EQ(parts.blenders, 1);
   EXPECT_EQ(parts.whole_pose_work, 0);

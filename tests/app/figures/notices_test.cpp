@@ -48,7 +48,7 @@ class PaletteFormatNotice : public testing::Test {
   }
   std::string notice(anim::PaletteFormat palettes) {
     const auto system = std::move(*anim::AnimationSystem::create(people_[0].character, {.palettes = palettes}));
-    EXPECT_TRUE(system->add_character(people_[1].character));
+    EXPECT_TRUE(system->characters().add(people_[1].character));
     return palette_format_notice(*system, people_);
   }
   std::vector<CharacterSource> people_;

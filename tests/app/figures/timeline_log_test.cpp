@@ -96,7 +96,7 @@ TEST(TimelineLog, KeepsTheNewestFramesOnly) {
   (*system)->set_agent_count(agents);
   std::vector<anim::AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    (*system)->play(agent, {});
+    (*system)->agent(agent).play({});
     updates.push_back({.agent = agent});
   }
   TimelineLog log;

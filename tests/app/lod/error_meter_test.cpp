@@ -101,7 +101,7 @@ TEST_F(MeasuredStage, PosesAlikeWhoeverIsMeasured) {
   for (const ErrorSampling sampling : {ErrorSampling::off, ErrorSampling::some, ErrorSampling::all}) {
     tuning.error_sample = sampling;
     pass(tuning, 120);
-    hashes.push_back(stage_->system().pose_hash());
+    hashes.push_back(stage_->system().figures().pose_hash());
   }
   EXPECT_EQ(hashes[1], hashes[0]);
   EXPECT_EQ(hashes[2], hashes[0]);
@@ -139,7 +139,7 @@ class DisplacedBone : public testing::Test {
  protected:
   DisplacedBone() : system_(std::move(*anim::AnimationSystem::create(characters_.front().character, {}))) {
     system_->set_agent_count(1);
-    system_->play(0, {.clip = 0});
+    system_->agent(0).play({.clip = 0});
     shown_.reset(1, 0);
     meter_.reset(1);
   }

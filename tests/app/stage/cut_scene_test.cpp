@@ -55,7 +55,7 @@ class CutSceneOnStage : public testing::Test {
 TEST_F(CutSceneOnStage, ItsCameraIsOneMoreAgentOfTheCrowdsSystem) {
   EXPECT_EQ(stage_->crowd().size(), 40U);
   EXPECT_EQ(stage_->system().agent_count(), 41U);
-  EXPECT_EQ(stage_->system().character(40).skeleton.bone_count(), 1);
+  EXPECT_EQ(stage_->system().agent(40).character().skeleton.bone_count(), 1);
   EXPECT_TRUE(stage_->character_of(the_balloon).roles.is_prop);
 }
 
@@ -117,7 +117,7 @@ TEST_F(CutSceneOnStage, HasOnePoseHashHoweverItIsScheduled) {
   const auto hash = [&](const Tuning& tuning) {
     open(tuning);
     pass_until(5.5);
-    return stage_->system().pose_hash();
+    return stage_->system().figures().pose_hash();
   };
   const Tuning base{.scene = Scene::film, .agents = 12, .pus = 1};
   Tuning levels = base, two = base;

@@ -48,7 +48,7 @@ class PushedOnStage : public testing::Test {
   bool push(std::uint32_t agent) { return static_cast<bool>(stage_->push_over(agent, {0.0F, 0.0F, -1.0F})); }
   Phase phase(std::uint32_t agent) const { return stage_->fallen().phase(agent); }
   std::size_t blocks(const std::string& kind) const {
-    const auto kinds = stage_->system().memory();
+    const auto kinds = stage_->system().figures().memory();
     const auto found = std::ranges::find(kinds, kind, &anim::KindMemory::kind);
     return found == kinds.end() ? 0 : found->own.blocks_alive;
   }
@@ -88,7 +88,7 @@ TEST_F(PushedOnStage, IsPosedEveryFrameWithAllBonesInViewAndOut) {
   camera_ = camera_at({.x = 0, .y = 500, .z = 0, .pitch = 80});
   pass(2);
   ASSERT_TRUE(stage_->selection().visible.empty());
-  EXPECT_EQ(stage_->system().report().agents_updated, 1U);
+  EXPECT_EQ(stage_->system().figures().report().agents_updated, 1U);
   EXPECT_LT(pass_until([&] { return phase(agent) == Phase::standing; }), 20 * 60) << "it gets up unseen";
 }
 

@@ -37,7 +37,7 @@ class StageInHands : public testing::Test {
   std::vector<glm::vec3> positions() const {
     return {stage_->crowd().positions().begin(), stage_->crowd().positions().end()};
   }
-  std::uint64_t hash() const { return stage_->system().pose_hash(); }
+  std::uint64_t hash() const { return stage_->system().figures().pose_hash(); }
   /// Of the player of an agent that is heaviest in its pose.
   float position_in_clip(std::uint32_t agent) {
     stage_->select(agent);

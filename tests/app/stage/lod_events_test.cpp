@@ -43,11 +43,10 @@ class Watched {
     const anim::Ticks before = stage_->system().clock();
     stage_->move(frame);
     for (std::uint32_t agent = 0; agent < met_.size(); ++agent) {
-      stage_->system().motion(agent).for_each_data_key(before, stage_->system().clock(),
-                                                       [&](const anim::DataKeyEvent& event) {
-                                                         if (event.weight > least_weight)
-                                                           met_[agent].push_back({event.name, event.clip, event.time});
-                                                       });
+      stage_->system().agent(agent).motion().for_each_data_key(
+          before, stage_->system().clock(), [&](const anim::DataKeyEvent& event) {
+            if (event.weight > least_weight) met_[agent].push_back({event.name, event.clip, event.time});
+          });
     }
     stage_->pose(camera_, 1280, 720, frame, stage_->frame());
   }
@@ -55,7 +54,7 @@ class Watched {
   const Crowd& crowd() const { return stage_->crowd(); }
   const std::vector<std::vector<Met>>& met() const { return met_; }
   const EventSums& sums() const { return *stage_->event_sums(); }
-  std::uint64_t posed() const { return stage_->system().report().agents_updated; }
+  std::uint64_t posed() const { return stage_->system().figures().report().agents_updated; }
 
  private:
   render::HeapPageSource pages_{std::size_t{1} << 22U};

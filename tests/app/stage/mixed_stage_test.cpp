@@ -40,7 +40,7 @@ class MixedStage : public testing::Test {
   std::uint64_t hash_after(const Tuning& tuning, int frames) {
     open(tuning);
     pass(frames);
-    return stage_->system().pose_hash();
+    return stage_->system().figures().pose_hash();
   }
   std::uint32_t first_of(std::uint8_t character) const {
     const auto characters = stage_->crowd().characters();
@@ -56,7 +56,7 @@ TEST_F(MixedStage, EveryAgentIsAnimatedAsItsOwnCharacter) {
   const auto characters = stage_->crowd().characters();
   for (std::uint32_t agent = 0; agent < characters.size(); ++agent) {
     const auto& own = *stage_->characters()[characters[agent]].character;
-    EXPECT_EQ(&stage_->system().character(agent), &own);
+    EXPECT_EQ(&stage_->system().agent(agent).character(), &own);
     EXPECT_EQ(stage_->character_of(agent).character.get(), &own);
   }
   EXPECT_LT(first_of(1), characters.size());

@@ -64,7 +64,9 @@ struct ShapedCrowd {
   std::vector<anim::AgentUpdate> updates;
 
   /// An agent's share of a tile: held ones are narrower than asked for where the store was laid out for streaming ones.
-  double tiles_an_agent() const { return system->units().front().activity().tasks / double{agents_of_a_crowd}; }
+  double tiles_an_agent() const {
+    return system->figures().units().front().activity().tasks / double{agents_of_a_crowd};
+  }
   void run() {
     system->advance(anim::ticks_per_second / 60);
     system->update(updates);
@@ -93,12 +95,12 @@ std::unique_ptr<ShapedCrowd> make_crowd(const BenchOptions& options, const Shape
     for (int clip = 0; clip < shape.players; ++clip) {
       anim::PlayRequest request{.clip = clip, .start = agent * 100};
       if (clip > 0) request.held_fraction = 0.3F;
-      crowd->system->play(agent, request);
+      crowd->system->agent(agent).play(request);
     }
     if (shape.post_processes > 0) {
       auto gaze = std::make_unique<anim::LookAtProcess>(*kinds.look_at);
       gaze->look_at({1.0F, 1.5F, 2.0F});
-      if (!crowd->system->add_post_process(agent, std::move(gaze))) return nullptr;
+      if (!crowd->system->agent(agent).add_post_process(std::move(gaze))) return nullptr;
     }
     crowd->updates.push_back({.agent = agent, .palette = crowd->palettes->of(agent)});
   }

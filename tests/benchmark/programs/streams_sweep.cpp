@@ -53,7 +53,7 @@ anim::Status sweep_steps(const BenchOptions& options, const BenchCase& bench, in
                     {"ns_per_bone_median", rounds.times().median("plain") / bones},
                     {"prefetched_ns_per_bone_median", rounds.times().median("prefetched") / bones},
                     {"prefetched_over_plain", rounds.times().median_ratio("prefetched", "plain")},
-                    {"stream_bytes_per_frame", subject->system().stream_bytes()},
+                    {"stream_bytes_per_frame", subject->system().figures().stream_bytes()},
                     {"stream_bytes_in_all", stream_bytes(*character, plain.stream)}});
   }
   return anim::Done{};

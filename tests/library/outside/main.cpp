@@ -11,10 +11,10 @@ int main() {
   const auto system = AnimationSystem::create(character, {.pus = 2});
   if (!system) return std::fprintf(stderr, "%s\n", system.error().message.c_str()), 1;
   (*system)->set_agent_count(1);
-  (*system)->play(0, {.clip = 1});
+  (*system)->agent(0).play({.clip = 1});
 
   const AgentUpdate update{.agent = 0};
   (*system)->advance(ticks_per_second / 60);
   (*system)->update({&update, 1});
-  std::printf("pose hash %016llx\n", static_cast<unsigned long long>((*system)->pose_hash()));
+  std::printf("pose hash %016llx\n", static_cast<unsigned long long>((*system)->figures().pose_hash()));
 }

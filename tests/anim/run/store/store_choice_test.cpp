@@ -34,18 +34,18 @@ TEST(StoreChoice, FetchesWhatStaysInTheCachesAndWritesPastThemWhatDoesNot) {
 
 TEST(StoreChoice, FollowsTheSizeOfTheCrowd) {
   CrowdRig crowd({}, 1);
-  EXPECT_EQ(crowd->schedule().stores, StorePolicy::prefetched);
+  EXPECT_EQ(crowd->figures().schedule().stores, StorePolicy::prefetched);
   const std::size_t palette_bytes = static_cast<std::size_t>(test_character()->skeleton.palette_count()) * 48;
   crowd->add_agents(static_cast<std::uint32_t>(most_measured_bytes / palette_bytes), 0);
-  EXPECT_EQ(crowd->schedule().stores, store_policy_for(most_measured_bytes));
+  EXPECT_EQ(crowd->figures().schedule().stores, store_policy_for(most_measured_bytes));
   crowd->set_agent_count(0);
-  EXPECT_EQ(crowd->schedule().stores, StorePolicy::prefetched);
+  EXPECT_EQ(crowd->figures().schedule().stores, StorePolicy::prefetched);
 }
 
 TEST(StoreChoice, IsTheHostsWhereItSaysSo) {
   for (const StorePolicy stores : {StorePolicy::plain, StorePolicy::prefetched, StorePolicy::streaming}) {
     const CrowdRig crowd({.stores = stores}, 1);
-    EXPECT_EQ(crowd->schedule().stores, stores);
+    EXPECT_EQ(crowd->figures().schedule().stores, stores);
   }
 }
 
@@ -53,7 +53,8 @@ TEST(StoreChoice, ChangesNoBitOfAPalette) {
   constexpr std::uint32_t agents = 21;
   const auto played = [](StorePolicy stores) {
     CrowdRig crowd({.stores = stores}, agents);
-    for (std::uint32_t agent = 0; agent < agents; ++agent) crowd->play(agent, {.clip = static_cast<int>(agent % 5)});
+    for (std::uint32_t agent = 0; agent < agents; ++agent)
+      crowd->agent(agent).play({.clip = static_cast<int>(agent % 5)});
     crowd.step(3);
     return crowd;
   };

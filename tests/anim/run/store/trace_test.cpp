@@ -14,8 +14,8 @@ constexpr std::uint32_t agents = 100;
 CrowdRig fading_crowd(const SystemOptions& options) {
   CrowdRig crowd(options, agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    crowd->play(agent, {.clip = 0});
-    crowd->play(agent, {.clip = 1, .fade = ticks_per_second});
+    crowd->agent(agent).play({.clip = 0});
+    crowd->agent(agent).play({.clip = 1, .fade = ticks_per_second});
   }
   crowd.step();
   return crowd;
@@ -40,8 +40,8 @@ std::size_t count_of(const Trace& trace, TraceSpan::Kind kind) {
 TEST(Trace, HasNoGapFromTheStartOfAnUpdateToItsEnd) {
   for (const SystemOptions& options : every_schedule_and_mode()) {
     const CrowdRig crowd = fading_crowd(options);
-    for (const ProcessingUnit& unit : crowd->units()) {
-      std::uint64_t last = crowd->update_time().first_tick;
+    for (const ProcessingUnit& unit : crowd->figures().units()) {
+      std::uint64_t last = crowd->figures().update_time().first_tick;
       for (const TraceSpan& span : unit.trace().spans()) {
         if (is_slice(span)) continue;
         EXPECT_EQ(span.begin, last);
@@ -49,7 +49,7 @@ TEST(Trace, HasNoGapFromTheStartOfAnUpdateToItsEnd) {
         last = span.end;
       }
       EXPECT_EQ(unit.trace().spans().back().kind, TraceSpan::Kind::wait);
-      EXPECT_LE(last, crowd->update_time().last_tick);
+      EXPECT_LE(last, crowd->figures().update_time().last_tick);
       EXPECT_EQ(unit.trace().not_kept(), 0U);
     }
   }
@@ -59,19 +59,19 @@ TEST(Trace, NamesEveryByteAndTransferThatWasCopied) {
   for (const SystemOptions& options : every_schedule_and_mode()) {
     const CrowdRig crowd = fading_crowd(options);
     CopyCounts sum;
-    for (const ProcessingUnit& unit : crowd->units()) {
+    for (const ProcessingUnit& unit : crowd->figures().units()) {
       for (const TraceSpan& span : unit.trace().spans()) sum += {span.bytes_in, span.bytes_out, span.transfers};
     }
-    EXPECT_EQ(sum.bytes_in, crowd->report().copies.bytes_in);
-    EXPECT_EQ(sum.bytes_out, crowd->report().copies.bytes_out);
-    EXPECT_EQ(sum.transfers, crowd->report().copies.transfers);
+    EXPECT_EQ(sum.bytes_in, crowd->figures().report().copies.bytes_in);
+    EXPECT_EQ(sum.bytes_out, crowd->figures().report().copies.bytes_out);
+    EXPECT_EQ(sum.transfers, crowd->figures().report().copies.transfers);
   }
 }
 
 /// Of all compute spans; each agent once where each is in one tile.
 std::size_t agents_computed(const CrowdRig& crowd) {
   std::size_t sum = 0;
-  for (const ProcessingUnit& unit : crowd->units()) {
+  for (const ProcessingUnit& unit : crowd->figures().units()) {
     for (const TraceSpan& span : unit.trace().spans()) {
       if (span.kind == TraceSpan::Kind::compute) sum += span.content.agents;
     }
@@ -88,7 +88,7 @@ TEST(Trace, NamesTheAgentsOfEveryTask) {
         EXPECT_EQ(agents_computed(crowd), agents);
       }
       std::uint32_t last = 0;
-      for (const ProcessingUnit& unit : crowd->units()) {
+      for (const ProcessingUnit& unit : crowd->figures().units()) {
         for (const TraceSpan& span : unit.trace().spans()) {
           const bool works = span.kind != TraceSpan::Kind::wait && span.kind != TraceSpan::Kind::schedule;
           if (is_slice(span)) continue;
@@ -134,7 +134,7 @@ TEST(Trace, HasAComputeSpanForEachTask) {
   for (const SystemOptions& options : every_schedule_and_mode(Tracing::every_task)) {
     const CrowdRig crowd = fading_crowd(options);
     std::size_t tasks = 0, spans = 0;
-    for (const ProcessingUnit& unit : crowd->units()) {
+    for (const ProcessingUnit& unit : crowd->figures().units()) {
       tasks += unit.activity().tasks;
       spans += count_of(unit.trace(), TraceSpan::Kind::compute);
     }
@@ -148,21 +148,21 @@ TEST(Trace, HasAComputeSpanForEachTask) {
 
 TEST(Trace, JoinsTasksThatAreTooShortToBeTimedOneByOne) {
   const CrowdRig crowd = fading_crowd({.pus = 1, .schedule = Schedule::levels});
-  const ProcessingUnit& unit = crowd->units().front();
+  const ProcessingUnit& unit = crowd->figures().units().front();
   EXPECT_LT(count_of(unit.trace(), TraceSpan::Kind::compute), unit.activity().tasks / 4);
   EXPECT_GT(count_of(unit.trace(), TraceSpan::Kind::compute), 4U);
 }
 
 TEST(Trace, ShowsAWaitAtEachBarrierOfThePapersSchedule) {
   const CrowdRig crowd = fading_crowd({.pus = 1, .schedule = Schedule::levels});
-  EXPECT_EQ(count_of(crowd->units().front().trace(), TraceSpan::Kind::wait), 4U)
+  EXPECT_EQ(count_of(crowd->figures().units().front().trace(), TraceSpan::Kind::wait), 4U)
       << "players, blenders, palettes, and the end of the update";
 }
 
 TEST(Trace, ShowsTheSlicesOfCopiesWithinComputeSpans) {
   const CrowdRig crowd =
       fading_crowd({.pus = 1, .double_buffering = DoubleBuffering::interleaved, .trace = Tracing::every_task});
-  const std::span<const TraceSpan> spans = crowd->units().front().trace().spans();
+  const std::span<const TraceSpan> spans = crowd->figures().units().front().trace().spans();
   const auto slice = std::ranges::find_if(spans, is_slice);
   ASSERT_NE(slice, spans.end());
   const auto owner = std::find_if_not(slice, spans.end(), is_slice);
@@ -174,7 +174,7 @@ TEST(Trace, ShowsTheSlicesOfCopiesWithinComputeSpans) {
 
 TEST(Trace, RecordsNothingWhereItIsOff) {
   const CrowdRig crowd = fading_crowd({.pus = 2, .trace = Tracing::off});
-  for (const ProcessingUnit& unit : crowd->units()) EXPECT_TRUE(unit.trace().spans().empty());
+  for (const ProcessingUnit& unit : crowd->figures().units()) EXPECT_TRUE(unit.trace().spans().empty());
 }
 
 TEST(Trace, CountsWhatDoesNotFit) {

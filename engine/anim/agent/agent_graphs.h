@@ -15,20 +15,20 @@ namespace throng::anim {
 /// How a channel lies over those before it.
 struct LayerSettings {
   float weight = 1.0F;              ///< 0 to 1
-  int mask = EaseBlender::no_mask;  ///< what `AnimationSystem::add_mask` returned
+  int mask = EaseBlender::no_mask;  ///< what `Characters::add_mask` returned
 };
 
-/// Paper 2.1.2: the agents of one skeleton. Each has channels, the later laid over the earlier, and post processes on
-/// top; what these make is one graph of entities, compiled whenever it changes:
+/// The graphs of the agents of one character. Each agent has channels, which lie one over the other in their order, and
+/// post processes on top. Their entities form one graph, which is compiled whenever it changes:
 ///
 ///     channel 0 ──┐
 ///     channel 1 ──┴ blender ──┐
 ///     channel 2 ──────────────┴ blender ── post process 0 ── post process 1 ── pose
-class Agents {
+class AgentGraphs {
  public:
-  /// `owners`: shared_owner for graphs whose entities agents read (pose_program.h), which are "agents" here too.
-  /// `programs`: where graphs that look alike find the same program; outlives this.
-  Agents(EntityPools& pools, ProgramTable& programs, std::uint32_t owners = 0)
+  /// `owners` is shared_owner for graphs that agents read (pose_program.h); each counts as an agent here.
+  /// `programs` gives graphs of one shape the same program, and outlives this object.
+  AgentGraphs(EntityPools& pools, ProgramTable& programs, std::uint32_t owners = 0)
       : pools_(&pools), programs_(&programs), owners_(owners) {}
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(agents_.size()); }
@@ -41,14 +41,14 @@ class Agents {
   std::size_t channel_count(std::uint32_t agent) const { return agents_[agent].layers.size(); }
   Channel& channel(std::uint32_t agent, std::size_t index) const { return *agents_[agent].layers[index].channel; }
 
-  /// On error the channel is there until remove_channel(); the agent goes on with the graph that it had.
+  /// On error the channel stays until remove_channel(), and the agent goes on with the graph that it had.
   Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
                      const LayerSettings& settings);
   void remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
   Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
-  /// All but the first `kept`.
+  /// Keeps the first `kept`.
   void remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept = 0);
-  /// The last one, without its entities, to be given to another agent.
+  /// Takes the last one, without its entities, so that another agent can have it.
   std::unique_ptr<PostProcess> take_last_post_process(const EntityBuilder& build, std::uint32_t agent);
   std::size_t post_process_count(std::uint32_t agent) const { return agents_[agent].processes.size(); }
   PostProcess& post_process(std::uint32_t agent, std::size_t index) const { return *agents_[agent].processes[index]; }
@@ -56,27 +56,26 @@ class Agents {
   Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
   void set_weight(std::uint32_t agent, std::size_t channel, float weight);
 
-  /// Updates every channel and post process and rebuilds the graph if one of them changed. On error (a channel made a
-  /// graph with a cycle) the agent goes on with the graph that it had if all its entities still live, else it has
-  /// none.
+  /// Updates every channel and post process, and rebuilds the graph if one of them changed. On error (a channel made a
+  /// graph with a cycle) the agent keeps its graph if all entities of it are still alive; otherwise it has none.
   Status update(const EntityBuilder& build, std::uint32_t agent);
-  /// After a channel was changed from outside.
+  /// Is called after somebody else changed a channel.
   Status rebuild(const EntityBuilder& build, std::uint32_t agent);
-  /// After layouts changed.
+  /// Is called after layouts of entities changed.
   void recompile();
 
   /// Moves every player of an agent to the pool of the builder's stream.
   void restream(const EntityBuilder& build, std::uint32_t agent);
 
-  /// Keyframe players find their keys anew at the next update: the streams are others.
+  /// Makes keyframe players find their keys anew at the next update, because their streams have changed.
   void restart_keyframes();
-  /// Entities that keep transforms keep those of the same bones: `places` has the new index of each.
+  /// Moves transforms that entities keep to the new index of their bone; `places` has it for each bone.
   void reorder_kept_transforms(std::span<const int> places);
 
   /// The most that any program asks of the local store.
   StoreNeeds largest_needs() const;
 
-  Agents clone() const;
+  AgentGraphs clone() const;
   std::size_t bytes() const;
 
  private:

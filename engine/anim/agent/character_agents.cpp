@@ -1,4 +1,4 @@
-#include "engine/anim/agent/cast.h"
+#include "engine/anim/agent/character_agents.h"
 
 #include <algorithm>
 #include <cassert>
@@ -35,13 +35,13 @@ void add(PoolMemory& sum, const PoolMemory& part) {
 
 }  // namespace
 
-std::size_t CastSnapshot::bytes() const {
+std::size_t CharacterAgentsSnapshot::bytes() const {
   std::size_t bytes = agents ? agents->bytes() + shared->bytes() : 0;
   for (const PoolSnapshot& pool : pools) bytes += pool.bytes();
   return bytes;
 }
 
-Cast::Cast(std::shared_ptr<const Character> played)
+CharacterAgents::CharacterAgents(std::shared_ptr<const Character> played)
     : character(std::move(played)),
       still_pose(anim::still_pose(character->skeleton)),
       clips(all_streams_of(*character)),
@@ -49,7 +49,7 @@ Cast::Cast(std::shared_ptr<const Character> played)
       agents(pools, programs),
       shared(pools, programs, shared_owner) {}
 
-std::shared_ptr<const Character> Cast::replace_character(std::shared_ptr<const Character> reordered) {
+std::shared_ptr<const Character> CharacterAgents::replace_character(std::shared_ptr<const Character> reordered) {
   assert(reordered->skeleton.bone_count() == skeleton().bone_count() && "another character");
   assert(reordered->clips.size() == character->clips.size() && "another character");
   clips = all_streams_of(*reordered);
@@ -59,14 +59,14 @@ std::shared_ptr<const Character> Cast::replace_character(std::shared_ptr<const C
   return std::exchange(character, std::move(reordered));
 }
 
-std::string Cast::bound_to_bone_order() const {
+std::string CharacterAgents::bound_to_bone_order() const {
   if (!masks.empty()) return "masks of bones";
   if (!selections.empty()) return "selections of bones";
   if (pools.pool(EntityPools::inertialisers).memory().blocks_alive > 0) return "inertialisers";
   return {};
 }
 
-UpdateContext Cast::context(const Kernels& kernels) const {
+UpdateContext CharacterAgents::context(const Kernels& kernels) const {
   return {.hierarchy = &character->hierarchy,
           .assets = {.clips = clips,
                      .masks = mask_weights,
@@ -79,7 +79,7 @@ UpdateContext Cast::context(const Kernels& kernels) const {
           .still_pose = still_pose};
 }
 
-int Cast::add_mask(BoneMask mask) {
+int CharacterAgents::add_mask(BoneMask mask) {
   assert(mask.packets() == packets_for(skeleton().bone_count()) && "a mask of another skeleton");
   assert(masks.size() < std::numeric_limits<std::int16_t>::max());
   mask_weights.push_back(mask.packet(0));
@@ -87,26 +87,26 @@ int Cast::add_mask(BoneMask mask) {
   return static_cast<int>(masks.size()) - 1;
 }
 
-std::uint32_t Cast::add_selection(BoneSelection selection) {
+std::uint32_t CharacterAgents::add_selection(BoneSelection selection) {
   assert(selection.packets() == packets_for(skeleton().bone_count()) && "a selection of another skeleton");
   selections.push_back(std::move(selection));
   return static_cast<std::uint32_t>(selections.size());
 }
 
-void Cast::set_residency(Residency residency) {
+void CharacterAgents::set_residency(Residency residency) {
   if (residency == pools.residency()) return;
   pools.set_residency(residency);
   agents.recompile();
 }
 
-void Cast::set_stream(StreamKind stream) {
+void CharacterAgents::set_stream(StreamKind stream) {
   for (std::uint32_t agent = 0; agent < agents.count(); ++agent) {
     agents.restream(EntityBuilder(pools, clips, {.owner = agent, .stream = stream}), agent);
   }
   agents.recompile();
 }
 
-void Cast::reserve_fades(StreamKind stream, std::size_t agent_count) {
+void CharacterAgents::reserve_fades(StreamKind stream, std::size_t agent_count) {
   constexpr std::size_t players_of_a_fade = 2;
   const bool sampled = stream == StreamKind::sampled;
   pools.pool(sampled ? EntityPools::sampled_players : EntityPools::keyframe_players)
@@ -114,7 +114,7 @@ void Cast::reserve_fades(StreamKind stream, std::size_t agent_count) {
   pools.pool(EntityPools::ease_blenders).reserve(agent_count);
 }
 
-void Cast::snapshot(CastSnapshot& into) const {
+void CharacterAgents::snapshot(CharacterAgentsSnapshot& into) const {
   into.character = character;
   into.pools.resize(std::size_t{2} * pools.kind_count());
   for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
@@ -125,7 +125,7 @@ void Cast::snapshot(CastSnapshot& into) const {
   into.shared.emplace(shared.clone());
 }
 
-Status Cast::restore(const CastSnapshot& from) {
+Status CharacterAgents::restore(const CharacterAgentsSnapshot& from) {
   for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
     // The first is refused if any is: all are of one residency.
     if (Status restored = pools.pool(kind).restore(from.pools[2 * kind]); !restored) return restored;
@@ -136,9 +136,9 @@ Status Cast::restore(const CastSnapshot& from) {
   return Done{};
 }
 
-Compaction Cast::compact() {
+Compaction CharacterAgents::compact() {
   std::vector<Handle> order;
-  for (const Agents* graphs : {&shared, &agents}) {
+  for (const AgentGraphs* graphs : {&shared, &agents}) {
     for (std::uint32_t agent = 0; agent < graphs->count(); ++agent) {
       const std::vector<Handle>& entities = graphs->graph(agent).entities;
       order.insert(order.end(), entities.begin(), entities.end());
@@ -155,7 +155,7 @@ Compaction Cast::compact() {
   return all;
 }
 
-void Cast::add_memory(std::vector<KindMemory>& kinds) const {
+void CharacterAgents::add_memory(std::vector<KindMemory>& kinds) const {
   for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) {
     const char* const name = pools.layout(kind).kind->name;
     auto found = std::ranges::find(kinds, std::string_view(name), &KindMemory::kind);
@@ -165,24 +165,24 @@ void Cast::add_memory(std::vector<KindMemory>& kinds) const {
   }
 }
 
-std::size_t Cast::bytes_alive() const {
+std::size_t CharacterAgents::bytes_alive() const {
   std::size_t bytes = agents.bytes();
   for (EntityPools::Kind kind = 0; kind < pools.kind_count(); ++kind) bytes += pools.pool(kind).memory().bytes_alive;
   return bytes;
 }
 
-LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<Cast>> casts, StreamKind stream) {
+LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<CharacterAgents>> characters, StreamKind stream) {
   LocalStoreDemand demand{.skeleton = {}, .stream = stream, .largest = {}};
   int most_bones = 0;
-  for (const std::unique_ptr<Cast>& cast : casts) {
-    demand.largest.widen(cast->agents.largest_needs());
+  for (const std::unique_ptr<CharacterAgents>& one : characters) {
+    demand.largest.widen(one->agents.largest_needs());
     demand.shared_entity_bytes =
-        std::max<std::size_t>(demand.shared_entity_bytes, cast->shared.largest_needs().entity_bytes);
-    if (cast->skeleton().bone_count() <= most_bones) continue;
-    most_bones = cast->skeleton().bone_count();
-    demand.skeleton = cast->skeleton().name;
+        std::max<std::size_t>(demand.shared_entity_bytes, one->shared.largest_needs().entity_bytes);
+    if (one->skeleton().bone_count() <= most_bones) continue;
+    most_bones = one->skeleton().bone_count();
+    demand.skeleton = one->skeleton().name;
     demand.falls_back =
-        std::ranges::any_of(cast->clips, [](const ClipStreams& clip) { return clip.sampled == nullptr; });
+        std::ranges::any_of(one->clips, [](const ClipStreams& clip) { return clip.sampled == nullptr; });
   }
   return demand;
 }

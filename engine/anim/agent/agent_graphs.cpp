@@ -1,4 +1,4 @@
-#include "engine/anim/agent/agents.h"
+#include "engine/anim/agent/agent_graphs.h"
 
 #include <algorithm>
 #include <cassert>
@@ -28,7 +28,7 @@ constexpr std::size_t usual_processes = 2;  // feet and a rag-doll
 
 }  // namespace
 
-void Agents::resize(std::uint32_t count) {
+void AgentGraphs::resize(std::uint32_t count) {
   for (std::size_t i = count; i < agents_.size(); ++i) destroy(agents_[i]);
   const std::size_t before = agents_.size();
   agents_.resize(count);
@@ -40,7 +40,7 @@ void Agents::resize(std::uint32_t count) {
   next_updates_.resize(count, never);
 }
 
-void Agents::destroy(Agent& agent) const {
+void AgentGraphs::destroy(Agent& agent) const {
   const EntityBuilder build(*pools_, {}, {});
   for (const Layer& layer : agent.layers) {
     layer.channel->destroy_entities(build);
@@ -49,18 +49,19 @@ void Agents::destroy(Agent& agent) const {
   for (const auto& process : agent.processes) process->destroy_entities(build);
 }
 
-Status Agents::add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
-                           const LayerSettings& settings) {
+Status AgentGraphs::add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
+                                const LayerSettings& settings) {
   agents_[agent].layers.push_back({.channel = std::move(channel), .settings = settings, .blender = {}});
   return update(build, agent);
 }
 
-Status Agents::add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process) {
+Status AgentGraphs::add_post_process(const EntityBuilder& build, std::uint32_t agent,
+                                     std::unique_ptr<PostProcess> process) {
   agents_[agent].processes.push_back(std::move(process));
   return rebuild(build, agent);
 }
 
-void Agents::remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
+void AgentGraphs::remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
   std::vector<Layer>& layers = agents_[agent].layers;
   const auto layer = layers.begin() + static_cast<std::ptrdiff_t>(index);
   layer->channel->destroy_entities(build);
@@ -70,7 +71,7 @@ void Agents::remove_channel(const EntityBuilder& build, std::uint32_t agent, std
   assert(rebuilt && "fewer entities make no cycle");
 }
 
-void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept) {
+void AgentGraphs::remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept) {
   std::vector<std::unique_ptr<PostProcess>>& processes = agents_[agent].processes;
   for (std::size_t i = kept; i < processes.size(); ++i) processes[i]->destroy_entities(build);
   processes.resize(kept);
@@ -78,7 +79,7 @@ void Agents::remove_post_processes(const EntityBuilder& build, std::uint32_t age
   assert(rebuilt && "fewer entities make no cycle");
 }
 
-std::unique_ptr<PostProcess> Agents::take_last_post_process(const EntityBuilder& build, std::uint32_t agent) {
+std::unique_ptr<PostProcess> AgentGraphs::take_last_post_process(const EntityBuilder& build, std::uint32_t agent) {
   std::unique_ptr<PostProcess> last = std::move(agents_[agent].processes.back());
   agents_[agent].processes.pop_back();
   last->destroy_entities(build);
@@ -87,13 +88,13 @@ std::unique_ptr<PostProcess> Agents::take_last_post_process(const EntityBuilder&
   return last;
 }
 
-void Agents::set_weight(std::uint32_t agent, std::size_t channel, float weight) {
+void AgentGraphs::set_weight(std::uint32_t agent, std::size_t channel, float weight) {
   Layer& layer = agents_[agent].layers[channel];
   layer.settings.weight = weight;
   if (layer.blender.valid()) pools_->as<EaseBlender>(layer.blender).fraction = weight;
 }
 
-Status Agents::update(const EntityBuilder& build, std::uint32_t agent) {
+Status AgentGraphs::update(const EntityBuilder& build, std::uint32_t agent) {
   bool changed = graphs_[agent].empty();
   for (const Layer& layer : agents_[agent].layers) changed = layer.channel->update(build) || changed;
   for (const auto& process : agents_[agent].processes) changed = process->update(build) || changed;
@@ -102,13 +103,13 @@ Status Agents::update(const EntityBuilder& build, std::uint32_t agent) {
   return Done{};
 }
 
-Status Agents::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
+Status AgentGraphs::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
   if (agents_[agent].processes[index]->update(build)) return rebuild(build, agent);
   find_next_update(agent);
   return Done{};
 }
 
-void Agents::find_next_update(std::uint32_t agent) {
+void AgentGraphs::find_next_update(std::uint32_t agent) {
   Ticks next = never;
   for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.channel->next_update());
   for (const auto& process : agents_[agent].processes) next = std::min(next, process->next_update());
@@ -116,7 +117,7 @@ void Agents::find_next_update(std::uint32_t agent) {
 }
 
 // A layer whose channel plays nothing leaves what is below as it is.
-Handle Agents::lay(const EntityBuilder& build, Layer& layer, Handle below) const {
+Handle AgentGraphs::lay(const EntityBuilder& build, Layer& layer, Handle below) const {
   const Handle state = layer.channel->state();
   if (!state.valid() || !below.valid()) {
     if (layer.blender.valid()) build.destroy(std::exchange(layer.blender, {}));
@@ -129,7 +130,7 @@ Handle Agents::lay(const EntityBuilder& build, Layer& layer, Handle below) const
   return layer.blender;
 }
 
-Status Agents::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
+Status AgentGraphs::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
   Agent& agent = agents_[agent_index];
   Handle root;
   find_next_update(agent_index);
@@ -145,11 +146,11 @@ Status Agents::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
   return compiled;
 }
 
-bool Agents::all_alive(const PoseGraph& graph) const {
+bool AgentGraphs::all_alive(const PoseGraph& graph) const {
   return std::ranges::all_of(graph.entities, [&](Handle entity) { return pools_->alive(entity); });
 }
 
-void Agents::recompile() {
+void AgentGraphs::recompile() {
   for (std::uint32_t agent = 0; agent < count(); ++agent) {
     PoseGraph& graph = graphs_[agent];
     if (graph.empty()) continue;
@@ -158,7 +159,7 @@ void Agents::recompile() {
   }
 }
 
-void Agents::restart_keyframes() {
+void AgentGraphs::restart_keyframes() {
   for (Agent& agent : agents_) {
     visit_handles(agent, [&](Handle& handle) {
       if (handle.pool() == EntityPools::keyframe_players) pools_->as<Player>(handle).cursor = {};
@@ -166,7 +167,7 @@ void Agents::restart_keyframes() {
   }
 }
 
-void Agents::reorder_kept_transforms(std::span<const int> places) {
+void AgentGraphs::reorder_kept_transforms(std::span<const int> places) {
   for (Agent& agent : agents_) {
     visit_handles(agent, [&](Handle& handle) {
       if (!pools_->layout(handle).kind->keeps_transforms) return;
@@ -176,7 +177,7 @@ void Agents::reorder_kept_transforms(std::span<const int> places) {
   }
 }
 
-void Agents::visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const {
+void AgentGraphs::visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const {
   for (Layer& layer : agent.layers) {
     layer.channel->visit_handles(visit);
     if (layer.blender.valid()) visit(layer.blender);
@@ -184,7 +185,7 @@ void Agents::visit_handles(Agent& agent, const std::function<void(Handle&)>& vis
   for (const auto& process : agent.processes) process->visit_handles(visit);
 }
 
-void Agents::restream(const EntityBuilder& build, std::uint32_t agent_index) {
+void AgentGraphs::restream(const EntityBuilder& build, std::uint32_t agent_index) {
   Agent& agent = agents_[agent_index];
   std::vector<std::pair<Handle, Handle>> renamed;
   visit_handles(agent, [&](Handle& handle) {
@@ -215,14 +216,14 @@ void Agents::restream(const EntityBuilder& build, std::uint32_t agent_index) {
   for (const auto& [from, to] : renamed) build.destroy(from);
 }
 
-StoreNeeds Agents::largest_needs() const {
+StoreNeeds AgentGraphs::largest_needs() const {
   StoreNeeds needs;
   for (const PoseGraph& graph : graphs_) needs.widen(graph.program->needs);
   return needs;
 }
 
-Agents Agents::clone() const {
-  Agents copy(*pools_, *programs_, owners_);
+AgentGraphs AgentGraphs::clone() const {
+  AgentGraphs copy(*pools_, *programs_, owners_);
   copy.next_updates_ = next_updates_;
   copy.graphs_ = graphs_;
   copy.agents_.reserve(agents_.size());
@@ -236,7 +237,7 @@ Agents Agents::clone() const {
   return copy;
 }
 
-std::size_t Agents::bytes() const {
+std::size_t AgentGraphs::bytes() const {
   std::size_t bytes = agents_.capacity() * sizeof(Agent) + graphs_.capacity() * sizeof(PoseGraph) +
                       next_updates_.capacity() * sizeof(Ticks);
   for (const Agent& agent : agents_) {

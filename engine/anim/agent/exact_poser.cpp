@@ -1,0 +1,68 @@
+#include "engine/anim/agent/exact_poser.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace throng::anim {
+
+void ExactPoser::pose(const Population& population, const FittedScheduler& crowd, std::span<const ExactPose> agents) {
+  list_work(population, crowd, agents);
+  contexts_.assign(crowd.contexts().begin(), crowd.contexts().end());
+  for (UpdateContext& context : contexts_) {
+    context.palette_format = PaletteFormat::matrices;
+    context.hashes = {};
+  }
+  if (scheduler_ == nullptr || made_for_ != crowd.version() || !stores_hold()) make_scheduler(population, crowd);
+  find_runs(work_, runs_);
+  scheduler_->update(contexts_, {}, {work_, runs_}, crowd.executor());
+}
+
+void ExactPoser::list_work(const Population& population, const FittedScheduler& crowd,
+                           std::span<const ExactPose> agents) {
+  work_.clear();
+  for (const ExactPose& exact : agents) {
+    const PoseGraph& graph = population.graph(exact.agent);
+    assert(!graph.empty() && "an agent must have been updated before");
+    const std::uint32_t character = population.member(exact.agent).character;
+    work_.push_back({.program = graph.program,
+                     .entities = graph.entities.data(),
+                     .delta = population.clock() - population.posed_at(exact.agent),
+                     .palette = exact.palette,
+                     .agent = exact.agent,
+                     .cost = crowd.predicted_cost(*graph.program, character, 0),
+                     .skeleton = static_cast<std::uint8_t>(character),
+                     .held = graph.program->needs.held});
+  }
+}
+
+bool ExactPoser::stores_hold() const {
+  const LocalStorePlan& plan = scheduler_->options().plan;
+  return std::ranges::all_of(work_, [&](const AgentWork& work) {
+    return plan_holds(plan, contexts_[work.skeleton], Schedule::fused, work.program->needs);
+  });
+}
+
+// Stores of its own, as large as need be.
+void ExactPoser::make_scheduler(const Population& population, const FittedScheduler& crowd) {
+  LocalStoreDemand needs = local_store_demand(population.characters(), crowd.options().stream);
+  needs.schedule = Schedule::fused;
+  needs.double_buffering = DoubleBuffering::off;
+  const std::size_t bytes = automatic_local_store(contexts_, needs);
+  const Result<LocalStorePlan> plan = plan_local_store(contexts_, needs, bytes, 0);
+  assert(plan && "an automatic local store holds what it was made for");
+  constexpr std::size_t no_unseen_palettes = 0;
+  scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = Schedule::fused,
+                                                           .double_buffering = DoubleBuffering::off,
+                                                           .plan = *plan,
+                                                           .local_store_bytes = bytes,
+                                                           .pus = crowd.options().pus,
+                                                           .cost = crowd.options().cost,
+                                                           .stores = StorePolicy::plain,
+                                                           .trace = Tracing::off,
+                                                           .block_changes = BlockChanges::dropped},
+                                           no_unseen_palettes);
+  scheduler_->reserve(population.count());
+  made_for_ = crowd.version();
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/anim/agent/population.h"
+#include "engine/anim/agent/system_options.h"
+#include "engine/anim/run/pu_threads.h"
+
+namespace throng::anim {
+
+/// The scheduler of a system, and the options that it was made by. Its local stores hold what every graph asks of them:
+/// where the graphs grow, automatic stores grow too, and stores of a fixed size refuse the change.
+class FittedScheduler {
+ public:
+  /// Takes all options, and converts the population to them. On error nothing has changed.
+  Status configure(Population& population, const SystemOptions& options);
+  const SystemOptions& options() const { return options_; }
+  void record_trace(Tracing tracing, std::uint32_t agents);
+
+  /// [character] what PUs read. It is made anew after a mask, a selection or a character was added.
+  std::span<const UpdateContext> contexts() const { return contexts_; }
+  void refresh_contexts(const Population& population);
+  /// [agent] PUs write the hashes of palettes there; empty: they hash nothing.
+  void set_hashes(std::span<std::uint64_t> hashes);
+
+  /// Changes the graph of an agent, and fits the stores to what the graph asks of them afterwards.
+  template <typename Change>
+  Status settle(const Population& population, std::uint32_t agent, Change&& change_graph) {
+    const StoreNeeds before = population.graph(agent).program->needs;
+    Status changed = change_graph();
+    return !changed || population.graph(agent).program->needs == before ? changed : fit(population, agent);
+  }
+  /// What all graphs ask of the stores.
+  LocalStoreDemand demand(const Population& population) const;
+  Status fit(const Population& population, const LocalStoreDemand& needs);
+  /// The cost of an agent of this character, in steps of cost_step.
+  std::uint16_t predicted_cost(const PoseProgram& program, std::uint32_t character, int level) const {
+    return cost_in_steps(options_.cost.of_agent(program.parts, contexts_[character].packets(level)));
+  }
+  /// Makes room for all agents, so that an update allocates nothing, and chooses how palettes are written.
+  void reserve(const Population& population);
+
+  Scheduler& scheduler() { return *scheduler_; }
+  const Scheduler& scheduler() const { return *scheduler_; }
+  /// Counts the schedulers that were made: another number means other options or other stores.
+  std::uint64_t version() const { return version_; }
+  Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
+
+ private:
+  LocalStoreDemand demand(const Population& population, const SystemOptions& options) const;
+  Status fit(const Population& population, std::uint32_t agent);
+  void make_scheduler(const Population& population, const LocalStorePlan& plan, std::size_t store_bytes);
+  StorePolicy store_policy(const Population& population) const;
+
+  SystemOptions options_;
+  std::vector<UpdateContext> contexts_;  // [character]
+  std::unique_ptr<Scheduler> scheduler_;
+  std::uint64_t version_ = 0;
+  std::unique_ptr<PuThreads> threads_;  // null where a host's executor runs the PUs
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "engine/anim/base/executor.h"
+#include "engine/anim/run/scheduler.h"
+
+namespace throng::anim {
+
+struct SystemOptions {
+  int pus = 1;                        ///< 1 to max_pus
+  std::size_t local_store_bytes = 0;  ///< of each PU; 0: automatic (automatic_local_store), grows with the graphs
+  int tile = 0;                       ///< characters a tile: 1, 2, 4, 8, 16; 0: what fits, up to 32
+  Schedule schedule = Schedule::fused;
+  /// Runs the PUs: a host's job system, which outlives the system. Null: the system has threads of its own.
+  Executor* executor = nullptr;
+  DoubleBuffering double_buffering = DoubleBuffering::interleaved;
+  StreamKind stream = StreamKind::sampled;
+  bool hash = true;             ///< hash every palette that is written
+  Tracing trace = Tracing::on;  ///< record what each PU does, for Figures::units() and update_time()
+  bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
+  CostModel cost{};             ///< orders tasks and cuts tiles
+  std::optional<StorePolicy> stores{};  ///< how palettes are written; none: by their size (run/store/store_choice.h)
+  /// `packed` is for the characters that can be packed (see Characters::palette_format); all others get matrices.
+  PaletteFormat palettes = PaletteFormat::matrices;
+  const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
+
+  friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
+};
+inline constexpr int max_pus = 256;
+
+}  // namespace throng::anim

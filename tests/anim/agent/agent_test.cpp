@@ -1,0 +1,83 @@
+// An agent of a system: a small value that reads one agent, and takes requests for it alone.
+
+#include <type_traits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/agent/noise_process.h"
+#include "engine/anim/agent/simple_channel.h"
+#include "tests/anim/agent/crowd_rig.h"
+
+namespace throng::anim::agent_test {
+namespace {
+
+constexpr std::uint32_t two = 2;
+
+CrowdRig two_agents() {
+  CrowdRig crowd({}, two);
+  for (std::uint32_t agent = 0; agent < two; ++agent) crowd->agent(agent).play({.clip = 0});
+  return crowd;
+}
+
+TEST(Agent, IsCopiedAsIs) {
+  static_assert(std::is_trivially_copyable_v<Agent> && sizeof(Agent) <= 32);
+  const CrowdRig crowd = two_agents();
+  const Agent second = crowd->agent(1);
+  EXPECT_EQ(second.number(), 1U);
+  EXPECT_EQ(second.character_number(), 0U);
+  EXPECT_EQ(&second.character(), &crowd->characters()[0]);
+}
+
+TEST(Agent, OfAConstSystemCanOnlyBeRead) {
+  const CrowdRig crowd = two_agents();
+  const AnimationSystem& looked_at = *crowd;
+  static_assert(std::is_same_v<decltype(looked_at.agent(0)), AgentView>);
+  EXPECT_EQ(looked_at.agent(1).channel_count(), 1U);
+  EXPECT_EQ(&looked_at.agent(1).graph(), &crowd->agent(1).graph());
+}
+
+TEST(Agent, TakesRequestsForItselfAlone) {
+  CrowdRig crowd = two_agents();
+  CrowdRig other = two_agents();
+  crowd->agent(1).play({.clip = 1});
+  for (CrowdRig* each : {&crowd, &other}) each->step(5);
+  EXPECT_TRUE(crowd.bones_unlike(other, 0).empty());
+  EXPECT_FALSE(crowd.bones_unlike(other, 1).empty());
+}
+
+TEST(Agent, ChangesTheSpeedOfWhatItPlays) {
+  CrowdRig crowd = two_agents();
+  crowd->agent(1).set_speed(0.0);
+  crowd.step(2);
+  const auto position = [&](std::uint32_t agent) {
+    const AgentView view = std::as_const(*crowd).agent(agent);
+    return view.pools().as<Player>(view.graph().root()).position;
+  };
+  EXPECT_EQ(position(1), 0);
+  EXPECT_EQ(position(0), 2 * frame_ticks * fine_ticks_per_tick);
+}
+
+TEST(Agent, HandsTheChannelsThatItHasOut) {
+  CrowdRig crowd = two_agents();
+  ASSERT_TRUE(crowd->agent(0).add_channel(std::make_unique<SimpleChannel>(PlayerStart{.clip = 1})));
+  EXPECT_EQ(crowd->agent(0).channel_count(), 2U);
+  EXPECT_EQ(crowd->agent(1).channel_count(), 1U);
+  const Handle top = crowd->agent(0).channel<SimpleChannel>(1).state();
+  crowd->agent(0).remove_channel(0);
+  EXPECT_EQ(crowd->agent(0).channel(0).state(), top) << "it moved up";
+}
+
+TEST(Agent, GivesItsLastPostProcessToAnother) {
+  CrowdRig crowd = two_agents();
+  ASSERT_TRUE(crowd->agent(0).add_post_process(std::make_unique<NoiseProcess>(NoiseProcess::Settings{})));
+  const PostProcess* const noise = &crowd->agent(0).post_process(0);
+  ASSERT_TRUE(crowd->agent(1).add_post_process(crowd->agent(0).take_last_post_process()));
+  EXPECT_EQ(crowd->agent(0).post_process_count(), 0U);
+  EXPECT_EQ(&crowd->agent(1).post_process<NoiseProcess>(0), noise);
+  crowd->agent(1).remove_post_processes();
+  EXPECT_EQ(crowd->agent(1).post_process_count(), 0U);
+}
+
+}  // namespace
+}  // namespace throng::anim::agent_test

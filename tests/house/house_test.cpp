@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/house/class_size.h"
 #include "tests/house/house_rules.h"
 #include "tests/house/page_rules.h"
 
@@ -31,6 +32,11 @@ TEST(House, PartsOfOthersAreSeenByFewFiles) { EXPECT_THAT(parts_seen_elsewhere(p
 TEST(House, MainDoesNoMaths) { EXPECT_THAT(maths_in_main(project()), IsEmpty()); }
 
 TEST(House, NoFileIsTooLong) { EXPECT_THAT(files_too_long(project()), IsEmpty()); }
+
+TEST(House, NoClassHasTooManyMethods) {
+  const std::set<std::string> split_next{"Show", "Stage"};
+  EXPECT_THAT(classes_with_too_many_methods(project(), split_next), IsEmpty());
+}
 
 TEST(House, NoFileNamesAPathOfOneMachine) { EXPECT_THAT(machine_paths(project()), IsEmpty()); }
 

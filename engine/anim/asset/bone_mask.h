@@ -9,22 +9,23 @@
 
 namespace throng::anim {
 
-/// Weight of a bone and all below it.
+/// The weight of a bone and of all bones below it.
 struct SubtreeWeight {
   int bone = 0;
   float weight = 1.0F;  ///< 0 to 1
 };
 
-/// Per-bone weights for blenders (paper 2.2.4), laid out as poses are: float [packet][16], 64-byte aligned. Lanes above
-/// the bone count weigh 0.
+/// Holds a weight a bone for blenders (paper 2.2.4), laid out like a pose: float [packet][16], 64-byte aligned. Lanes
+/// from the bone count on weigh 0.
 class BoneMask {
  public:
-  /// Every bone weighs `elsewhere`, but for the subtrees; a subtree inside another one wins, whatever their order.
+  /// Gives every bone the weight `elsewhere`, except in the subtrees. An inner subtree wins over an outer one, in any
+  /// order.
   BoneMask(std::string name, const Skeleton& skeleton, std::span<const SubtreeWeight> subtrees, float elsewhere = 0.0F);
 
   const std::string& name() const { return name_; }
   int packets() const { return packets_; }
-  /// Sixteen weights.
+  /// Returns sixteen weights.
   const float* packet(int index) const;
   float weight(int bone) const;
 
@@ -34,7 +35,7 @@ class BoneMask {
   AlignedBytes weights_;
 };
 
-/// Index of the bone of that name, or -1.
+/// Returns the index of the bone of that name, or -1.
 int find_bone(const Skeleton& skeleton, std::string_view name);
 
 }  // namespace throng::anim

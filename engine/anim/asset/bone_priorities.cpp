@@ -28,7 +28,7 @@ StateTransform still_state(const Skeleton& skeleton, int bone) {
                   {glm::normalize(glm::dquat(rest.rotation)), glm::dvec3(rest.translation), glm::dvec3(rest.scale)});
 }
 
-/// Bits of the lanes that hold no bone.
+/// Returns the bits of the lanes that hold no bone.
 std::uint16_t padding_lanes(int bone_count, int packet) {
   const int bones = std::min(bone_count - packet * packet_bones, packet_bones);
   return static_cast<std::uint16_t>(all_lanes << bones);

@@ -11,7 +11,7 @@ namespace throng::anim {
 /// glTF 2.0, 3.11 "Animations" and appendix C.
 enum class Interpolation : unsigned char { step, linear, cubic_spline };
 
-/// Keys of one property of one bone as the file has them. Empty where the clip does not animate it.
+/// The keys of one property of one bone as the file has them. Empty where the clip does not animate the property.
 template <typename Value>
 struct Track {
   Interpolation interpolation = Interpolation::linear;
@@ -24,24 +24,24 @@ struct Track {
 struct BoneTracks {
   int bone = 0;
   Track<glm::vec3> translation;
-  Track<glm::quat> rotation;  ///< as stored; not necessarily unit (normalised integers)
+  Track<glm::quat> rotation;  ///< as stored; may differ from unit length (normalised integers)
   Track<glm::vec3> scale;
 };
 
-/// A moment of a clip that game play wants to know of (paper 2.2.2 "data key"), as the file has it.
+/// A named moment of a clip for game play (the paper's "data key", 2.2.2), as the file has it.
 struct NamedDataKey {
-  double time = 0.0;  ///< seconds, 0 to the clip's duration
+  double time = 0.0;  ///< seconds, from 0 to the clip's duration
   std::string name;   ///< never empty
 };
 
-/// One animation of the file, restricted to one skeleton. Runs from 0 to its last key; a bone without a track keeps its
-/// rest transform; before a track's first key and after its last, the nearest key holds.
+/// One animation of the file, restricted to one skeleton. It runs from 0 to its last key. A bone without a track keeps
+/// its rest transform. Before a track's first key and after its last, the nearest key holds.
 struct Clip {
   std::string name;
-  int animation = -1;                        ///< index in the file
-  double start = 0.0;                        ///< seconds, the first key of all its channels
-  double duration = 0.0;                     ///< seconds, the last key of all its channels, this skeleton's or not
-  std::vector<BoneTracks> tracks;            ///< ascending by bone, at most one a bone
+  int animation = -1;              ///< index in the file
+  double start = 0.0;              ///< seconds, the first key of all its channels
+  double duration = 0.0;           ///< seconds, the last key of all its channels, those of other skeletons too
+  std::vector<BoneTracks> tracks;  ///< ascending by bone, at most one a bone
   std::vector<NamedDataKey> data_keys = {};  ///< by time
 };
 

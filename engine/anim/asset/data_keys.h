@@ -8,38 +8,38 @@
 
 namespace throng::anim {
 
-/// A moment of a clip that game play wants to know of: a foot that lands, a hand that lets go (paper 2.2.2).
+/// A named moment of a clip for game play: a foot lands, a hand lets go (paper 2.2.2).
 struct DataKey {
-  Ticks time = 0;          ///< 0 to the clip's duration
-  std::uint32_t name = 0;  ///< index of Character::data_key_names
+  Ticks time = 0;          ///< from 0 to the clip's duration
+  std::uint32_t name = 0;  ///< index into Character::data_key_names
 };
 
-/// The keys that one run through a clip meets on its way between two of its own positions.
+/// The keys that a motion within one loop of a clip meets.
 struct DataKeyRun {
-  std::size_t first = 0;  ///< in the order of the motion: backward, the later key
+  std::size_t first = 0;  ///< the key that is met first: backward, the latest one
   std::size_t count = 0;
 };
-/// `low` < `high`, both 0 to `duration`, in fine ticks.
+/// Finds the keys between two positions, in fine ticks: 0 <= `low` < `high` <= `duration`.
 DataKeyRun data_keys_between(std::span<const DataKey> keys, FineTicks duration, FineTicks low, FineTicks high,
                              bool forward);
 
-/// Floor division: a player that moves backwards is in loop -1 as soon as it leaves 0.
+/// Rounds down: a player that moves backwards is in loop -1 as soon as it leaves 0.
 constexpr FineTicks whole_loops(FineTicks position, FineTicks duration) {
   const FineTicks quotient = position / duration;
   return position % duration < 0 ? quotient - 1 : quotient;
 }
 
 /// Calls visit(key, position) for every data key that a motion `from` -> `to` meets, in the order of the motion, until
-/// it returns false. Positions are unwrapped: those of a looping clip may lie any number of loops ahead or back; those
-/// of one that does not loop are held at its ends. `keys` are sorted by time.
+/// it returns false. `keys` are sorted by time. Positions are unwrapped: in a looping clip they may lie any number of
+/// loops ahead or back; in others they are held at the clip's ends.
 ///
-/// Intervals are half-open: a key is met as the motion leaves it, forward in [from, to), backward in (to, from]; so a
-/// motion cut into steps meets what the whole meets. The keys at a clip's ends are met where no step is left to leave
-/// them: the one at its duration just before the end, the one at 0 just after the start. So arriving at an end delivers
-/// that end's key, standing there delivers nothing, and where a loop closes the key at the duration comes before the
-/// one at 0, or after it when time runs backwards.
+/// A motion meets a key when it leaves it: forward in [from, to), backward in (to, from]. A motion that is cut into
+/// steps therefore meets the same keys as the whole. No step leaves the keys at a clip's two ends, so they are met just
+/// inside: the key at the duration just before the end, the key at 0 just after the start. Arriving at an end
+/// therefore delivers that end's key, and standing there delivers nothing. At the seam of a loop the key at the
+/// duration comes before the key at 0, or after it when time runs backwards.
 ///
-/// Takes time for the keys that it delivers, not for the loops or keys that it passes over.
+/// Takes time for the keys that it delivers, not for loops or keys that it passes over.
 template <typename Visit>
 void for_each_data_key(std::span<const DataKey> keys, Ticks duration, bool looping, FineTicks from, FineTicks to,
                        Visit&& visit) {

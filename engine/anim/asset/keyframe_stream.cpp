@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t least_seek_interval = 64;
 
-/// An event whose values have no place yet.
+/// An event before its values have a place in the tables.
 struct PendingEvent {
   KeyEvent event;
   std::uint32_t track;
@@ -27,7 +27,8 @@ int choose_time_shift(Ticks duration) {
   return shift;
 }
 
-/// Key times in units, strictly ascending: of two keys in one unit the earlier moves down, so that no segment is empty.
+/// Returns key times in units, strictly ascending. The earlier of two keys in one unit moves down, so that no segment
+/// is empty.
 std::vector<std::int32_t> unit_times(const StateTrack& track, int time_shift) {
   std::vector<std::int32_t> units;
   for (const StateKey& key : track.keys) units.push_back(static_cast<std::int32_t>(key.time >> time_shift));
@@ -35,7 +36,7 @@ std::vector<std::int32_t> unit_times(const StateTrack& track, int time_shift) {
   return units;
 }
 
-/// The event that brings key `k` of a track: with STEP at its own time, else when the segment before it begins.
+/// Makes the event of key `k` of a track: at the key's own time with STEP, else at the start of the segment before it.
 PendingEvent event_of_key(const StateTrack& track, std::uint32_t index, const std::vector<std::int32_t>& units,
                           std::size_t k) {
   PendingEvent pending{.event = {}, .track = index, .key = static_cast<std::uint32_t>(k)};
@@ -51,7 +52,8 @@ PendingEvent event_of_key(const StateTrack& track, std::uint32_t index, const st
   return pending;
 }
 
-/// What opens each track first, in the order of tracks; then all others as a forward player meets them.
+/// Returns first the events that open each track, in the order of tracks, then all others as a forward player meets
+/// them.
 std::vector<PendingEvent> sorted_events(const StateClip& clip, int time_shift) {
   std::vector<PendingEvent> events;
   std::vector<PendingEvent> later;
@@ -69,7 +71,7 @@ std::vector<PendingEvent> sorted_events(const StateClip& clip, int time_shift) {
 
 using ValueTables = std::array<std::vector<float>, key_channels>;
 
-/// Appends a key as the stream holds it; `before` is the key before it, or null for the first of its track.
+/// Appends a key in the stream's form; `before` is the key before it, or null for the first key of its track.
 std::uint32_t append_key(std::vector<float>& table, const StateTrack& track, const StateKey& key,
                          const StateKey* before) {
   const auto place = static_cast<std::uint32_t>(table.size());
@@ -85,7 +87,7 @@ std::uint32_t append_key(std::vector<float>& table, const StateTrack& track, con
   return place;
 }
 
-/// Gives every event's values their place, in the order of the events.
+/// Gives the values of all events their place, in the order of the events.
 ValueTables place_values(const StateClip& clip, std::vector<PendingEvent>& events) {
   ValueTables tables;
   std::vector<std::uint32_t> latest(clip.tracks.size());
@@ -142,7 +144,7 @@ std::vector<std::uint16_t> cubic_lanes(const StateClip& clip) {
   return lanes;
 }
 
-/// Lays tables one after the other behind a header, each at a multiple of 64 bytes.
+/// Lays tables behind a header one after the other, each at a multiple of 64 bytes.
 class BlockLayout {
  public:
   template <typename T>

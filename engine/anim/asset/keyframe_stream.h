@@ -12,43 +12,43 @@
 
 namespace throng::anim {
 
-/// What a track moves, and how many floats a key of it has.
+/// The property that a track moves, and how many floats a key of it has.
 enum class KeyChannel : std::uint8_t { rotation, position, scale };
 inline constexpr int key_channels = 3;
 constexpr int key_width(KeyChannel channel) { return channel == KeyChannel::rotation ? 4 : 3; }
 
-/// A key at the moment when a player that moves forward needs it: when it becomes the control key that a track moves
-/// towards (LINEAR, CUBICSPLINE), or the one that it shows (STEP).
+/// A key with the moment at which a player that moves forward needs it: when it becomes the control key that a track
+/// moves towards (LINEAR, CUBICSPLINE), or the key that it shows (STEP).
 ///
 ///      0        4                 8       12               16     18        19        20
 ///     | start  | reciprocal_span | value | previous_value | bone | channel | is_cubic |
 ///
-/// An event says everything about the segment it opens, so the state of a track is a function of its latest event.
+/// An event says everything about the segment that it opens, so a track's state follows from its latest event.
 struct KeyEvent {
-  std::int32_t start;            ///< time units (see time_shift): the segment runs from here
+  std::int32_t start;            ///< time units (see time_shift) at which the segment begins
   float reciprocal_span;         ///< 1 / time units up to the key; 0: `previous_value` holds
-  std::uint32_t value;           ///< of the key: index of its first float in its channel's table
-  std::uint32_t previous_value;  ///< of the key before it; the same as `value` for STEP
+  std::uint32_t value;           ///< the key's first float: an index into its channel's table
+  std::uint32_t previous_value;  ///< the same for the key before it; equals `value` for STEP
   std::uint16_t bone;
   KeyChannel channel;
-  std::uint8_t is_cubic;  ///< after the key's value lie the segment's two tangents, see below
+  std::uint8_t is_cubic;  ///< the segment's two tangents lie after the key's value, see below
 };
 static_assert(sizeof(KeyEvent) == 20);
 
-/// The clip's own keys (paper 2.2.2): one relocatable read-only block, rotation, position and scale keys split, in
-/// state space, sorted in the order in which a player that moves forward needs them, with LINEAR, STEP and CUBICSPLINE
-/// kept, and seek points for other moves. Exact: the reference that errors are measured against.
+/// The clip's own keys (paper 2.2.2) in one relocatable read-only block. Rotation, position and scale keys are apart,
+/// in state space, sorted in the order in which a player that moves forward needs them. LINEAR, STEP and CUBICSPLINE
+/// are kept, and seek points serve other moves. The stream is exact: errors are measured against it.
 ///
 ///     KeyframeStream                              64 bytes
-///     constants    float [packet][component][16]  the pose of what does not move; padding lanes: identity
+///     constants    float [packet][component][16]  the pose of all that stays still; padding lanes: identity
 ///     cubic_lanes  uint16 [packet][3]             a bit for each lane whose track is CUBICSPLINE
-///     events       KeyEvent [event_count]         one a track that opens it, then others by start, bone, channel
+///     events       KeyEvent [event_count]         one a track that opens it, then the others by start, bone, channel
 ///     seek points  uint32 [seek_count][tracks]    each track's latest event, every seek_interval events
 ///     values       float                          rotations, positions, scales, each in the order of the events
 ///
 /// A LINEAR or STEP key is its value: 4 floats (unit, each on the hemisphere of the one before) or 3. A CUBICSPLINE key
-/// is three of them: value, out-tangent of the key before and in-tangent of this key, both times the span between them.
-/// Tables start at multiples of 64 bytes.
+/// has three parts: its value, the out-tangent of the key before and its own in-tangent. Both tangents are multiplied
+/// by the span between the keys. Tables start at multiples of 64 bytes.
 struct alignas(64) KeyframeStream {
   std::uint32_t total_size;  ///< bytes, this header included
   std::int32_t bone_count;
@@ -56,9 +56,9 @@ struct alignas(64) KeyframeStream {
   std::int32_t time_shift;  ///< a time unit is 2^time_shift ticks, so that the whole clip fits in 31 bits
   Ticks duration;
   std::uint32_t event_count;
-  std::uint32_t track_count;  ///< tracks that move
+  std::uint32_t track_count;  ///< moving tracks
   std::uint32_t seek_interval;
-  std::uint32_t constants_offset;  ///< bytes from the start of the block, as all that follow
+  std::uint32_t constants_offset;  ///< bytes from the start of the block, like all that follow
   std::uint32_t cubic_lanes_offset;
   std::uint32_t events_offset;
   std::uint32_t seek_points_offset;
@@ -88,7 +88,7 @@ static_assert(offsetof(KeyframeStream, duration) == 16);
 static_assert(offsetof(KeyframeStream, constants_offset) == 36);
 static_assert(offsetof(KeyframeStream, values_offsets) == 52);
 
-/// A 64-byte aligned block holding the stream of `clip` on `skeleton`; it is `total_size` bytes long.
+/// Builds the stream of `clip` on `skeleton` in a 64-byte aligned block of `total_size` bytes.
 AlignedBytes build_keyframe_stream(const Skeleton& skeleton, const Clip& clip);
 
 }  // namespace throng::anim

@@ -10,11 +10,11 @@ namespace throng::anim {
 
 namespace {
 
-/// Differences below this are rounding of a 32-bit file, relative to the largest component or a centimetre.
+/// Smaller differences are rounding of a 32-bit file; relative to the largest component or a centimetre.
 constexpr double still = 1e-7;
 constexpr double least_magnitude = 0.01;
 
-/// linear * value + constant: what to_state does to one property of one bone.
+/// Does to a property of a bone what to_state does: linear * value + constant.
 struct StateMap {
   std::array<glm::dvec4, 4> columns{};
   glm::dvec4 constant{0.0};
@@ -58,7 +58,7 @@ StateMap scale_map() { return {.columns = {unit_axis(0), unit_axis(1), unit_axis
 glm::dvec4 widen(const glm::vec3& v) { return {v, 0.0}; }
 glm::dvec4 widen(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
 
-/// The file's keys in double, with tangents where the track has them.
+/// Reads the file's keys in double, with tangents where the track has them.
 template <typename Value>
 std::vector<StateKey> read_keys(const Track<Value>& track) {
   const bool cubic = track.interpolation == Interpolation::cubic_spline;
@@ -73,8 +73,8 @@ std::vector<StateKey> read_keys(const Track<Value>& track) {
   return keys;
 }
 
-/// Turns keys to the shorter arc from each to the next; a zero dot product counts as positive (glTF 2.0, C.4). The
-/// signs are taken from the file's own values, which conversion would round.
+/// Turns each key to the shorter arc from the key before it; a zero dot product counts as positive (glTF 2.0, C.4). The
+/// signs come from the file's own values, which the conversion would round.
 void choose_hemispheres(std::vector<StateKey>& keys) {
   bool flipped = false;
   glm::dvec4 previous = keys.front().value;
@@ -122,7 +122,7 @@ void convert(std::vector<StateKey>& keys, const StateMap& map) {
   }
 }
 
-/// Either a moving track of the clip, or the value at which the property stays.
+/// Adds a moving track to the clip, or the constant value of a property that does not move.
 void add_track(StateClip& clip, StateTrack track, const StateMap& map) {
   const bool moving = moves(track.keys, to_seconds(clip.duration));
   convert(track.keys, map);
@@ -158,7 +158,7 @@ void add_bone_tracks(StateClip& clip, const Skeleton& skeleton, const BoneTracks
   }
 }
 
-/// What a bone shows that no track moves.
+/// Returns the state of a bone that no track moves.
 StateTransform rest_state(const Skeleton& skeleton, int bone) {
   const Transform& rest = skeleton.bones[static_cast<std::size_t>(bone)].rest;
   const glm::dquat rotation = quaternion_of(normalised(widen(rest.rotation)));

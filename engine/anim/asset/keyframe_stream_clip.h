@@ -11,7 +11,7 @@
 
 namespace throng::anim {
 
-/// A key in state space; positions and scales leave w at 0. Tangents are per second, CUBICSPLINE only.
+/// A key in state space. Positions and scales leave w at 0. Tangents are per second and belong to CUBICSPLINE only.
 struct StateKey {
   Ticks time = 0;
   glm::dvec4 value{0.0};
@@ -19,7 +19,7 @@ struct StateKey {
   glm::dvec4 out_tangent{0.0};
 };
 
-/// A track that moves: two keys or more.
+/// A moving track, with two keys or more.
 struct StateTrack {
   int bone = 0;
   KeyChannel channel = KeyChannel::rotation;
@@ -27,25 +27,25 @@ struct StateTrack {
   std::vector<StateKey> keys;  ///< by time
 };
 
-/// A clip as animation states see it (ReferenceFrame), in double. The conversion of a track is linear or affine, so
-/// interpolating after it is interpolating before it.
+/// A clip in the space of animation states (see ReferenceFrame), in double. A track is converted by a linear or affine
+/// map, so it makes no difference whether values are interpolated before or after.
 struct StateClip {
   Ticks duration = 0;
   int components = rigid_components;
-  std::vector<StateTransform> constants;  ///< one a bone: what holds where nothing moves; rotations unit
+  std::vector<StateTransform> constants;  ///< one a bone: the values that hold where nothing moves; rotations unit
   std::vector<StateTrack> tracks;         ///< by bone, then channel
 };
 
 StateClip to_state_space(const Skeleton& skeleton, const Clip& clip);
 
-/// Seconds: a day. Players count in parts of ticks, and a file may claim any time; later keys are held there.
+/// A day in seconds. Players count parts of ticks, and a file may claim any time; later keys are moved back to it.
 inline constexpr double longest_clip = 86'400.0;
 
-/// Ticks of a key time of a file.
+/// Converts a key time of a file to ticks.
 Ticks key_ticks(double seconds);
 
-/// Subtracts `drift` * time / duration from the position of `bone`, exactly: whatever its track was, the difference is
-/// linear in time. Its position track must not be a moving STEP track; the clip lasts longer than 0.
+/// Subtracts `drift` * time / duration from the position of `bone`. This is exact for every interpolation, because the
+/// difference is linear in time. The bone has no moving STEP track of its position; the clip lasts longer than 0.
 void subtract_drift(StateClip& clip, int bone, const glm::dvec3& drift);
 
 AlignedBytes pack_keyframe_stream(const StateClip& clip);

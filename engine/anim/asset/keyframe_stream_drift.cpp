@@ -7,7 +7,7 @@ namespace throng::anim {
 
 namespace {
 
-/// The position track of `bone`, made of its constant if it has none.
+/// Returns the position track of `bone`, and makes one of its constant if it has none.
 StateTrack& position_track(StateClip& clip, int bone) {
   const auto before = [](const StateTrack& track, const StateTrack& key) {
     return track.bone != key.bone ? track.bone < key.bone : track.channel < key.channel;
@@ -22,7 +22,7 @@ StateTrack& position_track(StateClip& clip, int bone) {
   return *place;
 }
 
-/// Where the nearest key held, hold it with a key of its own, so that the line can be laid over it.
+/// Adds keys at both ends of the clip where the nearest key held, so that the track covers the whole line.
 void cover(StateTrack& track, Ticks duration) {
   if (StateKey& first = track.keys.front(); first.time > 0) {
     first.in_tangent = glm::dvec4(0.0);

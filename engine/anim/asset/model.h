@@ -14,7 +14,7 @@
 
 namespace throng::anim {
 
-/// A skin of the file: which palette entry each of its joints reads. Kept so that poses can be reported joint by joint.
+/// A skin of the file and the palette entry that each of its joints reads. Lets poses be reported joint by joint.
 struct Skin {
   int skin = -1;  ///< index in the file
   std::string name;
@@ -40,7 +40,7 @@ struct Material {
   float alpha_cutoff = 0.0F;  ///< 0: opaque
 };
 
-/// One glTF primitive as triangles, skinned: brought into the space of the palette (see Skin::bind_to_model).
+/// One glTF primitive as triangles, skinned, in the space of the palette (see Skin::bind_to_model).
 struct SkinnedMesh {
   std::string name;
   int material = 0;
@@ -52,17 +52,17 @@ struct SkinnedMesh {
   std::vector<glm::vec3> shapes;              ///< `_SHAPE`: stout, broad, stooped, -1..1; one a position, or empty
   std::vector<glm::vec2> hair;                ///< `_HAIR`: full, long, -1..1; one a position, or empty
   std::vector<glm::u16vec4> palette_entries;  ///< four influences a position, strongest first
-  std::vector<glm::vec4> weights;             ///< sum to 1; what the file has beyond four is dropped and reported
+  std::vector<glm::vec4> weights;             ///< sum to 1; import drops and reports influences beyond four
   std::vector<std::uint32_t> indices;         ///< triangles, counter-clockwise front
 };
 
-/// A coarser surface that the file brings along, weights and all.
+/// A coarser surface from the file, with weights of its own.
 struct BakedMeshLod {
   double error = 0.0;  ///< metres from the full surface, as the file says
   std::vector<SkinnedMesh> meshes;
 };
 
-/// One skeleton of a file with all that hangs on it.
+/// One skeleton of a file with its skins, clips, meshes and materials.
 struct Model {
   Skeleton skeleton;
   std::vector<Skin> skins;
@@ -73,12 +73,13 @@ struct Model {
   std::vector<Image> images;
 };
 
-/// What one .glb or .gltf holds. Models are sorted by number of vertices skinned to them, then joints; largest first.
+/// The contents of one .glb or .gltf. Models are sorted by the number of vertices skinned to them, then by joints,
+/// largest first.
 struct ImportedFile {
   std::string file;
   std::vector<Model> models;            ///< at least one
   std::vector<std::string> animations;  ///< name of every animation of the file, by index
-  std::vector<std::string> repairs;     ///< one sentence each: what was found odd and mended
+  std::vector<std::string> repairs;     ///< one sentence each: what import found odd and mended
 };
 
 }  // namespace throng::anim

@@ -12,7 +12,7 @@ namespace throng::anim {
 
 namespace {
 
-/// The keys around a time: `from` holds if `to` is the same, else `fraction` of the way to `to`.
+/// The keys around a time. If `from` equals `to` it holds; else the value lies `fraction` of the way to `to`.
 struct Span {
   std::size_t from = 0;
   std::size_t to = 0;
@@ -44,7 +44,7 @@ auto key(const Track<Value>& track, std::size_t index) {
   return wide(track.values[track.interpolation == Interpolation::cubic_spline ? index * 3 + 1 : index]);
 }
 
-/// Appendix C.5: tangents are scaled by the length of the span.
+/// Interpolates as appendix C.5 says: tangents are multiplied by the length of the span.
 template <typename Value>
 auto hermite(const Track<Value>& track, const Span& span) {
   const double u = span.fraction;
@@ -56,7 +56,7 @@ auto hermite(const Track<Value>& track, const Span& span) {
          (-2.0 * u3 + 3.0 * u2) * key(track, span.to) + span.seconds * (u3 - u2) * in_tangent;
 }
 
-/// Appendix C.4, with a zero dot product counted as positive.
+/// Interpolates as appendix C.4 says; a zero dot product counts as positive.
 glm::dquat shorter_slerp(const glm::dquat& from, glm::dquat to, double u) {
   double cosine = glm::dot(from, to);
   if (cosine < 0.0) {

@@ -10,7 +10,7 @@ namespace throng::anim {
 
 namespace {
 
-/// Old index -> new index, of bones or of palette entries.
+/// Maps old indices of bones or of palette entries to new ones.
 using Places = std::vector<int>;
 
 int at(const Places& places, int index) { return places[static_cast<std::size_t>(index)]; }
@@ -29,7 +29,7 @@ std::vector<Element> permute(std::vector<Element>& elements, const std::vector<i
   return result;
 }
 
-/// Palette entries follow their bones.
+/// Returns the order of palette entries, which follow their bones.
 std::vector<int> entry_order(const Skeleton& skeleton, const Places& bone_places) {
   std::vector<int> order(skeleton.palette.size());
   std::iota(order.begin(), order.end(), 0);

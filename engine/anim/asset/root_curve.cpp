@@ -13,13 +13,13 @@ namespace throng::anim {
 namespace {
 
 glm::dvec3 turned(const glm::dvec3& v, double yaw) {
-  if (yaw == 0.0) return v;  // most clips never turn, and are spared the last bit in which sines differ
+  if (yaw == 0.0) return v;  // most clips never turn, and rounding of sines must not touch them
   const double c = std::cos(yaw);
   const double s = std::sin(yaw);
   return {v.x * c + v.z * s, v.y, v.z * c - v.x * s};
 }
 
-/// The keys at both ends of the segment that holds `position`, and how far between them.
+/// The keys at both ends of the segment that holds `position`, and the fraction of the way between them.
 struct Segment {
   const RootKey* from;
   const RootKey* to;
@@ -57,7 +57,7 @@ RootMotion inverse(const RootMotion& motion) {
 }
 
 RootMotion power(const RootMotion& motion, double times) {
-  // The sum of the turned steps is a geometric series; whole turns are left out of it, where it would be 0 / 0.
+  // The sum of the turned steps is a geometric series. Whole turns are left out of it, since they would give 0 / 0.
   const double half = 0.5 * std::remainder(motion.yaw, 2.0 * std::numbers::pi);
   const double sine = std::sin(half);
   const double steps = sine == 0.0 ? times : std::sin(times * half) / sine;

@@ -8,19 +8,19 @@
 
 namespace throng::anim {
 
-/// A rigid motion over the ground: turn by `yaw` about +Y (from +Z towards +X), then move.
+/// A rigid motion over the ground: it turns by `yaw` about +Y (from +Z towards +X), then moves.
 struct RootMotion {
   glm::dvec3 translation{0.0};  ///< metres; y is 0
   double yaw = 0.0;             ///< radians, not wrapped: two turns are 4 pi
 };
 
-/// `first`, then `second` as seen from where `first` leads.
+/// Does `first`, then `second` as seen from where `first` leads.
 RootMotion compose(const RootMotion& first, const RootMotion& second);
 RootMotion inverse(const RootMotion& motion);
-/// `motion` `times` over, negative: its inverse; a closed form, whatever the number.
+/// Repeats `motion` `times` times; a negative number repeats its inverse. Every number costs the same.
 RootMotion power(const RootMotion& motion, double times);
 
-/// Where the root has come to since the clip's start, in model space.
+/// The place and direction that the root has reached since the clip's start, in model space.
 struct RootKey {
   Ticks time = 0;
   double x = 0.0;  ///< metres
@@ -28,23 +28,23 @@ struct RootKey {
   double yaw = 0.0;  ///< radians, not wrapped
 };
 
-/// The motion that baking took out of a clip's pose, as straight lines between keys.
+/// The motion that baking takes out of a clip's pose, as straight lines between keys.
 struct RootCurve {
   Ticks duration = 0;
-  std::vector<RootKey>
-      keys;  ///< by time, strictly; the first is at 0 and all zero, the last at `duration`; or empty: none
+  std::vector<RootKey> keys;  ///< ascending; the first is all zero, the last at `duration`; empty: no motion
 };
 
-/// Straight ahead at an even speed: `translation` from the start to the end. Empty where it is 0.
+/// Makes a curve that leads straight along `translation` at an even speed; without keys where `translation` is 0.
 RootCurve straight_root_curve(Ticks duration, const glm::dvec3& translation);
 
-/// How a character that plays from one position to another moves, seen from where it stands at first: whole loops times
-/// the loop's transform, and the curve in between, in double. Positions are unwrapped as for for_each_data_key: of a
-/// clip that does not loop they are held at its ends. Motions of adjoining intervals compose to that of the whole.
+/// Returns how a character moves while it plays from one position to another, seen from where it stands first: the
+/// loop's motion times the whole loops, and the curve in between, in double. Positions are unwrapped, as in
+/// for_each_data_key; those of a clip that does not loop are held at its ends. The motions of adjoining intervals
+/// compose to the motion of the whole.
 RootMotion displacement(const RootCurve& curve, FineTicks from, FineTicks to, bool looping);
 
-/// The rate of the displacement at a clip's own position, 0 to its duration, in the character's own space. At a key it
-/// is that of what follows, at the end that of what came before.
+/// The rate of the displacement at a position from 0 to the clip's duration, in the character's own space. At a key it
+/// is the rate after the key, at the end the rate before the end.
 struct RootVelocity {
   glm::dvec3 linear{0.0};  ///< metres a second of the clip
   double yaw = 0.0;        ///< radians a second of the clip

@@ -13,13 +13,13 @@ constexpr float quantised_one = 32767.0F;
 constexpr std::size_t line_bytes = 64;
 constexpr int no_group = -1;
 
-/// The components that are stored, or left out, together: rotations of a packet, positions or scales of a quad.
+/// Components that are stored or left out together: rotations of a packet, positions or scales of a quad.
 struct Group {
   int first_component;
   int count;
   int bones;
   bool is_rotation() const { return first_component == 0; }
-  /// A quad's, too, has room for four components.
+  /// A quad has room for four components too.
   std::size_t bytes() const { return std::size_t{4} * static_cast<std::size_t>(bones) * sizeof(std::int16_t); }
 };
 constexpr Group rotation_group{0, 4, packet_bones};
@@ -35,7 +35,7 @@ struct Range {
 
 std::size_t round_up_to_lines(std::size_t bytes) { return (bytes + line_bytes - 1) / line_bytes * line_bytes; }
 
-/// The rows of a clip as they will be stored: neighbouring quaternions on one hemisphere.
+/// The rows of a clip as the stream will store them: neighbouring quaternions lie on one hemisphere.
 class Source {
  public:
   explicit Source(const SampledRows& rows) : shape_(rows), values_(rows.rows), packets_(packets_for(rows.bone_count)) {
@@ -86,7 +86,7 @@ class Source {
   int packets_;
 };
 
-/// Constant as far as the stored numbers can tell: storing the middle errs no more than quantising does.
+/// Says whether a range is constant in the stored form: storing its middle errs no more than quantising does.
 bool is_constant(const Group& group, const Range& range) {
   if (group.is_rotation()) return range.width() <= 1.0F / quantised_one;
   return range.width() <= 1e-7F + 1e-6F * std::max(std::abs(range.lowest), std::abs(range.highest));
@@ -101,7 +101,7 @@ bool moves(const Source& source, int packet, const Group& group, int first_bone)
   return false;
 }
 
-/// Where each packet's, or quad's, moving groups lie in a row.
+/// The place in a row of each packet's or quad's moving groups.
 struct RowLayout {
   std::vector<std::int32_t> rotations, positions, scales;
   std::size_t stride = 0;
@@ -163,7 +163,7 @@ void write_ranges(const Source& source, int packet, const Group& group, float (*
   }
 }
 
-/// On general skeletons positions are no displacements: all are wanted.
+/// Finds the quads with displaced positions. Positions on general skeletons are no displacements, so all quads count.
 QuadMask displaced_quads(const SampledRows& rows, const SampledPacket& packet) {
   if (rows.components == general_components) return all_quads;
   QuadMask quads = 0;

@@ -13,7 +13,7 @@ const ReferenceFrame& parent_frame(const Skeleton& skeleton, int bone) {
   return parent < 0 ? model : skeleton.references[static_cast<std::size_t>(parent)];
 }
 
-/// Rotation of a matrix that is a rotation times a uniform scale.
+/// Returns the rotation of a matrix that is a rotation times a uniform scale.
 glm::dquat rotation_of(const glm::dmat4& similarity) {
   const glm::dmat3 linear(similarity);
   return glm::normalize(glm::quat_cast(linear / glm::length(linear[0])));

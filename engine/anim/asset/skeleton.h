@@ -12,7 +12,7 @@
 
 namespace throng::anim {
 
-/// At most this many per-bone levels of detail (paper 3.2); level 0 has every bone.
+/// The most levels of detail by bones (paper 3.2). Level 0 has every bone.
 inline constexpr int max_bone_levels = 4;
 
 struct Bone {
@@ -20,37 +20,37 @@ struct Bone {
   int node = -1;                     ///< index of the glTF node it came from
   int parent = -1;                   ///< index of its parent bone, always below its own; -1 for a root
   Transform rest;                    ///< local transform of the file; identity where `prefix` holds the node's matrix
-  glm::dmat4 prefix{1.0};            ///< what never moves and stands between parent and bone: static nodes that are no
+  glm::dmat4 prefix{1.0};            ///< what never moves between parent and bone: static nodes that are no
                                      ///< bones, or a matrix that is not a plain TRS. local = prefix * T * R * S
-  bool prefix_holds_matrix = false;  ///< the node's own matrix, which no T, R and S say
+  bool prefix_holds_matrix = false;  ///< `prefix` has the node's own matrix, which no T, R and S can say
 };
 
-/// Where a bone is in the bind pose, in model space, without scale: what an animation state is relative to.
+/// The place of a bone in the bind pose, in model space, without scale. Animation states are relative to it.
 /// A state stores, for each bone b with parent p (p = identity for a root):
 ///     rotation  q' = p.rotation * (prefix rotation * q) * inverse(b.rotation)
 ///     position  d  = p.origin + p.rotation * (p.scale * (prefix * t)) - b.origin
-/// so that the bind pose is the identity, and interpolation, blending and additive layers commute with it.
+/// The bind pose is then the identity, and interpolation, blending and additive layers commute with the conversion.
 struct ReferenceFrame {
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
   glm::dvec3 origin{0.0};
   double scale = 1.0;  ///< constant uniform scale of the bone's global transform
 };
 
-/// One matrix that the kernels write for a bone: bone global * post.
+/// A matrix that the kernels write for a bone: bone global * post.
 struct PaletteEntry {
   int bone = 0;
   glm::dmat4 post{1.0};  ///< inverse bind matrix
 };
 
-/// A hierarchy of bones and how to get from local transforms to a palette.
+/// A hierarchy of bones, and the way from local transforms to a palette.
 ///
-/// Bones are ordered level by level, parents before children, depth-first inside a level, so that every level of
-/// detail is a prefix of the transforms, of the sampled rows and of the palette.
+/// Bones are ordered level by level, parents before children, depth-first inside a level. Every level of detail is
+/// therefore a prefix of the transforms, of the sampled rows and of the palette.
 ///
-/// rigid:  every bind and every animated local transform is rigid up to one uniform scale a bone. References are set,
-///         the palette has exactly one matrix a bone, in bone order: palette = model-space motion from the bind pose.
-///         (Vertices must be brought to that space by SkinnedMesh at import.)
-/// else:   references are the identity, states hold plain local rotation, translation and scale, and the palette has
+/// rigid:  every bind and every animated local transform is rigid up to one uniform scale a bone. References are set.
+///         The palette has exactly one matrix a bone, in bone order: palette = model-space motion from the bind pose.
+///         (Import brings the vertices of SkinnedMesh to that space.)
+/// else:   references are the identity, and states hold plain local rotation, translation and scale. The palette has
 ///         `palette` entries, sorted by bone, each bone global * post.
 struct Skeleton {
   std::string name;
@@ -62,27 +62,27 @@ struct Skeleton {
 
   int bone_count() const { return static_cast<int>(bones.size()); }
   int palette_count() const { return static_cast<int>(palette.size()); }
-  /// Floats that one bone takes in a state: rotation 4, position 3, and scale 3 on the general path.
+  /// Returns the floats of a bone in a state: 4 of rotation, 3 of position, and 3 of scale on the general path.
   int components() const { return rigid ? 7 : 10; }
 };
 
 inline constexpr int max_bones = 1024;
 
-/// Number of palette entries that a level needs: those whose bone is below `bone_count`.
+/// Counts the palette entries that a level needs: those whose bone is below `bone_count`.
 int palette_count_for_bones(const Skeleton& skeleton, int bone_count);
 
-/// The bone itself, or its nearest ancestor below `bone_count`: what a dropped bone follows.
+/// Returns the bone itself, or its nearest ancestor below `bone_count`, which a dropped bone follows.
 int nearest_kept_bone(const Skeleton& skeleton, int bone, int bone_count);
 
-/// Where a joint is in the space of its first palette entry: palette[entry] carries `position` to where the joint is
-/// posed. `entry` is -1 for a bone that no skin uses.
+/// The place of a joint in the space of its first palette entry: palette[entry] carries `position` to the posed joint.
+/// `entry` is -1 for a bone that no skin uses.
 struct JointPlace {
   int entry = -1;
   glm::dvec3 position{0.0};
 };
 JointPlace joint_place(const Skeleton& skeleton, int bone);
 
-/// Local transform -> what a state stores for `bone` (see ReferenceFrame), in double; and back.
+/// A bone's transform in double. to_state converts a local transform to a state (see ReferenceFrame), to_local back.
 struct StateTransform {
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
   glm::dvec3 position{0.0};

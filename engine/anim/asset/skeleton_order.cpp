@@ -12,11 +12,11 @@ namespace {
 
 // Shares of the bones that the coarser levels aim at: 62 bones give about 32, 22 and 14.
 constexpr std::array<double, max_bone_levels - 1> level_shares{0.52, 0.355, 0.23};
-constexpr int smallest_level = 6;              // a level of fewer bones saves nothing
+constexpr int smallest_level = 6;              // a smaller level saves nothing
 constexpr double equally_important = 0.02;     // the two sides of a character differ by less
-constexpr double largest_useful_share = 0.85;  // of the level above; else the level is not worth its switch
+constexpr double largest_useful_share = 0.85;  // of the level above; a larger level is not worth its switch
 
-/// A parent cannot be dropped before its children.
+/// Makes each parent at least as important as its children, since it cannot be dropped before them.
 std::vector<double> hand_up(std::span<const int> parents, std::span<const double> importance) {
   std::vector<double> result(importance.begin(), importance.end());
   for (std::size_t bone = parents.size(); bone-- > 0;) {
@@ -27,8 +27,8 @@ std::vector<double> hand_up(std::span<const int> parents, std::span<const double
   return result;
 }
 
-/// Number of bones to keep near `target`: where the sorted importance falls most, so that limbs are kept or dropped
-/// whole.
+/// Returns how many bones to keep near `target`: it cuts where the sorted importance falls most, so that limbs are kept
+/// or dropped whole.
 int cut_near(std::span<const double> descending, double target) {
   const int count = static_cast<int>(descending.size());
   const int from = std::max(1, static_cast<int>(target * 0.8));
@@ -56,7 +56,7 @@ std::vector<int> level_counts(std::span<const double> descending) {
   return counts;
 }
 
-/// Depth-first, children in the order given: each bone after its parent's subtree so far.
+/// Lists bones depth-first, children in the given order: each bone after its parent's subtree so far.
 std::vector<int> depth_first(std::span<const int> parents) {
   const auto count = parents.size();
   std::vector<std::vector<int>> children(count + 1);
@@ -76,7 +76,7 @@ std::vector<int> depth_first(std::span<const int> parents) {
   return order;
 }
 
-/// For each bone the coarsest level that keeps it. Ties go to the parent, which is listed first.
+/// Returns for each bone the coarsest level that keeps it. Ties go to the parent, which is listed first.
 std::vector<int> coarsest_levels(std::span<const int> by_importance, std::span<const int> counts) {
   std::vector<int> levels(by_importance.size(), 0);
   for (std::size_t level = 1; level < counts.size(); ++level) {

@@ -15,13 +15,14 @@ struct BoneOrder {
 
 /// Orders bones level by level, the coarsest level first, parents before children, depth-first inside a level.
 ///
-/// `parents`: for each bone its parent, below its own index, or -1. `importance`: for each bone, any unit, what is lost
-/// when it and all below it follow its parent (see bone_importance); a parent counts as at least as important as its
-/// children. A level ends where importance falls most near the size it aims at, so that what matters alike, such as the
-/// fingers of a hand, is kept or dropped together. Bones of no importance, such as the handles of a rig, go first.
+/// `parents` has each bone's parent, below the bone's own index, or -1.
+/// `importance` says, in any unit, what is lost when a bone and all below it follow its parent (see bone_importance).
+/// A parent counts as at least as important as its children.
+/// A level ends where importance falls most near the size that it aims at. Equally important bones, such as the fingers
+/// of a hand, are so kept or dropped together. Bones of no importance, such as the handles of a rig, go first.
 BoneOrder order_bones(std::span<const int> parents, std::span<const double> importance);
 
-/// Brings skeleton, skins, clips and meshes of a model into an order.
+/// Brings the skeleton, skins, clips and meshes of a model into an order.
 void reorder_bones(Model& model, const BoneOrder& order);
 
 }  // namespace throng::anim

@@ -12,7 +12,7 @@ namespace throng::anim {
 
 namespace {
 
-/// Where each bone is in the bind pose; nothing is known of bones that no skin uses.
+/// Returns the place of each bone in the bind pose; bones that no skin uses have none.
 std::vector<std::optional<glm::dmat4>> bind_globals(const Skeleton& skeleton) {
   std::vector<std::optional<glm::dmat4>> globals(skeleton.bones.size());
   for (const PaletteEntry& entry : skeleton.palette) {

@@ -15,7 +15,7 @@ namespace throng::anim {
 
 namespace {
 
-/// Joints in the order of their importance: a smaller skeleton is the first of them, a larger one grows more strands.
+/// Lists joints by importance: a smaller skeleton is the start of the list, a larger one grows more strands.
 class Body {
  public:
   explicit Body(int bones) : wanted_(static_cast<std::size_t>(bones)) {
@@ -61,7 +61,7 @@ class Body {
   int hands_[2] = {0, 0};
 };
 
-/// The same numbers from the same seed on every machine, which std::uniform_real_distribution does not promise.
+/// Gives the same numbers for a seed on every machine, which std::uniform_real_distribution does not promise.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}
@@ -96,7 +96,7 @@ Skeleton skeleton_of(const Body& body, Random& random) {
   return skeleton;
 }
 
-/// The rest pose is the bind pose.
+/// Makes the rest pose the bind pose.
 void bind(Skeleton& skeleton) {
   for (const Bone& bone : skeleton.bones) {
     const ReferenceFrame parent =
@@ -121,7 +121,7 @@ Skin skin_of(const Skeleton& skeleton) {
   return skin;
 }
 
-/// A whole number of swings, so that the last key repeats the first to the bit.
+/// Returns a value of a whole number of swings, so that the last key repeats the first to the bit.
 float swing(int frame, int frames, float phase) {
   const float turn = static_cast<float>(frame % frames) / static_cast<float>(frames) + phase;
   return std::sin(2.0F * std::numbers::pi_v<float> * turn);
@@ -142,7 +142,7 @@ BoneTracks turning_bone(const Skeleton& skeleton, int bone, const std::vector<fl
   return tracks;
 }
 
-// A little shorter or longer than a second.
+// Makes a clip a little shorter or longer than a second.
 Clip clip_of(const Skeleton& skeleton, int index, int keys_per_second, Random& random) {
   const int frames = keys_per_second + (index % 7 - 3) * keys_per_second / 30;
   std::vector<float> times;

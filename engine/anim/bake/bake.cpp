@@ -15,9 +15,9 @@ namespace throng::anim {
 
 namespace {
 
-// What follows is meant for a person of 1.8 m, and scales with the character.
+// These limits are meant for a person of 1.8 m and scale with the character.
 constexpr double surface_error = 0.0002;  // metres: the bound of sampled streams
-constexpr double hopeless = 4.0;          // times the bound: quantisation alone stays below
+constexpr double hopeless = 4.0;          // times the bound: quantisation alone errs less
 constexpr double closing_error = 0.005;   // metres between the first and the last pose of a loop
 constexpr double least_travel = 0.05;     // metres of root motion
 
@@ -28,7 +28,7 @@ bool has_step_tracks(const StateClip& clip) {
                              [](const StateTrack& track) { return track.interpolation == Interpolation::step; });
 }
 
-/// Poses of one clip, compared on the surface.
+/// Compares poses of one clip on the surface.
 class PoseDistance {
  public:
   explicit PoseDistance(const SampleSource& source) : source_(source), poses_(source.exact) {}
@@ -47,8 +47,8 @@ class PoseDistance {
   ExactPoses poses_;
 };
 
-/// A clip whose last key stands one step before its first looks like a loop and is none: it would hitch at the seam.
-/// `grid`: of a clip that moves smoothly.
+/// Finds out whether a clip loops. A clip whose last key stands one step before its first looks like a loop, but would
+/// hitch at the seam, so a note says that it does not loop. `grid` is given for clips that move smoothly.
 void find_loop(BakedClip& baked, const SampleSource& source, const std::optional<KeyGrid>& grid) {
   if (baked.duration == 0) return;
   const double limit = closing_error * source.proxy.height / tall_person;
@@ -103,7 +103,7 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
   return baked;
 }
 
-/// Index of `name` among `names`, where it is put if it is new.
+/// Returns the index of `name` among `names`, and adds it if it is new.
 std::uint32_t intern(std::vector<std::string>& names, const std::string& name) {
   const auto found = std::ranges::find(names, name);
   const auto index = static_cast<std::uint32_t>(found - names.begin());
@@ -111,7 +111,7 @@ std::uint32_t intern(std::vector<std::string>& names, const std::string& name) {
   return index;
 }
 
-/// The file's, or footsteps where it has none.
+/// Returns the file's data keys, or footsteps for a loop that has none.
 std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked) {
   if (!clip.data_keys.empty() || !baked.loops) return clip.data_keys;
   return find_footsteps(character.skeleton, baked.keyframe(), character.height);

@@ -19,16 +19,16 @@ namespace throng::anim {
 
 enum class StreamKind : unsigned char { sampled, keyframe };
 
-/// One clip, ready to play: both streams, and what baking found.
+/// A clip that is ready to play: both streams, and the results of baking.
 struct BakedClip {
   std::string name;
   Ticks duration = 0;
-  bool loops = false;                 ///< first and last pose agree (root motion aside)
+  bool loops = false;                 ///< first and last pose agree, without root motion
   glm::dvec3 loop_displacement{0.0};  ///< root motion taken out of the pose: metres a loop, model space
-  RootCurve root_motion;              ///< the same over time: the pose at a time stands where the curve has come to
+  RootCurve root_motion;              ///< the same over time: a pose stands where the curve is at its time
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
   AlignedBytes keyframe_block;
-  AlignedBytes sampled_block;  ///< null: plays from its keyframe stream, `note` says why
+  AlignedBytes sampled_block;  ///< null: the clip plays from its keyframe stream, and `note` says why
   double sampled_rate = 0.0;   ///< Hz
   double sampled_error = 0.0;  ///< metres, the largest measured on the surface proxy
   double error_bound = 0.0;    ///< metres
@@ -42,22 +42,22 @@ struct BakeOptions {
   bool take_root_motion = true;  ///< remove the ground-plane travel of the root from the pose (off for `pose`)
 };
 
-/// A skeleton with its clips, baked: read-only while agents play it.
+/// A baked skeleton with its clips. Read-only while agents play it.
 struct Character {
   Skeleton skeleton;
   HierarchyProgram hierarchy;
   std::vector<BakedClip> clips;  ///< never empty: a model without clips gets one, "rest", of its rest pose
   std::vector<std::string> data_key_names = {};  ///< of all its clips, each once
   double height = 0.0;    ///< metres, of the rest pose's surface, or of its joints where there is no surface
-  BoneLod bone_lod = {};  ///< what dropping bones costs in looks
+  BoneLod bone_lod = {};  ///< the errors that dropping bones causes
 };
 
 /// Bakes every clip of `model`. Never fails on what import accepted.
 Character bake_character(const Model& model, const BakeOptions& options = {});
 
-/// Metres a second at which the ground must pass under a character that plays `clip`, so that its feet do not slide:
-/// the speed of its root motion; without any, the speed at which the standing foot moves. 0
-/// for clips that stay where they are.
+/// Returns the speed, in metres a second, at which the ground must pass under a character that plays `clip`, so that
+/// its feet do not slide. It is the speed of the clip's root motion; without any, that of the foot that stands; 0 for
+/// clips that stay where they are.
 double ground_speed(const Character& character, int clip);
 
 }  // namespace throng::anim

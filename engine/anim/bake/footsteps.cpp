@@ -13,12 +13,12 @@ namespace throng::anim {
 namespace {
 
 constexpr double beside_the_middle = 0.02;  // metres: a joint nearer to the middle belongs to no side
-constexpr int shortest = 4;                 // instants that a stance or a flight lasts at least; less is noise
+constexpr int shortest = 4;                 // instants: a shorter stance or flight is noise
 
-/// Whether a side stands, at each instant of the loop.
+/// Says for each instant of the loop whether a side stands.
 using Stances = std::array<bool, stride_instants>;
 
-/// Joints whose mean place lies on that side; a character faces +Z, so its left is +X.
+/// Returns the joints whose mean place lies on that side. A character faces +Z, so its left is +X.
 std::vector<std::size_t> feet_of_side(const Stride& stride, double sign) {
   std::vector<std::size_t> feet;
   for (const std::size_t joint : stride.feet) {
@@ -31,7 +31,7 @@ std::vector<std::size_t> feet_of_side(const Stride& stride, double sign) {
 
 std::size_t wrapped(std::size_t instant) { return instant % stride_instants; }
 
-/// Instants from `instant` on that are alike.
+/// Counts the instants from `instant` on that have the same stance.
 int run_length(const Stances& stances, std::size_t instant) {
   int length = 1;
   while (length < static_cast<int>(stride_instants) &&
@@ -41,7 +41,7 @@ int run_length(const Stances& stances, std::size_t instant) {
   return length;
 }
 
-/// First instants of the runs that stand, or fly.
+/// Returns the first instants of the runs that stand, or that fly.
 std::vector<std::size_t> beginnings(const Stances& stances, bool standing) {
   std::vector<std::size_t> instants;
   for (std::size_t i = 0; i < stride_instants; ++i) {
@@ -74,7 +74,7 @@ struct Footstep {
   bool left;
 };
 
-/// Left and right by turns, with time in between: none of them is shorter than a quarter of their mean.
+/// Says whether left and right take turns, and no time between them is shorter than a quarter of the mean.
 bool take_turns(const std::vector<Footstep>& steps) {
   if (steps.empty() || steps.size() % 2 != 0) return false;
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -8,10 +8,10 @@ namespace throng::anim {
 
 namespace {
 
-/// Seconds by which a key may miss its place: exporters write decimals, and files hold 32-bit floats.
+/// Returns the seconds by which a key may miss its place: exporters write decimals, and files hold 32-bit floats.
 double tolerance(double seconds) { return 1e-5 + 4e-7 * seconds; }
 
-/// Seconds since the first key.
+/// Returns the seconds of each key since the first.
 std::vector<double> distances_from_first(std::span<const Ticks> times) {
   std::vector<double> distances;
   for (const Ticks time : times) distances.push_back(to_seconds(time - times.front()));
@@ -24,7 +24,7 @@ bool all_on_grid(std::span<const double> distances, double first, double rate) {
   });
 }
 
-/// Euclid's algorithm on measured lengths: what is left below the tolerance is nothing.
+/// Runs Euclid's algorithm on measured lengths. A rest up to `nothing` counts as 0.
 double common_divisor(double a, double b, double nothing) {
   while (b > nothing) {
     const double rest = std::abs(a - std::round(a / b) * b);
@@ -34,7 +34,7 @@ double common_divisor(double a, double b, double nothing) {
   return a;
 }
 
-/// The rate whose whole steps fit all distances, or 0. The longer the distance, the better it tells the step.
+/// Returns the rate whose whole steps fit all distances, or 0. Longer distances tell the step more exactly.
 double divisor_rate(std::span<const double> distances, double first) {
   const double nothing = 4.0 * tolerance(first + distances.back());
   double step = 0.0;

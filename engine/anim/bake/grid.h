@@ -10,7 +10,7 @@ namespace throng::anim {
 
 inline constexpr double highest_sample_rate = 120.0;
 
-/// Times first + n / rate, n = 0, 1, ...
+/// The times first + n / rate, n = 0, 1, ...
 struct KeyGrid {
   Ticks first = 0;
   double rate = 0.0;  ///< Hz, 1 to highest_sample_rate
@@ -18,12 +18,12 @@ struct KeyGrid {
   Ticks step() const { return to_ticks(1.0 / rate); }
 };
 
-/// The coarsest grid of 1 to 120 Hz on which all `times` (ascending, at least one) lie: a whole number of hertz if
-/// there is one, else what divides all their distances. Forgives the rounding of float seconds. Nothing if there is
-/// none.
+/// Finds the coarsest grid of 1 to 120 Hz on which all `times` lie (ascending, at least one), or nothing. It has a
+/// whole number of hertz if one fits, else the longest step that divides all distances. Forgives the rounding of float
+/// seconds.
 std::optional<KeyGrid> find_grid(std::span<const Ticks> times);
 
-/// Key times of all tracks that move, ascending, each once.
+/// Returns the key times of all moving tracks, ascending, each once.
 std::vector<Ticks> key_times(const StateClip& clip);
 
 }  // namespace throng::anim

@@ -22,7 +22,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Ground-plane velocities of the lowest joint, while it is on the ground.
+/// Returns the ground-plane velocities of the lowest joint while it is on the ground.
 std::vector<glm::dvec2> stance_velocities(const Stride& stride) {
   std::vector<glm::dvec2> velocities;
   for (std::size_t i = 0; i < stride_instants; ++i) {

@@ -8,12 +8,12 @@
 
 namespace throng::anim {
 
-/// Metres a second, x and z, at which the lowest moving joint, which bears the weight, moves over the ground in a
-/// looping clip that stays in place: the median over the clip, or 0 if it is small or if the joints do not agree on one
-/// (idle, gestures).
+/// Returns the velocity over the ground, in metres a second along x and z, of the lowest moving joint, which bears the
+/// weight. The clip loops and stays in place. The velocity is the median over the clip, or 0 if it is small or if the
+/// samples do not agree (idle, gestures).
 glm::dvec2 stance_velocity(const Stride& stride);
 
-/// How fast that is.
+/// Returns the length of that velocity.
 double stance_speed(const Skeleton& skeleton, const KeyframeStream& stream, double height);
 
 }  // namespace throng::anim

@@ -20,7 +20,7 @@ std::vector<int> subtree_sizes(const Skeleton& skeleton) {
   return sizes;
 }
 
-/// The bone with the largest subtree, more than half of all bones, whose position moves; -1 if there is none.
+/// Returns the moving bone with the largest subtree, of more than half of all bones; -1 if there is none.
 int topmost_moving_bone(const Skeleton& skeleton, const StateClip& clip) {
   const std::vector<int> sizes = subtree_sizes(skeleton);
   int best = -1;

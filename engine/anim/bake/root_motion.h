@@ -6,15 +6,15 @@
 
 namespace throng::anim {
 
-/// Ground-plane travel of the topmost bone that moves and carries most of the skeleton, from the clip's start to its
-/// end, in model space; 0 where it is at most `least` metres, or cannot be taken out because a root moves in steps.
+/// Returns how far the topmost moving bone that carries most of the skeleton travels over the ground, from the clip's
+/// start to its end, in model space. 0 where that is at most `least` metres, or where a root moves in steps, from which
+/// nothing can be taken out.
 glm::dvec3 find_root_motion(const Skeleton& skeleton, const StateClip& clip, double least);
 
-/// Takes `travel` * time / duration out of the model-space pose: out of every root bone, so that all that the skeleton
-/// holds comes along.
+/// Takes `travel` * time / duration out of every root bone, so that the whole skeleton comes along.
 void take_root_motion(const Skeleton& skeleton, StateClip& clip, const glm::dvec3& travel);
 
-/// What of `travel` one root bone's state position takes.
+/// Converts `travel` to the space of a root bone's state position.
 glm::dvec3 drift_of_root(const Skeleton& skeleton, int bone, const glm::dvec3& travel);
 
 }  // namespace throng::anim

@@ -12,17 +12,17 @@ namespace throng::anim {
 
 namespace {
 
-/// More floats than this, half an hour of a character at 30 Hz, would take more memory than a crowd gains by them.
+/// The most floats of a stream: half an hour of a character at 30 Hz. More would cost more memory than they are worth.
 constexpr Ticks most_floats = 1 << 25;
 
-/// A higher rate must be better by this: what is left may be quantisation, which no rate mends.
+/// A higher rate must bring the error below this share. The rest may be quantisation, which no rate mends.
 constexpr double worthwhile = 0.9;
 
-/// Positions closer than this part of the error bound are one: 2 micrometres of a person.
+/// Positions nearer to each other than this part of the error bound count as one: 2 micrometres of a person.
 constexpr double rounding_of_bound = 0.01;
 
-/// Where between two rows errors are looked for: on a row, midway (CUBICSPLINE), and where a chord strays most from
-/// its arc.
+/// Errors are measured at these fractions of the way between two rows: on a row, midway (CUBICSPLINE), and where a
+/// chord strays most from its arc.
 constexpr double probes[] = {0.0, 0.21, 0.5, 0.79};
 
 Ticks floats_in_pose(const KeyframeStream& stream) {
@@ -39,13 +39,13 @@ SampledRows lay_out_rows(const SampleSource& source, const KeyGrid& grid, Ticks 
   const bool drifts = source.travel != glm::dvec3(0.0);
   if (drifts && grid.first > 0) rows.first_row -= (grid.first + row_step - 1) / row_step * row_step;
   const Ticks end = drifts ? source.exact.duration : last_key;
-  // A last step that is only the rounding of times is none.
+  // A last step that is only the rounding of times does not count.
   const Ticks steps = (end - rows.first_row + row_step - row_step / 64) / row_step;
   rows.row_count = static_cast<int>(std::min<Ticks>(steps, INT32_MAX - 1)) + 1;
   return rows;
 }
 
-/// The straight line of the root motion goes on where the clip has no time.
+/// Continues the straight line of the root motion before and after the clip.
 void extend_drift(const SampleSource& source, double seconds_outside, std::span<float> pose) {
   const glm::dvec3 per_second = source.travel / to_seconds(source.exact.duration);
   for (int bone = 0; bone < source.skeleton.bone_count(); ++bone) {
@@ -71,9 +71,9 @@ void fill_rows(const SampleSource& source, SampledRows& rows) {
   }
 }
 
-/// What a component of a position does over all rows: where it is nothing but the rounding of 32-bit keys and bind
-/// poses, it stands still, at the bind pose if it is there. Exporters leave a micrometre on many bones, and kernels
-/// would have to sample and add it.
+/// Makes a component of a position stand still in all rows if it moves by no more than rounding of 32-bit keys and bind
+/// poses; at the bind pose, if it is there. Exporters leave a micrometre on many bones, which kernels would otherwise
+/// sample and add.
 void drop_rounding(SampledRows& rows, std::size_t component, std::size_t pose_floats, float negligible) {
   float lowest = rows.rows[component], highest = lowest;
   for (std::size_t at = component; at < rows.rows.size(); at += pose_floats) {

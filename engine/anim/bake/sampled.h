@@ -11,12 +11,12 @@
 
 namespace throng::anim {
 
-/// What a sampled stream is made from, and what it is held to.
+/// The input of a sampled stream, and the bound on its error.
 struct SampleSource {
   const Skeleton& skeleton;
   const SurfaceProxy& proxy;
   const KeyframeStream& exact;
-  glm::dvec3 travel{0.0};  ///< root motion that was taken out of `exact`: it goes on before and after the clip's keys
+  glm::dvec3 travel{0.0};  ///< root motion taken out of `exact`; it goes on before and after the clip's keys
   double error_bound = 0.0;
 };
 
@@ -26,15 +26,15 @@ struct SampledBake {
   double error = 0.0;
 };
 
-/// Tries the grid's own rate and its multiples up to highest_sample_rate, lowest first, until the error measured
-/// between and on the rows is within the bound; where none is, the lowest rate of about the least error is taken.
-/// `last_key`: the clip does not move after it.
+/// Tries the grid's own rate and its multiples up to highest_sample_rate, lowest first, until the error on the rows and
+/// between them is within the bound. If none is, takes the lowest rate of about the least error. The clip does not move
+/// after `last_key`.
 SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks last_key);
 
-/// The stream of a clip in which nothing moves: one row.
+/// Makes the stream of a clip in which nothing moves: one row.
 SampledBake bake_still(const SampleSource& source);
 
-/// Largest distance on the proxy between the two streams, on every row and at several times between rows.
+/// Returns the largest distance on the proxy between the two streams, on every row and at several times between rows.
 double measure_error(const SampleSource& source, const SampledStream& stream);
 
 }  // namespace throng::anim

@@ -12,9 +12,9 @@ namespace {
 constexpr int frames_a_stretch = SkipError::spans.back() + 1;
 constexpr std::size_t most_stretches = 256;  // of all clips together
 constexpr double frames_a_second = 60.0;
-constexpr float least_metres = 1e-7F;  // below which no power law is told
+constexpr float least_metres = 1e-7F;  // smaller errors count as this, so that a power law exists
 
-/// Where the points of a surface are in the frames of one stretch: [frame][point].
+/// The places of a surface's points in the frames of one stretch: [frame][point].
 class Stretch {
  public:
   explicit Stretch(std::size_t points)
@@ -27,7 +27,7 @@ class Stretch {
     return std::span(places_).subspan(static_cast<std::size_t>(index) * points_, points_);
   }
 
-  /// The farthest that a point of the line from frame `from` to frame `to`, at `part` of it, is from frame `exact`.
+  /// Returns how far a point at `part` of the line from frame `from` to frame `to` is at most from frame `exact`.
   double largest_error(int from, int to, double part, int exact) const {
     double largest = 0.0;
     for (std::size_t point = 0; point < points_; ++point) {
@@ -43,7 +43,7 @@ class Stretch {
   std::vector<glm::dvec3> places_;
 };
 
-/// One clip's surface, frame by frame.
+/// Poses one clip's surface frame by frame.
 class MovingSurface {
  public:
   MovingSurface(const Skeleton& skeleton, const SurfaceProxy& proxy, const BakedClip& clip)
@@ -81,7 +81,7 @@ float percentile_99(std::vector<double>& errors) {
   return static_cast<float>(errors[static_cast<std::size_t>(rank)]);
 }
 
-/// Errors of all frames of a clip that a span leaves out.
+/// The errors of all frames of a clip that a span leaves out.
 struct Errors {
   std::vector<double> blended, held;
 

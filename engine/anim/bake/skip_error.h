@@ -8,26 +8,26 @@
 
 namespace throng::anim {
 
-/// How far a clip's surface is off when only some of its frames are posed: metres at the point that is off most, of
-/// which 99% of the clip's frames stay below. By the time from one posed frame to the next, in sixtieths of a second.
+/// How far a clip's surface is off when only some of its frames are posed, in metres: 99% of the clip's frames stay
+/// below it at their worst point. `spans` are the times between posed frames, in sixtieths of a second.
 struct SkipError {
   static constexpr std::array<int, 4> spans{2, 4, 8, 16};
 
-  /// Shown between two posed frames, on the straight line from one to the other (smooth skipping); grows about as the
-  /// square of the span. Until measured: that of a person who walks.
+  /// Skipped frames lie on the straight line between two posed ones (smooth skipping). The error grows about as the
+  /// square of the span. Until it is measured, it is that of a walking person.
   std::array<float, spans.size()> blended{0.0018F, 0.007F, 0.028F, 0.1F};
-  /// Shown until the next posed frame, as it is.
+  /// Skipped frames show the last posed one.
   std::array<float, spans.size()> held{0.03F, 0.088F, 0.18F, 0.3F};
 
-  /// At any span, along power laws between those measured; 0 at one sixtieth or less.
+  /// Returns the error at any span, along power laws between the measured ones; 0 at one sixtieth or less.
   float metres(float sixtieths, bool smooth) const;
 };
 
-/// What does not move at all.
+/// The error of a clip in which nothing moves.
 inline constexpr SkipError no_skip_error{.blended = {}, .held = {}};
 
-/// Of each clip of `character`, which `model` was baked to: on its joints and on the farthest vertex of each bone, root
-/// motion left out, for stretches all over the clip.
+/// Measures each clip of `character`, which was baked from `model`, in stretches all over the clip. The points are the
+/// joints and the farthest vertex of each bone, without root motion.
 std::vector<SkipError> measure_skip_errors(const Model& model, const Character& character);
 
 }  // namespace throng::anim

@@ -10,9 +10,9 @@ namespace throng::anim {
 
 namespace {
 
-constexpr double least_stride = 0.06;   // metres over the ground: a joint that strides less is no foot
-constexpr double stance_height = 0.05;  // metres above the lowest point of all: higher joints are in flight
-constexpr double agreement = 0.5;       // a velocity agrees with a typical one that is within this share of it
+constexpr double least_stride = 0.06;   // metres over the ground: a foot strides at least so far
+constexpr double stance_height = 0.05;  // metres above the lowest place of any foot: higher joints are in flight
+constexpr double agreement = 0.5;       // a velocity within this share of a typical one agrees with it
 
 bool strides(const Stride& stride, std::size_t joint) {
   const glm::dvec3 start = stride.at(0, joint);

@@ -14,24 +14,24 @@ namespace throng::anim {
 
 inline constexpr std::size_t stride_instants = 96;
 
-/// Where a clip's joints are at even steps through it, and which of them may be feet.
+/// The places of a clip's joints at even steps through it, and the joints that may be feet.
 struct Stride {
   std::vector<std::vector<glm::dvec3>> joints;  ///< [0..stride_instants][bone], model space
   std::vector<std::size_t> feet;                ///< bones that go to and fro over the ground, not only up and down
   double step = 0.0;                            ///< seconds between instants
-  double size = 1.0;                            ///< of the character: 1 is 1.8 m
-  double ground = 0.0;                          ///< metres, the lowest that any of the feet gets
+  double size = 1.0;                            ///< the character's height over 1.8 m
+  double ground = 0.0;                          ///< metres, the least height of any foot
 
   const glm::dvec3& at(std::size_t instant, std::size_t joint) const { return joints[instant][joint]; }
   std::size_t lowest(std::size_t instant, std::span<const std::size_t> among) const;
-  /// So low that it may bear weight.
+  /// Says whether a joint is so low that it may bear weight.
   bool is_low(std::size_t instant, std::size_t joint) const;
-  /// Metres a second over the ground, x and z, until the next instant; `instant` is not the last.
+  /// Returns metres a second over the ground, x and z, until the next instant; `instant` is not the last.
   glm::dvec2 velocity(std::size_t instant, std::size_t joint) const;
 };
 Stride sample_stride(const Skeleton& skeleton, const KeyframeStream& stream, double height);
 
-/// Whether a foot that moves at `velocity` over the ground stands on what moves at `typical`.
+/// Says whether a foot that moves at `velocity` over the ground stands, where standing feet move at about `typical`.
 bool agrees(const glm::dvec2& velocity, const glm::dvec2& typical);
 
 }  // namespace throng::anim

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double least_height = 1e-6;
 
-/// One bone of a pose, in double.
+/// Reads one bone of a pose in double.
 class BoneOfPose {
  public:
   BoneOfPose(std::span<const float> pose, int components, int bone)
@@ -28,7 +28,7 @@ class BoneOfPose {
   const float* lane_;
 };
 
-/// Motion from the bind pose: rotations are relative to it, offsets are vectors of it.
+/// Returns a bone's motion from the bind pose. Its rotation is relative to that pose, and offsets are vectors in it.
 BoneFrame rigid_frame(const Skeleton& skeleton, int bone, const BoneOfPose& state, const BoneFrame& parent) {
   const int parent_bone = skeleton.bones[static_cast<std::size_t>(bone)].parent;
   const glm::dvec3 from =
@@ -47,7 +47,7 @@ BoneFrame general_frame(const Bone& bone, const BoneOfPose& state, const BoneFra
   return {.axes = parent.axes * prefix * local, .origin = parent.origin + parent.axes * in_parent};
 }
 
-/// A vertex as the palette entry's bone carries it.
+/// Returns a vertex as the offset at which the palette entry's bone carries it.
 glm::dvec3 offset_from_bone(const Skeleton& skeleton, const PaletteEntry& entry, const glm::vec3& vertex) {
   const glm::dvec3 position(vertex);
   if (skeleton.rigid) return position - skeleton.references[static_cast<std::size_t>(entry.bone)].origin;

@@ -12,16 +12,16 @@
 
 namespace throng::anim {
 
-/// Where a bone is, in model space: what it carries at `offset` is at origin + axes * offset.
+/// The place of a bone in model space: it carries a point at `offset` to origin + axes * offset.
 struct BoneFrame {
   glm::dmat3 axes{1.0};
   glm::dvec3 origin{0.0};
 };
 
-/// Hierarchy of one pose in double; `pose` is float [packet][component][16], `frames` one a bone.
+/// Computes the hierarchy of one pose in double. `pose` is float [packet][component][16], `frames` one a bone.
 void compute_frames(const Skeleton& skeleton, std::span<const float> pose, std::span<BoneFrame> frames);
 
-inline constexpr double tall_person = 1.8;  ///< metres: the height that limits of baking are meant for
+inline constexpr double tall_person = 1.8;  ///< metres: the limits of baking are meant for this height
 
 /// A point that stands for the surface around it.
 struct SurfacePoint {
@@ -29,21 +29,21 @@ struct SurfacePoint {
   glm::dvec3 offset{0.0};  ///< in the bone's axes
 };
 
-/// What errors are measured on: every joint, and for each bone the farthest vertex that is skinned mainly to it.
+/// The points on which errors are measured: every joint, and for each bone the farthest vertex skinned mainly to it.
 struct SurfaceProxy {
   std::vector<SurfacePoint> points;
-  double height = 0.0;  ///< of the rest pose's surface, or of its joints where there is no surface; > 0
+  double height = 0.0;  ///< metres, of the rest pose's surface, or of its joints where there is no surface; > 0
 };
 SurfaceProxy make_surface_proxy(const Model& model);
 
-/// The largest distance between the two places of a point.
+/// Returns the largest distance that any point of the proxy has between two poses.
 double largest_distance(const SurfaceProxy& proxy, std::span<const BoneFrame> from, std::span<const BoneFrame> to);
 
-/// Poses of one keyframe stream, one at a time.
+/// Poses a keyframe stream, one time after the other.
 class ExactPoses {
  public:
   explicit ExactPoses(const KeyframeStream& stream);
-  /// The whole pose at `time`, valid until the next call.
+  /// Returns the whole pose at `time`, valid until the next call.
   std::span<float> at(Ticks time);
 
  private:

@@ -22,7 +22,7 @@ std::size_t matrix_rows(int type) {
   }
 }
 
-/// Whether `count` elements of `size` bytes, `stride` apart, from `offset` on, lie inside `available` bytes.
+/// Says whether `count` elements of `size` bytes, `stride` apart, from `offset` on, lie inside `available` bytes.
 bool fits(std::size_t available, std::size_t offset, std::size_t count, std::size_t stride, std::size_t size) {
   if (count == 0) return offset <= available;
   if (offset > available || size > available - offset) return false;

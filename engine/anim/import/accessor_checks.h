@@ -4,20 +4,21 @@
 
 namespace throng::import {
 
-/// Checks component types, element counts and that every accessor, sparse parts included, lies inside its views.
+/// Checks component types and element counts, and that every accessor, sparse parts included, lies inside its views.
 /// Throws Refusal.
 void check_accessors(const Document& document);
 
-/// Bytes of one component, or 0 for a type that glTF does not know.
+/// Returns the bytes of one component, or 0 for a type that glTF does not know.
 std::size_t component_size(int component_type);
 
-/// Numbers in one element: 1 to 16.
+/// Returns the numbers in one element: 1 to 16.
 std::size_t element_width(const tinygltf::Accessor& accessor);
 
-/// Byte offset of a number in its element: columns of small matrices start on 4-byte boundaries (glTF 2.0, 3.6.2.4).
+/// Returns the byte offset of a number in its element. Columns of small matrices start on 4-byte boundaries (glTF 2.0,
+/// 3.6.2.4).
 std::size_t component_offset(const tinygltf::Accessor& accessor, std::size_t component);
 
-/// Bytes of one element, without padding after it.
+/// Returns the bytes of one element, without padding after it.
 std::size_t element_size(const tinygltf::Accessor& accessor);
 
 }  // namespace throng::import

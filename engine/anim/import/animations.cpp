@@ -17,7 +17,7 @@ namespace {
 using anim::Interpolation;
 using anim::Track;
 
-/// Keys of a sampler, before it is known what they mean.
+/// The keys of a sampler, before their property is known.
 struct Keys {
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times;
@@ -83,7 +83,7 @@ class AnimationReader {
     }
   }
 
-  /// Marks are set at frames and keys at 32-bit seconds: one that is late by less than a frame means the end.
+  /// Marks are set at frames and keys at 32-bit seconds, so a mark late by less than a millisecond means the end.
   void read_data_keys() {
     constexpr double rounding = 1e-3;
     for (const anim::NamedDataKey& key : data_keys_) {
@@ -128,7 +128,7 @@ class AnimationReader {
     }
   }
 
-  /// Flat values, `width` a key (three times that with tangents).
+  /// Returns flat values, `width` a key, or three times that with tangents.
   std::vector<float> read_key_values(int output, const Keys& keys, int type, std::size_t width) const {
     auto values = read_floats(document_, output,
                               {.what = channel_name_ + ": key values",
@@ -174,7 +174,7 @@ class AnimationReader {
     bool long_keys = false;
     for (std::size_t i = cubic ? 1 : 0; i < track.values.size(); i += cubic ? 3 : 1) {
       const float length = glm::length(track.values[i]);
-      long_keys = long_keys || std::abs(length - 1.0F) > 0.02F;  // what 8-bit keys cannot be blamed for
+      long_keys = long_keys || std::abs(length - 1.0F) > 0.02F;  // more than 8-bit keys are off by
       if (length > 0.0F) continue;
       zero = true;
       track.values[i] = glm::quat(1.0F, 0.0F, 0.0F, 0.0F);

@@ -10,14 +10,14 @@
 
 namespace throng::import {
 
-/// What an animation does to a node.
+/// The tracks of one node in an animation.
 struct NodeTracks {
   anim::Track<glm::vec3> translation;
   anim::Track<glm::quat> rotation;
   anim::Track<glm::vec3> scale;
 };
 
-/// An animation of the file, all its nodes together.
+/// An animation of the file with the tracks of all its nodes.
 struct Animation {
   std::string name;
   double start = 0.0;                         ///< seconds, the first key of all channels
@@ -26,8 +26,9 @@ struct Animation {
   std::vector<anim::NamedDataKey> data_keys;  ///< by time
 };
 
-/// Reads every animation: key times ascending, finite and matching their bounds; values finite; data keys
-/// inside the animation. Morph weights only count for the duration. Throws Refusal; repairs go to `document`.
+/// Reads every animation. Checks that key times ascend, are finite and match their bounds, that values are finite, and
+/// that data keys are inside the animation. Morph weights count for the duration alone. Throws Refusal; repairs go to
+/// `document`.
 std::vector<Animation> read_animations(Document& document, const NodeTree& tree);
 
 }  // namespace throng::import

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 using Bytes = std::span<const std::byte>;
 
-/// Bytes of a data URI or of a file beside the model.
+/// Reads the bytes of a data URI or of a file beside the model.
 std::vector<std::byte> read_uri(const std::string& uri, const std::filesystem::path& folder) {
   auto data = decode_data_uri(uri);
   return data ? std::move(*data) : read_file(resolve_uri(folder, uri));
@@ -31,8 +31,8 @@ Bytes require_length(Bytes bytes, const json& buffer) {
   return bytes.first(static_cast<std::size_t>(length));
 }
 
-/// The bytes of every buffer. One without uri is the BIN chunk, if it is the first; else it is the fallback of
-/// compressed views, of which nobody reads a byte.
+/// Returns the bytes of every buffer. The first buffer without uri is the BIN chunk if it is the first of all. Others
+/// without uri are the fallback of compressed views, and no byte of them is read.
 std::vector<Bytes> load_buffers(const json& document, std::optional<Bytes> binary_chunk,
                                 const std::filesystem::path& folder, std::vector<std::vector<std::byte>>& storage) {
   std::vector<Bytes> buffers;
@@ -52,7 +52,7 @@ std::vector<Bytes> load_buffers(const json& document, std::optional<Bytes> binar
   return buffers;
 }
 
-/// The part of a buffer that a view, or its compressed form, names.
+/// Returns the part of a buffer that a view, or its compressed form, names.
 Bytes slice(const json& view, const std::vector<Bytes>& buffers, const std::string& name) {
   const auto offset = view.value("byteOffset", std::uint64_t{0});
   const auto length = view["byteLength"].get<std::uint64_t>();

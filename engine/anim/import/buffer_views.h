@@ -10,17 +10,17 @@
 
 namespace throng::import {
 
-/// Most bytes that the compressed views of a file may decode to, all together.
+/// The most bytes that all compressed views of a file may decode to.
 inline constexpr std::size_t max_decompressed_size = std::size_t{1} << 29U;
 
-/// The bytes of every buffer view, and what keeps those alive that are not part of the file itself.
+/// The bytes of every buffer view. `storage` owns those that are not part of the file itself.
 struct BufferViews {
   std::vector<std::vector<std::byte>> storage;
   std::vector<std::span<const std::byte>> views;
 };
 
-/// Finds the buffer views of a document that passed check_json: in the BIN chunk, data URIs and files below `folder`,
-/// decompressed where EXT_meshopt_compression says so. Throws Refusal.
+/// Finds the buffer views of a document that passed check_json. They lie in the BIN chunk, in data URIs and in files
+/// below `folder`, and are decompressed where EXT_meshopt_compression says so. Throws Refusal.
 BufferViews load_buffer_views(const nlohmann::json& document, std::optional<std::span<const std::byte>> binary_chunk,
                               const std::filesystem::path& folder);
 

@@ -58,7 +58,7 @@ bool refuse_to_load(tinygltf::Image*, int, std::string*, std::string*, int, int,
   return false;
 }
 
-/// tinygltf maps JSON to structs and nothing else: there is no buffer or image left in `document` for it to open.
+/// Maps JSON to tinygltf's structs and nothing else: `document` has no buffer or image left that it could open.
 tinygltf::Model map_document(const json& document) {
   const std::string text = document.dump();
   tinygltf::TinyGLTF mapper;

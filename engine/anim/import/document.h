@@ -12,37 +12,37 @@
 
 namespace throng::import {
 
-/// Where an image's encoded bytes are: a view, or a uri.
+/// The place of an image's encoded bytes: a view, or a uri.
 struct ImageSource {
   int buffer_view = -1;
   std::string uri;
 };
 
-/// A coarser mesh that stands in for a node's (json_document.h).
+/// A coarser mesh that replaces a node's mesh (see json_document.h).
 struct MeshLodNode {
   int node = -1;
   double error = 0.0;  ///< metres
 };
 
-/// A checked glTF document. `gltf` holds what tinygltf made of the JSON; buffers and images are ours, because tinygltf
-/// would open any path. Indices between objects are in range, buffer views lie inside their buffers, accessors inside
-/// their views.
+/// A checked glTF document. `gltf` is tinygltf's form of the JSON; buffers and images are our own, because tinygltf
+/// would open any path. Indices between objects are in range, buffer views lie inside their buffers, and accessors lie
+/// inside their views.
 struct Document {
-  std::filesystem::path folder;  ///< of the model; files are only opened below it
+  std::filesystem::path folder;  ///< the model's folder; files are opened only below it
   tinygltf::Model gltf;
-  std::vector<std::byte> file;  ///< what `views` show, unless it is in their storage
+  std::vector<std::byte> file;  ///< the bytes that `views` show, unless their storage has them
   BufferViews buffer_views;
   std::vector<ImageSource> images;
-  std::vector<std::vector<anim::NamedDataKey>> data_keys;  ///< by animation; as the file has them
-  std::vector<std::vector<MeshLodNode>> mesh_lods;         ///< by node; as the file has them
+  std::vector<std::vector<anim::NamedDataKey>> data_keys;  ///< by animation, as the file has them
+  std::vector<std::vector<MeshLodNode>> mesh_lods;         ///< by node, as the file has them
   std::vector<std::string> repairs;
-  mutable std::size_t decoded_values = 0;  ///< of all accessors read so far; bounded by the accessor reader
+  mutable std::size_t decoded_values = 0;  ///< numbers of all accessors so far, which the reader bounds
 };
 
 /// Reads and checks the file. Throws Refusal.
 Document load_document(const std::filesystem::path& path);
 
-/// `node 3 "Hips"`, for messages.
+/// Returns `node 3 "Hips"`, for messages.
 std::string label(const std::string& type, std::size_t index, const std::string& name);
 
 }  // namespace throng::import

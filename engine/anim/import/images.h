@@ -7,7 +7,7 @@
 
 namespace throng::import {
 
-/// Largest side of an image, in pixels.
+/// The largest side of an image, in pixels.
 inline constexpr int max_image_side = 8192;
 
 /// Decodes PNG or JPEG. Throws Refusal.

@@ -67,7 +67,7 @@ anim::ImportedFile import_checked(const std::string& path) {
   return file;
 }
 
-/// One line, whatever names the file holds.
+/// Makes an error of one line, whatever names the file holds.
 anim::Error error_of(const std::string& path, const std::string& reason) {
   std::string message = path + ": " + reason;
   std::ranges::replace_if(

@@ -7,12 +7,13 @@
 
 namespace throng::import {
 
-/// Reads a .glb or .gltf (glTF 2.0) and checks everything that it uses before use. The error is one sentence naming the
-/// file, the object and what to do. Reads files only below the model's own folder. Never throws, crashes or hangs on
-/// any input; memory is bounded by the size of the files.
+/// Reads a .glb or .gltf (glTF 2.0) and checks everything before it is used. The error is one sentence with the file,
+/// the object and what to do.
+/// Reads files only below the model's own folder.
+/// Never throws, crashes or hangs on any input. The size of the files bounds the memory.
 anim::Result<anim::ImportedFile> import_file(const std::string& path);
 
-/// The same, but a file without skins is not refused: it has animations and no models.
+/// Does the same, but accepts a file without skins, which has animations and no models.
 anim::Result<anim::ImportedFile> import_skins(const std::string& path);
 
 }  // namespace throng::import

@@ -20,12 +20,12 @@ namespace {
 
 using nlohmann::json;
 
-// What a file may require without changing what we draw, or what we decode.
+// Extensions that a file may require because they do not change what we draw, or because we decode them.
 constexpr std::array<std::string_view, 7> known_extensions{
     "KHR_texture_transform",  "KHR_mesh_quantization",           "EXT_meshopt_compression", "KHR_materials_unlit",
     "KHR_materials_specular", "KHR_materials_emissive_strength", "KHR_lights_punctual"};
 
-/// Where in the document a value is; frames of the descent, so that nothing is built unless something is wrong.
+/// A place in the document, as a frame of the descent, so that names are built only where something is wrong.
 struct Place {
   const Place* outer = nullptr;
   std::string_view type;

@@ -5,7 +5,7 @@
 namespace throng::import {
 
 /// Checks that everything import reads has the type, the length and, for an index, the range that glTF demands, and
-/// that every required extension is one of ours. Throws Refusal, naming the object.
+/// that import knows every required extension. Throws Refusal with the object's name.
 void check_json(const nlohmann::json& document);
 
 }  // namespace throng::import

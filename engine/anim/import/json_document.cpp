@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Brackets outside of strings; not a parser, so that it needs no stack.
+/// Counts brackets outside of strings. It is no parser, so it needs no stack.
 void check_depth(std::string_view text) {
   int depth = 0;
   bool in_string = false;
@@ -52,8 +52,8 @@ void keep_read_extensions(json& object) {
   *extensions = std::move(kept);
 }
 
-/// Extras may be anything, and go. What we read among those of `array` becomes a property of the object itself, so that
-/// it is checked as all others are.
+/// Makes our property, among the extras of objects of `array`, a property of the object itself, so that it is checked
+/// like all others. Other extras may be anything and are dropped later.
 void keep_extra(json& document, const char* array, const char* property) {
   const auto objects = document.find(array);
   if (objects == document.end() || !objects->is_array()) return;

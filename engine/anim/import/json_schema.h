@@ -5,19 +5,19 @@
 
 namespace throng::import {
 
-/// What a property of a glTF object must be.
+/// The kinds of property that a glTF object has.
 enum class Kind : unsigned char {
   flag,
   integer,  ///< >= 0
   number,   ///< finite
-  numbers,  ///< array of `count` finite numbers; any number of them where count is 0
+  numbers,  ///< array of `count` finite numbers; of any length where count is 0
   text,
   choice,  ///< one of the texts that `target` lists, divided by "|"
   texts,
   index,    ///< into the document's top-level array `target`
-  indices,  ///< array of those, at least `count`, no two equal
+  indices,  ///< array of indices, at least `count`, no two equal
   object,   ///< of the type `target`
-  objects,  ///< array of those, at least `count`
+  objects,  ///< array of objects, at least `count`
 };
 
 /// One property of one type of object (glTF 2.0, chapter 5). The key "*" stands for every key of the object.
@@ -30,7 +30,7 @@ struct Property {
   bool required = false;
 };
 
-/// The properties that import reads, grouped by owner; what is not listed is ignored.
+/// Returns the properties that import reads, grouped by owner. All others are ignored.
 std::span<const Property> gltf_schema();
 
 }  // namespace throng::import

@@ -15,10 +15,10 @@ class MaterialCollector {
  public:
   explicit MaterialCollector(Document& document) : document_(document) {}
 
-  /// Index among the model's materials of a material of the file, or of a plain white one for -1.
+  /// Returns the model's index of a material of the file, or of a plain white one for -1.
   int material(int file_material);
 
-  /// What KHR_texture_transform does to the texture coordinates of that material; identity without it.
+  /// Returns what KHR_texture_transform does to texture coordinates of that material; the identity without it.
   glm::mat3 texture_transform(int file_material) const;
 
   std::vector<anim::Material> take_materials() { return std::move(materials_); }
@@ -29,8 +29,8 @@ class MaterialCollector {
   int image(int texture);
 
   Document& document_;
-  std::map<int, int> material_of_;  ///< file's -> model's
-  std::map<int, int> image_of_;     ///< file's -> model's, -1 for one that was dropped
+  std::map<int, int> material_of_;  ///< index in the file -> in the model
+  std::map<int, int> image_of_;     ///< index in the file -> in the model, -1 for a dropped image
   std::vector<anim::Material> materials_;
   std::vector<anim::Image> images_;
 };

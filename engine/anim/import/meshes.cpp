@@ -39,7 +39,7 @@ class MeshReader {
     return document_.mesh_lods[static_cast<std::size_t>(node)];
   }
 
-  /// LODs that all meshes of the skeleton have; a part without them would be missing in the distance.
+  /// Counts the LODs that all meshes of the skeleton have. A part without them would be missing in the distance.
   std::size_t lod_count(const std::vector<int>& skinned) {
     const auto count_of = [&](int node) { return lods_of(node).size(); };
     if (skinned.empty() || std::ranges::all_of(skinned, [&](int node) { return count_of(node) == 0; })) return 0;
@@ -68,7 +68,7 @@ class MeshReader {
 
   std::string node_label(int node) const { return label("node", static_cast<std::size_t>(node), source(node).name); }
 
-  /// Whether this node draws something of the skeleton that no other drew.
+  /// Reads a node's mesh. Returns whether it draws something of the skeleton that no other node drew.
   bool read_skinned(int node) {
     const auto skin = std::ranges::find(built_.skins, source(node).skin, &anim::Skin::skin);
     const int mesh = source(node).mesh;

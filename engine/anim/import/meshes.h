@@ -15,8 +15,8 @@ struct Surfaces {
   std::vector<anim::BakedMeshLod> mesh_lods;
 };
 
-/// Every primitive of the scene that is skinned to, or hangs below, a skeleton, in the space of its palette, and the
-/// coarser ones that the file has for all of them. Throws Refusal.
+/// Reads every primitive of the scene that is skinned to a skeleton or hangs below it, in the space of its palette, and
+/// the coarser meshes that the file has for all of them. Throws Refusal.
 Surfaces read_surfaces(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton,
                        MaterialCollector& materials);
 

@@ -8,8 +8,8 @@ namespace throng::import {
 
 namespace {
 
-// The densest that each codec packs: an attribute byte takes at least 2 bits for 16 elements, a triangle or an index a
-// byte.
+// The densest packing of each codec: an attribute takes at least 2 bits for 16 elements of a byte, a triangle or an
+// index at least a byte.
 constexpr std::uint64_t attribute_bytes_a_byte = 64;
 constexpr std::uint64_t indices_a_byte = 3;
 

@@ -17,7 +17,8 @@ struct MeshoptView {
   std::string filter;        ///< NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL
 };
 
-/// count * stride bytes. Checks that so few bytes can hold so many elements before it allocates. Throws Refusal.
+/// Decodes count * stride bytes. Before it allocates, it checks that the bytes can hold so many elements. Throws
+/// Refusal.
 std::vector<std::byte> decode_meshopt(const MeshoptView& view);
 
 }  // namespace throng::import

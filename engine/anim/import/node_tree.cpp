@@ -63,7 +63,7 @@ std::vector<bool> find_scene(const Document& document, const NodeTree& tree) {
   return in_scene;
 }
 
-/// Translation, rotation and scale of a matrix without shear; a reflection is put on x.
+/// Returns translation, rotation and scale of a matrix without shear. A reflection becomes a negative x scale.
 std::optional<anim::Transform> decompose(const glm::dmat4& matrix) {
   constexpr double tolerance = 1e-6;
   glm::dmat3 axes(matrix);

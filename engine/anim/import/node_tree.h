@@ -9,26 +9,26 @@
 
 namespace throng::import {
 
-/// The rest transform of a node. What is a plain TRS, written as matrix or not, is one here.
+/// The rest transform of a node. A matrix that is a plain TRS is stored as one.
 struct NodeTransform {
   anim::Transform trs;
-  glm::dmat4 matrix{1.0};   ///< in double: of the TRS as the file writes it, or of the node's matrix
-  bool has_matrix = false;  ///< the node may not be animated
-  bool is_trs = true;       ///< false for a matrix with shear: `trs` is the identity then
+  glm::dmat4 matrix{1.0};   ///< in double: of the TRS as the file writes it, or the node's matrix
+  bool has_matrix = false;  ///< so the node may not be animated
+  bool is_trs = true;       ///< false for a matrix with shear, whose `trs` is the identity
 };
 
 /// The nodes of a document as a forest. Arrays have one element a node.
 struct NodeTree {
   std::vector<int> parents;        ///< -1 for a root
   std::vector<int> parents_first;  ///< every node, after its parent
-  std::vector<bool> in_scene;      ///< reached by the default scene, or by the first where none is said
+  std::vector<bool> in_scene;      ///< in the default scene, or in the first where the file names none
   std::vector<NodeTransform> transforms;
   std::vector<glm::dmat4> globals;  ///< rest pose, scene space
 
   int size() const { return static_cast<int>(parents.size()); }
 };
 
-/// Refuses two parents, cycles, matrix beside TRS, zero rotations.
+/// Builds the forest. Refuses two parents, cycles, a matrix beside TRS, and zero rotations.
 NodeTree build_node_tree(const Document& document);
 
 }  // namespace throng::import

@@ -13,7 +13,7 @@ namespace {
 using anim::Skeleton;
 using anim::Skin;
 
-/// Palette entries of the general path: one for each bone and inverse bind, sorted by bone.
+/// The palette entries of the general path: one for each bone and inverse bind, sorted by bone.
 class GeneralPalette {
  public:
   explicit GeneralPalette(const Skeleton& skeleton) : entries_of_bone_(skeleton.bones.size()) {}
@@ -28,7 +28,7 @@ class GeneralPalette {
     return entries.back();
   }
 
-  /// Moves the entries to the skeleton; entry numbers of the skins follow.
+  /// Moves the entries to the skeleton and adapts the entry numbers of the skins.
   void store(Skeleton& skeleton, std::vector<Skin>& skins) const {
     std::vector<int> place(palette_.size());
     skeleton.palette.clear();

@@ -5,8 +5,8 @@
 
 namespace throng::import {
 
-/// Why a file is refused: the sentence without the file's name. Travels up inside this folder and ends at import_file,
-/// which puts the file's name before it.
+/// Says why a file is refused, in a sentence without the file's name. It travels up inside this folder and ends at
+/// import_file, which puts the file's name before it.
 class Refusal : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -16,12 +16,12 @@ using anim::ReferenceFrame;
 using anim::Skeleton;
 using anim::Skin;
 
-// More than exporters that write 32-bit floats are off by (4e-5 in the worst of twenty characters), and less than
-// anybody scales on purpose. What the two really differ by is measured afterwards.
+// Exporters of 32-bit floats are off by less (4e-5 in the worst of twenty characters), and no scale is so small
+// on purpose. shows_the_same then measures what the rounding really changes.
 constexpr double rounding = 1e-4;
 constexpr double scale_key_rounding = 2e-5;
 
-/// Rotation, origin and uniform positive scale of a matrix that is nothing else.
+/// Returns rotation, origin and uniform positive scale of a matrix that has nothing else.
 std::optional<ReferenceFrame> as_frame(const glm::dmat4& matrix) {
   const glm::dmat3 linear(matrix);
   const double determinant = glm::determinant(linear);
@@ -62,7 +62,7 @@ bool scales_stand_still(const Skeleton& skeleton, const std::vector<anim::Clip>&
   return true;
 }
 
-/// Makes a copy of a skeleton rigid; false from any step means that it is not.
+/// Makes a copy of a skeleton rigid. A step that returns false found that it is not.
 class RigidMaker {
  public:
   explicit RigidMaker(const Skeleton& general) : skeleton_(general), placed_(general.bones.size(), false) {}
@@ -88,7 +88,7 @@ class RigidMaker {
     return true;
   }
 
-  /// Frames and scales of the rest pose, which remain for bones that no skin binds.
+  /// Sets frames and scales to the rest pose, which stays for bones that no skin binds.
   bool set_rest_frames() {
     const anim::ReferencePose rest = anim::reference_pose(skeleton_, nullptr, 0.0);
     for (std::size_t bone = 0; bone < rest.globals.size(); ++bone) {
@@ -110,8 +110,8 @@ class RigidMaker {
     return true;
   }
 
-  /// Where the skin's vertices are in the bind pose: by a joint that an earlier skin has placed, else by its root
-  /// joint's rest pose.
+  /// Returns where the skin's vertices are in the bind pose. A joint that an earlier skin has placed says so, else the
+  /// rest pose of the root joint.
   glm::dmat4 vertex_space(const Skin& skin) const {
     const auto rank = [&](std::size_t joint) {
       const int bone = skin.bones[joint];
@@ -125,7 +125,7 @@ class RigidMaker {
     return as_matrix(skeleton_.references[bone]) * skin.inverse_binds[root];
   }
 
-  /// The joint's bind pose becomes its frame. Its scale must be the one it has in the rest pose.
+  /// Makes the joint's bind pose its frame. Its scale must be that of the rest pose.
   bool place(const Skin& skin, std::size_t joint) {
     const auto bone = static_cast<std::size_t>(skin.bones[joint]);
     if (placed_[bone]) return true;
@@ -143,7 +143,7 @@ class RigidMaker {
   std::vector<bool> placed_;
 };
 
-/// The definition's palette of one skin, and what a rigid one shows in its place.
+/// Compares the palette of one skin by the definition with that of a rigid skeleton.
 class PaletteComparison {
  public:
   void add(const glm::dmat4& expected, const glm::dmat4& shown) {

@@ -45,7 +45,7 @@ class SkeletonBuilder {
     return joints;
   }
 
-  /// Mesh nodes of the scene without skin, at or below a joint.
+  /// Finds mesh nodes of the scene without skin, at or below a joint.
   NodeSet find_attached(const NodeSet& joints) const {
     NodeSet below = joints;
     NodeSet attached(joints.size(), false);
@@ -79,7 +79,7 @@ class SkeletonBuilder {
     return bones;
   }
 
-  /// The nearest node at or above `node` that `bones` holds, or -1; `chain` gets the transforms passed on the way.
+  /// Returns the nearest node at or above `node` that is in `bones`, or -1; `chain` gets the transforms on the way.
   int climb(int node, const NodeSet& bones, glm::dmat4& chain) const {
     while (node >= 0 && !has(bones, node)) {
       chain = tree_.transforms[static_cast<std::size_t>(node)].matrix * chain;
@@ -88,7 +88,7 @@ class SkeletonBuilder {
     return node;
   }
 
-  /// Parents first; the order by level of detail comes when the surface is known.
+  /// Adds bones, parents first. The order by level of detail comes later, when the surface is known.
   void add_bones(const NodeSet& bone_nodes) {
     std::vector<anim::Bone>& bones = built_.skeleton.bones;
     for (const int node : tree_.parents_first) {

@@ -25,9 +25,9 @@ struct BuiltSkeleton {
   std::vector<AttachedMesh> attached;
 };
 
-/// Bones are the joints of the skins, and every animated node between or above them or the meshes attached to them;
-/// what never moves in between becomes Bone::prefix. References and palette are set by set_reference_frames. Throws
-/// Refusal where there are more than anim::max_bones.
+/// Builds a skeleton. Bones are the joints of the skins, and every animated node between or above them or the meshes
+/// that hang below them. Nodes in between that never move become Bone::prefix. set_reference_frames sets references and
+/// palette. Throws Refusal where there are more than anim::max_bones.
 BuiltSkeleton build_skeleton(const Document& document, const NodeTree& tree, const std::vector<Animation>& animations,
                              const std::vector<FileSkin>& skins, const std::vector<int>& group);
 

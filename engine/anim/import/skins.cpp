@@ -68,7 +68,7 @@ int find_group(std::vector<int>& groups, int skin) {
   return skin;
 }
 
-/// The smaller index leads, so that groups keep the order of the file.
+/// Joins two groups under the smaller index, so that groups keep the order of the file.
 void join_groups(std::vector<int>& groups, int a, int b) {
   const int first = find_group(groups, a);
   const int second = find_group(groups, b);
@@ -103,7 +103,7 @@ std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, co
       join_groups(groups, first, static_cast<int>(skin));
     }
   }
-  // Parents first, each node hands down the skin of the nearest joint at or above it.
+  // Parents come first, so each node hands down the skin of the nearest joint at or above it.
   for (const int node : tree.parents_first) {
     const int parent = tree.parents[static_cast<std::size_t>(node)];
     if (parent < 0) continue;

@@ -19,11 +19,11 @@ struct FileSkin {
   std::vector<int> mesh_nodes;            ///< nodes that draw a mesh with it, in the scene or not
 };
 
-/// Throws Refusal, also where the scene draws a skin without holding its joints.
+/// Reads all skins. Throws Refusal, also where the scene draws a skin without holding its joints.
 std::vector<FileSkin> read_skins(Document& document, const NodeTree& tree);
 
-/// Skins that move together: two share a group if a joint of one is a joint, an ancestor or a descendant of a joint of
-/// the other. Indices into `skins`, ascending inside a group.
+/// Groups skins that move together: two share a group if a joint of one is a joint, an ancestor or a descendant of a
+/// joint of the other. Returns indices into `skins`, ascending inside a group.
 std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, const NodeTree& tree);
 
 }  // namespace throng::import

@@ -8,17 +8,17 @@
 
 namespace throng::import {
 
-/// Largest file that is read, in bytes.
+/// The largest file that is read, in bytes.
 inline constexpr std::size_t max_file_size = std::size_t{1} << 30U;
 
-/// All bytes of a regular file. Throws Refusal.
+/// Returns all bytes of a regular file. Throws Refusal.
 std::vector<std::byte> read_file(const std::filesystem::path& path);
 
-/// Where a relative URI of a model in `folder` points to. Throws Refusal for whatever could lead out of `folder`:
+/// Returns the path of a relative URI of a model in `folder`. Throws Refusal for a URI that could lead out of `folder`:
 /// absolute paths, schemes, "..", links, bad escapes.
 std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::string_view uri);
 
-/// Bytes of a base64 data URI (RFC 2397), or nothing where `uri` is none. Throws Refusal.
+/// Returns the bytes of a base64 data URI (RFC 2397), or nothing for any other URI. Throws Refusal.
 std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri);
 
 }  // namespace throng::import

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float largest_region = 5.0F;
 
-// KHR_mesh_quantization widens what positions, normals and texture coordinates may be.
+// KHR_mesh_quantization allows these for positions, normals and texture coordinates.
 constexpr std::initializer_list<int> any_component = {
     TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
     TINYGLTF_COMPONENT_TYPE_SHORT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT};
@@ -49,7 +49,7 @@ class SurfaceReader {
   }
 
  private:
-  /// Flat numbers of an attribute, one element a position; empty where the primitive has none.
+  /// Returns flat numbers of an attribute, one element a position; none where the primitive lacks it.
   std::vector<float> read_attribute(const char* attribute, const AccessorRule& rule, std::size_t width) const {
     const auto found = primitive_.attributes.find(attribute);
     if (found == primitive_.attributes.end()) return {};
@@ -70,7 +70,7 @@ class SurfaceReader {
     return vectors;
   }
 
-  /// NaN is what some exporters write for a vertex that nothing should draw.
+  /// Some exporters write NaN for a vertex that should not be drawn. Drops its triangles.
   void mend_positions() {
     std::vector<bool> broken(mesh_.positions.size(), false);
     std::size_t count = 0;
@@ -141,7 +141,7 @@ class SurfaceReader {
     }
   }
 
-  /// What an instance may vary; drawing stores it in bytes, so what lies beyond is cut.
+  /// Reads what an instance may vary. Drawing stores it in bytes, so values are clamped to -1..1.
   void read_variations() {
     const auto cut = [](float value) {
       return value >= -1.0F && value <= 1.0F ? value : std::clamp(value, -1.0F, 1.0F);

@@ -10,8 +10,9 @@
 
 namespace throng::import {
 
-/// Positions, normals, colours, texture coordinates, tint regions, triangles and material of a primitive, moved by
-/// `placement`. Bindings stay empty. NaN positions are mended and reported, infinite ones refused. Throws Refusal.
+/// Reads positions, normals, colours, texture coordinates, tint regions, triangles and material of a primitive, and
+/// moves them by `placement`. Leaves influences empty. Mends and reports NaN positions. Throws Refusal, for infinite
+/// positions too.
 anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive, const glm::dmat4& placement,
                                MaterialCollector& materials, const std::string& name);
 

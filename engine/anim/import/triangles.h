@@ -10,12 +10,12 @@
 
 namespace throng::import {
 
-/// Indices of a primitive as a list of triangles, strips and fans unrolled; empty for points and lines, reported.
-/// Throws Refusal.
+/// Returns the indices of a primitive as a list of triangles; unrolls strips and fans. Points and lines give none and a
+/// report. Throws Refusal.
 std::vector<std::uint32_t> read_triangles(Document& document, const tinygltf::Primitive& primitive,
                                           std::size_t vertex_count, const std::string& name);
 
-/// Unit normals, weighted by the area of the triangles around each vertex; +Y where there are none.
+/// Returns unit normals, weighted by the area of the triangles around each vertex; +Y for a vertex without any.
 std::vector<glm::vec3> compute_normals(const std::vector<glm::vec3>& positions,
                                        const std::vector<std::uint32_t>& indices);
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-/// How far off what is shown is, over a crowd and some time (DESIGN "Measured, not guessed"). Pixels on screen.
+/// Collects how far shown poses are off, in pixels on screen, over a crowd and some time.
 namespace throng::anim {
 
-/// Of the agents measured. All 0 where nobody was.
+/// Errors of the agents that were measured. All figures are 0 where none was.
 struct ErrorFigures {
-  /// As few leave an estimate of a ninety-ninth percentile to chance.
+  /// With fewer samples than this, chance decides a ninety-ninth percentile.
   static constexpr std::uint32_t samples_for_p99 = 1000;
 
   float p50 = 0.0F;
@@ -22,14 +22,14 @@ struct ErrorFigures {
   bool p99_is_known() const { return samples >= samples_for_p99; }
 };
 
-/// One agent in one frame.
+/// The error of one agent in one frame.
 struct ErrorSample {
   float error = 0.0F;        ///< pixels, 0 or more
   std::optional<float> pop;  ///< pixels; none if it was not measured in the frame before
 };
 
-/// Counts of errors, in steps of 2%: percentiles of any number of samples in no time. A percentile is the upper end of
-/// its step, so never too small; below a 256th of a pixel it is 0.
+/// Counts errors in steps of 2%, so that a percentile of any number of samples takes the same time. A percentile is the
+/// upper end of its step, so it is never too small. Errors below a 256th of a pixel count as 0.
 class ErrorCounts {
  public:
   using Step = std::uint16_t;
@@ -38,12 +38,12 @@ class ErrorCounts {
 
   void add(Step step) { ++counts_[step], ++total_; }
   void remove(Step step) { --counts_[step], --total_; }
-  /// What `part` of the samples, 0 to 1, do not exceed; 0 without samples.
+  /// Returns the error that `part` of the samples, 0 to 1, do not exceed; 0 without samples.
   float percentile(double part) const;
   std::uint64_t total() const { return total_; }
 
  private:
-  static constexpr int least_exponent = -8, most_exponent = 14;  // of 2
+  static constexpr int least_exponent = -8, most_exponent = 14;  // powers of 2
   static constexpr int steps_an_octave = 32;
   static constexpr std::size_t step_count = (most_exponent - least_exponent) * steps_an_octave + 1;
 
@@ -51,18 +51,18 @@ class ErrorCounts {
   std::uint64_t total_ = 0;
 };
 
-/// Errors of the last 60 frames, and of all frames since the start. Percentiles look further back, up to 600 frames,
-/// where the last 60 have too few samples for the ninety-ninth.
+/// Keeps the errors of the last 60 frames, and counts those since the start. Where the last 60 frames have too few
+/// samples for a ninety-ninth percentile, percentiles look further back, up to 600 frames.
 class ErrorWindow {
  public:
   static constexpr std::size_t frames = 60;
   static constexpr std::size_t most_frames = 600;
 
-  /// Room for so many samples in each of the last 60 frames, so that add() does not allocate.
+  /// Makes room for so many samples a frame, so that add() does not allocate.
   void reserve(std::size_t samples_a_frame);
-  /// Forgets the oldest frames.
+  /// Begins a frame and forgets the oldest ones that are not needed.
   void begin_frame();
-  /// Within the frame begun last.
+  /// Adds a sample to the frame that was begun last.
   void add(const ErrorSample& sample);
 
   ErrorFigures figures() const;

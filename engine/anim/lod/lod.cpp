@@ -12,13 +12,13 @@ namespace throng::anim {
 namespace {
 
 constexpr float near_enough_to_divide = 1e-3F;  // metres
-constexpr float return_margin = 0.9F;           // of a level's distance: nearer than this the level below comes back
+constexpr float return_margin = 0.9F;           // of a level's distance: the finer level returns below it
 
 float dot(const glm::vec3& a, const glm::vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// Distances squared, so that no square root stands between a knob and its effect.
+// Holds squared distances, which are compared without a square root.
 struct Thresholds {
-  std::array<float, longest_interval> longer_interval;  // [i]: from here on interval i + 2
+  std::array<float, longest_interval> longer_interval;  // [i]: interval i + 2 begins here
   std::array<float, max_bone_levels - 1> next_level;
   std::array<float, max_bone_levels - 1> level_back;
 };
@@ -46,7 +46,7 @@ int interval_at(float squared_distance, const LodRules& rules, const Thresholds&
   return interval;
 }
 
-// `current` is the level shown now; pass 0 and `fresh` for an agent that was out of view.
+// `current` is the level shown now. For an agent that was out of view pass 0 and `fresh`.
 int bone_level_at(float squared_distance, int current, bool fresh, int level_count, const Thresholds& squares) {
   int level = std::min(current, level_count - 1);
   while (level + 1 < level_count && squared_distance >= squares.next_level[static_cast<std::size_t>(level)]) ++level;
@@ -54,7 +54,7 @@ int bone_level_at(float squared_distance, int current, bool fresh, int level_cou
   return level;
 }
 
-// Frames until the next frame that is the agent's own: 1 to interval.
+// Returns the frames until the next one that is the agent's own: 1 to interval.
 int frames_to_own_turn(std::uint64_t agent, std::uint64_t frame, std::uint64_t interval) {
   const std::uint64_t own = agent % interval;
   const std::uint64_t now = frame % interval;
@@ -68,10 +68,10 @@ bool in_view(const glm::vec3& centre, float radius, const LodCamera& camera) {
 
 float squared(const glm::vec3& from_camera) { return dot(from_camera, from_camera); }
 
-/// An agent as it is seen this frame.
+/// An agent as this frame sees it.
 struct Seen {
-  float squared_distance;   // metres
-  float metres_a_pixel;     // of error, in the character's own space, over its importance
+  float squared_distance;   // square metres
+  float metres_a_pixel;     // error in the character's own space that shows as one pixel, over its importance
   bool fresh;               // it was out of view, or its graph has changed
   const MotionLod* motion;  // null where no cost is counted
 };
@@ -168,8 +168,8 @@ const MotionLod* motion_of(const LodFrame& frame, std::size_t agent) {
 
 float cosine_of_degrees(float degrees) { return std::cos(degrees * std::numbers::pi_v<float> / 180.0F); }
 
-// What moves across the line of sight, away from the middle of the picture, covers more pixels by the square of the
-// cosine of the angle in between.
+// Away from the middle of the picture, a motion across the line of sight covers more pixels. The factor is one over
+// the squared cosine of the angle from the middle.
 constexpr float least_cosine = 0.5F;
 
 float metres_a_pixel(const LodFrame& frame, float cosine_of_centre, std::size_t agent, const glm::vec3& from_camera,
@@ -180,12 +180,12 @@ float metres_a_pixel(const LodFrame& frame, float cosine_of_centre, std::size_t 
   return 1.0F / (pixels * importance * (cosine >= cosine_of_centre ? frame.rules.centre_importance : 1.0F));
 }
 
-constexpr std::uint8_t frames_of_coming_into_view = 2;  // one for its pose, one to look ahead from there
+constexpr std::uint8_t frames_of_coming_into_view = 2;  // one update for its pose, one to look ahead from there
 
-/// Agents that one job decides for, one after the other. Lists begin where they would if all were chosen.
+/// Agents that one job decides for, in order. Its lists begin where they would if all agents before were chosen.
 struct LodTile {
   std::size_t first = 0, end = 0;
-  std::size_t visible = 0, due = 0;  // how many
+  std::size_t visible = 0, due = 0;  // counts
   LodCost cost;
 
   void decide_all(const LodFrame& frame, const Thresholds& squares, LodState& state, LodSelection& selection) {
@@ -251,7 +251,7 @@ struct LodTile {
   std::array<std::uint32_t, tolerance_steps> by_tolerance_{};
 };
 
-/// Closes the gaps between the lists of the tiles; returns the length of the whole.
+/// Closes the gaps between the lists of the tiles and returns the whole list.
 template <typename Element>
 std::span<Element> joined(std::vector<Element>& room, std::span<const LodTile> tiles, std::size_t LodTile::*count) {
   std::size_t length = 0;

@@ -7,20 +7,20 @@
 namespace throng::anim {
 namespace {
 
-constexpr float coarser_margin = 0.9F;  // of what is allowed: a cheaper pair must be within this much of it
+constexpr float coarser_margin = 0.9F;  // of the allowance: a cheaper pair must be within it
 constexpr float sixtieths_a_second = 60.0F;
 
 float exact_step(float metres) { return steps_an_octave * std::log2(metres / least_allowance_metres); }
 
-// A fade that eases in and out over 0.3 s bends the way from one pose to the other, by this much of the character's
-// height apart, on top of a person's own walk.
+// A fade eases in and out over 0.3 s and so bends the way from one pose to the other. The poses are `apart` times the
+// character's height from each other. The error comes on top of that of a walking person.
 SkipError error_of_change(float height) {
   constexpr float apart = 0.3F, fade_sixtieths = 18.0F;
   SkipError error;
   for (std::size_t i = 0; i < SkipError::spans.size(); ++i) {
     const float part = std::min(static_cast<float>(SkipError::spans[i]) / fade_sixtieths, 1.0F);
-    error.blended[i] += 0.75F * part * part * apart * height;  // an eighth of the square of the span times ease's bend
-    error.held[i] += 1.5F * part * apart * height;             // ease at its steepest
+    error.blended[i] += 0.75F * part * part * apart * height;  // an eighth of the span squared times curvature
+    error.held[i] += 1.5F * part * apart * height;             // the ease's steepest slope
   }
   return error;
 }

@@ -11,7 +11,7 @@
 
 namespace throng::anim {
 
-/// How an agent is updated.
+/// A way to update an agent.
 struct LodChoice {
   std::uint8_t interval = 1;    ///< frames
   std::uint8_t bone_level = 0;  ///< 0: all bones
@@ -19,34 +19,34 @@ struct LodChoice {
   friend bool operator==(const LodChoice&, const LodChoice&) = default;
 };
 
-/// Errors that may be allowed are told apart in eighths of an octave, from 2^-14 m to 2^5 m.
+/// An allowance is an error that may be shown. Its steps are eighths of an octave, from 2^-14 m to 2^5 m.
 inline constexpr int allowance_steps = 19 * steps_an_octave;
 inline constexpr float least_allowance_metres = 0x1p-14F;
 
-/// The largest step whose error is at most `metres`; below 0 where even the least is more.
+/// Returns the largest step whose error is at most `metres`; below 0 where even the least step is larger.
 int allowance_step(float metres);
 
-/// Everything that level of detail can choose for one clip of one character: what each pair of interval and bone level
-/// costs in error and in time, and the cheapest for each error that may be allowed. Errors of the two are added.
+/// All choices of level of detail for one clip of one character: the error and the cost of each pair of interval and
+/// bone level, and the cheapest pair for each allowance. The errors of interval and level are added.
 class MotionLod {
  public:
   MotionLod(const LodCharacter& character, const SkipError& motion, const LodRules& rules, float frame_seconds);
 
-  /// Within `metres` of error. The pair shown now stays while it is within them and nothing cheaper is within nine
-  /// tenths of them, so that nobody flickers between two.
+  /// Returns the cheapest pair within `metres` of error. The second form keeps the shown pair while it is within
+  /// `metres` and no cheaper pair is within nine tenths of it, so that no agent flickers between two pairs.
   LodChoice choose(float metres) const { return choice_[clamped(allowance_step(metres))]; }
   LodChoice choose(float metres, LodChoice shown) const;
 
   float error_metres(LodChoice choice) const { return error_[choice.bone_level][choice.interval - 1U]; }
-  /// Nanoseconds a frame.
+  /// Returns nanoseconds a frame.
   float cost(LodChoice choice) const {
     const std::uint32_t more = choice == LodChoice{} ? full_rate_cost_ : 0;
     return static_cast<float>(update_cost_[choice.bone_level] + more) / static_cast<float>(choice.interval);
   }
-  /// Nanoseconds when its turn comes.
+  /// Returns nanoseconds of one update.
   std::uint32_t update_cost(std::size_t bone_level) const { return update_cost_[bone_level]; }
 
-  /// Adds to each tolerance what the agent costs at it; `metres_a_pixel` is the error that a pixel allows it.
+  /// Adds to each tolerance what the agent costs at it. One pixel allows the agent `metres_a_pixel` of error.
   void add_cost(float metres_a_pixel, std::span<std::uint32_t, tolerance_steps> by_tolerance) const;
 
  private:
@@ -61,21 +61,21 @@ class MotionLod {
   std::array<LodChoice, allowance_steps> choice_{};
   std::array<std::array<float, longest_interval>, max_bone_levels> error_{};  // metres
   std::array<std::uint32_t, max_bone_levels> update_cost_{};                  // nanoseconds
-  std::uint32_t full_rate_cost_ = 0;                                          // nanoseconds, on top
+  std::uint32_t full_rate_cost_ = 0;  // nanoseconds on top, with all bones in every frame
 };
 
-/// The motions of all characters.
+/// Holds the MotionLod of every clip of all characters.
 class LodChoices {
  public:
-  /// At load time, and when rules or the length of a frame have changed; allocates.
+  /// Call it at load time, and when the rules or the length of a frame have changed. Allocates.
   void build(std::span<const LodCharacter> characters, const LodRules& rules, float frame_seconds);
 
   bool empty() const { return motions_.empty(); }
 
-  /// Of one who goes over from one clip to another, whichever they are.
+  /// Returns the motion of an agent that goes over from any clip to another.
   const MotionLod& changing(std::size_t character) const { return motions_[first_[character]]; }
 
-  /// `clip` below 0: standing still.
+  /// Returns the motion of a clip; `clip` below 0 means standing still.
   const MotionLod& of(std::size_t character, int clip) const {
     const std::size_t first = first_[character] + 1, motions = first_[character + 1] - first;
     const int motion = clip + 1;
@@ -85,7 +85,7 @@ class LodChoices {
 
  private:
   std::vector<MotionLod> motions_;
-  std::vector<std::size_t> first_;  // [character], and the end: changing, standing still, then its clips
+  std::vector<std::size_t> first_;  // [characters + 1] changing, standing still, then clips
 };
 
 }  // namespace throng::anim

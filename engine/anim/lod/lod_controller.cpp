@@ -7,18 +7,18 @@ namespace throng::anim {
 namespace {
 
 constexpr float frames_to_learn = 60.0F;
-constexpr float frames_to_learn_too_much = 10.0F;  // of an error near its limit
-constexpr float aimed_error = 0.7F;                // of the limit: a p99 of a thousand samples scatters
-constexpr float error_band = 0.1F;                 // about it: left alone
-constexpr float near_limit = 0.85F;                // from here on haste is needed
+constexpr float frames_to_learn_too_much = 10.0F;  // while an error is near its limit
+constexpr float aimed_error = 0.7F;                // of the limit, since a p99 of a thousand samples scatters
+constexpr float error_band = 0.1F;                 // around the aim: nothing changes inside
+constexpr float near_limit = 0.85F;                // of the limit: above it the factor changes fast
 constexpr float most_error_factor = 8.0F;
 
-constexpr double frames_of_change = 8.0;  // until most agents have met their turn
+constexpr double frames_of_change = 8.0;  // until most agents have had their turn
 constexpr double headroom_rise = 0.25, headroom_fall = 1.0 / 240.0;
 constexpr double most_headroom = 4.0;
 constexpr double aimed_cost = 0.88;                             // of the budget
-constexpr double too_much_cost = 0.93, too_little_cost = 0.82;  // in between the tolerance stays
-constexpr float sinking = 1.0F / 30.0F;                         // of the way to a lower tolerance, a frame
+constexpr double too_much_cost = 0.93, too_little_cost = 0.82;  // of the budget: in between the tolerance stays
+constexpr float sinking = 1.0F / 30.0F;                         // part of the way to a lower tolerance, a frame
 
 double cost_at(const CostByTolerance& cost, float tolerance) {
   const float step = std::clamp(step_of_tolerance(tolerance), 0.0F, static_cast<float>(tolerance_steps - 1));
@@ -28,7 +28,8 @@ double cost_at(const CostByTolerance& cost, float tolerance) {
   return static_cast<double>(cost[lower]) * (1.0 - part) + static_cast<double>(cost[upper]) * part;
 }
 
-/// The least tolerance that costs at most so much, on the line between the steps around it; the most there is if none.
+/// Returns the least tolerance that costs at most so much, on the line between the steps around it; the largest if none
+/// does.
 float least_tolerance(const CostByTolerance& cost, double nanoseconds) {
   const auto* const fits =
       std::ranges::find_if(cost, [&](std::uint64_t at) { return static_cast<double>(at) <= nanoseconds; });
@@ -51,10 +52,11 @@ void LodController::learn_error_factor(float wanted, float measured) {
       std::clamp(error_factor_ * std::pow(ratio, -1.0F / frames), 1.0F / most_error_factor, most_error_factor);
 }
 
-// Turns that fall together, richer graphs than were counted, levels that stay a little longer.
+// Learns how much more a frame costs than the long run. Turns fall together, graphs are richer than counted, and levels
+// stay a little longer.
 void LodController::learn_headroom(const LodOutcome& outcome) {
   if (outcome.exempt_nanoseconds > outcome.nanoseconds) {
-    expected_ = 0.0;  // most have just met their turn
+    expected_ = 0.0;  // most agents have just come into view
     return;
   }
   const double in_the_long_run = cost_at(outcome.cost_by_tolerance, tolerance_);

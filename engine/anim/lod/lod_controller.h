@@ -7,44 +7,43 @@
 
 namespace throng::anim {
 
-/// What level of detail may cost; 0: no such limit.
+/// The limits on error and time; 0: no such limit.
 struct LodLimits {
-  float error_pixels = 1.0F;        ///< that 99% of what is shown stay below
-  double budget_nanoseconds = 0.0;  ///< a frame, predicted, summed over PUs; those who reappear are exempt
+  float error_pixels = 1.0F;        ///< 99% of shown errors stay below it
+  double budget_nanoseconds = 0.0;  ///< a frame, predicted, summed over PUs; agents that come into view are exempt
 
   friend bool operator==(const LodLimits&, const LodLimits&) = default;
 };
 
 enum class BindingLimit : std::uint8_t {
-  none,       ///< the finest there is fits the budget
-  error,      ///< more could be saved if the error might be larger
-  budget,     ///< the error could be smaller if more might be spent; the limit on the error gives way to it
-  both_miss,  ///< two limits, and even the coarsest there is does not fit the budget
+  none,       ///< the finest choices fit the budget
+  error,      ///< a larger error would save time
+  budget,     ///< more time would lower the error; the limit on the error gives way
+  both_miss,  ///< both limits are set, and even the coarsest choices do not fit the budget
 };
 
-/// What the last frame came to.
+/// The outcome of the last frame.
 struct LodOutcome {
   CostByTolerance cost_by_tolerance{};
-  double nanoseconds = 0.0;                         ///< predicted, of all that was posed and is not exempt
-  double exempt_nanoseconds = 0.0;                  ///< the same of those who came into view
+  double nanoseconds = 0.0;                         ///< predicted, for all that was posed and is not exempt
+  double exempt_nanoseconds = 0.0;                  ///< the same for agents that came into view
   std::optional<float> measured_error_pixels = {};  ///< p99 over the last frames; none: too little was measured
 };
 
-/// Turns the one knob, LodRules::tolerance_pixels, so that the limits hold. Frame by frame from the outcome of the
-/// last; depends on outcomes alone, so that a replay decides alike.
+/// Sets LodRules::tolerance_pixels, frame by frame, so that the limits hold. Depends on outcomes alone, so a replay
+/// decides the same.
 ///
-/// The error's limit asks for the tolerance at which the measured error comes out below it: a slow factor. The budget's
-/// asks for the least tolerance at which the predicted cost fits, found in the histogram in one step when it must rise,
-/// and approached slowly when it may sink; in between lies a band in which nothing moves. The larger of the two is
-/// taken.
+/// For the limit on the error it learns, slowly, the ratio of tolerance to error at which the measured error stays
+/// below the limit. For the budget it takes the least tolerance at which the predicted cost fits. The tolerance
+/// rises to that in one step and sinks to it slowly; within a band in between it stays. The larger of the two counts.
 class LodController {
  public:
-  /// Before the first frame, and when the crowd starts anew.
+  /// Call it before the first frame, and when the crowd starts again.
   void reset(const LodLimits& limits);
 
-  /// No frame has been settled since.
+  /// Returns true until begin() or settle() is called.
   bool is_new() const { return is_new_; }
-  /// With a budget, before the first frame: from what those in view would cost.
+  /// With a budget, finds a tolerance before the first frame from the cost of the agents in view.
   void begin(const LodLimits& limits, const CostByTolerance& cost);
 
   void settle(const LodLimits& limits, const LodOutcome& outcome);
@@ -59,9 +58,9 @@ class LodController {
 
   float tolerance_ = 1.0F;
   float budget_tolerance_ = least_tolerance_pixels;
-  float error_factor_ = 1.0F;  // tolerance over the error that is wanted
-  double headroom_ = 1.35;     // what frames come to, over what they would in the long run; at first a careful guess
-  double expected_ = 0.0;      // nanoseconds, of the last frames
+  float error_factor_ = 1.0F;  // tolerance over the wanted error
+  double headroom_ = 1.35;     // cost of a frame over its cost in the long run; a careful guess at first
+  double expected_ = 0.0;      // nanoseconds, a mean over the last frames
   BindingLimit binding_ = BindingLimit::error;
   bool is_new_ = true;
 };

@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// Tolerances are told apart in eighths of an octave, from an eighth of a pixel to 56 pixels.
+/// Tolerances go in eighths of an octave from an eighth of a pixel to 58.7 pixels.
 inline constexpr int steps_an_octave = 8;
 inline constexpr int tolerance_steps = 72;
 inline constexpr float least_tolerance_pixels = 0.125F;
@@ -16,16 +16,16 @@ inline float tolerance_at(float step) { return least_tolerance_pixels * std::exp
 inline float step_of_tolerance(float pixels) { return steps_an_octave * std::log2(pixels / least_tolerance_pixels); }
 inline const float most_tolerance_pixels = tolerance_at(tolerance_steps - 1);
 
-/// [step]: nanoseconds a frame that those in view would cost in the long run at that tolerance; descending.
+/// [step]: the nanoseconds a frame that agents in view would cost in the long run at that tolerance; descending.
 using CostByTolerance = std::array<std::uint64_t, tolerance_steps>;
 
-/// What one frame costs by the cost model, nanoseconds of one PU, and what it would have.
+/// The cost of one frame by the cost model, in nanoseconds of one PU, and what other choices would cost.
 struct LodCost {
-  std::uint64_t everyone = 0;       ///< each agent posed with all bones, seen or not
-  std::uint64_t visible = 0;        ///< those in view, each posed with all bones
-  std::uint64_t due_all_bones = 0;  ///< those in view whose turn it is, with all bones
-  std::uint64_t due = 0;            ///< those in view whose turn it is, as they are posed
-  std::uint64_t reappeared = 0;     ///< of `due`, the first two updates of who comes into view: exempt from any budget
+  std::uint64_t everyone = 0;       ///< all agents, seen or not, with all bones
+  std::uint64_t visible = 0;        ///< agents in view, with all bones
+  std::uint64_t due_all_bones = 0;  ///< agents in view whose turn it is, with all bones
+  std::uint64_t due = 0;            ///< agents in view whose turn it is, as they are posed
+  std::uint64_t reappeared = 0;     ///< the first two updates of agents that come into view; exempt from any budget
   CostByTolerance by_tolerance{};   ///< counted if LodRules::counts_cost; else 0
 
   LodCost& operator+=(const LodCost& other) {

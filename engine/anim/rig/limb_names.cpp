@@ -18,7 +18,7 @@ constexpr std::array helper_words{"twist",  "roll",   "ik",   "fk",       "pole"
                                   "helper", "socket", "slot", "ctrl",     "mch",    "org",    "sec",  "control",
                                   "tweak",  "jiggle", "tip",  "handslot", "muscle", "weapon", "prop", "attach"};
 
-/// Said after the part and adding nothing to it.
+/// Words that may follow the part and add nothing to it.
 constexpr std::array trailing_words{"joint", "jnt", "bone", "bend", "upper", "lower"};
 
 struct PartWord {
@@ -75,13 +75,13 @@ bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0;
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// "upperArm" and "LThigh" are two words each.
+/// Says whether a word begins here: "upperArm" and "LThigh" are two words each.
 bool begins_word(std::string_view name, std::size_t i) {
   if (i == 0 || !is_upper(name[i])) return false;
   return is_lower(name[i - 1]) || (is_upper(name[i - 1]) && i + 1 < name.size() && is_lower(name[i + 1]));
 }
 
-/// Lower-case words; numbers are dropped.
+/// Splits a name into lower-case words and drops numbers.
 Words words_of(std::string_view name) {
   Words words;
   bool open = false;

@@ -4,10 +4,10 @@
 
 namespace throng::anim {
 
-/// What part of a body the name of a bone says it is. `leg` and `arm` alone may be either half of the limb.
+/// The part of a body that the name of a bone says. `leg` and `arm` may be either half of the limb.
 enum class BodyPart : unsigned char {
   other,
-  helper,  ///< twist and roll bones, IK targets, sockets, leaf ends: no joint of a body, whatever else they are called
+  helper,  ///< twist and roll bones, IK targets, sockets, leaf ends: never joints of a body
   pelvis,
   spine,
   neck,

@@ -12,11 +12,11 @@ namespace throng::anim {
 
 namespace {
 
-constexpr float alike = 0.05F;        // of the height: how far mirrored joints may be off
-constexpr float feet_within = 0.15F;  // of the height above the lowest joint
-constexpr float apart = 0.01F;        // of the height: less is the same place
+constexpr float alike = 0.05F;        // of the height: mirrored joints may be off by this
+constexpr float feet_within = 0.15F;  // of the height: feet are no further above the lowest joint
+constexpr float apart = 0.01F;        // of the height: nearer joints are in the same place
 
-/// The chain that begins at `bone` and never forks.
+/// Returns the chain of bones from `bone` to its end, or none if it forks.
 std::vector<int> unforked_chain(const JointMap& joints, int bone) {
   std::vector<int> chain{bone};
   while (joints.children[static_cast<std::size_t>(chain.back())].size() == 1) {
@@ -26,7 +26,7 @@ std::vector<int> unforked_chain(const JointMap& joints, int bone) {
   return is_limb ? chain : std::vector<int>();
 }
 
-/// Joint by joint at the same height, and apart along one level line.
+/// Says whether all pairs of joints are at the same height, and apart along one level line.
 bool mirror_each_other(const JointMap& joints, const std::vector<int>& a, const std::vector<int>& b) {
   if (a.size() != b.size()) return false;
   const float tolerance = alike * joints.height;
@@ -117,7 +117,7 @@ int find_head_shape(const JointMap& joints, const LimbBones& left_arm, const Lim
       const bool carries_arm = is_below(joints, left_arm.upper, child) || is_below(joints, right_arm.upper, child);
       const bool goes_up = joints.at(child).y > joints.at(bone).y + apart * joints.height;
       if (carries_arm || !goes_up) continue;
-      if (above >= 0) return bone == chest ? -1 : bone;  // a face begins here, or two ways up
+      if (above >= 0) return bone == chest ? -1 : bone;  // a face begins here, or there are two ways up
       above = child;
     }
     if (above < 0) return bone == chest ? -1 : bone;

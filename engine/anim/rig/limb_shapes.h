@@ -11,11 +11,11 @@
 
 namespace throng::anim {
 
-/// Where the joints of a skeleton are in the bind pose (of skeletons on the general path: in the rest pose).
+/// The places of a skeleton's joints in the bind pose, or in the rest pose on the general path.
 struct JointMap {
   explicit JointMap(const Skeleton& skeleton);
   glm::vec3 at(int bone) const { return places[static_cast<std::size_t>(bone)]; }
-  /// From one joint to another, without what is vertical.
+  /// Returns the way from one joint to another without its vertical part.
   glm::vec3 level(int from, int to) const;
 
   std::vector<int> parents;
@@ -26,21 +26,21 @@ struct JointMap {
 };
 
 bool is_below(const JointMap& joints, int bone, int ancestor);
-/// The lowest bone above both, or -1.
+/// Returns the lowest bone above both, or -1.
 int common_ancestor(const JointMap& joints, int a, int b);
 
-/// Two limbs that mirror each other; which is which side is not known yet.
+/// Two limbs that mirror each other. It is not yet known which one is left.
 using LimbPair = std::pair<LimbBones, LimbBones>;
 
-/// A pair of chains of three or four joints that hang down to the ground. Nothing where there is no such pair, or two.
+/// Finds a pair of chains of three or four joints that hang down to the ground; nothing unless there is exactly one.
 std::optional<LimbPair> find_leg_shapes(const JointMap& joints);
-/// A pair of chains of three joints that begin above the legs. Nothing where there is no such pair, or two.
+/// Finds a pair of chains of three joints that begin above the legs; nothing unless there is exactly one.
 std::optional<LimbPair> find_arm_shapes(const JointMap& joints, const LimbPair& legs);
 
-/// The end of the one chain that goes on up from where the arms begin; -1 if it cannot be told.
+/// Returns the end of the one chain that goes up from where the arms begin; -1 if there is none or several.
 int find_head_shape(const JointMap& joints, const LimbBones& left_arm, const LimbBones& right_arm);
 
-/// Where toes point, level and at a right angle to the line between the legs; nothing without toes.
+/// Returns where the toes point, level and at right angles to the line between the legs; nothing without toes.
 std::optional<glm::vec3> toe_direction(const JointMap& joints, const LimbPair& legs);
 
 }  // namespace throng::anim

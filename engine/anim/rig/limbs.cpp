@@ -14,14 +14,14 @@ namespace {
 
 constexpr glm::vec3 up{0.0F, 1.0F, 0.0F};
 
-/// The words that a kind of limb is made of.
+/// The words for one kind of limb.
 struct LimbWords {
   const char* limb;
   BodyPart upper;
   BodyPart either;
   BodyPart lower;
   BodyPart end;
-  BodyPart base;  ///< begins the limb where nothing else is called its upper half: "LeftShoulder", "LeftElbow"
+  BodyPart base;  ///< begins the limb if no bone is called its upper half: "LeftShoulder", "LeftElbow"
 };
 constexpr LimbWords leg_words{"leg",          BodyPart::upper_leg, BodyPart::leg, BodyPart::lower_leg,
                               BodyPart::foot, BodyPart::upper_leg};
@@ -52,7 +52,7 @@ class LimbFinder {
     return std::string(side == BodySide::left ? "left " : "right ") + words.limb;
   }
 
-  /// The bones of a limb above its end, from below.
+  /// Returns the bones of a limb above its end, from below.
   std::vector<int> limb_above(const LimbWords& words, int end) const {
     std::vector<int> bones;
     for (int bone = parent(end); bone >= 0; bone = parent(bone)) {
@@ -66,7 +66,7 @@ class LimbFinder {
     return bones;
   }
 
-  /// The topmost of these bones that is called so, or -1.
+  /// Returns the topmost of these bones whose name says `part`, or -1.
   int topmost(const std::vector<int>& from_below, BodyPart part) const {
     const auto found =
         std::find_if(from_below.rbegin(), from_below.rend(), [&](int b) { return name(b).part == part; });
@@ -107,7 +107,7 @@ class LimbFinder {
     return std::nullopt;
   }
 
-  /// The ball of the foot: the first bone below the ankle that is called a toe, or a further part of the foot.
+  /// Returns the ball of the foot: the first bone below the ankle whose name says a toe or a further part of the foot.
   int toe_of(int ankle) const {
     for (int bone = ankle + 1; bone < bone_count(); ++bone) {
       const bool is_toe = name(bone).part == BodyPart::toe || name(bone).part == BodyPart::foot;

@@ -10,7 +10,7 @@
 
 namespace throng::anim {
 
-/// The joints at which a limb bends, by bone index; each is below the one before, perhaps with bones between.
+/// The joints at which a limb bends, by bone index. Each is below the one before, perhaps with bones in between.
 struct LimbBones {
   int upper = -1;   ///< hip or shoulder joint
   int middle = -1;  ///< knee or elbow
@@ -18,23 +18,23 @@ struct LimbBones {
   int tip = -1;     ///< ball of the foot; -1 where there is none, and for arms
 };
 
-/// The body in a skeleton. What could not be told for certain is not there, and a doubt says why.
+/// The body in a skeleton. A limb that is uncertain is left out, and a doubt says why.
 struct Limbs {
   std::optional<LimbBones> left_leg;
   std::optional<LimbBones> right_leg;
   std::optional<LimbBones> left_arm;
   std::optional<LimbBones> right_arm;
-  std::optional<int> pelvis;  ///< the lowest bone that carries both legs; without legs, the bone called so
-  std::vector<int> spine;     ///< between pelvis and head, from below, neck included
+  std::optional<int> pelvis;  ///< the lowest bone that carries both legs; without legs, the bone of that name
+  std::vector<int> spine;     ///< bones between pelvis and head, from below, neck included
   std::optional<int> head;
   glm::vec3 forward{0.0F, 0.0F, 1.0F};  ///< where the body faces in the bind pose, model space, unit, level
-  bool named = false;                   ///< legs were found by their names; else by the shape of the skeleton
+  bool named = false;                   ///< legs were found by their names, not by the shape of the skeleton
   std::vector<std::string> doubts;      ///< one sentence each
 };
 
-/// Finds limbs by the names of bones (Mixamo, Rigify, Unreal, VRM, Biped and their like), and where they have none that
-/// can be read, by shape: pairs of chains that mirror each other. Left and right are held against the bind pose: pairs
-/// must lie apart and toes point forward, or the pair is left out.
+/// Finds limbs by the names of bones (Mixamo, Rigify, Unreal, VRM, Biped and their like). Where no leg has a name that
+/// can be read, finds them by shape: pairs of chains that mirror each other. Checks left and right against the bind
+/// pose: a pair must lie apart and its toes point forward, or it is left out.
 Limbs find_limbs(const Skeleton& skeleton);
 
 }  // namespace throng::anim

@@ -18,23 +18,24 @@ enum class RagdollPart : std::uint8_t {
   thigh,
   shin,
   foot,
-  other  ///< of what is not a person
+  other  ///< any part of another creature
 };
 
-/// A bone that becomes a body.
+/// A bone that becomes a body of the rag-doll.
 struct RagdollBone {
   int bone = 0;
-  int parent = -1;  ///< entry that it hangs on, below its own; -1 for the first
+  int parent = -1;  ///< the entry that it hangs on, of a lower index; -1 for the first
   RagdollPart part = RagdollPart::other;
   int side = 0;  ///< 1 left, -1 right
 };
 
-/// The person whom the names tell of: both upper arms, forearms, thighs and shins, and what there is of hands, feet,
-/// head, spine and chest. Empty where one of the eight is missing or not where it belongs.
+/// Chooses a person's bones by their names: both upper arms, forearms, thighs and shins, and the hands, feet, head,
+/// spine and chest that there are. Returns none if one of the first eight is missing or out of place.
 std::vector<RagdollBone> choose_humanoid_bones(const Skeleton& skeleton);
 
-/// For any other skeleton: bones are joined with their parents, shortest first, until at most max_ragdoll_bodies
-/// are left and none is tiny. Bones without any surface at or below them are left out, if the model has a surface.
+/// Chooses bones of any other skeleton. Joins bones with their parents, shortest first, until at most
+/// max_ragdoll_bodies are left and none is tiny. If the model has a surface, leaves out bones without any of it at or
+/// below them.
 std::vector<RagdollBone> choose_longest_bones(const Model& model);
 
 }  // namespace throng::anim

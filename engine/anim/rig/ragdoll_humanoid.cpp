@@ -104,7 +104,7 @@ class Humanoid {
     return first_named(side, std::ranges::find(limb_names(), part, &PartNames::part)->words);
   }
 
-  /// The lowest bone above both; -1 where there is none.
+  /// Returns the lowest bone above both, or -1.
   int common_ancestor(int left, int right) const {
     if (left < 0 || right < 0) return -1;
     int ancestor = parent(left);
@@ -117,7 +117,7 @@ class Humanoid {
     return static_cast<int>(chosen_.size()) - 1;
   }
 
-  /// Up from the pelvis, which is there already; returns the entry that carries the arms.
+  /// Adds the trunk above the pelvis, which is there already. Returns the entry that carries the arms.
   int add_trunk(int pelvis, int chest) {
     std::vector<int> between;
     for (int bone = chest; bone != pelvis; bone = parent(bone)) between.push_back(bone);
@@ -129,8 +129,8 @@ class Humanoid {
     return top;
   }
 
-  /// False where the first two of the three are not there or not below one another. The third may be missing, or
-  /// lie elsewhere in the skeleton: some rigs move feet by themselves.
+  /// Adds a limb. Returns false if the first two of its three parts are missing or not below one another. The third may
+  /// be missing, or lie elsewhere in the skeleton, because some rigs move feet by themselves.
   bool add_limb(int hangs_on, int side, std::array<RagdollPart, 3> parts) {
     const int upper = find(parts[0], side);
     const int lower = find(parts[1], side);
@@ -142,7 +142,7 @@ class Humanoid {
     return true;
   }
 
-  /// No entry stands below a later one: names alone could put a foot under the other thigh.
+  /// Says whether no entry stands below a later one. Names alone could put a foot under the other thigh.
   bool follows_the_skeleton() const {
     for (std::size_t low = 0; low < chosen_.size(); ++low) {
       for (std::size_t high = low + 1; high < chosen_.size(); ++high) {

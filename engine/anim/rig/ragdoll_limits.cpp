@@ -11,7 +11,7 @@
 namespace throng::anim {
 namespace {
 
-/// A person's own directions in the bind pose, whichever way the file has them stand.
+/// A person's own directions in the bind pose, whichever way the file turns the person.
 struct Anatomy {
   glm::vec3 up{0.0F, 1.0F, 0.0F};
   glm::vec3 left{1.0F, 0.0F, 0.0F};
@@ -38,7 +38,7 @@ Anatomy anatomy_of(std::span<const RagdollBone> chosen, std::span<const RagdollB
   return anatomy;
 }
 
-/// Axes with x along a body and z as near to `across` as can be.
+/// Returns axes with x along a body and z as near to `across` as possible.
 glm::quat axes_along(const glm::vec3& x, const glm::vec3& across) {
   glm::vec3 z = across - x * glm::dot(across, x);
   if (glm::length(z) < 1e-3F) z = glm::cross(x, std::abs(x.x) < 0.7F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0));
@@ -53,7 +53,7 @@ glm::quat shortest_arc(const glm::vec3& from, const glm::vec3& to) {
   return glm::normalize(glm::quat(1.0F + cosine, axis.x, axis.y, axis.z));
 }
 
-/// Ranges in degrees.
+/// Makes a cone around `neutral`; ranges are in degrees.
 RagdollLimit cone(const glm::vec3& axis, const glm::vec3& neutral, float swing, float twist) {
   RagdollLimit limit{.swing = glm::radians(swing), .twist = glm::radians(twist)};
   limit.axes = axes_along(axis, {0.0F, 0.0F, 1.0F});
@@ -61,7 +61,7 @@ RagdollLimit cone(const glm::vec3& axis, const glm::vec3& neutral, float swing, 
   return limit;
 }
 
-/// Bends from straight (a little further back) by `bend` degrees towards where `towards` points.
+/// Makes a hinge that bends from straight, or a little further back, by `bend` degrees in the direction of `towards`.
 RagdollLimit hinge(const glm::vec3& axis, const glm::vec3& parent_axis, const glm::vec3& towards, float bend,
                    float twist) {
   constexpr float beyond_straight = 3.0F;

@@ -7,8 +7,8 @@
 
 namespace throng::anim {
 
-/// How far each body may turn: a person's joints by their part, 40 degrees and 30 of twist around the bind pose for
-/// what is not a person. Bodies have their axes and centres; one a chosen bone.
+/// Sets how far each body may turn. A person's joints turn by their part, all others by 40 degrees and 30 of twist
+/// around the bind pose. `bodies` has one a chosen bone, with axes and centres.
 void set_ragdoll_limits(std::span<const RagdollBone> chosen, std::span<RagdollBody> bodies);
 
 }  // namespace throng::anim

@@ -10,10 +10,10 @@
 namespace throng::anim {
 namespace {
 
-/// A group shorter than this share of the longest one's reach becomes no body of its own.
+/// A group shorter than this share of the longest group's reach gets no body.
 constexpr double tiny = 0.08;
 
-/// How far the surface of each bone goes from its origin; -1 for one without any at or below it.
+/// Returns how far the surface of each bone goes from its origin; -1 for a bone without any at or below it.
 std::vector<double> surface_reach(const Model& model) {
   const Skeleton& skeleton = model.skeleton;
   std::vector<double> reach(skeleton.bones.size(), model.meshes.empty() ? 0.0 : -1.0);
@@ -32,7 +32,7 @@ std::vector<double> surface_reach(const Model& model) {
   return reach;
 }
 
-/// Groups of bones, each named after its topmost one, joined step by step.
+/// Joins groups of bones step by step. The topmost bone of a group gives it its index.
 class Groups {
  public:
   explicit Groups(const Model& model)
@@ -74,7 +74,7 @@ class Groups {
     return glm::distance(skeleton_.references[at(a)].origin, skeleton_.references[at(b)].origin);
   }
 
-  /// A bone reaches to its children; one without children and surface half as far as it is from its parent.
+  /// Lets a bone reach to its children. Without children and surface it reaches half as far as it is from its parent.
   void reach_along(int bone, bool has_surface) {
     const double length = distance(bone, parent(bone));
     if (!has_surface && reach_[at(bone)] == 0.0) reach_[at(bone)] = 0.5 * length;
@@ -96,7 +96,7 @@ class Groups {
     return bone == top_;
   }
 
-  /// The first bone that branches: what stands above it only places it. A chain starts at its first bone.
+  /// Finds the first bone that branches; bones above it only place it. A chain starts at its first bone.
   void find_top() {
     const auto first = std::ranges::find(alive_, char{1});
     top_ = first == alive_.end() ? 0 : static_cast<int>(first - alive_.begin());
@@ -137,7 +137,7 @@ class Groups {
 
   const Skeleton& skeleton_;
   std::vector<char> alive_;    ///< 1: a group of its own
-  std::vector<double> reach_;  ///< from the group's first origin to its farthest one
+  std::vector<double> reach_;  ///< how far a group extends from its first origin
   int top_ = 0;
   int count_ = 0;
 };

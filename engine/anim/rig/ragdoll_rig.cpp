@@ -17,7 +17,7 @@ glm::vec3 offset_from_parent(const Skeleton& skeleton, int bone) {
   return skeleton.references[static_cast<std::size_t>(bone)].origin - above;
 }
 
-/// Finds the body above in the skeleton, and writes down the bones from there.
+/// Finds the body above in the skeleton, and lists the bones from there.
 void link(const Skeleton& skeleton, RagdollBody& body, RagdollRig& rig) {
   const auto body_at = [&](int bone) { return std::ranges::find(rig.bodies, bone, &RagdollBody::bone); };
   std::vector<RagdollLink> upwards;

@@ -11,7 +11,7 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Radii as shares of the height, measured on a person.
+/// Returns a radius as a share of the height, as measured on a person.
 double usual_radius(RagdollPart part, double height, double length) {
   switch (part) {
     case RagdollPart::pelvis:
@@ -96,7 +96,7 @@ class ShapeFitter {
     return has_length ? farthest : joint + 0.5 * along;
   }
 
-  /// Joints of what hangs on a body: all of a trunk's, the one that goes on from a limb.
+  /// Returns the joints of the bodies that hang on this one: all of them for a part of a person, else the farthest.
   std::vector<glm::dvec3> ends_of_children(int body) const {
     std::vector<glm::dvec3> ends;
     for (const RagdollBone& child : chosen_) {
@@ -141,8 +141,8 @@ class ShapeFitter {
   double height_ = 0.0;
 };
 
-/// Bodies resist turning so many times more than they should. A limit turns one body, but swings all that hangs on it:
-/// with inertias of the bodies alone it would take hundreds of passes to hold.
+/// Bodies resist turning this many times more than they should. A limit turns one body, but swings all that hangs on
+/// it: with the inertia of the body alone, a limit would need hundreds of passes.
 constexpr double sluggish = 3.0;
 
 double volume(const RagdollShape& shape) {
@@ -165,7 +165,7 @@ void set_ragdoll_masses(std::span<const RagdollShape> shapes, double mass, std::
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const RagdollShape& shape = shapes[b];
     const double length = glm::distance(shape.from, shape.to);
-    // A hand of a hundredth of its arm's mass would shake: position-based joints want neighbours of like mass.
+    // A hand of a hundredth of its arm's mass would shake: position-based joints need neighbours of similar mass.
     const double own = mass * std::max(volume(shape) / total, 0.015);
     const double across = sluggish * own * (3.0 * shape.radius * shape.radius + length * length) / 12.0;
     // For the same reason a thin limb turns about itself more slowly than it should.

@@ -8,7 +8,7 @@
 
 namespace throng::anim {
 
-/// Where a body's capsule lies in the bind pose, model space.
+/// A body's capsule in the bind pose, in model space.
 struct RagdollShape {
   glm::dvec3 joint{0.0};
   glm::dvec3 from{0.0};
@@ -16,11 +16,11 @@ struct RagdollShape {
   double radius = 0.0;
 };
 
-/// One capsule a chosen bone: from its origin to where the next one starts, as thick as the surface around it is, or as
-/// a person's part of that length where there is no surface.
+/// Fits a capsule to each chosen bone, from its origin to where the next one starts. It is as thick as the surface
+/// around it, or as a person's part of that length where there is no surface.
 std::vector<RagdollShape> fit_ragdoll_shapes(const Model& model, std::span<const RagdollBone> chosen);
 
-/// Centre, capsule, mass and inertia of every body, from shapes of even density.
+/// Sets centre, capsule, mass and inertia of every body; all shapes have the same density.
 void set_ragdoll_masses(std::span<const RagdollShape> shapes, double mass, std::span<RagdollBody> bodies);
 
 }  // namespace throng::anim

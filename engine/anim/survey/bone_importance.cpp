@@ -20,13 +20,13 @@ std::vector<int> first_entries(const Skeleton& skeleton) {
   return first;
 }
 
-/// The bones without which a point follows somebody else, from the one that holds it up to a root.
+/// Visits the bones that carry a point, from the one that holds it up to a root.
 template <typename Visit>
 void for_each_bone_above(const Skeleton& skeleton, int bone, Visit&& visit) {
   for (; bone >= 0; bone = skeleton.bones[static_cast<std::size_t>(bone)].parent) visit(static_cast<std::size_t>(bone));
 }
 
-/// Widens the error of every bone above each point to what dropping it does to the point in this pose.
+/// Raises the error of every bone above each point to the distance that dropping the bone moves the point in this pose.
 void widen_errors(const Skeleton& skeleton, std::span<const int> entries, std::span<const LodPoint> points,
                   std::span<const glm::dmat4> palette, std::span<float> errors) {
   for (const LodPoint& point : points) {
@@ -35,7 +35,7 @@ void widen_errors(const Skeleton& skeleton, std::span<const int> entries, std::s
     for_each_bone_above(skeleton, point.bone, [&](std::size_t bone) {
       const int parent = skeleton.bones[bone].parent;
       const int entry = parent < 0 ? no_entry : entries[static_cast<std::size_t>(parent)];
-      if (parent >= 0 && entry == no_entry) return;  // nothing is skinned to it: the next one above tells
+      if (parent >= 0 && entry == no_entry) return;  // nothing is skinned to the parent; bones above it decide
       const glm::dvec3 followed(parent < 0 ? bound : palette[static_cast<std::size_t>(entry)] * bound);
       errors[bone] = std::max(errors[bone], static_cast<float>(glm::distance(there, followed)));
     });

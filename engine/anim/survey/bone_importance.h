@@ -6,13 +6,13 @@
 
 namespace throng::anim {
 
-/// For each bone how far the surface at and below it is off when the bone and all below it follow its parent as in the
-/// bind pose: metres, what a level of detail without that limb costs. The farthest point of each pose counts, and of
-/// poses spread over all clips the 99th percentile.
+/// Returns for each bone how far the surface at and below it is off, in metres, when the bone and all below it follow
+/// its parent as in the bind pose. A level of detail without that limb has this error. Takes the farthest point of each
+/// pose, and the 99th percentile over poses of all clips.
 std::vector<double> bone_errors(const Model& model);
 
-/// The same for ordering bones: a model without clips, which shows no errors, counts the farthest distance of a point
-/// from the bone.
+/// Does the same for ordering bones. A model without clips shows no errors, so each bone gets the distance of its
+/// farthest point.
 std::vector<double> bone_importance(const Model& model);
 
 }  // namespace throng::anim

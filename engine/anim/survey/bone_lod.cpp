@@ -15,7 +15,7 @@ std::uint8_t coarsest_level_with(const Skeleton& skeleton, int bone) {
   return static_cast<std::uint8_t>(levels - 1);
 }
 
-/// The points that lose something at a level, and the entries that they follow instead.
+/// The points that change at a level, with their own entries and with those that replace them.
 struct LevelPoints {
   std::vector<LodPoint> full, reduced;
 

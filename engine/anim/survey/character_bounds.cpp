@@ -14,7 +14,7 @@ namespace {
 constexpr int samples_per_clip = 12;
 constexpr double body_radius_of_height = 1.0 / 6.0;
 
-/// A vertex follows its strongest influence: near enough for a bound with a margin.
+/// A vertex that follows its strongest influence. That is near enough for a bound with a margin.
 struct SurfacePoint {
   std::size_t entry;
   glm::dvec4 position;
@@ -43,7 +43,7 @@ std::vector<glm::dvec3> positions_in(const ReferencePose& pose, const std::vecto
   return positions;
 }
 
-// Root motion is taken out when clips are baked, so the ground-plane travel of the whole body does not count.
+// Baking takes root motion out of clips, so the ground-plane travel of the whole body does not count.
 double reach_of(const std::vector<glm::dvec3>& positions, const glm::dvec3& root_travel, double height) {
   const glm::dvec3 centre(0.0, height / 2.0, 0.0);
   double reach = 0.0;
@@ -72,7 +72,7 @@ CharacterBounds measure_bounds(const Model& model) {
       bounds.reach = std::max(bounds.reach, reach_of(positions_in(pose, points), travel, bounds.height));
     }
   }
-  bounds.reach *= 1.1;  // between samples, and vertices that were left out
+  bounds.reach *= 1.1;  // for poses between samples and vertices that were left out
   return bounds;
 }
 

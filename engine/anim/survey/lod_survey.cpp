@@ -42,7 +42,7 @@ std::vector<LodPoint> pick_vertices(const Model& model) {
   return picked;
 }
 
-/// Without a surface, the ends of the bones stand for it.
+/// Picks the ends of the bones, which stand for a missing surface.
 std::vector<LodPoint> pick_joints(const Skeleton& skeleton) {
   std::vector<LodPoint> points;
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) {

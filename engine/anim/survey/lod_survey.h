@@ -12,25 +12,25 @@
 
 namespace throng::anim {
 
-/// What levels of detail are measured on: a vertex of the surface, or the end of a bone where there is none.
+/// A point on which levels of detail are measured: a vertex of the surface, or the end of a bone where there is none.
 struct LodPoint {
-  int bone = 0;                  ///< that holds it most
-  std::array<int, 4> entries{};  ///< of the palette
+  int bone = 0;                  ///< the bone with the largest weight
+  std::array<int, 4> entries{};  ///< palette entries
   std::array<double, 4> weights{};
   glm::dvec3 position{0.0};  ///< in the space of the palette
 };
 
-/// Up to 16 vertices of each bone that it holds for at least half, spread over the mesh.
+/// Picks up to 16 vertices of each bone, spread over the mesh, of those that it holds for at least half.
 std::vector<LodPoint> pick_lod_points(const Model& model);
 
-/// Where a palette has the point.
+/// Returns where a palette puts the point.
 glm::dvec3 skinned(const LodPoint& point, std::span<const glm::dmat4> palette);
 
-/// Calls `visit` with the palettes of poses spread evenly over each clip, about 256 of them; the rest pose where there
-/// is no clip.
+/// Calls `visit` with the palettes of poses spread evenly over each clip, or of the rest pose where there is no clip.
+/// A clip has 16 poses; fewer, down to 2, where there are more than 16 clips.
 void visit_surveyed_poses(const Model& model, const std::function<void(std::span<const glm::dmat4> palette)>& visit);
 
-/// The value that 99 of 100 do not exceed (nearest rank); 0 of none.
+/// Returns the value that 99 of 100 do not exceed (nearest rank); 0 for no values.
 float percentile_99(std::vector<float> values);
 
 }  // namespace throng::anim

@@ -67,8 +67,9 @@ int main_bone(const Skeleton& skeleton, std::span<const PointInfluence> influenc
   return skeleton.palette[std::ranges::max_element(influences, {}, weight)->entry].bone;
 }
 
-/// Of each bone that carries any, the candidate farthest from its joint; `none` of the others.
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+/// Returns for each bone that carries any candidate the one farthest from its joint.
 std::vector<std::size_t> outermost(const Skeleton& skeleton, const ReferencePose& rest, const SurfacePoints& candidates,
                                    std::span<const glm::dvec3> at) {
   std::vector<std::size_t> found(skeleton.bones.size(), none);
@@ -97,7 +98,7 @@ class FarthestFirst {
       distance_[i] = std::min(distance_[i], glm::distance(at_[i], at_[point]));
     }
   }
-  /// Nothing if all others lie where chosen ones do.
+  /// Returns false if all others lie where chosen ones do.
   bool choose_next(std::span<const std::size_t> among) {
     const auto distance = [this](std::size_t point) { return distance_[point]; };
     const auto farthest = std::ranges::max_element(among, {}, distance);
@@ -109,7 +110,7 @@ class FarthestFirst {
 
  private:
   std::span<const glm::dvec3> at_;
-  std::vector<double> distance_;  // to the nearest that was chosen
+  std::vector<double> distance_;  // to the nearest chosen point
   std::vector<std::size_t> chosen_;
 };
 

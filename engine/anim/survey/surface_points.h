@@ -13,18 +13,19 @@ namespace throng::anim {
 
 inline constexpr std::size_t most_surface_points = 128;
 
-/// What one palette entry has to do with where a point is: the sum over a point's influences of matrix * weighted is
-/// the point, skinned as glTF 3.7.3.3 says.
+/// The influence of one palette entry on a point. The sum of matrix * weighted over a point's influences is the point,
+/// skinned as glTF 3.7.3.3 says.
 struct PointInfluence {
   glm::vec4 weighted{0.0F};  ///< weight * (position, 1), in the space of the palette
-  std::uint32_t entry = 0;   ///< of the palette
+  std::uint32_t entry = 0;   ///< index in the palette
 };
 
-/// Points that stand for a character's surface where errors are measured: the farthest vertex of each bone that has
-/// any, then those farthest from all before them, in the rest pose. The joints where there is no surface.
+/// Points that stand for a character's surface where errors are measured. They are the farthest vertex of each bone
+/// that has any, then vertices far from all chosen before them, in the rest pose. Without a surface, they are the
+/// joints.
 struct SurfacePoints {
-  std::vector<PointInfluence> influences;  ///< point by point
-  std::vector<std::uint32_t> firsts;       ///< [points + 1] of a point's influences
+  std::vector<PointInfluence> influences;  ///< one point after the other
+  std::vector<std::uint32_t> firsts;       ///< [points + 1] where a point's influences begin
 
   std::size_t count() const { return firsts.empty() ? 0 : firsts.size() - 1; }
   std::span<const PointInfluence> of(std::size_t point) const {
@@ -32,7 +33,8 @@ struct SurfacePoints {
   }
 };
 
-/// `most`: 1 to most_surface_points. A character of more bones than that has only its outermost ones represented.
+/// Chooses `most` points or fewer; `most` is 1 to most_surface_points. With more bones than that, only the outermost
+/// ones have a point.
 SurfacePoints choose_surface_points(const Model& model, std::size_t most = most_surface_points);
 
 }  // namespace throng::anim

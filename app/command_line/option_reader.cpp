@@ -35,7 +35,14 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
+std::string with_escaped_bars(std::string text) {
+  for (std::size_t bar = 0; (bar = text.find('|', bar)) != std::string::npos; bar += 2) text.insert(bar, 1, '\\');
+  return text;
+}
+
 }  // namespace
+
+std::string OptionReader::Binding::written() const { return name + (joint == "=" || hint.empty() ? "" : " ") + hint; }
 
 OptionReader::OptionReader(const std::string& command, const std::string& description)
     : app_(std::make_unique<CLI::App>(description, command)) {
@@ -86,6 +93,18 @@ void OptionReader::flag(const std::string& name, bool& target, const std::string
   bindings_.push_back({app_->add_flag(name), name, "=", "", description, heading_, set, Need::optional});
 }
 
+void OptionReader::tuning_value(const TuningValue& value, Tuning& tuning) {
+  this->value(std::string(value.option_name()), std::string(value.hint()), description(value),
+              [&value, &tuning](const std::string& text) { return value.read_option(tuning, text); });
+}
+
+void OptionReader::tuning(const std::string& group, Tuning& tuning) {
+  heading(group);
+  for (const TuningValue& value : tuning_values()) {
+    if (value.group == group && !value.option.empty()) tuning_value(value, tuning);
+  }
+}
+
 std::optional<ParsedCommand> OptionReader::read(const std::vector<std::string>& arguments) {
   if (auto stop = take_apart(arguments)) return stop;
   return read_values();
@@ -127,10 +146,19 @@ std::string OptionReader::help() const {
   for (const Binding& binding : bindings_) {
     if (binding.heading != heading) text += "\n" + binding.heading + "\n";
     heading = binding.heading;
-    const std::string joint = binding.joint == "=" || binding.hint.empty() ? "" : " ";
-    text += padded("  " + binding.name + joint + binding.hint, column) + binding.description + "\n";
+    text += padded("  " + binding.written(), column) + binding.description + "\n";
   }
   return footer_.empty() ? text : text + "\n" + footer_ + "\n";
+}
+
+std::string OptionReader::markdown() const {
+  std::string text, heading;
+  for (const Binding& binding : bindings_) {
+    if (binding.heading != heading) text += "\n" + binding.heading + ":\n\n| option | meaning |\n|---|---|\n";
+    heading = binding.heading;
+    text += "| `" + with_escaped_bars(binding.written()) + "` | " + with_escaped_bars(binding.description) + " |\n";
+  }
+  return text;
 }
 
 std::string OptionReader::usage() const {

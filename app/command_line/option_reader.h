@@ -8,6 +8,7 @@
 
 #include "app/command_line/options.h"
 #include "app/settings/option_values.h"
+#include "app/settings/tuning_values.h"
 
 namespace CLI {
 class App;
@@ -44,8 +45,15 @@ class OptionReader {
                       const std::string& description, ValueReader reader);
   void flag(const std::string& name, bool& target, const std::string& description);
 
+  /// The option of one value of the tuning, and all of a group under its heading.
+  void tuning_value(const TuningValue& value, Tuning& tuning);
+  void tuning(const std::string& group, Tuning& tuning);
+
   /// Reads the line; nothing when all went well, else what to show and end with.
   std::optional<ParsedCommand> read(const std::vector<std::string>& arguments);
+
+  /// The help as tables, one a heading.
+  std::string markdown() const;
 
   /// After read().
   bool given(const std::string& name) const;
@@ -62,6 +70,8 @@ class OptionReader {
     ValueReader reader;
     Need need;
     std::size_t most = 1;  ///< values; `reader` gets one after the other
+
+    std::string written() const;  ///< name and hint
   };
 
   std::optional<ParsedCommand> take_apart(const std::vector<std::string>& arguments);

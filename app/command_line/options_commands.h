@@ -14,4 +14,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
 ParsedCommand parse_lod(const std::vector<std::string>& arguments);
 ParsedCommand parse_bench(const std::vector<std::string>& arguments);
 
+/// The demo's help as the tables of app/command_line/README.md.
+std::string demo_options_as_markdown();
+
 }  // namespace throng::app

@@ -3,9 +3,8 @@
 
 #include "app/command_line/option_reader.h"
 #include "app/command_line/options_commands.h"
-#include "app/command_line/options_scheduling.h"
 #include "app/settings/preset.h"
-#include "app/settings/preset_fields.h"
+#include "app/settings/tuning_values.h"
 
 namespace throng::app {
 namespace {
@@ -18,56 +17,9 @@ void declare_starting_values(OptionReader& reader, DemoOptions& options) {
   reader.value("--set", "KEY=VALUE,...", "Any value of a preset by its key", set_values(options.tuning));
 }
 
-void declare_crowd(OptionReader& reader, DemoOptions& options) {
-  Tuning& tuning = options.tuning;
-  reader.heading("Crowd");
-  reader.value("--agents", "N", "Agents, 1 to 100000 (1000)", whole_number(tuning.agents, 1, 100000));
+void declare_clips(OptionReader& reader, DemoOptions& options) {
   reader.value("--clips", "ROLE=NAME,...", "Clips to play for what, of each model that has them (guessed from names)",
                role_choices(options.clips));
-  reader.value("--scene", "NAME", "plaza, parade, stadium, grid or film (plaza)",
-               choice<Scene>(tuning.scene, {{"plaza", Scene::plaza},
-                                            {"parade", Scene::parade},
-                                            {"stadium", Scene::stadium},
-                                            {"grid", Scene::grid},
-                                            {"film", Scene::film}}));
-  reader.value("--seed", "S", "Another seed, another crowd (1)", seed_number(tuning.seed));
-}
-
-std::vector<std::pair<std::string, LodRule>> lod_rule_names() {
-  return {{"off", LodRule::off}, {"distance", LodRule::distance}, {"budget", LodRule::budget}};
-}
-
-void declare_level_of_detail(OptionReader& reader, Tuning& tuning) {
-  reader.heading("Level of detail");
-  reader.value(
-      "--lod", "RULE",
-      "off, distance or budget (budget); off also turns off bone LOD, smoothing and mesh LOD, unless they are given",
-      choice<LodRule>(tuning.lod, lod_rule_names()));
-  reader.value("--error-px", "X", "Pixels that 99% of what is shown are off at most (1 without --budget-ms)",
-               number_above_zero(tuning.error_px, "pixels"));
-  reader.value("--budget-ms", "X", "Predicted milliseconds of all PUs that posing may cost a frame (no limit)",
-               number_above_zero(tuning.budget_ms, "milliseconds"));
-  reader.value("--bone-lod", "on|off", "Fewer bones far away (on)", on_or_off(tuning.bone_lod));
-  reader.value("--smooth", "on|off", "Blend between skipped updates (on)", on_or_off(tuning.smooth));
-  reader.value("--mesh-lod", "on|off|N", "By size on screen, the finest, or always number 0 to 3 (on)",
-               mesh_lod(tuning.mesh_lod));
-  reader.value(
-      "--error-sample", "WHICH",
-      "Whose error on screen is measured: some of those in view, all, or off for nobody (some)",
-      choice<ErrorSampling>(tuning.error_sample,
-                            {{"some", ErrorSampling::some}, {"all", ErrorSampling::all}, {"off", ErrorSampling::off}}));
-}
-
-void declare_scheduling(OptionReader& reader, Tuning& tuning) {
-  reader.heading("Scheduling");
-  reader.value("--pus", "N", "PUs, the calling thread among them, 1 to 256 (all cores)",
-               whole_number(tuning.pus, 1, 256));
-  declare_local_store(reader, tuning);
-  reader.value("--grain", "NS", "Work that another PU is woken for, in nanoseconds of one PU (10000)",
-               find_preset_field("--grain")->reader(tuning));
-  reader.value("--schedule", "NAME", "fused or levels (fused)", choice<Schedule>(tuning.schedule, schedule_names()));
-  reader.value("--stream", "NAME", "sampled or keyframe (sampled)", choice<Stream>(tuning.stream, stream_names()));
-  declare_palette(reader, tuning);
 }
 
 void declare_picture(OptionReader& reader, DemoOptions& options) {
@@ -122,7 +74,7 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
 
 void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.heading("Files");
-  reader.value("--screenshot", "FILE.png", "Write the last frame", png_file(options.screenshot));
+  reader.value("--screenshot", "FILE.png", "Write the last frame", file_that_ends_in(".png", options.screenshot));
   reader.value("--stats", "FILE|-", "Write what the run did and how long it took, as JSON", any_text(options.stats));
   reader.flag("--events", options.events, "Sum up in --stats what everybody met, and where everybody was");
   reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
@@ -135,18 +87,18 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
 /// limit asks for the rule that holds it.
 void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
   const bool error_given = reader.given("--error-px"), budget_given = reader.given("--budget-ms");
-  if (!reader.given("--lod") && (error_given || budget_given)) tuning.lod = LodRule::budget;
+  if (!reader.given("--lod") && (error_given || budget_given)) tuning.lod.rule = anim::LodRule::budget;
   if (budget_given && !error_given) tuning.error_px = 0.0F;
-  if (tuning.lod != LodRule::off || !reader.given("--lod")) return;
-  if (!reader.given("--bone-lod")) tuning.bone_lod = false;
-  if (!reader.given("--smooth")) tuning.smooth = false;
+  if (tuning.lod.rule != anim::LodRule::off || !reader.given("--lod")) return;
+  if (!reader.given("--bone-lod")) tuning.lod.bone_lod = false;
+  if (!reader.given("--smooth")) tuning.lod.smooth = false;
   if (!reader.given("--mesh-lod")) tuning.mesh_lod = 0;
 }
 
 /// Limits without the rule that holds them.
 std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& tuning) {
   for (const std::string limit : {"--error-px", "--budget-ms"}) {
-    if (reader.given(limit) && tuning.lod != LodRule::budget) return limit + ": goes with --lod budget";
+    if (reader.given(limit) && tuning.lod.rule != anim::LodRule::budget) return limit + ": goes with --lod budget";
   }
   return {};
 }
@@ -188,18 +140,15 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   return {};
 }
 
-}  // namespace
-
-ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
-  DemoOptions options;
-  OptionReader reader("throng", "Throng: a crowd of skinned characters, each in a pose of its own.");
+void declare_demo(OptionReader& reader, DemoOptions& options) {
   reader.heading("What is shown");
   reader.models(options.models, most_models,
                 "glTF files (.glb or .gltf), up to 16 in one crowd; without any, the built-in character");
   declare_starting_values(reader, options);
-  declare_crowd(reader, options);
-  declare_level_of_detail(reader, options.tuning);
-  declare_scheduling(reader, options.tuning);
+  reader.tuning("Crowd", options.tuning);
+  declare_clips(reader, options);
+  reader.tuning("Level of detail", options.tuning);
+  reader.tuning("Scheduling", options.tuning);
   declare_picture(reader, options);
   declare_run(reader, options);
   declare_files(reader, options);
@@ -208,7 +157,14 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
       "  throng pose MODEL       the joints and palettes of every skin, as JSON\n"
       "  throng inspect MODEL    what is in a file, what was repaired, what was refused\n"
       "  throng bench [MODEL]    what an update of many agents costs");
+}
 
+}  // namespace
+
+ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
+  DemoOptions options;
+  OptionReader reader("throng", "Throng: a crowd of skinned characters, each in a pose of its own.");
+  declare_demo(reader, options);
   if (auto stop = reader.read(arguments)) return *stop;
   options.given = reader.all_given();
   options.frames_given = reader.given("--frames");
@@ -219,6 +175,13 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};
   if (auto contradiction = contradiction_in(options)) return UsageError{*contradiction};
   return options;
+}
+
+std::string demo_options_as_markdown() {
+  DemoOptions options;
+  OptionReader reader("throng", "");
+  declare_demo(reader, options);
+  return reader.markdown();
 }
 
 }  // namespace throng::app

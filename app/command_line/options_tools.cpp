@@ -4,9 +4,44 @@
 
 #include "app/command_line/option_reader.h"
 #include "app/command_line/options_commands.h"
-#include "app/command_line/options_scheduling.h"
+#include "app/settings/tuning_values.h"
 
 namespace throng::app {
+namespace {
+
+/// What `row` would put into a tuning at `place`.
+template <typename Value>
+ValueReader alone(const TuningValue& row, Value& target, Value anim::SystemOptions::*place) {
+  return [&row, &target, place](const std::string& text) {
+    Tuning tuning;
+    const Complaint complaint = row.read_option(tuning, text);
+    if (!complaint) target = tuning.system.*place;
+    return complaint;
+  };
+}
+
+/// Several texts that the option of `row` takes, with commas between them; `get` takes each out of its tuning.
+template <typename Value, typename Get>
+void list(OptionReader& reader, const char* option, std::vector<Value>& target, Get get, const char* more = "") {
+  const TuningValue& row = tuning_value(option);
+  const std::string hint(row.hint());
+  const auto read = [&row, &target, get](const std::string& text) -> Complaint {
+    std::vector<Value> values;
+    for (const std::string& part : parts_between_commas(text)) {
+      Tuning tuning;
+      if (const Complaint complaint = row.read_option(tuning, part)) {
+        const bool is_number = row.form == TuningValue::Form::number;
+        return *complaint + (is_number ? ", or several with commas between them" : ", with commas between several");
+      }
+      values.push_back(get(tuning));
+    }
+    target = std::move(values);
+    return {};
+  };
+  reader.value(option, hint + "[," + hint + "...]", description(row) + more, read);
+}
+
+}  // namespace
 
 ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   PoseOptions options;
@@ -16,8 +51,9 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   reader.value("--clip", "NAME|INDEX", "A clip of the file, or none", any_text(options.clip),
                OptionReader::Need::required);
   reader.value("--time", "T[,T...]", "Seconds", times_list(options.times), OptionReader::Need::required);
-  reader.value("--stream", "NAME", "sampled or keyframe (sampled)",
-               choice<Stream>(options.stream, {{"sampled", Stream::sampled}, {"keyframe", Stream::keyframe}}));
+  const TuningValue& stream = tuning_value("--stream");
+  reader.value("--stream", std::string(stream.hint()), description(stream),
+               alone(stream, options.stream, &anim::SystemOptions::stream));
   reader.value("--json", "FILE|-", "Where to write", any_text(options.json), OptionReader::Need::required);
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
@@ -43,7 +79,7 @@ ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
                whole_number(options.pixels, 1, 10000));
   reader.heading("Files");
   reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
-  reader.value("--plot", "FILE.svg", "Draw them", svg_file(options.plot));
+  reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot));
   reader.value("--export", "FILE", "Write distances, intervals, bones and meshes for another engine",
                file_name(options.export_file));
   reader.value("--data", "DIR", "Folder of assets", existing_folder(options.data));
@@ -56,8 +92,9 @@ namespace {
 void declare_measured(OptionReader& reader, BenchOptions& options) {
   reader.heading("What is measured");
   reader.model(options.model, "A glTF file; without it, a branching skeleton is built", OptionReader::Need::optional);
-  reader.value("--agents", "N[,N...]", "Agents, 1 to 100000 (1000); of every list each, in every combination",
-               number_list(options.agents, 1, 100000));
+  list(
+      reader, "--agents", options.agents, [](const Tuning& tuning) { return tuning.agents; },
+      "; of every list each, in every combination");
   reader.value("--bones", "N[,N...]", "Bones of the built skeleton, 1 to 1024 (62)",
                number_list(options.bones, 1, 1024));
   reader.value("--clips", "K[,K...]", "Different clips for it, 1 to 256 (2)", number_list(options.clips, 1, 256));
@@ -71,20 +108,18 @@ void declare_measured(OptionReader& reader, BenchOptions& options) {
 
 void declare_scheduling(OptionReader& reader, BenchOptions& options) {
   reader.heading("Scheduling");
-  reader.value("--pus", "N[,N...]", "PUs, the calling thread among them, 1 to 256 (all cores)",
-               number_list(options.pus, 1, 256));
-  reader.value("--schedule", "NAME[,NAME]", "fused or levels (fused)",
-               choice_list(options.schedules, schedule_names()));
-  reader.value("--stream", "NAME[,NAME]", "sampled or keyframe (sampled)",
-               choice_list(options.streams, stream_names()));
-  declare_local_store(reader, options);
-  declare_palette(reader, options);
+  list(reader, "--pus", options.pus, [](const Tuning& tuning) { return tuning.system.pus; });
+  list(reader, "--schedule", options.schedules, [](const Tuning& tuning) { return tuning.system.schedule; });
+  list(reader, "--stream", options.streams, [](const Tuning& tuning) { return tuning.system.stream; });
+  for (const char* const shared : {"--local-store", "--tile", "--double-buffer", "--palette"}) {
+    reader.tuning_value(app::tuning_value(shared), options.tuning);
+  }
 }
 
 void declare_files(OptionReader& reader, BenchOptions& options) {
   reader.heading("Files");
   reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
-  reader.value("--plot", "FILE.svg", "Draw them", svg_file(options.plot));
+  reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot));
   reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
   reader.value("--data", "DIR", "Folder of assets/machines", existing_folder(options.data));
 }

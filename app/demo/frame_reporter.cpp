@@ -188,7 +188,7 @@ void FrameReporter::add_memory(const anim::AnimationSystem& system) {
 
 void FrameReporter::add_level_of_detail(const Stage& stage) {
   report_.visible = static_cast<int>(stage.selection().visible.size());
-  report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().largest_interval), 0);
+  report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().lod.largest_interval), 0);
   report_.agents_by_bone_level.assign(report_.level_bone_counts.size(), 0);
   const anim::ErrorFigures& error = stage.error();
   report_.error_px_p50 = error.p50;
@@ -206,9 +206,9 @@ void FrameReporter::add_level_of_detail(const Stage& stage) {
 
 void FrameReporter::add_limits(const Stage& stage) {
   const LodFigures& figures = stage.level_of_detail().figures();
-  const SavedCost saved = saved_cost(figures.cost, stage.tuning().lod);
+  const SavedCost saved = saved_cost(figures.cost, stage.tuning().lod.rule);
   report_.lod_tolerance_px = figures.tolerance_px;
-  report_.binding_limit = stage.tuning().lod == LodRule::budget ? name_of(figures.binding) : "";
+  report_.binding_limit = stage.tuning().lod.rule == anim::LodRule::budget ? name_of(figures.binding) : "";
   report_.predicted_pose_ms = static_cast<float>(figures.predicted_ms);
   report_.budget_held = figures.budget_held;
   report_.cost_culling_percent = static_cast<float>(saved.culling_percent);

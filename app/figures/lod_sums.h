@@ -12,7 +12,7 @@ struct SavedCost {
   double skipping_percent = 0.0;  ///< of the cost of those in view: not spent on updates that are skipped
   double bones_percent = 0.0;     ///< of the same: not spent on bones that are dropped
 };
-SavedCost saved_cost(const anim::LodCost& cost, LodRule rule);
+SavedCost saved_cost(const anim::LodCost& cost, anim::LodRule rule);
 
 /// Level of detail over the frames of a run.
 struct LodSums {
@@ -31,7 +31,7 @@ struct LodSums {
 
   void add(const LodFigures& figures);
   double predicted_ms_a_frame() const;
-  SavedCost saved(LodRule rule) const { return saved_cost(cost, rule); }
+  SavedCost saved(anim::LodRule rule) const { return saved_cost(cost, rule); }
 };
 
 }  // namespace throng::app

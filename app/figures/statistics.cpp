@@ -74,8 +74,8 @@ void add_error(Json& json, const anim::ErrorFigures& error) {
 
 // Null where there is no such limit.
 void add_level_of_detail(Json& json, const LodSums& sums, const Tuning& tuning) {
-  const bool by_error = tuning.lod == LodRule::budget;
-  const SavedCost saved = sums.saved(tuning.lod);
+  const bool by_error = tuning.lod.rule == anim::LodRule::budget;
+  const SavedCost saved = sums.saved(tuning.lod.rule);
   const auto held = [&](const LodSums::Held& limit, float asked) {
     return by_error && asked > 0.0F && limit.frames > 0 ? Json(limit.percent()) : Json(nullptr);
   };

@@ -89,11 +89,12 @@ void CrowdLod::prepare(const LodPreparation& moment, std::span<const CharacterSo
   }
   rules_ = moment.rules;
   rules_.tolerance_pixels = controller_.tolerance_pixels();
+  rules_.counts_cost = by_error;
   weigh(moment.now, selected);
 }
 
 bool CrowdLod::begin(const Tuning& tuning, const anim::LodCost& cost) {
-  if (tuning.lod != LodRule::budget || tuning.budget_ms <= 0.0F || !controller_.is_new()) return false;
+  if (tuning.lod.rule != anim::LodRule::budget || tuning.budget_ms <= 0.0F || !controller_.is_new()) return false;
   controller_.begin(limits_of(tuning), cost.by_tolerance);
   rules_.tolerance_pixels = controller_.tolerance_pixels();
   return true;
@@ -101,7 +102,7 @@ bool CrowdLod::begin(const Tuning& tuning, const anim::LodCost& cost) {
 
 void CrowdLod::settle(const Tuning& tuning, const anim::LodCost& cost, double predicted_nanoseconds, bool moving) {
   if (!moving) return;
-  const bool by_error = tuning.lod == LodRule::budget;
+  const bool by_error = tuning.lod.rule == anim::LodRule::budget;
   const auto exempt = static_cast<double>(cost.reappeared);
   const double counted = predicted_nanoseconds - exempt;
   const anim::LodLimits limits = limits_of(tuning);

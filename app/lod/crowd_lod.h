@@ -18,7 +18,7 @@ namespace throng::app {
 
 /// What the rule is made ready from in a frame.
 struct LodPreparation {
-  anim::LodRules rules;  ///< the tolerance is put in
+  anim::LodRules rules;  ///< tolerance_pixels and counts_cost are put in
   anim::Ticks now = 0;
   anim::Ticks frame_step = 0;  ///< 0: time stands still
 };

@@ -13,9 +13,9 @@ constexpr float beyond_rounding = 1.001F;  // so that a step of what may be allo
 
 std::vector<IntervalThreshold> interval_thresholds(const Tuning& tuning) {
   std::vector<IntervalThreshold> thresholds;
-  for (int interval = 2; interval <= tuning.largest_interval; ++interval) {
+  for (int interval = 2; interval <= tuning.lod.largest_interval; ++interval) {
     const float steps = static_cast<float>(interval - 2);
-    thresholds.push_back({tuning.full_rate_distance + steps * tuning.interval_growth, interval});
+    thresholds.push_back({tuning.lod.full_rate_distance + steps * tuning.lod.interval_growth, interval});
   }
   return thresholds;
 }

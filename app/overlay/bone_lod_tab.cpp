@@ -13,13 +13,14 @@ namespace {
 
 constexpr std::array<const char*, 3> level_distance_labels = {"Level 1 from", "Level 2 from", "Level 3 from"};
 constexpr std::array<const char*, 5> mesh_words = {"auto", "0", "1", "2", "3"};
-constexpr float longest_distance = 150;
+
+float longest_distance() { return static_cast<float>(scale_of("bone_level_distance_1").highest); }
 
 /// Levels follow each other: the neighbours of a distance that was moved give way.
-void keep_in_order(Tuning& tuning, int moved) {
-  auto& distance = tuning.bone_level_distance;
-  for (int i = moved + 1; i < 3; ++i) distance[i] = std::max(distance[i], distance[i - 1]);
-  for (int i = moved - 1; i >= 0; --i) distance[i] = std::min(distance[i], distance[i + 1]);
+void keep_in_order(Tuning& tuning, std::size_t moved) {
+  auto& distance = tuning.lod.level_distances;
+  for (std::size_t i = moved + 1; i < distance.size(); ++i) distance[i] = std::max(distance[i], distance[i - 1]);
+  for (std::size_t i = moved; i > 0; --i) distance[i - 1] = std::min(distance[i - 1], distance[i]);
 }
 
 std::string bones_of(const FrameReport& report, int level) {
@@ -27,24 +28,24 @@ std::string bones_of(const FrameReport& report, int level) {
   return index < report.level_bone_counts.size() ? std::to_string(report.level_bone_counts[index]) : "-";
 }
 
-int nearest_divider(const Tuning& tuning, int dividers, float metres) {
-  int nearest = 0;
-  for (int i = 1; i < dividers; ++i) {
-    const float now = std::abs(tuning.bone_level_distance[i] - metres);
-    if (now < std::abs(tuning.bone_level_distance[nearest] - metres)) nearest = i;
+std::size_t nearest_divider(const Tuning& tuning, std::size_t dividers, float metres) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < dividers; ++i) {
+    const float now = std::abs(tuning.lod.level_distances[i] - metres);
+    if (now < std::abs(tuning.lod.level_distances[nearest] - metres)) nearest = i;
   }
   return nearest;
 }
 
-void drag_dividers(const Area& band, int dividers, Tuning& tuning) {
+void drag_dividers(const Area& band, std::size_t dividers, Tuning& tuning) {
   const float metres =
-      std::clamp((ImGui::GetIO().MousePos.x - band.from.x) / band.width(), 0.0F, 1.0F) * longest_distance;
+      std::clamp((ImGui::GetIO().MousePos.x - band.from.x) / band.width(), 0.0F, 1.0F) * longest_distance();
   ImGuiStorage& memory = *ImGui::GetStateStorage();
   const ImGuiID held = ImGui::GetID("held divider");
-  if (ImGui::IsItemActivated()) memory.SetInt(held, nearest_divider(tuning, dividers, metres));
+  if (ImGui::IsItemActivated()) memory.SetInt(held, static_cast<int>(nearest_divider(tuning, dividers, metres)));
   if (!ImGui::IsItemActive() || dividers == 0) return;
-  const int divider = memory.GetInt(held);
-  tuning.bone_level_distance[divider] = std::round(2 * metres) / 2;
+  const auto divider = static_cast<std::size_t>(memory.GetInt(held));
+  tuning.lod.level_distances[divider] = std::round(2 * metres) / 2;
   keep_in_order(tuning, divider);
 }
 
@@ -53,20 +54,21 @@ void show_band(const TabContext& context) {
   const Theme& theme = context.widgets.theme();
   Tuning& tuning = context.tuning;
   const Area band = context.widgets.area("Level band", 26);
-  const int levels = level_count(context.report);
+  const auto levels = static_cast<std::size_t>(level_count(context.report));
   drag_dividers(band, levels - 1, tuning);
   if (band.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const auto x_of = [&band](float metres) {
-    return band.from.x + band.width() * std::min(1.0F, metres / longest_distance);
+    return band.from.x + band.width() * std::min(1.0F, metres / longest_distance());
   };
-  for (int level = 0; level < levels; ++level) {
-    const float from = level == 0 ? band.from.x : x_of(tuning.bone_level_distance[level - 1]) + theme.px(1);
-    const float to = level == levels - 1 ? band.to.x : x_of(tuning.bone_level_distance[level]) - theme.px(1);
+  for (std::size_t level = 0; level < levels; ++level) {
+    const float from = level == 0 ? band.from.x : x_of(tuning.lod.level_distances[level - 1]) + theme.px(1);
+    const float to = level == levels - 1 ? band.to.x : x_of(tuning.lod.level_distances[level]) - theme.px(1);
     if (to <= from) continue;
     draw.AddRectFilled({from, band.from.y}, {to, band.to.y},
-                       ImGui::GetColorU32(colour::with_alpha(colour::bone_level(level), 0.85F)), theme.px(3));
-    const std::string words = bones_of(context.report, level);
+                       ImGui::GetColorU32(colour::with_alpha(colour::bone_level(static_cast<int>(level)), 0.85F)),
+                       theme.px(3));
+    const std::string words = bones_of(context.report, static_cast<int>(level));
     if (to - from > theme.px(20)) {
       draw_text(theme.small, {(from + to) / 2, band.from.y + theme.px(6)}, colour::on_accent, words, 0.5F);
     }
@@ -77,18 +79,16 @@ void show_levels(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Levels");
   widgets.toggle(
-      "Per-bone LOD", tuning.bone_lod, standard.bone_lod,
+      "Per-bone LOD", tuning.lod.bone_lod, standard.lod.bone_lod,
       {.what = "Distant agents are evaluated with fewer bones: each level keeps the front part of the ordered "
                "list below, and a dropped bone follows its nearest kept ancestor.",
        .cost = "off evaluates all bones of every agent."});
-  ImGui::BeginDisabled(!tuning.bone_lod);
-  for (int i = 0; i + 1 < level_count(report); ++i) {
+  ImGui::BeginDisabled(!tuning.lod.bone_lod);
+  for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(level_count(report)); ++i) {
     const std::string what =
-        "Agents beyond it keep " + bones_of(report, i + 1) + " bones. The next level moves with it.";
-    if (widgets.number(level_distance_labels.at(static_cast<std::size_t>(i)), tuning.bone_level_distance[i],
-                       standard.bone_level_distance[i],
-                       {.lowest = 0, .highest = longest_distance, .decimals = 1, .suffix = " m"},
-                       {.what = what.c_str(), .unit = "metres from the camera"})) {
+        "Agents beyond it keep " + bones_of(report, static_cast<int>(i) + 1) + " bones. The next level moves with it.";
+    if (widgets.number(level_distance_labels.at(i), tuning.lod.level_distances[i], standard.lod.level_distances[i],
+                       scale_of("bone_level_distance_1"), {.what = what.c_str(), .unit = "metres from the camera"})) {
       keep_in_order(tuning, i);
     }
   }

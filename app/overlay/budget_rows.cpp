@@ -37,7 +37,7 @@ void show_budget(const TabContext& context) {
   Area graph = widgets.area("Budget graph", 96);
   graph.to.x -= theme.px(52);
   draw_well(theme, graph);
-  const float limit = context.tuning.lod == LodRule::budget ? context.tuning.budget_ms : 0;
+  const float limit = context.tuning.lod.rule == anim::LodRule::budget ? context.tuning.budget_ms : 0;
   const float top = top_of(report, limit);
   const std::vector<float> smooth = smoothed(report.update_ms_history);
   draw_line(graph, report.update_ms_history, top, frames_shown, colour::with_alpha(colour::accent, 0.45F), theme.px(1));

@@ -37,12 +37,12 @@ void show_who(const TabContext& context) {
                           "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
                           "film: a cut scene with an actor, a balloon and a camera.",
                   .cost = "Changing it places all agents anew."});
-  widgets.number("Agents", tuning.agents, standard.agents, {.lowest = 1, .highest = 100000, .logarithmic = true},
+  widgets.number("Agents", tuning.agents, standard.agents, scale_of("agents"),
                  {.what = "Characters in the crowd, each in a pose of its own.",
                   .unit = "1 to 100,000",
                   .cost = "Animation grows with agents in view, memory with all of them."});
   auto seed = static_cast<int>(tuning.seed);
-  widgets.number("Seed", seed, static_cast<int>(standard.seed), {.lowest = 0, .highest = 9999},
+  widgets.number("Seed", seed, static_cast<int>(standard.seed), scale_of("seed"),
                  {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
                   .unit = "0 to 9,999",
                   .cost = "Changing it places all agents anew."});
@@ -59,8 +59,7 @@ void show_time(const TabContext& context) {
   widgets.section("Time");
   widgets.toggle("Pause", tuning.paused, standard.paused,
                  {.what = "Holds the crowd; the camera still flies. Space does the same."});
-  widgets.number("Speed", tuning.time_scale, standard.time_scale,
-                 {.lowest = 0, .highest = 4, .decimals = 2, .suffix = " x"},
+  widgets.number("Speed", tuning.time_scale, standard.time_scale, scale_of("time_scale"),
                  {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const ImVec2 at = ImGui::GetCursorScreenPos();

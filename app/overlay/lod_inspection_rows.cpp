@@ -5,7 +5,6 @@
 
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
-#include "engine/anim/lod/lod.h"
 
 namespace throng::app {
 namespace {
@@ -50,9 +49,8 @@ void show_forcing(const TabContext& context) {
   const LodInspection& plain = standard.inspection;
   const int levels = level_count(report);
   widgets.section("Try");
-  ImGui::BeginDisabled(tuning.lod == LodRule::off);
-  widgets.number("Force interval", look.forced_interval, plain.forced_interval,
-                 {.lowest = 0, .highest = anim::longest_interval, .zero_word = "rule"},
+  ImGui::BeginDisabled(tuning.lod.rule == anim::LodRule::off);
+  widgets.number("Force interval", look.forced_interval, plain.forced_interval, scale_of("forced_interval"),
                  {.what = "Everyone in view is updated this rarely, whatever the rule says.",
                   .unit = "frames, 1 to 16; rule: as the rule has it"});
   ImGui::EndDisabled();

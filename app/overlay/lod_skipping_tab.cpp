@@ -10,30 +10,25 @@
 namespace throng::app {
 namespace {
 
-/// As the debug view over the crowd has them.
-
 void show_distances(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
-  widgets.number("Full rate until", tuning.full_rate_distance, standard.full_rate_distance,
-                 {.lowest = 0, .highest = 100, .decimals = 1, .suffix = " m"},
+  widgets.number("Full rate until", tuning.lod.full_rate_distance, standard.lod.full_rate_distance,
+                 scale_of("full_rate_distance"),
                  {.what = "Nearer agents are updated in every frame.",
                   .unit = "metres from the camera",
                   .cost = "Agents within it cost their full price."});
-  widgets.number("One more each", tuning.interval_growth, standard.interval_growth,
-                 {.lowest = 1, .highest = 60, .decimals = 1, .suffix = " m"},
+  widgets.number("One more each", tuning.lod.interval_growth, standard.lod.interval_growth, scale_of("interval_growth"),
                  {.what = "Beyond that, the interval grows by one frame with each such distance.", .unit = "metres"});
 }
 
 void show_limits(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
-  widgets.number("Error limit", tuning.error_px, standard.error_px,
-                 {.lowest = 0, .highest = 8, .decimals = 2, .zero_word = "none", .suffix = " px"},
+  widgets.number("Error limit", tuning.error_px, standard.error_px, scale_of("error_px"),
                  {.what = "99% of the agents drawn are no farther than this from their exact pose, on the screen.",
                   .unit = "pixels; none: as far as the time limit asks",
                   .cost = "The fewer, the more updates and bones."});
   widgets.number(
-      "Time limit", tuning.budget_ms, standard.budget_ms,
-      {.lowest = 0, .highest = 20, .decimals = 2, .zero_word = "none", .suffix = " ms"},
+      "Time limit", tuning.budget_ms, standard.budget_ms, scale_of("budget_ms"),
       {.what = "All poses of a frame take no longer, over all PUs, by prediction. Those are degraded first on "
                "whom it is seen least.",
        .unit = "milliseconds; none: as long as it takes"});
@@ -49,22 +44,23 @@ void show_limits(const TabContext& context) {
 void show_rule(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Rule");
-  widgets.choice("Rule", tuning.lod, standard.lod, lod_rule_words,
+  widgets.choice("Rule", tuning.lod.rule, standard.lod.rule, lod_rule_words,
                  {.what = "off: every agent is updated in every frame, seen or not. distance: the farther, the rarer. "
                           "budget: as rarely as pixels and milliseconds allow.",
                   .cost = "off is the full price of the crowd."});
-  ImGui::BeginDisabled(tuning.lod == LodRule::off);
-  if (tuning.lod == LodRule::budget) {
+  ImGui::BeginDisabled(tuning.lod.rule == anim::LodRule::off);
+  if (tuning.lod.rule == anim::LodRule::budget) {
     show_limits(context);
   } else {
     show_distances(context);
   }
-  widgets.number("Largest interval", tuning.largest_interval, standard.largest_interval, {.lowest = 1, .highest = 16},
+  widgets.number("Largest interval", tuning.lod.largest_interval, standard.lod.largest_interval,
+                 scale_of("largest_interval"),
                  {.what = "No agent waits longer for its next pose.",
                   .unit = "frames, 1 to 16",
                   .cost = "Cost falls with it, until steps begin to show."});
   widgets.toggle(
-      "Smooth", tuning.smooth, standard.smooth,
+      "Smooth", tuning.lod.smooth, standard.lod.smooth,
       {.what = "The vertex shader blends from the pose shown now to one computed ahead, so that skipping does "
                "not stutter.",
        .cost = "A second palette slot for each skipped agent."});
@@ -75,14 +71,14 @@ void show_rule(const TabContext& context) {
 void show_intervals_over_distance(const TabContext& context) {
   const Tuning& tuning = context.tuning;
   const FrameReport& report = context.report;
-  if (tuning.lod == LodRule::off) return;
+  if (tuning.lod.rule == anim::LodRule::off) return;
   constexpr float nearest_reach = 20, margin = 1.2F;
   const float reach = report.thresholds.empty() ? 0 : margin * report.thresholds.back().metres;
   context.widgets.section("Interval over distance");
   const Area plot = context.widgets.area("Interval over distance", 116);
   draw_steps(context.widgets.theme(), plot,
              {.longest = std::max(nearest_reach, reach),
-              .largest = tuning.largest_interval,
+              .largest = tuning.lod.largest_interval,
               .value_at = [&](float metres) { return interval_at(report.thresholds, metres); },
               .colour_of = [](int interval) { return colour::interval(interval); }});
   if (report.threshold_clip.empty()) return;
@@ -93,7 +89,7 @@ void show_intervals_over_distance(const TabContext& context) {
 
 void show_agents_by_interval(const TabContext& context) {
   std::vector<int> counts = context.report.agents_by_interval;
-  const int largest = std::max(context.tuning.largest_interval, static_cast<int>(counts.size()));
+  const int largest = std::max(context.tuning.lod.largest_interval, static_cast<int>(counts.size()));
   counts.resize(static_cast<std::size_t>(largest), 0);
   context.widgets.section("Agents in view by interval");
   const Area plot = context.widgets.area("Agents by interval", 112);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "app/overlay/numbers.h"
+#include "app/settings/tuning_values.h"
 
 namespace throng::app {
 namespace {
@@ -27,6 +28,19 @@ std::string without_separators(const std::string& text) {
 }
 
 }  // namespace
+
+NumberScale scale_of(std::string_view key, std::span<const int> stops) {
+  const TuningValue& value = tuning_value(key);
+  const Track& track = value.track;
+  const bool shows_part = track.most > track.least;
+  return {.lowest = shows_part ? track.least : value.least,
+          .highest = shows_part ? track.most : value.most,
+          .decimals = track.decimals,
+          .logarithmic = track.logarithmic,
+          .zero_word = track.zero_word,
+          .suffix = track.suffix,
+          .stops = stops};
+}
 
 double accepted(const NumberScale& scale, double value) {
   if (!scale.stops.empty()) return scale.stops[nearest_stop(scale, value)];

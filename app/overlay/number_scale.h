@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace throng::app {
 
@@ -15,6 +16,9 @@ struct NumberScale {
   const char* suffix = "";          ///< the unit after the number; may be left out when typing
   std::span<const int> stops = {};  ///< when not empty, the only numbers accepted
 };
+
+/// The scale of the tuning's value with that key.
+NumberScale scale_of(std::string_view key, std::span<const int> stops = {});
 
 /// The nearest number that the scale accepts.
 double accepted(const NumberScale& scale, double value);

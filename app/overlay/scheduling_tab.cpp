@@ -27,7 +27,7 @@ void show_grain(const TabContext& context) {
   auto microseconds = static_cast<float>(swept_value(SweptValue::grain, tuning));
   if (widgets.number(
           "Grain", microseconds, static_cast<float>(swept_value(SweptValue::grain, standard)),
-          {.highest = 1000, .zero_word = "any", .suffix = " \xC2\xB5s", .stops = grain_choices},
+          scale_of("cost_least_task_ns", grain_choices),
           {.what = "Work that is worth another PU: no more of them are woken than have so much to do each. What a PU "
                    "then takes at a time is a tile.",
            .unit = "microseconds of one PU, predicted; any: all PUs are woken, whatever there is to do",
@@ -39,40 +39,41 @@ void show_grain(const TabContext& context) {
 void show_machine(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, commands] = context;
   widgets.section("Processing units");
+  NumberScale threads = scale_of("pus");
+  threads.highest = std::max(threads.highest, static_cast<double>(report.hardware_threads));
+  widgets.number("PUs", tuning.system.pus, standard.system.pus, threads,
+                 {.what = "Worker threads, each with a local store of its own. The poses are the same for any number.",
+                  .unit = "threads; all: as many as the machine has",
+                  .cost = "More than the machine has only take turns."});
+  int kib = local_store_kib(tuning);
   widgets.number(
-      "PUs", tuning.pus, standard.pus,
-      {.lowest = 0, .highest = std::max(16.0, static_cast<double>(report.hardware_threads)), .zero_word = "all"},
-      {.what = "Worker threads, each with a local store of its own. The poses are the same for any number.",
-       .unit = "threads; all: as many as the machine has",
-       .cost = "More than the machine has only take turns."});
-  widgets.number(
-      "Local store", tuning.local_store_kib, standard.local_store_kib,
-      {.highest = 1024, .zero_word = "auto", .suffix = " KiB", .stops = local_store_choices},
+      "Local store", kib, local_store_kib(standard), scale_of("local_store_kib", local_store_choices),
       {.what = "A PU's own memory: entities are copied in, updated there and copied out. Its size decides how "
                "many characters fit into a tile. Too small for this skeleton is refused, with a line that says "
                "what is needed.",
        .unit = "KiB; auto: 64, or what one character needs",
        .cost = "Small: narrow tiles. Large: out of the processor's own cache."});
-  widgets.number("Tile", tuning.tile, standard.tile, {.highest = 16, .zero_word = "auto", .stops = tile_choices},
+  set_local_store_kib(tuning, kib);
+  widgets.number("Tile", tuning.system.tile, standard.system.tile, scale_of("tile", tile_choices),
                  {.what = "Characters that are handed to a PU at a time.",
                   .unit = "characters; auto: as many as fit",
                   .cost = "Narrow tiles leave vector lanes idle."});
   show_grain(context);
   widgets.choice(
-      "Schedule", tuning.schedule, standard.schedule, schedule_words,
+      "Schedule", tuning.system.schedule, standard.system.schedule, schedule_words,
       {.what = "levels: all players, then blenders by priority, a barrier in between; states go back to main "
                "memory after each. fused: a character from clips to palette in one go.",
        .cost = "levels moves more bytes and waits at barriers."});
   widgets.choice(
-      "Double buffer", tuning.double_buffer, standard.double_buffer, double_buffer_words,
+      "Double buffer", tuning.system.double_buffering, standard.system.double_buffering, double_buffer_words,
       {.what = "off: fetch, compute, write back. inline: the next tile is fetched before this one is computed. "
                "interleaved: while it is computed, asked for in slices.",
        .cost = "A second fetch buffer in the local store."});
-  widgets.choice("Stream", tuning.stream, standard.stream, stream_words,
+  widgets.choice("Stream", tuning.system.stream, standard.system.stream, stream_words,
                  {.what = "sampled: even rows of quantised rotations, made for crowds. keyframe: the clip's own keys, "
                           "exact, with the paper's interpolation structures.",
                   .cost = "keyframe moves about 7 KB a player and needs a larger local store."});
-  widgets.choice("Palette", tuning.palette, standard.palette, palette_words,
+  widgets.choice("Palette", tuning.system.palettes, standard.system.palettes, palette_words,
                  {.what = "What is written for a bone: float, a 3x4 matrix of 48 bytes, or packed, a rotation and a "
                           "place of 16, unpacked in the vertex shader. Skeletons that are not rigid stay float.",
                   .cost = "packed: arithmetic for every vertex that is drawn."});

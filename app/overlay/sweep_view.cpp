@@ -34,11 +34,11 @@ std::string in_three_digits(double number) {
 double in_force(SweptValue value, const FrameReport& report, const Tuning& tuning) {
   switch (value) {
     case SweptValue::pus:
-      return tuning.pus == 0 ? report.hardware_threads : tuning.pus;
+      return tuning.system.pus == 0 ? report.hardware_threads : tuning.system.pus;
     case SweptValue::local_store:
-      return tuning.local_store_kib == 0 ? report.local_store_kib : tuning.local_store_kib;
+      return local_store_kib(tuning) == 0 ? report.local_store_kib : local_store_kib(tuning);
     case SweptValue::tile:
-      return tuning.tile == 0 ? report.tile : tuning.tile;
+      return tuning.system.tile == 0 ? report.tile : tuning.system.tile;
     case SweptValue::grain:
       break;
   }

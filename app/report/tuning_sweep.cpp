@@ -49,31 +49,31 @@ UpdateCost median_of(const std::vector<UpdateCost>& costs) {
 double swept_value(SweptValue value, const Tuning& tuning) {
   switch (value) {
     case SweptValue::pus:
-      return tuning.pus;
+      return tuning.system.pus;
     case SweptValue::local_store:
-      return tuning.local_store_kib;
+      return local_store_kib(tuning);
     case SweptValue::tile:
-      return tuning.tile;
+      return tuning.system.tile;
     case SweptValue::grain:
       break;
   }
-  return tuning.cost.least_task / nanoseconds_a_microsecond;
+  return tuning.system.cost.least_task / nanoseconds_a_microsecond;
 }
 
 void set_swept_value(SweptValue value, double to, Tuning& tuning) {
   const int whole = static_cast<int>(std::lround(to));
   switch (value) {
     case SweptValue::pus:
-      tuning.pus = whole;
+      tuning.system.pus = whole;
       break;
     case SweptValue::local_store:
-      tuning.local_store_kib = whole;
+      set_local_store_kib(tuning, whole);
       break;
     case SweptValue::tile:
-      tuning.tile = whole;
+      tuning.system.tile = whole;
       break;
     case SweptValue::grain:
-      tuning.cost.least_task = to * nanoseconds_a_microsecond;
+      tuning.system.cost.least_task = to * nanoseconds_a_microsecond;
       break;
   }
 }

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "app/settings/settings.h"
 
 namespace throng::app {
 
@@ -13,11 +17,22 @@ inline constexpr std::array<const char*, 4> swept_value_words = {"PUs", "store",
 inline constexpr std::array<const char*, 2> stream_words = {"sampled", "keyframe"};
 inline constexpr std::array<const char*, 2> palette_words = {"float", "packed"};
 inline constexpr std::array<const char*, 3> lod_rule_words = {"off", "distance", "budget"};
-inline constexpr std::array<const char*, 3> error_sampling_words = {"off", "some", "all"};
+inline constexpr std::array<const char*, 3> error_sampling_words = {"some", "all", "off"};
 inline constexpr std::array<const char*, 3> split_words = {"off", "exact | LOD", "difference"};
 inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands about", "marches", "watches",
                                                            "has a seat", "trains",       "acts"};
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
 inline constexpr std::array<const char*, 5> debug_view_words = {"none", "interval", "bones", "mesh", "error"};
+
+// The engine's enumerations are in its hands: here it is checked that their order is still that of the words.
+template <std::size_t count, class Choice>
+consteval bool is_last(const std::array<const char*, count>& words, Choice choice, std::string_view word) {
+  return static_cast<std::size_t>(choice) + 1 == count && words.back() == word;
+}
+static_assert(is_last(schedule_words, anim::Schedule::levels, "levels"));
+static_assert(is_last(double_buffer_words, anim::DoubleBuffering::interleaved, "interleaved"));
+static_assert(is_last(stream_words, anim::StreamKind::keyframe, "keyframe"));
+static_assert(is_last(palette_words, anim::PaletteFormat::packed, "packed"));
+static_assert(is_last(lod_rule_words, anim::LodRule::budget, "budget"));
 
 }  // namespace throng::app

@@ -1,46 +1,29 @@
 #include "app/settings/option_values.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <sstream>
 #include <system_error>
 
 namespace throng::app {
 namespace {
 
-/// The whole of `text` as a number, or nothing.
-template <typename Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || stop != end) return {};
-  return number;
-}
-
-std::optional<double> finite_number_in(std::string_view text) {
-  const auto number = number_in<double>(text);
-  return number && std::isfinite(*number) ? number : std::nullopt;
+std::optional<double> finite_number_in(const std::string& text) {
+  constexpr double most = std::numeric_limits<double>::max();
+  double number = 0;
+  return read_number(text, -most, most, number) ? std::nullopt : std::optional(number);
 }
 
 /// Every part between commas as a finite number, or nothing.
-std::optional<std::vector<double>> numbers_in(std::string_view text) {
+std::optional<std::vector<double>> numbers_in(const std::string& text) {
   std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto number = finite_number_in(text.substr(begin, end - begin));
+  for (const std::string& part : parts_between_commas(text)) {
+    const auto number = finite_number_in(part);
     if (!number) return {};
     numbers.push_back(*number);
-    begin = end + 1;
   }
   return numbers;
-}
-
-bool lies_within(std::optional<int> number, int least, int most) {
-  return number && *number >= least && *number <= most;
 }
 
 bool can_be_a_camera(const std::vector<double>& numbers) {
@@ -60,14 +43,10 @@ CameraPlace camera_from(const std::vector<double>& numbers) {
 
 ValueReader whole_number(int& target, int least, int most) {
   return [&target, least, most](const std::string& text) -> Complaint {
-    const auto number = number_in<int>(text);
-    if (!lies_within(number, least, most)) {
-      const bool endless = most == std::numeric_limits<int>::max();
-      return "must be a whole number, " + std::to_string(least) +
-             (endless ? " or more" : " to " + std::to_string(most));
-    }
-    target = *number;
-    return {};
+    const Complaint complaint = read_number(text, least, most, target);
+    const bool endless = most == std::numeric_limits<int>::max();
+    return complaint && endless ? Complaint("must be a whole number, " + std::to_string(least) + " or more")
+                                : complaint;
   };
 }
 
@@ -75,12 +54,9 @@ ValueReader number_list(std::vector<int>& target, int least, int most) {
   return [&target, least, most](const std::string& text) -> Complaint {
     std::vector<int> numbers;
     for (const std::string& part : parts_between_commas(text)) {
-      const auto number = number_in<int>(part);
-      if (!lies_within(number, least, most)) {
-        return "must be a whole number, " + std::to_string(least) + " to " + std::to_string(most) +
-               ", or several with commas between them";
+      if (const Complaint complaint = read_number(part, least, most, numbers.emplace_back())) {
+        return *complaint + ", or several with commas between them";
       }
-      numbers.push_back(*number);
     }
     target = std::move(numbers);
     return {};
@@ -97,25 +73,9 @@ std::vector<std::string> parts_between_commas(const std::string& text) {
   return parts;
 }
 
-ValueReader seed_number(std::uint32_t& target) {
-  return [&target](const std::string& text) -> Complaint {
-    const auto number = number_in<std::uint32_t>(text);
-    if (!number) return "must be a whole number, 0 to 4294967295";
-    target = *number;
-    return {};
-  };
-}
-
 ValueReader number_between(float& target, float least, float most) {
-  return [&target, least, most](const std::string& text) -> Complaint {
-    const auto number = finite_number_in(text);
-    if (!number || *number < static_cast<double>(least) || *number > static_cast<double>(most)) {
-      std::ostringstream range;
-      range << "must be a number, " << least << " to " << most;
-      return range.str();
-    }
-    target = static_cast<float>(*number);
-    return {};
+  return [&target, least, most](const std::string& text) {
+    return read_number(text, static_cast<double>(least), static_cast<double>(most), target);
   };
 }
 
@@ -153,9 +113,7 @@ ValueReader times_list(std::vector<double>& target) {
 ValueReader role_choices(std::vector<RoleChoice>& target) {
   return [&target](const std::string& text) -> Complaint {
     std::vector<RoleChoice> choices;
-    for (std::size_t from = 0; from <= text.size();) {
-      const std::size_t end = std::min(text.find(',', from), text.size());
-      const std::string choice = text.substr(from, end - from);
+    for (const std::string& choice : parts_between_commas(text)) {
       const std::size_t equals = choice.find('=');
       if (equals == std::string::npos || equals + 1 == choice.size()) {
         return "must be ROLE=NAME, with commas between several; roles are " + known_roles();
@@ -165,7 +123,6 @@ ValueReader role_choices(std::vector<RoleChoice>& target) {
       if (!role) return "there is no role " + name + "; roles are " + known_roles();
       if (std::ranges::find(choices, *role, &RoleChoice::role) != choices.end()) return name + " is given twice";
       choices.push_back({*role, choice.substr(equals + 1)});
-      from = end + 1;
     }
     target = std::move(choices);
     return {};
@@ -176,31 +133,14 @@ ValueReader image_size(int& width, int& height) {
   return [&width, &height](const std::string& text) -> Complaint {
     constexpr int most = most_picture_pixels;
     const std::size_t cross = std::min(text.find('x'), text.size());
-    const std::string_view view = text;
-    const auto wide = number_in<int>(view.substr(0, cross));
-    const auto high = number_in<int>(view.substr(std::min(cross + 1, view.size())));
-    if (!lies_within(wide, 1, most) || !lies_within(high, 1, most)) {
+    int wide = 0, high = 0;
+    if (read_number(text.substr(0, cross), 1, most, wide) ||
+        read_number(text.substr(std::min(cross + 1, text.size())), 1, most, high)) {
       return "must be WIDTHxHEIGHT in pixels, each 1 to " + std::to_string(most);
     }
-    width = *wide;
-    height = *high;
+    width = wide;
+    height = high;
     return {};
-  };
-}
-
-ValueReader auto_or_kibibytes(int& target) {
-  return [&target](const std::string& text) -> Complaint {
-    constexpr int most = 65536;
-    const auto number = text == "auto" ? 0 : number_in<int>(text);
-    if (text != "auto" && !lies_within(number, 1, most)) return "must be auto or 1 to " + std::to_string(most) + " KiB";
-    target = *number;
-    return {};
-  };
-}
-
-ValueReader mesh_lod(int& target) {
-  return [&target](const std::string& text) -> Complaint {
-    return choice<int>(target, {{"on", -1}, {"off", 0}, {"0", 0}, {"1", 1}, {"2", 2}, {"3", 3}})(text);
   };
 }
 
@@ -243,24 +183,16 @@ ValueReader file_name(std::string& target) {
   };
 }
 
-ValueReader svg_file(std::string& target) {
-  return [&target](const std::string& text) -> Complaint {
-    if (!text.ends_with(".svg")) return "must be a file name that ends in .svg";
+ValueReader file_that_ends_in(std::string ending, std::string& target) {
+  return [ending = std::move(ending), &target](const std::string& text) -> Complaint {
+    if (!text.ends_with(ending)) return "must be a file name that ends in " + ending;
     target = text;
     return {};
   };
 }
 
-ValueReader png_file(std::string& target) {
-  return [&target](const std::string& text) -> Complaint {
-    if (!text.ends_with(".png")) return "must be a file name that ends in .png";
-    target = text;
-    return {};
-  };
-}
-
-std::string must_be_one_of(const std::vector<std::string>& names) {
-  std::string sentence = "must be ";
+std::string with_or(const std::vector<std::string>& names) {
+  std::string sentence;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) sentence += i + 1 == names.size() ? " or " : ", ";
     sentence += names[i];

@@ -8,7 +8,7 @@
 
 #include "app/files/atomic_file.h"
 #include "app/files/json_file.h"
-#include "app/settings/preset_fields.h"
+#include "app/settings/tuning_values.h"
 
 namespace throng::app {
 namespace {
@@ -46,15 +46,15 @@ Complaint take_key(const std::string& key, const Json& value, Preset& preset) {
     if (!complaint) preset.camera = options.camera;
     return complaint;
   }
-  const PresetField* const field = key.starts_with('-') ? nullptr : find_preset_field(key);
-  if (field == nullptr) return "unknown key \"" + key + "\"; it knows camera, " + known_preset_keys();
-  return take_value(field->reader(preset.tuning), key, value);
+  const TuningValue* const row = find_tuning_value(key);
+  if (row == nullptr) return "unknown key \"" + key + "\"; it knows camera, " + known_preset_keys();
+  return take_value([&](const std::string& text) { return row->read(preset.tuning, text); }, key, value);
 }
 
-Json json_of(const PresetField& field, const Tuning& tuning) {
-  const std::string text = field.text(tuning);
-  if (field.form == PresetField::Form::on_off) return text == "on";
-  return field.form == PresetField::Form::word ? Json(text) : *parse_json(text);
+Json json_of(const TuningValue& row, const Tuning& tuning) {
+  const std::string text = row.text(tuning);
+  if (row.form == TuningValue::Form::on_off) return text == "on";
+  return row.form == TuningValue::Form::word ? Json(text) : *parse_json(text);
 }
 
 Complaint read_into(const fs::path& file, Preset& preset) {
@@ -64,14 +64,10 @@ Complaint read_into(const fs::path& file, Preset& preset) {
   return from_json_text(*text, preset);
 }
 
-std::string option_text(const PresetField& field, const Tuning& tuning) {
-  return std::string(field.option) + " " + field.text(tuning);
-}
-
 // What an option given alone brings with it: `--lod off` also turns off what only saves work.
 Tuning settled(Tuning defaults, const Tuning& tuning) {
-  if (tuning.lod != LodRule::off || defaults.lod == LodRule::off) return defaults;
-  defaults.bone_lod = defaults.smooth = false;
+  if (tuning.lod.rule != anim::LodRule::off || defaults.lod.rule == anim::LodRule::off) return defaults;
+  defaults.lod.bone_lod = defaults.lod.smooth = false;
   defaults.mesh_lod = 0;
   return defaults;
 }
@@ -80,7 +76,7 @@ Tuning settled(Tuning defaults, const Tuning& tuning) {
 
 Json to_json(const Preset& preset) {
   Json json;
-  for (const PresetField& field : preset_fields()) json[std::string(field.key)] = json_of(field, preset.tuning);
+  for (const TuningValue& row : tuning_values()) json[std::string(row.key)] = json_of(row, preset.tuning);
   if (preset.camera) json["camera"] = camera_text(*preset.camera);
   return json;
 }
@@ -152,10 +148,10 @@ ValueReader set_values(Tuning& tuning) {
     for (const std::string& part : parts_between_commas(text)) {
       const std::size_t equals = std::min(part.find('='), part.size());
       const std::string key = part.substr(0, equals);
-      const PresetField* const field = key.starts_with('-') ? nullptr : find_preset_field(key);
+      const TuningValue* const row = find_tuning_value(key);
       if (equals == part.size()) return "must be KEY=VALUE, with commas between several";
-      if (field == nullptr) return "there is no key " + key + "; keys are " + known_preset_keys();
-      if (const Complaint complaint = field->reader(taken)(part.substr(equals + 1))) return key + " " + *complaint;
+      if (row == nullptr) return "there is no key " + key + "; keys are " + known_preset_keys();
+      if (const Complaint complaint = row->read(taken, part.substr(equals + 1))) return key + " " + *complaint;
     }
     tuning = taken;
     return {};
@@ -165,13 +161,14 @@ ValueReader set_values(Tuning& tuning) {
 std::string command_line(const Tuning& tuning, const Tuning& defaults, const std::optional<CameraPlace>& camera) {
   const Tuning expected = settled(defaults, tuning);
   std::string line, set;
-  for (const PresetField& field : preset_fields()) {
-    const std::string text = field.text(tuning);
-    if (text == field.text(expected)) continue;
-    if (!field.option.empty() && text != field.unsaid) {
-      line.append(line.empty() ? "" : " ").append(option_text(field, tuning));
+  for (const TuningValue& row : tuning_values()) {
+    const std::string text = row.text(tuning);
+    if (text == row.text(expected)) continue;
+    const bool option_says_it = !row.option.empty() && !row.option_does_more && (text != "0" || row.zero.empty());
+    if (option_says_it) {
+      line.append(line.empty() ? "" : " ").append(row.option_name()).append(" ").append(text);
     } else {
-      set.append(set.empty() ? "--set " : ",").append(field.key).append("=").append(text);
+      set.append(set.empty() ? "--set " : ",").append(row.key).append("=").append(text);
     }
   }
   if (!set.empty()) line.append(line.empty() ? "" : " ").append(set);

@@ -19,7 +19,7 @@ struct Preset {
   std::optional<CameraPlace> camera;  ///< none: the camera stays where it is
 };
 
-/// One flat JSON object; the keys are those of preset_fields() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has
+/// One flat JSON object; the keys are those of tuning_values() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has
 /// them, in a string). Missing keys keep what `preset` has. The complaint names the key and what to do, and then
 /// nothing has changed.
 Json to_json(const Preset& preset);
@@ -43,7 +43,7 @@ std::vector<std::string> preset_names();
 /// The name or file of a preset, as `--preset` takes it.
 ValueReader preset_values(DemoOptions& options);
 
-/// KEY=VALUE,... of preset_fields(), as `--set` takes them.
+/// KEY=VALUE,... of tuning_values(), as `--set` takes them.
 ValueReader set_values(Tuning& tuning);
 
 /// The options that make `tuning` of `defaults`, and the camera: "--agents 5000 --set full_rate_distance=20

@@ -7,20 +7,16 @@
 #include <vector>
 
 #include "app/character/roles.h"
-#include "engine/anim/run/program/cost_model.h"
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/lod/lod.h"
 
 namespace throng::app {
 
 enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film };
-enum class Schedule : std::uint8_t { fused, levels };
-enum class DoubleBuffer : std::uint8_t { off, inline_copy, interleaved };
-enum class Stream : std::uint8_t { sampled, keyframe };
-enum class Palette : std::uint8_t { floats, packed };
-enum class LodRule : std::uint8_t { off, distance, budget };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
 enum class DrawWhich : std::uint8_t { last, all, none };
 enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
-enum class ErrorSampling : std::uint8_t { off, some, all };
+enum class ErrorSampling : std::uint8_t { some, all, off };
 /// Whether the picture is the crowd as it is shown, or left of a line the exact one; right of it the one shown, or how
 /// far the two are apart.
 enum class Split : std::uint8_t { off, shown, difference };
@@ -68,43 +64,37 @@ struct Tuning {
   bool paused = false;
   float time_scale = 1.0F;  ///< 0 to 4
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
-  // LOD skipping
-  LodRule lod = LodRule::budget;     ///< with error_px: distances cannot hold a pixel for every character
-  float full_rate_distance = 12.0F;  ///< metres: nearer agents are updated each frame
-  float interval_growth = 12.0F;     ///< metres a further step of the interval
-  int largest_interval = 8;          ///< frames, 1 to 16
-  bool smooth = true;                ///< smooth skipping in the vertex shader
-  ErrorSampling error_sample = ErrorSampling::some;  ///< whose error on screen is measured, of those in view
-  float error_px = 1.0F;                             ///< LodRule::budget: p99 of the error on screen; 0: no such limit
+  // Level of detail
+  anim::LodRules lod{.rule = anim::LodRule::budget};  ///< CrowdLod puts tolerance_pixels and counts_cost in
+  ErrorSampling error_sample = ErrorSampling::some;   ///< whose error on screen is measured, of those in view
+  float error_px = 1.0F;                              ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
   LodInspection inspection = {};
-  // Per-bone LOD
-  bool bone_lod = true;
-  float bone_level_distance[3] = {15.0F, 30.0F, 60.0F};  ///< metres from which level 1, 2, 3 is shown
-  int mesh_lod = -1;                                     ///< -1: by size on screen; 0..3: always that one
+  int mesh_lod = -1;  ///< -1: by size on screen; 0..3: always that one
   // Scheduling
-  int pus = 0;              ///< 0: all cores
-  int local_store_kib = 0;  ///< 0: auto
-  int tile = 0;             ///< characters a tile, 0: what fits; 1, 2, 4, 8, 16
-  Schedule schedule = Schedule::fused;
-  DoubleBuffer double_buffer = DoubleBuffer::interleaved;
-  Stream stream = Stream::sampled;
-  Palette palette = Palette::floats;  ///< packed where a character's can be
+  anim::SystemOptions system{.pus = 0};  ///< pus 0: all cores, see on_this_machine
   // What is shown
   DebugView debug_view = DebugView::none;
   bool bones_as_lines = false;
   TakenAway taken_away{};
-  // What is predicted
-  anim::CostModel cost{};  ///< nanoseconds of one PU
 
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
+/// The size of each local store as the program says it; 0: automatic.
+inline constexpr std::size_t bytes_a_kib = 1024;
+inline int local_store_kib(const Tuning& tuning) {
+  return static_cast<int>(tuning.system.local_store_bytes / bytes_a_kib);
+}
+inline void set_local_store_kib(Tuning& tuning, int kib) {
+  tuning.system.local_store_bytes = static_cast<std::size_t>(kib) * bytes_a_kib;
+}
+
 /// The same crowd as `--lod off` shows it: everyone posed in full in every frame.
 inline Tuning without_level_of_detail(Tuning tuning) {
-  tuning.lod = LodRule::off;
-  tuning.bone_lod = false;
-  tuning.smooth = false;
+  tuning.lod.rule = anim::LodRule::off;
+  tuning.lod.bone_lod = false;
+  tuning.lod.smooth = false;
   tuning.mesh_lod = 0;
   tuning.inspection.forced_interval = LodInspection().forced_interval;
   tuning.inspection.forced_bone_level = LodInspection().forced_bone_level;

@@ -35,7 +35,7 @@ anim::Result<std::filesystem::path> Show::export_lod(std::size_t index) const {
   if (renderer_ != nullptr) triangles = renderer_->meshes()[index].triangles_by_lod();
   const double pixels_per_unit = static_cast<double>(render::pixels_tall(camera, static_cast<float>(height), 1, 1));
   return KeptFile(character.file, ".lod.export.json", "The level of detail")
-      .write(lod_as_json(character, lod_levels(character, triangles), lod_rules(stage_->tuning()), pixels_per_unit));
+      .write(lod_as_json(character, lod_levels(character, triangles), stage_->tuning().lod, pixels_per_unit));
 }
 
 void Show::select_at(float x, float y) {

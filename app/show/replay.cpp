@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/figures/statistics.h"
-#include "app/settings/preset_fields.h"
+#include "app/settings/tuning_values.h"
 #include "app/show/replayed_requests.h"
 
 namespace throng::app {
@@ -72,7 +72,7 @@ Tuning Replay::with_own_scheduling(Tuning tuning) const {
   static constexpr std::array<std::string_view, 6> own{"--pus",   "--local-store", "--tile",
                                                        "--grain", "--schedule",    "--double-buffer"};
   for (const std::string& name : given_.given) {
-    if (std::ranges::find(own, name) != own.end()) copy_field(*find_preset_field(name), given_.tuning, tuning);
+    if (std::ranges::find(own, name) != own.end()) copy_value(tuning_value(name), given_.tuning, tuning);
   }
   return tuning;
 }

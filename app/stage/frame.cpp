@@ -80,8 +80,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   const std::uint64_t last_frame = frame_++;
   exact_.give_back(last_frame);
   slots_.reclaim(completed_frame);
-  crowd_lod_.prepare({.rules = lod_rules(tuning_), .now = system_->clock(), .frame_step = frame_step}, characters_,
-                     selected_);
+  crowd_lod_.prepare({.rules = tuning_.lod, .now = system_->clock(), .frame_step = frame_step}, characters_, selected_);
   const auto select = [&] {
     anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
                             system_->options().pus);
@@ -100,7 +99,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     if (crowd_->holds(due.agent) && !holds_clip(due.agent)) continue;  // it has fallen
     const bool visible = seen != selection_.visible.end() && seen->agent == due.agent;
     // Smooth skipping: the pose of the moment when it will have been reached. Evaluated each frame, it is that of now.
-    const bool ahead = tuning_.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
+    const bool ahead = tuning_.lod.smooth && due.look_ahead > 1 && shown_.pose(due.agent).shown();
     const anim::Ticks look_ahead = ahead ? due.look_ahead * frame_step : 0;
     const BoneStep bones = step_bones(due);
     updates_.push_back({.agent = due.agent,
@@ -116,7 +115,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
     updates_.back().look_ahead = 0;  // nothing to blend from on its new page
     lod_.make_due(due.agent);
   }
-  if (tuning_.lod != LodRule::off) feet_->take_back(selection_.visible);
+  if (tuning_.lod.rule != anim::LodRule::off) feet_->take_back(selection_.visible);
   pose_fallen(last_frame);
   system_->update(updates_);
   measure(camera, width, height);
@@ -169,7 +168,7 @@ anim::PaletteDestination Stage::show(std::uint32_t agent, std::uint8_t level, st
 // Whoever is evaluated each frame and not ahead, so that it is known where the feet are; without level of detail,
 // everyone.
 void Stage::place_feet(const anim::DueAgent& due, bool near_by) {
-  const bool everyone = tuning_.lod == LodRule::off;
+  const bool everyone = tuning_.lod.rule == anim::LodRule::off;
   if (tuning_.placed_feet && due.bone_level == 0 && (everyone || (near_by && lod_.interval[due.agent] == 1))) {
     feet_->place(*crowd_, due.agent, shown_.pose(due.agent).shown());
   } else {

@@ -73,28 +73,9 @@ std::string joined(std::span<const std::string> sentences) {
 
 }  // namespace
 
-anim::SystemOptions system_options(const Tuning& tuning) {
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return {.pus = tuning.pus == 0 ? cores : tuning.pus,
-          .local_store_bytes = static_cast<std::size_t>(tuning.local_store_kib) * 1024,
-          .tile = tuning.tile,
-          .schedule = tuning.schedule == Schedule::fused ? anim::Schedule::fused : anim::Schedule::levels,
-          .double_buffering = static_cast<anim::DoubleBuffering>(tuning.double_buffer),
-          .stream = tuning.stream == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe,
-          .cost = tuning.cost,
-          .palettes = tuning.palette == Palette::packed ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices};
-}
-
-anim::LodRules lod_rules(const Tuning& tuning) {
-  return {
-      .rule = static_cast<anim::LodRule>(tuning.lod),
-      .full_rate_distance = tuning.full_rate_distance,
-      .interval_growth = tuning.interval_growth,
-      .largest_interval = tuning.largest_interval,
-      .bone_lod = tuning.bone_lod,
-      .level_distances = {tuning.bone_level_distance[0], tuning.bone_level_distance[1], tuning.bone_level_distance[2]},
-      .smooth = tuning.smooth,
-      .counts_cost = tuning.lod == LodRule::budget};
+anim::SystemOptions on_this_machine(anim::SystemOptions options) {
+  if (options.pus == 0) options.pus = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return options;
 }
 
 Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
@@ -126,7 +107,7 @@ anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> 
 }
 
 anim::Status Stage::open_system() {
-  auto system = anim::AnimationSystem::create(characters_.front().character, system_options(tuning_));
+  auto system = anim::AnimationSystem::create(characters_.front().character, on_this_machine(tuning_.system));
   if (!system) return system.error();
   system_ = std::move(*system);
   for (const CharacterSource& more : std::span(characters_).subspan(1)) {
@@ -157,7 +138,7 @@ std::span<const CharacterSource> Stage::people() const {
 CharacterRoles Stage::common_roles() const { return app::common_roles(roles_of(characters_)); }
 
 anim::Status Stage::apply(const Tuning& tuning) {
-  const anim::SystemOptions options = system_options(tuning);
+  const anim::SystemOptions options = on_this_machine(tuning.system);
   if (options != system_->options()) {
     const anim::Status configured = system_->configure(options);
     if (!configured) return configured;

@@ -183,8 +183,7 @@ class Stage {
   bool moving_ = true;
 };
 
-/// What the command line and the overlay call a thing, as the animation system does.
-anim::SystemOptions system_options(const Tuning& tuning);
-anim::LodRules lod_rules(const Tuning& tuning);
+/// The same with as many PUs as the machine has cores, where their number is 0.
+anim::SystemOptions on_this_machine(anim::SystemOptions options);
 
 }  // namespace throng::app

@@ -27,26 +27,27 @@ constexpr double packing_tolerance = 5e-5;
 
 /// Sets up a crowd in which the watched agents differ in interval and bone level, and change level as the camera moves
 /// back.
-Tuning tuning_of(LodRule lod, Stream stream, Palette palette = Palette::floats) {
+Tuning tuning_of(anim::LodRule lod, anim::StreamKind stream,
+                 anim::PaletteFormat palette = anim::PaletteFormat::matrices) {
   Tuning tuning;
-  tuning.palette = palette;
+  tuning.system.palettes = palette;
   tuning.agents = 40;
   tuning.placed_feet = false;  // the reference has none
-  tuning.pus = 2;
-  tuning.lod = lod;
-  tuning.bone_lod = lod != LodRule::off;
-  tuning.stream = stream;
-  tuning.full_rate_distance = 6.0F;
-  tuning.interval_growth = 6.0F;
-  std::ranges::copy(std::array{20.0F, 23.0F, 60.0F}, tuning.bone_level_distance);  // the camera is about 20 m away
+  tuning.system.pus = 2;
+  tuning.lod.rule = lod;
+  tuning.lod.bone_lod = lod != anim::LodRule::off;
+  tuning.system.stream = stream;
+  tuning.lod.full_rate_distance = 6.0F;
+  tuning.lod.interval_growth = 6.0F;
+  tuning.lod.level_distances = {20.0F, 23.0F, 60.0F};  // the camera is about 20 m away
   return tuning;
 }
 
 /// A sampled stream is off by at most the error that its baking measured, at the largest scale; a blend of two is off
 /// by no more.
 double tolerance_of(const Stage& stage) {
-  const double format = stage.tuning().palette == Palette::packed ? packing_tolerance : 0.0;
-  if (stage.tuning().stream == Stream::keyframe) return exact_tolerance + format;
+  const double format = stage.tuning().system.palettes == anim::PaletteFormat::packed ? packing_tolerance : 0.0;
+  if (stage.tuning().system.stream == anim::StreamKind::keyframe) return exact_tolerance + format;
   const auto& clips = stage.characters().front().character->clips;
   const double worst = std::ranges::max_element(clips, {}, &anim::BakedClip::sampled_error)->sampled_error;
   return exact_tolerance + format + worst * static_cast<double>(std::ranges::max(stage.crowd().scales()));
@@ -82,9 +83,9 @@ class StagedCrowdTest : public render::test::SoftwareGlTest {
 
 struct Mode {
   const char* name;
-  LodRule lod;
-  Stream stream;
-  Palette palette = Palette::floats;
+  anim::LodRule lod;
+  anim::StreamKind stream;
+  anim::PaletteFormat palette = anim::PaletteFormat::matrices;
 };
 
 class CrowdReadBack : public StagedCrowdTest, public testing::WithParamInterface<Mode> {
@@ -93,7 +94,7 @@ class CrowdReadBack : public StagedCrowdTest, public testing::WithParamInterface
     StagedCrowdTest::SetUp();
     stage(tuning_of(GetParam().lod, GetParam().stream, GetParam().palette));
   }
-  bool skips() const { return GetParam().lod != LodRule::off; }
+  bool skips() const { return GetParam().lod != anim::LodRule::off; }
 
   void expect_where_the_reference_is(std::uint32_t agent) {
     EXPECT_LT(crowd().largest_error(agent), tolerance())
@@ -140,19 +141,21 @@ TEST_P(CrowdReadBack, HasThemThereWhileTheyFadeFromClipToClip) {
 
 INSTANTIATE_TEST_SUITE_P(
     Of, CrowdReadBack,
-    testing::Values(Mode{"SampledStreamsUpdatedEachFrame", LodRule::off, Stream::sampled},
-                    Mode{"SampledStreamsSkippedSmoothly", LodRule::distance, Stream::sampled},
-                    Mode{"KeyframeStreamsUpdatedEachFrame", LodRule::off, Stream::keyframe},
-                    Mode{"KeyframeStreamsSkippedSmoothly", LodRule::distance, Stream::keyframe},
-                    Mode{"PackedPalettesUpdatedEachFrame", LodRule::off, Stream::keyframe, Palette::packed},
-                    Mode{"PackedPalettesSkippedSmoothly", LodRule::distance, Stream::keyframe, Palette::packed}),
+    testing::Values(Mode{"SampledStreamsUpdatedEachFrame", anim::LodRule::off, anim::StreamKind::sampled},
+                    Mode{"SampledStreamsSkippedSmoothly", anim::LodRule::distance, anim::StreamKind::sampled},
+                    Mode{"KeyframeStreamsUpdatedEachFrame", anim::LodRule::off, anim::StreamKind::keyframe},
+                    Mode{"KeyframeStreamsSkippedSmoothly", anim::LodRule::distance, anim::StreamKind::keyframe},
+                    Mode{"PackedPalettesUpdatedEachFrame", anim::LodRule::off, anim::StreamKind::keyframe,
+                         anim::PaletteFormat::packed},
+                    Mode{"PackedPalettesSkippedSmoothly", anim::LodRule::distance, anim::StreamKind::keyframe,
+                         anim::PaletteFormat::packed}),
     [](const auto& test) { return std::string(test.param.name); });
 
 class PackedCrowd : public StagedCrowdTest {};
 
 // app/command_line/README.md states these figures (--palette).
 TEST_F(PackedCrowd, IsOffByLessThanATwentiethOfAMillimetreAndAFortiethOfAPixelOfTheNearestAgent) {
-  stage(tuning_of(LodRule::off, Stream::keyframe, Palette::packed));
+  stage(tuning_of(anim::LodRule::off, anim::StreamKind::keyframe, anim::PaletteFormat::packed));
   double metres = 0.0;
   for (int frame = 0; frame < 12; ++frame) {
     crowd().pass_frame();
@@ -169,8 +172,8 @@ TEST_F(PackedCrowd, IsOffByLessThanATwentiethOfAMillimetreAndAFortiethOfAPixelOf
 }
 
 TEST_F(PackedCrowd, GoesTheShortestWayBetweenTwoPoses) {
-  Tuning tuning = tuning_of(LodRule::distance, Stream::keyframe, Palette::packed);
-  tuning.bone_lod = false;
+  Tuning tuning = tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe, anim::PaletteFormat::packed);
+  tuning.lod.bone_lod = false;
   stage(tuning);
   ASSERT_NO_FATAL_FAILURE(pass_until_all_blend());
   for (const std::uint32_t agent : watched) {
@@ -180,10 +183,10 @@ TEST_F(PackedCrowd, GoesTheShortestWayBetweenTwoPoses) {
 }
 
 TEST_F(PackedCrowd, TakesUpAnotherFormatWhileItRuns) {
-  stage(tuning_of(LodRule::distance, Stream::keyframe));
+  stage(tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe));
   for (int frame = 0; frame < 30; ++frame) {
-    const Palette palette = frame / 10 == 1 ? Palette::packed : Palette::floats;
-    if (frame % 10 == 0) crowd().retune(tuning_of(LodRule::distance, Stream::keyframe, palette));
+    const anim::PaletteFormat palette = frame / 10 == 1 ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices;
+    if (frame % 10 == 0) crowd().retune(tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe, palette));
     crowd().pass_frame();
     for (const std::uint32_t agent : watched) {
       EXPECT_LT(crowd().largest_error(agent), tolerance() + packing_tolerance) << agent << " at frame " << frame;
@@ -196,7 +199,7 @@ class MeasuredCrowd : public StagedCrowdTest {
  protected:
   void SetUp() override {
     StagedCrowdTest::SetUp();
-    Tuning tuning = tuning_of(LodRule::distance, Stream::keyframe);
+    Tuning tuning = tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe);
     tuning.error_sample = ErrorSampling::all;
     stage(tuning);
   }
@@ -231,7 +234,7 @@ class BlendedCrowd : public StagedCrowdTest {
  protected:
   void SetUp() override {
     StagedCrowdTest::SetUp();
-    stage(tuning_of(LodRule::distance, Stream::keyframe));
+    stage(tuning_of(anim::LodRule::distance, anim::StreamKind::keyframe));
     ASSERT_NO_FATAL_FAILURE(pass_until_all_blend());
     for (const std::uint32_t agent : watched) ASSERT_LT(crowd().largest_error(agent), tolerance()) << agent;
   }

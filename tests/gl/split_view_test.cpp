@@ -27,8 +27,8 @@ DemoOptions skipping_crowd() {
   options.tuning.agents = 40;
   options.tuning.placed_feet = false;  // without level of detail every agent would have them
   options.tuning.inspection = {.split_at = static_cast<float>(line) / width, .forced_interval = 16};
-  options.tuning.bone_level_distance[0] = options.tuning.bone_level_distance[1] = 1.0F;
-  options.tuning.bone_level_distance[2] = 2.0F;
+  options.tuning.lod.level_distances[0] = options.tuning.lod.level_distances[1] = 1.0F;
+  options.tuning.lod.level_distances[2] = 2.0F;
   return options;
 }
 

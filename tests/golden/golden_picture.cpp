@@ -53,7 +53,7 @@ DemoOptions golden_options(ContextKind context) {
   options.height = 360;
   options.frames = 8;
   options.tuning.agents = 40;
-  options.tuning.pus = 2;
+  options.tuning.system.pus = 2;
   options.data = THRONG_SOURCE_DIR;
   return options;
 }

@@ -21,9 +21,9 @@ TEST_P(GoldenPicture, GridCloseUp) {
 
 TEST_P(GoldenPicture, SmoothSkippingBetweenUpdates) {
   DemoOptions options = golden_options(GetParam());
-  options.tuning.lod = LodRule::distance;
-  options.tuning.full_rate_distance = 1.0F;
-  options.tuning.interval_growth = 1.0F;
+  options.tuning.lod.rule = anim::LodRule::distance;
+  options.tuning.lod.full_rate_distance = 1.0F;
+  options.tuning.lod.interval_growth = 1.0F;
   options.frames = 13;
   expect_golden_picture("smooth-skipping", options);
 }
@@ -31,18 +31,18 @@ TEST_P(GoldenPicture, SmoothSkippingBetweenUpdates) {
 TEST_P(GoldenPicture, IntervalsAsColors) {
   DemoOptions options = golden_options(GetParam());
   options.tuning.debug_view = DebugView::interval;
-  options.tuning.lod = LodRule::distance;
-  options.tuning.full_rate_distance = 6.0F;
-  options.tuning.interval_growth = 3.0F;
+  options.tuning.lod.rule = anim::LodRule::distance;
+  options.tuning.lod.full_rate_distance = 6.0F;
+  options.tuning.lod.interval_growth = 3.0F;
   expect_golden_picture("intervals", options);
 }
 
 TEST_P(GoldenPicture, FewestBonesAndTriangles) {
   DemoOptions options = golden_options(GetParam());
-  options.tuning.lod = LodRule::distance;
-  options.tuning.bone_level_distance[0] = 1.0F;
-  options.tuning.bone_level_distance[1] = 2.0F;
-  options.tuning.bone_level_distance[2] = 3.0F;
+  options.tuning.lod.rule = anim::LodRule::distance;
+  options.tuning.lod.level_distances[0] = 1.0F;
+  options.tuning.lod.level_distances[1] = 2.0F;
+  options.tuning.lod.level_distances[2] = 3.0F;
   options.tuning.mesh_lod = 1;
   expect_golden_picture("fewest-bones", options);
 }
@@ -51,7 +51,7 @@ DemoOptions split_options(ContextKind context, Split split) {
   DemoOptions options = golden_options(context);
   options.tuning.placed_feet = false;
   options.tuning.inspection = {.split = split, .split_at = 0.5F, .forced_interval = 16, .forced_bone_level = 3};
-  options.tuning.smooth = false;
+  options.tuning.lod.smooth = false;
   options.frames = 30;
   return options;
 }

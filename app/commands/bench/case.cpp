@@ -212,17 +212,12 @@ anim::Result<BenchCharacter> bench_character(const std::string& model, int bones
 }
 
 anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench) {
-  Tuning tuning;
-  tuning.pus = bench.pus;
-  tuning.local_store_kib = options.local_store_kib;
-  tuning.tile = options.tile;
-  tuning.schedule = bench.schedule;
-  tuning.double_buffer = options.double_buffer;
-  tuning.stream = bench.stream;
-  tuning.palette = options.palette;
-  anim::SystemOptions result = system_options(tuning);
+  anim::SystemOptions result = options.tuning.system;
+  result.pus = bench.pus;
+  result.schedule = bench.schedule;
+  result.stream = bench.stream;
   result.hash = false;
-  return result;
+  return on_this_machine(result);
 }
 
 anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
@@ -240,10 +235,10 @@ anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& 
   json["bones_per_agent"] = bones;
   json["frames"] = options.frames;
   json["pus"] = schedule.pus;
-  json["schedule"] = bench.schedule == Schedule::fused ? "fused" : "levels";
+  json["schedule"] = bench.schedule == anim::Schedule::fused ? "fused" : "levels";
   json["local_store_kib"] = schedule.local_store_bytes / 1024;
   json["tile"] = schedule.plan.width;
-  json["stream"] = bench.stream == Stream::sampled ? "sampled" : "keyframe";
+  json["stream"] = bench.stream == anim::StreamKind::sampled ? "sampled" : "keyframe";
   const bool packed = work.system().characters().palette_format(0) == anim::PaletteFormat::packed;
   json["palette_format"] = packed ? "packed" : "float";
   json["stores"] = schedule.stores == anim::StorePolicy::streaming ? "streaming" : "prefetched";

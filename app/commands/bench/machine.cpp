@@ -171,8 +171,8 @@ anim::Result<BenchReport> run_machine(const BenchOptions& options) {
   json["machine"] = machine->name;
   json["local_store_kib"] = machine->local_store_kib;
   json["pus"] = machine->pus;
-  json["schedule"] = options.schedules.front() == Schedule::fused ? "fused" : "levels";
-  json["stream"] = options.streams.front() == Stream::sampled ? "sampled" : "keyframe";
+  json["schedule"] = options.schedules.front() == anim::Schedule::fused ? "fused" : "levels";
+  json["stream"] = options.streams.front() == anim::StreamKind::sampled ? "sampled" : "keyframe";
   json["agents"] = options.agents.front();
   json["bones_per_agent"] = character->character->skeleton.bone_count();
   json["tile"] = crowd->system().figures().schedule().plan.width;

@@ -21,12 +21,9 @@ struct BenchOptions {
   std::vector<int> bones{62};     ///< each 1 to anim::max_bones
   std::vector<int> clips{2};      ///< each 1 to 256
   std::vector<int> pus{0};        ///< 0: all cores
-  std::vector<Schedule> schedules{Schedule::fused};
-  std::vector<Stream> streams{Stream::sampled};
-  int local_store_kib = 0;  ///< 0: auto
-  int tile = 0;             ///< characters a tile, 0: what fits; 1, 2, 4, 8, 16
-  DoubleBuffer double_buffer = DoubleBuffer::interleaved;
-  Palette palette = Palette::floats;
+  std::vector<anim::Schedule> schedules{anim::Schedule::fused};
+  std::vector<anim::StreamKind> streams{anim::StreamKind::sampled};
+  Tuning tuning;  ///< its `system` has what all combinations share: local store, tile, double buffering, palettes
   int frames = 60;
   Sweep sweep = Sweep::none;
   std::string machine;  ///< a file, or the name of a preset; empty: none
@@ -39,8 +36,8 @@ struct BenchOptions {
 /// One combination of the lists.
 struct BenchCase {
   int agents = 1000, bones = 62, clips = 2, pus = 0;
-  Schedule schedule = Schedule::fused;
-  Stream stream = Stream::sampled;
+  anim::Schedule schedule = anim::Schedule::fused;
+  anim::StreamKind stream = anim::StreamKind::sampled;
 };
 
 }  // namespace throng::app

@@ -54,8 +54,9 @@ std::vector<BenchCase> bench_cases(const BenchOptions& options) {
     for (const int clips : options.clips)
       for (const int agents : options.agents)
         for (const int pus : options.pus)
-          for (const Schedule schedule : options.schedules)
-            for (const Stream stream : options.streams) cases.push_back({agents, bones, clips, pus, schedule, stream});
+          for (const anim::Schedule schedule : options.schedules)
+            for (const anim::StreamKind stream : options.streams)
+              cases.push_back({agents, bones, clips, pus, schedule, stream});
   return cases;
 }
 

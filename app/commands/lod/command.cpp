@@ -37,7 +37,7 @@ anim::Status write_files(const LodOptions& options, const CharacterSource& sourc
   if (!options.plot.empty()) files.emplace_back(options.plot, curve_as_svg(source, levels, options.pixels));
   const double pixels_per_unit = static_cast<double>(render::pixels_tall({}, exported_height, 1.0F, 1.0F));
   if (!options.export_file.empty()) {
-    files.emplace_back(options.export_file, lod_as_json(source, levels, lod_rules({}), pixels_per_unit));
+    files.emplace_back(options.export_file, lod_as_json(source, levels, Tuning().lod, pixels_per_unit));
   }
   for (const auto& [file, text] : files) {
     if (const anim::Status written = write_output(file, text); !written) return written;

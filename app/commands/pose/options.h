@@ -12,7 +12,7 @@ struct PoseOptions {
   std::string model;
   std::string clip;           ///< a clip's name or index, or "none" for the pose at rest
   std::vector<double> times;  ///< seconds, at least one
-  Stream stream = Stream::sampled;
+  anim::StreamKind stream = anim::StreamKind::sampled;
   std::string json;  ///< a file, or "-" for standard output
 };
 

@@ -35,9 +35,8 @@ anim::Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip)
   played.clips.clear();
   if (clip != nullptr) played.clips.push_back(*clip);
   auto character = std::make_shared<const anim::Character>(anim::bake_character(played, {.take_root_motion = false}));
-  const auto kind = stream_ == Stream::sampled ? anim::StreamKind::sampled : anim::StreamKind::keyframe;
   auto system = anim::AnimationSystem::create(std::move(character),
-                                              {.schedule = anim::Schedule::levels, .stream = kind, .hash = false});
+                                              {.schedule = anim::Schedule::levels, .stream = stream_, .hash = false});
   if (!system) return system.error();
   system_ = std::move(*system);
   palette_ = anim::allocate_aligned(anim::palette_stride(model.skeleton.palette.size(), anim::PaletteFormat::matrices));

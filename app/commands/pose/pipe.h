@@ -13,7 +13,7 @@ namespace throng::app {
 /// agent, in the paper's `levels` schedule, whose blocks keep their transforms.
 class PosePipe {
  public:
-  explicit PosePipe(Stream stream) : stream_(stream) {}
+  explicit PosePipe(anim::StreamKind stream) : stream_(stream) {}
 
   /// `clip` is one of the model's, or null for the rest pose.
   anim::Result<BonePose> pose(const anim::Model& model, const anim::Clip* clip, double seconds);
@@ -21,7 +21,7 @@ class PosePipe {
  private:
   anim::Status prepare(const anim::Model& model, const anim::Clip* clip);
 
-  Stream stream_;
+  anim::StreamKind stream_;
   const anim::Model* model_ = nullptr;  // what `system_` was made for
   const anim::Clip* clip_ = nullptr;
   std::unique_ptr<anim::AnimationSystem> system_;

@@ -173,9 +173,11 @@ class ReorderedStage : public testing::Test {
 };
 
 TEST_F(ReorderedStage, PosesTheSameCrowdAsIfTheBonesHadStayed) {
-  for (const Stream stream : {Stream::sampled, Stream::keyframe}) {
-    const Tuning tuning{
-        .scene = Scene::plaza, .agents = 40, .lod = LodRule::off, .bone_lod = false, .pus = 1, .stream = stream};
+  for (const anim::StreamKind stream : {anim::StreamKind::sampled, anim::StreamKind::keyframe}) {
+    const Tuning tuning{.scene = Scene::plaza,
+                        .agents = 40,
+                        .lod = {.rule = anim::LodRule::off, .bone_lod = false},
+                        .system = {.pus = 1, .stream = stream}};
     const auto stage = open(tuning), as_it_was = open(tuning);
     ASSERT_TRUE(stage && as_it_was);
     pass(*stage, 20);
@@ -189,7 +191,8 @@ TEST_F(ReorderedStage, PosesTheSameCrowdAsIfTheBonesHadStayed) {
 }
 
 TEST_F(ReorderedStage, HasTheLevelsThatWereChosen) {
-  const auto stage = open({.scene = Scene::grid, .agents = 100, .lod = LodRule::distance, .pus = 2});
+  const auto stage =
+      open({.scene = Scene::grid, .agents = 100, .lod = {.rule = anim::LodRule::distance}, .system = {.pus = 2}});
   ASSERT_TRUE(stage);
   pass(*stage, 10);
   ASSERT_TRUE(stage->set_bone_lod(0, arms_first(stage->characters().front().character->skeleton)));
@@ -203,7 +206,7 @@ TEST_F(ReorderedStage, HasTheLevelsThatWereChosen) {
 }
 
 TEST_F(ReorderedStage, RefusesAnOrderThatCannotBeAndGoesOn) {
-  const auto stage = open({.scene = Scene::grid, .agents = 10, .pus = 1});
+  const auto stage = open({.scene = Scene::grid, .agents = 10, .system = {.pus = 1}});
   ASSERT_TRUE(stage);
   const auto before = stage->characters().front().character;
   BoneLodChoice choice = present_bone_lod(before->skeleton.bones.size(), before->skeleton.level_bone_counts);

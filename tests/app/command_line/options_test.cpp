@@ -58,16 +58,16 @@ TEST(DemoDefaults, TuneTheCrowd) {
   EXPECT_EQ(tuning.scene, Scene::plaza);
   EXPECT_EQ(tuning.agents, 1000);
   EXPECT_EQ(tuning.seed, 1U);
-  EXPECT_EQ(tuning.lod, LodRule::budget);
-  EXPECT_TRUE(tuning.bone_lod);
-  EXPECT_TRUE(tuning.smooth);
+  EXPECT_EQ(tuning.lod.rule, anim::LodRule::budget);
+  EXPECT_TRUE(tuning.lod.bone_lod);
+  EXPECT_TRUE(tuning.lod.smooth);
   EXPECT_EQ(tuning.mesh_lod, -1);
-  EXPECT_EQ(tuning.pus, 0);
-  EXPECT_EQ(tuning.local_store_kib, 0);
-  EXPECT_EQ(tuning.tile, 0);
-  EXPECT_EQ(tuning.schedule, Schedule::fused);
-  EXPECT_EQ(tuning.double_buffer, DoubleBuffer::interleaved);
-  EXPECT_EQ(tuning.stream, Stream::sampled);
+  EXPECT_EQ(tuning.system.pus, 0);
+  EXPECT_EQ(local_store_kib(tuning), 0);
+  EXPECT_EQ(tuning.system.tile, 0);
+  EXPECT_EQ(tuning.system.schedule, anim::Schedule::fused);
+  EXPECT_EQ(tuning.system.double_buffering, anim::DoubleBuffering::interleaved);
+  EXPECT_EQ(tuning.system.stream, anim::StreamKind::sampled);
 }
 
 TEST(DemoOptions, NameEveryScene) {
@@ -91,15 +91,15 @@ TEST(DemoOptions, TuneTheCrowd) {
   EXPECT_EQ(tuning.agents, 7);
   EXPECT_EQ(tuning.scene, Scene::grid);
   EXPECT_EQ(tuning.seed, 4294967295U);
-  EXPECT_EQ(tuning.pus, 3);
-  EXPECT_EQ(tuning.local_store_kib, 128);
-  EXPECT_EQ(tuning.schedule, Schedule::levels);
-  EXPECT_EQ(tuning.tile, 8);
-  EXPECT_EQ(tuning.double_buffer, DoubleBuffer::inline_copy);
-  EXPECT_EQ(tuning.stream, Stream::keyframe);
-  EXPECT_EQ(tuning.palette, Palette::packed);
-  EXPECT_FALSE(tuning.bone_lod);
-  EXPECT_FALSE(tuning.smooth);
+  EXPECT_EQ(tuning.system.pus, 3);
+  EXPECT_EQ(local_store_kib(tuning), 128);
+  EXPECT_EQ(tuning.system.schedule, anim::Schedule::levels);
+  EXPECT_EQ(tuning.system.tile, 8);
+  EXPECT_EQ(tuning.system.double_buffering, anim::DoubleBuffering::inline_copy);
+  EXPECT_EQ(tuning.system.stream, anim::StreamKind::keyframe);
+  EXPECT_EQ(tuning.system.palettes, anim::PaletteFormat::packed);
+  EXPECT_FALSE(tuning.lod.bone_lod);
+  EXPECT_FALSE(tuning.lod.smooth);
   EXPECT_EQ(tuning.mesh_lod, 2);
 }
 
@@ -145,9 +145,9 @@ TEST(RequiredValue, IsTakenAfterASpaceOrAnEqualsSign) {
 }
 
 TEST(LodBudget, IsTheRuleOfWhoeverGivesALimit) {
-  EXPECT_EQ(demo("--error-px 0.5").tuning.lod, LodRule::budget);
-  EXPECT_EQ(demo("--budget-ms 4").tuning.lod, LodRule::budget);
-  EXPECT_EQ(demo("").tuning.lod, LodRule::budget);
+  EXPECT_EQ(demo("--error-px 0.5").tuning.lod.rule, anim::LodRule::budget);
+  EXPECT_EQ(demo("--budget-ms 4").tuning.lod.rule, anim::LodRule::budget);
+  EXPECT_EQ(demo("").tuning.lod.rule, anim::LodRule::budget);
 }
 
 TEST(LodBudget, HoldsAPixelUnlessOtherLimitsAreGiven) {
@@ -161,16 +161,16 @@ TEST(LodBudget, HoldsAPixelUnlessOtherLimitsAreGiven) {
 
 TEST(LodOff, TurnsOffAllThatOnlySavesWork) {
   const Tuning tuning = demo("--lod off").tuning;
-  EXPECT_EQ(tuning.lod, LodRule::off);
-  EXPECT_FALSE(tuning.bone_lod);
-  EXPECT_FALSE(tuning.smooth);
+  EXPECT_EQ(tuning.lod.rule, anim::LodRule::off);
+  EXPECT_FALSE(tuning.lod.bone_lod);
+  EXPECT_FALSE(tuning.lod.smooth);
   EXPECT_EQ(tuning.mesh_lod, 0);
 }
 
 TEST(LodOff, LeavesWhatIsAskedForInWords) {
   const Tuning tuning = demo("--bone-lod on --lod off --mesh-lod 3").tuning;
-  EXPECT_TRUE(tuning.bone_lod);
-  EXPECT_FALSE(tuning.smooth);
+  EXPECT_TRUE(tuning.lod.bone_lod);
+  EXPECT_FALSE(tuning.lod.smooth);
   EXPECT_EQ(tuning.mesh_lod, 3);
 }
 
@@ -198,7 +198,7 @@ TEST(Pose, TakesModelClipTimesAndFile) {
   EXPECT_EQ(options.model, "model.glb");
   EXPECT_EQ(options.clip, "walk");
   EXPECT_THAT(options.times, ElementsAre(0, 0.25, 1));
-  EXPECT_EQ(options.stream, Stream::keyframe);
+  EXPECT_EQ(options.stream, anim::StreamKind::keyframe);
   EXPECT_EQ(options.json, "-");
 }
 
@@ -217,12 +217,12 @@ TEST(Bench, HasDefaults) {
   EXPECT_THAT(options.clips, ElementsAre(2));
   EXPECT_EQ(options.frames, 60);
   EXPECT_THAT(options.pus, ElementsAre(0));
-  EXPECT_EQ(options.local_store_kib + options.tile, 0);
-  EXPECT_THAT(options.schedules, ElementsAre(Schedule::fused));
-  EXPECT_THAT(options.streams, ElementsAre(Stream::sampled));
+  EXPECT_EQ(options.tuning.system, Tuning().system);
+  EXPECT_THAT(options.schedules, ElementsAre(anim::Schedule::fused));
+  EXPECT_THAT(options.streams, ElementsAre(anim::StreamKind::sampled));
   EXPECT_EQ(options.sweep, Sweep::none);
   EXPECT_EQ(options.machine + options.plot + options.trace, "");
-  EXPECT_EQ(options.double_buffer, DoubleBuffer::interleaved);
+  EXPECT_EQ(options.tuning.system.double_buffering, anim::DoubleBuffering::interleaved);
   EXPECT_EQ(options.json, "");
 }
 
@@ -235,11 +235,11 @@ TEST(Bench, TakesTheSchedulingOptionsOfTheDemo) {
   EXPECT_THAT(options.bones, ElementsAre(30));
   EXPECT_THAT(options.clips, ElementsAre(5));
   EXPECT_THAT(options.pus, ElementsAre(2));
-  EXPECT_THAT(options.schedules, ElementsAre(Schedule::levels));
-  EXPECT_THAT(options.streams, ElementsAre(Stream::keyframe));
-  EXPECT_EQ(options.tile, 16);
-  EXPECT_EQ(options.double_buffer, DoubleBuffer::off);
-  EXPECT_EQ(options.palette, Palette::packed);
+  EXPECT_THAT(options.schedules, ElementsAre(anim::Schedule::levels));
+  EXPECT_THAT(options.streams, ElementsAre(anim::StreamKind::keyframe));
+  EXPECT_EQ(options.tuning.system.tile, 16);
+  EXPECT_EQ(options.tuning.system.double_buffering, anim::DoubleBuffering::off);
+  EXPECT_EQ(options.tuning.system.palettes, anim::PaletteFormat::packed);
   EXPECT_EQ(options.frames, 9);
   EXPECT_EQ(options.json, "-");
 }
@@ -252,8 +252,8 @@ TEST(Bench, TakesListsOfWhatATableHas) {
   EXPECT_THAT(options.bones, ElementsAre(16, 62));
   EXPECT_THAT(options.clips, ElementsAre(2, 24));
   EXPECT_THAT(options.pus, ElementsAre(1, 2));
-  EXPECT_THAT(options.schedules, ElementsAre(Schedule::fused, Schedule::levels));
-  EXPECT_THAT(options.streams, ElementsAre(Stream::sampled, Stream::keyframe));
+  EXPECT_THAT(options.schedules, ElementsAre(anim::Schedule::fused, anim::Schedule::levels));
+  EXPECT_THAT(options.streams, ElementsAre(anim::StreamKind::sampled, anim::StreamKind::keyframe));
   EXPECT_EQ(options.plot, "a.svg");
   EXPECT_EQ(options.trace, "t.json");
 }

@@ -39,9 +39,9 @@ class MeasuredStage : public testing::Test {
   static Tuning measured() {
     Tuning tuning;
     tuning.agents = 120;
-    tuning.lod = LodRule::distance;
+    tuning.lod.rule = anim::LodRule::distance;
     tuning.error_sample = ErrorSampling::all;
-    tuning.pus = 2;
+    tuning.system.pus = 2;
     return tuning;
   }
 
@@ -52,8 +52,8 @@ class MeasuredStage : public testing::Test {
 
 TEST_F(MeasuredStage, SeesNoErrorWithoutLevelOfDetail) {
   Tuning tuning = measured();
-  tuning.lod = LodRule::off;
-  tuning.bone_lod = tuning.smooth = false;
+  tuning.lod.rule = anim::LodRule::off;
+  tuning.lod.bone_lod = tuning.lod.smooth = false;
   pass(tuning, 90);
   EXPECT_GT(stage_->error().samples, 1000U);
   EXPECT_EQ(stage_->error().max, 0.0F);
@@ -62,12 +62,12 @@ TEST_F(MeasuredStage, SeesNoErrorWithoutLevelOfDetail) {
 
 TEST_F(MeasuredStage, SeesMoreTheLongerUpdatesAreSkipped) {
   Tuning tuning = measured();
-  tuning.full_rate_distance = 0.1F;
-  tuning.interval_growth = 0.1F;
-  tuning.bone_lod = tuning.placed_feet = false;
+  tuning.lod.full_rate_distance = 0.1F;
+  tuning.lod.interval_growth = 0.1F;
+  tuning.lod.bone_lod = tuning.placed_feet = false;
   float before = 0.0F;
   for (const int interval : {2, 4, 8}) {
-    tuning.largest_interval = interval;
+    tuning.lod.largest_interval = interval;
     pass(tuning, 90);
     EXPECT_GT(stage_->error().p99, 1.5F * before) << interval;
     before = stage_->error().p99;
@@ -76,11 +76,11 @@ TEST_F(MeasuredStage, SeesMoreTheLongerUpdatesAreSkipped) {
 
 TEST_F(MeasuredStage, SeesMoreWherePosesAreHeldThanWhereTheyBlend) {
   Tuning tuning = measured();
-  tuning.full_rate_distance = tuning.interval_growth = 1.0F;
-  tuning.bone_lod = false;
+  tuning.lod.full_rate_distance = tuning.lod.interval_growth = 1.0F;
+  tuning.lod.bone_lod = false;
   pass(tuning, 90);
   const anim::ErrorFigures smooth = stage_->error();
-  tuning.smooth = false;
+  tuning.lod.smooth = false;
   pass(tuning, 90);
   EXPECT_GT(stage_->error().p99, 3.0F * smooth.p99);
   EXPECT_GT(stage_->error().pop_max, 3.0F * smooth.pop_max);
@@ -88,9 +88,9 @@ TEST_F(MeasuredStage, SeesMoreWherePosesAreHeldThanWhereTheyBlend) {
 
 TEST_F(MeasuredStage, SeesBonesThatAreLeftOut) {
   Tuning tuning = measured();
-  tuning.full_rate_distance = 1000.0F;
+  tuning.lod.full_rate_distance = 1000.0F;
   tuning.placed_feet = false;
-  std::ranges::fill(tuning.bone_level_distance, 0.1F);
+  std::ranges::fill(tuning.lod.level_distances, 0.1F);
   pass(tuning, 30);
   EXPECT_GT(stage_->error().p50, 0.5F);
 }

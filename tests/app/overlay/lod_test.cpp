@@ -70,7 +70,7 @@ TEST_F(LodSkippingTab, OffersNoLevelThatTheCharacterDoesNotHave) {
 }
 
 TEST_F(LodSkippingTab, AnIntervalCannotBeForcedWhereNothingIsSkipped) {
-  driver.tuning.lod = LodRule::off;
+  driver.tuning.lod.rule = anim::LodRule::off;
   driver.frames();
   driver.drag("Force interval", 1);
   EXPECT_EQ(look.forced_interval, 0);
@@ -94,7 +94,7 @@ TEST_F(LodSkippingTab, UnderABudgetShowsItsLimitsInsteadOfDistances) {
   EXPECT_FALSE(driver.sees("Error limit"));
   EXPECT_TRUE(driver.sees("Full rate until"));
   driver.click("Rule:budget");
-  EXPECT_EQ(driver.tuning.lod, LodRule::budget);
+  EXPECT_EQ(driver.tuning.lod.rule, anim::LodRule::budget);
   EXPECT_FALSE(driver.sees("Full rate until"));
   driver.click("Error limit.field");
   driver.type("0.5 px");
@@ -118,7 +118,7 @@ TEST_F(LodSkippingTab, ShowsIntervalsOverDistanceAndOfWhichClip) {
   driver.report.threshold_clip = "Walking_A";
   driver.frames();
   EXPECT_GT(driver.overlay.vertex_count(), without_clip);
-  driver.tuning.lod = LodRule::off;
+  driver.tuning.lod.rule = anim::LodRule::off;
   driver.frames();
   EXPECT_FALSE(driver.sees("Interval over distance"));
 }
@@ -157,9 +157,9 @@ TEST(ExactCrowd, SkipsAndSimplifiesNothing) {
   Tuning tuning;
   tuning.inspection = {.freeze_camera = true, .forced_interval = 8, .forced_bone_level = 3};
   const Tuning exact = without_level_of_detail(tuning);
-  EXPECT_EQ(exact.lod, LodRule::off);
-  EXPECT_FALSE(exact.bone_lod);
-  EXPECT_FALSE(exact.smooth);
+  EXPECT_EQ(exact.lod.rule, anim::LodRule::off);
+  EXPECT_FALSE(exact.lod.bone_lod);
+  EXPECT_FALSE(exact.lod.smooth);
   EXPECT_EQ(exact.mesh_lod, 0);
   EXPECT_EQ(exact.inspection.forced_bone_level, -1);
   EXPECT_TRUE(exact.inspection.freeze_camera) << "one still looks at the same agents";

@@ -43,10 +43,10 @@ TEST(Overlay, LeavesEveryValueAloneThatNobodyTouches) {
   OverlayDriver driver;
   driver.tuning.seed = 4'000'000'000U;
   driver.tuning.agents = 123'456;
-  driver.tuning.full_rate_distance = 333.333F;
-  driver.tuning.local_store_kib = 48;
-  driver.tuning.tile = 3;
-  driver.tuning.bone_level_distance[0] = 500;
+  driver.tuning.lod.full_rate_distance = 333.333F;
+  set_local_store_kib(driver.tuning, 48);
+  driver.tuning.system.tile = 3;
+  driver.tuning.lod.level_distances[0] = 500;
   const std::string before = written(driver.tuning);
   for (const std::string tab : tabs) {
     driver.click("tab:" + tab);
@@ -152,43 +152,43 @@ TEST(Overlay, EveryChoiceCanBeMade) {
   EXPECT_EQ(driver.tuning.debug_view, DebugView::bone_level);
   driver.click("tab:LOD skipping");
   driver.click("Rule:off");
-  EXPECT_EQ(driver.tuning.lod, LodRule::off);
+  EXPECT_EQ(driver.tuning.lod.rule, anim::LodRule::off);
   driver.click("tab:Per-bone LOD");
   driver.click("Mesh LOD:2");
   EXPECT_EQ(driver.tuning.mesh_lod, 2);
   driver.click("Per-bone LOD");
-  EXPECT_FALSE(driver.tuning.bone_lod);
+  EXPECT_FALSE(driver.tuning.lod.bone_lod);
   driver.click("tab:Scheduling");
   driver.click("Schedule:levels");
-  EXPECT_EQ(driver.tuning.schedule, Schedule::levels);
+  EXPECT_EQ(driver.tuning.system.schedule, anim::Schedule::levels);
   driver.click("Double buffer:inline");
-  EXPECT_EQ(driver.tuning.double_buffer, DoubleBuffer::inline_copy);
+  EXPECT_EQ(driver.tuning.system.double_buffering, anim::DoubleBuffering::inline_copy);
   driver.click("Stream:keyframe");
-  EXPECT_EQ(driver.tuning.stream, Stream::keyframe);
+  EXPECT_EQ(driver.tuning.system.stream, anim::StreamKind::keyframe);
 }
 
 TEST(Overlay, ProcessingUnitsAndStoresCanBeChangedAndGoBackToTheirWord) {
   OverlayDriver driver;
   driver.click("tab:Scheduling");
   driver.drag("PUs", 1);
-  EXPECT_EQ(driver.tuning.pus, 16);
+  EXPECT_EQ(driver.tuning.system.pus, 16);
   driver.drag("Local store", 1);
-  EXPECT_EQ(driver.tuning.local_store_kib, 1024);
+  EXPECT_EQ(local_store_kib(driver.tuning), 1024);
   driver.click("Local store.field");
   driver.type("auto");
   driver.press(Key::enter);
-  EXPECT_EQ(driver.tuning.local_store_kib, 0);
+  EXPECT_EQ(local_store_kib(driver.tuning), 0);
   driver.click("Tile.field");
   driver.type("5");
   driver.press(Key::enter);
-  EXPECT_EQ(driver.tuning.tile, 4) << "the nearest that there is";
+  EXPECT_EQ(driver.tuning.system.tile, 4) << "the nearest that there is";
 }
 
 TEST(Overlay, BoneLevelsFollowEachOther) {
   OverlayDriver driver;
   driver.click("tab:Per-bone LOD");
   driver.drag("Level 1 from", 1);
-  const auto& distance = driver.tuning.bone_level_distance;
+  const auto& distance = driver.tuning.lod.level_distances;
   EXPECT_EQ(distance[0], 150);
   EXPECT_GE(distance[1], distance[0]);
   EXPECT_GE(distance[2], distance[1]);
@@ -210,16 +210,16 @@ TEST(Overlay, ABorderOfTheLevelBandCanBeDragged) {
   OverlayDriver driver;
   driver.click("tab:Per-bone LOD");
   driver.drag("Level band", 0.8F);  // from the middle, 75 m, which is nearest to level 3 at 60 m
-  EXPECT_NEAR(driver.tuning.bone_level_distance[2], 120, 1);
-  EXPECT_EQ(driver.tuning.bone_level_distance[1], Tuning().bone_level_distance[1]);
+  EXPECT_NEAR(driver.tuning.lod.level_distances[2], 120, 1);
+  EXPECT_EQ(driver.tuning.lod.level_distances[1], Tuning().lod.level_distances[1]);
 }
 
 TEST(Overlay, ValuesOfASwitchedOffRuleCannotBeMoved) {
   OverlayDriver driver;
-  driver.tuning.lod = LodRule::off;
+  driver.tuning.lod.rule = anim::LodRule::off;
   driver.click("tab:LOD skipping");
   driver.drag("Largest interval", 1);
-  EXPECT_EQ(driver.tuning.largest_interval, Tuning().largest_interval);
+  EXPECT_EQ(driver.tuning.lod.largest_interval, Tuning().lod.largest_interval);
 }
 
 TEST(Overlay, ButtonsAreCommands) {

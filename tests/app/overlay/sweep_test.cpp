@@ -59,15 +59,15 @@ TEST_F(SweepTest, ThatRunsCanOnlyBeStopped) {
   EXPECT_FALSE(driver.sees("Sweep"));
   EXPECT_TRUE(driver.click("Stop").stop_sweep);
   click_at(0.99F);
-  EXPECT_EQ(driver.tuning.tile, 0) << "a stop is taken from a curve that is finished";
+  EXPECT_EQ(driver.tuning.system.tile, 0) << "a stop is taken from a curve that is finished";
 }
 
 TEST_F(SweepTest, AStopOfTheCurveIsTakenByAClick) {
   show(swept_tiles());
   click_at(0.99F);
-  EXPECT_EQ(driver.tuning.tile, 16);
+  EXPECT_EQ(driver.tuning.system.tile, 16);
   click_at(0.15F);
-  EXPECT_EQ(driver.tuning.tile, 1);
+  EXPECT_EQ(driver.tuning.system.tile, 1);
 }
 
 TEST_F(SweepTest, AStopThatWasRefusedIsLeftOut) {
@@ -78,7 +78,7 @@ TEST_F(SweepTest, AStopThatWasRefusedIsLeftOut) {
   show(curve);
   EXPECT_LT(driver.overlay.vertex_count(), all);
   click_at(0.99F);
-  EXPECT_EQ(driver.tuning.tile, 0);
+  EXPECT_EQ(driver.tuning.system.tile, 0);
 }
 
 TEST_F(SweepTest, IsInTheMapStopByStop) {
@@ -98,9 +98,9 @@ TEST_F(SweepTest, IsInTheMapStopByStop) {
 
 TEST_F(SweepTest, TheGrainIsARowOfItsOwn) {
   driver.drag("Grain", 1);
-  EXPECT_EQ(driver.tuning.cost.least_task, 1'000'000) << "nanoseconds";
+  EXPECT_EQ(driver.tuning.system.cost.least_task, 1'000'000) << "nanoseconds";
   driver.click("Grain.reset");
-  EXPECT_EQ(driver.tuning.cost.least_task, Tuning().cost.least_task);
+  EXPECT_EQ(driver.tuning.system.cost.least_task, Tuning().system.cost.least_task);
 }
 
 }  // namespace

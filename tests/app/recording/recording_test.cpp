@@ -35,7 +35,7 @@ RecordingHeader header() {
   RecordingHeader header{.characters = {person()}, .tuning = {}, .width = 640, .height = 360};
   header.characters.front().roles[2] = 7;
   header.tuning.agents = 3;
-  header.tuning.cost.tile = 99.5;
+  header.tuning.system.cost.tile = 99.5;
   return header;
 }
 

@@ -15,7 +15,7 @@ template <typename CostOf>
 std::vector<int> run(TuningSweep& sweep, CostOf&& cost_of) {
   std::vector<int> tiles;
   while (sweep.runs()) {
-    tiles.push_back(sweep.tuning().tile);
+    tiles.push_back(sweep.tuning().system.tile);
     sweep.add(cost_of(tiles.back(), tiles.size()));
   }
   return tiles;
@@ -38,7 +38,7 @@ TEST(TuningSweep, VisitsEveryStopInEveryRoundSoThatTheyTakeTurns) {
 }
 
 TEST(TuningSweep, ChangesTheValueThatItGoesThroughAndNoOther) {
-  const Tuning start{.agents = 70, .pus = 3, .local_store_kib = 128, .tile = 4};
+  const Tuning start{.agents = 70, .system = {.pus = 3, .local_store_bytes = 128 * bytes_a_kib, .tile = 4}};
   for (const SweptValue value : {SweptValue::pus, SweptValue::local_store, SweptValue::tile, SweptValue::grain}) {
     TuningSweep sweep;
     sweep.start(value, start, 8);
@@ -78,12 +78,12 @@ TEST(TuningSweep, TellsTheMedianOfEachStopAndWhichIsLowest) {
 TEST(TuningSweep, GoesOnWithoutAStopThatIsRefused) {
   TuningSweep sweep;
   sweep.start(SweptValue::local_store, {}, 4);
-  EXPECT_EQ(sweep.tuning().local_store_kib, 16);
+  EXPECT_EQ(local_store_kib(sweep.tuning()), 16);
   sweep.refuse("too small");
   sweep.refuse("too small as well");
   int frames = 0;
   for (; sweep.runs(); ++frames) {
-    EXPECT_GE(sweep.tuning().local_store_kib, 64) << "refused once, it is not asked for again";
+    EXPECT_GE(local_store_kib(sweep.tuning()), 64) << "refused once, it is not asked for again";
     sweep.add({.milliseconds = 1});
   }
   const SweepCurve& curve = sweep.curve();
@@ -115,11 +115,11 @@ TEST(TuningSweep, StoppedKeepsWhatItKnowsAndBeginsAnewFromWhatIsThen) {
   EXPECT_TRUE(sweep.curve().stops[0].known);
   EXPECT_FALSE(sweep.curve().stops[1].known);
   Tuning other;
-  other.pus = 2;
+  other.system.pus = 2;
   EXPECT_FALSE(sweep.began_with(other));
   sweep.start(SweptValue::tile, other, 4);
   EXPECT_TRUE(sweep.began_with(other));
-  EXPECT_EQ(sweep.tuning().pus, 2);
+  EXPECT_EQ(sweep.tuning().system.pus, 2);
   EXPECT_FALSE(sweep.curve().stops[0].known);
 }
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/command_line/options.h"
-#include "app/settings/preset_fields.h"
+#include "app/settings/tuning_values.h"
 #include "tests/app/command_line/command_words.h"
 #include "tests/app/temporary_folder.h"
 
@@ -18,28 +18,36 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Converts to whatever a member of Tuning is, but not to Tuning.
+template <typename Type>
+constexpr bool is_optional = false;
+template <typename Type>
+constexpr bool is_optional<std::optional<Type>> = true;
+
+/// Converts to whatever a member of the struct is, but not to the struct.
+template <typename Struct>
 struct Anything {
   template <typename Member>
-  requires(!std::is_same_v<Member, Tuning>) operator Member() const;
+  requires(!std::is_same_v<Member, Struct> && !is_optional<Member>) operator Member() const;
 };
 
-template <typename... Members>
-constexpr std::size_t scalars_of_tuning() {
-  if constexpr (requires { Tuning{Members()..., Anything()}; }) return scalars_of_tuning<Members..., Anything>();
+template <typename Struct, typename... Members>
+constexpr std::size_t members_of() {
+  if constexpr (requires { Struct{Members()..., Anything<Struct>()}; }) {
+    return members_of<Struct, Members..., Anything<Struct>>();
+  }
   return sizeof...(Members);
 }
 
 /// A tuning of which no value is the default.
 Tuning all_changed() {
   Tuning tuning;
-  for (const PresetField& field : preset_fields()) {
-    const std::string before = field.text(tuning);
+  for (const TuningValue& row : tuning_values()) {
+    const std::string before = row.text(tuning);
     for (const char* const text :
          {"off", "on", "3", "0.3", "2", "stadium", "levels", "inline", "keyframe", "packed", "all", "interval"}) {
-      if (field.text(tuning) == before) field.reader(tuning)(text);
+      if (row.text(tuning) == before) row.read(tuning, text);
     }
-    EXPECT_NE(field.text(tuning), before) << field.key;
+    EXPECT_NE(row.text(tuning), before) << row.key;
   }
   return tuning;
 }
@@ -73,11 +81,15 @@ std::string refused(const std::string& line) {
 }
 
 TEST_F(Presets, HaveAKeyForEveryValueOfTheTuning) {
-  constexpr std::size_t forced = 3;      // of LodInspection; how one looks is not kept
-  constexpr std::size_t taken_away = 0;  // nor what is left out for a look
-  const std::size_t nested = sizeof(anim::CostModel) / sizeof(double) - 1 + forced - 1 + taken_away - 1;
-  EXPECT_EQ(preset_fields().size(), scalars_of_tuning() + nested)
-      << "a new member of Tuning needs a row in app/settings/preset_fields.cpp, or presets and recordings forget it";
+  constexpr std::size_t own_rules = 4;       // the engine's: tolerance, importance of the middle, cost by tolerance
+  constexpr std::size_t own_options = 6;     // the engine's: executor, hash, trace, prefetch, stores, kernels
+  constexpr std::size_t more_distances = 2;  // an array of three
+  constexpr std::size_t structs = 4;         // lod, system, inspection, taken_away
+  constexpr std::size_t forced = 3;          // of the inspection; how one looks is not kept
+  constexpr std::size_t rules = members_of<anim::LodRules>() - own_rules + more_distances;
+  constexpr std::size_t options = members_of<anim::SystemOptions>() - own_options - 1 + members_of<anim::CostModel>();
+  EXPECT_EQ(tuning_values().size(), members_of<Tuning>() - structs + rules + options + forced)
+      << "a new member of Tuning needs a row in app/settings/tuning_values.cpp, or presets and recordings forget it";
 }
 
 TEST_F(Presets, ReadBackAsTheyWereWritten) {
@@ -133,13 +145,13 @@ TEST_F(Presets, AreFoundByTheirName) {
 
 TEST_F(Presets, OfLodOffKeepWhatElseTheySay) {
   const std::string file = file_with(R"({"lod": "off", "bone_lod": true})").string();
-  EXPECT_TRUE(demo("--preset " + file).tuning.bone_lod);
-  EXPECT_FALSE(demo("--lod off --preset " + file).tuning.bone_lod);
+  EXPECT_TRUE(demo("--preset " + file).tuning.lod.bone_lod);
+  EXPECT_FALSE(demo("--lod off --preset " + file).tuning.lod.bone_lod);
 }
 
 TEST(SetOption, SetsValuesByTheirKeys) {
   const Tuning tuning = demo("--set full_rate_distance=20.5,paused=on --agents 5").tuning;
-  EXPECT_EQ(tuning.full_rate_distance, 20.5F);
+  EXPECT_EQ(tuning.lod.full_rate_distance, 20.5F);
   EXPECT_TRUE(tuning.paused);
   EXPECT_EQ(tuning.agents, 5);
 }
@@ -154,7 +166,7 @@ TEST(TuningAsOptions, SaysOnlyWhatDiffers) {
   EXPECT_EQ(command_line({}, {}, {}), "");
   Tuning tuning;
   tuning.agents = 5000;
-  tuning.bone_level_distance[1] = 31.5F;
+  tuning.lod.level_distances[1] = 31.5F;
   EXPECT_EQ(command_line(tuning, {}, CameraPlace{0, 2, 9, 0, -5, 50}),
             "--agents 5000 --set bone_level_distance_2=31.5 --camera 0,2,9,0,-5,50");
 }
@@ -170,7 +182,7 @@ TEST(TuningAsOptions, MakesTheSameTuningAgain) {
 
 TEST(TuningAsOptions, SaysByKeyWhatNoOptionTakes) {
   Tuning eight;
-  eight.tile = 8;
+  eight.system.tile = 8;
   EXPECT_EQ(command_line({}, eight, {}), "--set tile=0");
 }
 

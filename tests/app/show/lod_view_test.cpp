@@ -11,8 +11,8 @@ namespace throng::app::lod_view_test {
 namespace {
 
 TEST(IntervalThresholds, LieWhereTheRuleByDistanceHasThem) {
-  Tuning tuning{.lod = LodRule::distance, .full_rate_distance = 10, .interval_growth = 5};
-  tuning.largest_interval = 4;
+  Tuning tuning{.lod = {.rule = anim::LodRule::distance, .full_rate_distance = 10, .interval_growth = 5}};
+  tuning.lod.largest_interval = 4;
   const auto thresholds = interval_thresholds(tuning);
   ASSERT_EQ(thresholds.size(), 3U);
   EXPECT_EQ(interval_at(thresholds, 9.9F), 1);

@@ -63,7 +63,7 @@ TEST_F(ReplaysOfHands, GoBackInTimeToTheSameMoments) {
     if (frame == 40) show.select(7);
     if (frame == 41) expect_done(show.push_selected());
     if (frame == 80 || frame == 81 || frame == 120 || frame == 199) expect_done(show.rewind());
-    if (frame == 110) change(show, [](Tuning& tuning) { tuning.schedule = Schedule::levels; });
+    if (frame == 110) change(show, [](Tuning& tuning) { tuning.system.schedule = anim::Schedule::levels; });
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }

@@ -31,17 +31,17 @@ void push_selected(Show& show) {
 void act(Show& show, int frame) {
   show.camera.position.x += 0.05F;
   show.camera.yaw += 0.002F;
-  if (frame == 10) change(show, [](Tuning& tuning) { tuning.full_rate_distance = 3.0F; });
-  if (frame == 15) change(show, [](Tuning& tuning) { tuning.lod = LodRule::distance; });
-  if (frame == 20) change(show, [](Tuning& tuning) { tuning.largest_interval = 3; });
+  if (frame == 10) change(show, [](Tuning& tuning) { tuning.lod.full_rate_distance = 3.0F; });
+  if (frame == 15) change(show, [](Tuning& tuning) { tuning.lod.rule = anim::LodRule::distance; });
+  if (frame == 20) change(show, [](Tuning& tuning) { tuning.lod.largest_interval = 3; });
   if (frame == 30) show.select(4);
   if (frame == 31) push_selected(show);
-  if (frame == 40) change(show, [](Tuning& tuning) { tuning.bone_level_distance[0] = 5.0F; });
+  if (frame == 40) change(show, [](Tuning& tuning) { tuning.lod.level_distances[0] = 5.0F; });
   if (frame == 50) change(show, [](Tuning& tuning) { tuning.paused = true; });
   if (frame == 55) change(show, [](Tuning& tuning) { tuning.paused = false; });
   if (frame == 60) change(show, [](Tuning& tuning) { tuning.agents = 45; });
   if (frame == 70) change(show, [](Tuning& tuning) { tuning.scene = Scene::film; });
-  if (frame == 90) change(show, [](Tuning& tuning) { tuning.schedule = Schedule::levels; });
+  if (frame == 90) change(show, [](Tuning& tuning) { tuning.system.schedule = anim::Schedule::levels; });
   if (frame == 95) change(show, [](Tuning& tuning) { tuning.scene = Scene::parade; });
   if (frame == 100) {
     RoleClips clips = show.stage().people()[0].roles.clips;

@@ -22,7 +22,7 @@ constexpr const char* pillar = THRONG_SOURCE_DIR "/tests/data/features/plain.glb
 
 class CutSceneOnStage : public testing::Test {
  protected:
-  CutSceneOnStage() { open({.scene = Scene::film, .agents = 40, .pus = 2}); }
+  CutSceneOnStage() { open({.scene = Scene::film, .agents = 40, .system = {.pus = 2}}); }
 
   void open(const Tuning& tuning, const char* file = mannequin) {
     std::vector<CharacterSource> characters;
@@ -119,11 +119,11 @@ TEST_F(CutSceneOnStage, HasOnePoseHashHoweverItIsScheduled) {
     pass_until(5.5);
     return stage_->system().figures().pose_hash();
   };
-  const Tuning base{.scene = Scene::film, .agents = 12, .pus = 1};
+  const Tuning base{.scene = Scene::film, .agents = 12, .system = {.pus = 1}};
   Tuning levels = base, two = base;
-  levels.schedule = Schedule::levels;
-  two.pus = 2;
-  two.tile = 4;
+  levels.system.schedule = anim::Schedule::levels;
+  two.system.pus = 2;
+  two.system.tile = 4;
   const std::uint64_t expected = hash(base);
   EXPECT_EQ(hash(levels), expected);
   EXPECT_EQ(hash(two), expected);

@@ -23,8 +23,10 @@ constexpr int a_minute = 3600;
 /// A dozen mannequins, without a picture.
 class PushedOnStage : public testing::Test {
  protected:
-  explicit PushedOnStage(const Tuning& tuning = {
-                             .scene = Scene::plaza, .agents = 12, .lod = LodRule::distance, .pus = 2}) {
+  explicit PushedOnStage(const Tuning& tuning = {.scene = Scene::plaza,
+                                                 .agents = 12,
+                                                 .lod = {.rule = anim::LodRule::distance},
+                                                 .system = {.pus = 2}}) {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
     auto made = Stage::create(std::move(characters), tuning, pages_);
@@ -132,11 +134,11 @@ TEST_F(PushedOnStage, EveryoneCanLieAtOnceAndANewCrowdStands) {
 TEST_F(PushedOnStage, SchedulesAndStreamsChangeWhileItLies) {
   ASSERT_TRUE(push(3));
   pass(60);
-  for (const Schedule schedule : {Schedule::levels, Schedule::fused}) {
-    for (const Stream stream : {Stream::keyframe, Stream::sampled}) {
+  for (const anim::Schedule schedule : {anim::Schedule::levels, anim::Schedule::fused}) {
+    for (const anim::StreamKind stream : {anim::StreamKind::keyframe, anim::StreamKind::sampled}) {
       Tuning tuning = stage_->tuning();
-      tuning.schedule = schedule;
-      tuning.stream = stream;
+      tuning.system.schedule = schedule;
+      tuning.system.stream = stream;
       ASSERT_TRUE(stage_->apply(tuning));
       pass(10);
       EXPECT_EQ(phase(3), Phase::down);
@@ -146,8 +148,8 @@ TEST_F(PushedOnStage, SchedulesAndStreamsChangeWhileItLies) {
 
 TEST_F(PushedOnStage, IsLeftStandingWhereTheStoreHasNoRoomForARagDoll) {
   Tuning tuning = stage_->tuning();
-  for (tuning.local_store_kib = 8; !stage_->apply(tuning); ++tuning.local_store_kib)
-    ASSERT_LT(tuning.local_store_kib, 64);
+  int kib = 8;
+  for (set_local_store_kib(tuning, kib); !stage_->apply(tuning); set_local_store_kib(tuning, ++kib)) ASSERT_LT(kib, 64);
   const anim::Status pushed = stage_->push_over(3, {0.0F, 0.0F, -1.0F});
   ASSERT_FALSE(pushed);
   EXPECT_NE(pushed.error().message.find("local store"), std::string::npos) << pushed.error().message;

@@ -114,8 +114,10 @@ TEST_P(FootSliding, IsBelowTwoCentimetresASecondOnAverage) {
   ASSERT_TRUE(character.has_value());
   Feet feet(character->character->skeleton);
   KeptPages pages;
-  const Tuning tuning{
-      .scene = GetParam(), .agents = 500, .lod = LodRule::off, .smooth = false, .bone_lod = false, .pus = 1};
+  const Tuning tuning{.scene = GetParam(),
+                      .agents = 500,
+                      .lod = {.rule = anim::LodRule::off, .bone_lod = false, .smooth = false},
+                      .system = {.pus = 1}};
   std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));
   auto stage = Stage::create(std::move(characters), tuning, pages);

@@ -25,7 +25,7 @@ class StageInHands : public testing::Test {
     ASSERT_TRUE(made);
     stage_ = std::move(*made);
   }
-  void SetUp() override { open({.scene = Scene::plaza, .agents = 12, .pus = 2}); }
+  void SetUp() override { open({.scene = Scene::plaza, .agents = 12, .system = {.pus = 2}}); }
 
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
@@ -111,7 +111,10 @@ TEST_F(StageInHands, TakenBackTheCrowdDoesTheSameAgain) {
 }
 
 TEST_F(StageInHands, TakenBackTwiceItStrikesTheSamePosesBothTimes) {
-  open({.scene = Scene::plaza, .agents = 12, .lod = LodRule::off, .bone_lod = false, .pus = 2});
+  open({.scene = Scene::plaza,
+        .agents = 12,
+        .lod = {.rule = anim::LodRule::off, .bone_lod = false},
+        .system = {.pus = 2}});
   pass(40);
   StageMoment moment;
   stage_->remember(moment);
@@ -157,7 +160,7 @@ TEST_F(StageInHands, AMomentOfAnotherCrowdIsRefused) {
 
 TEST_F(StageInHands, WhatIsForcedIsSeenInTheSelection) {
   Tuning tuning = stage_->tuning();
-  tuning.lod = LodRule::distance;
+  tuning.lod.rule = anim::LodRule::distance;
   tuning.inspection = {.forced_interval = 6, .forced_bone_level = 1, .force_selected_only = true};
   ASSERT_TRUE(stage_->apply(tuning));
   pass(20);

@@ -24,7 +24,8 @@ class FilmedCrowd {
   explicit FilmedCrowd(Scene scene) : had_feet_(agents) {
     std::vector<CharacterSource> characters;
     characters.push_back(*load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin"));
-    stage_ = std::move(*Stage::create(std::move(characters), {.scene = scene, .agents = agents, .pus = 2}, pages_));
+    stage_ = std::move(
+        *Stage::create(std::move(characters), {.scene = scene, .agents = agents, .system = {.pus = 2}}, pages_));
   }
 
   void pass_frame() {

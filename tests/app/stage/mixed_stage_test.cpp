@@ -22,7 +22,7 @@ constexpr const char* pillar = THRONG_SOURCE_DIR "/tests/data/features/plain.glb
 
 class MixedStage : public testing::Test {
  protected:
-  MixedStage() { open({.scene = Scene::grid, .agents = 60, .pus = 2}); }
+  MixedStage() { open({.scene = Scene::grid, .agents = 60, .system = {.pus = 2}}); }
 
   void open(const Tuning& tuning) {
     std::vector<CharacterSource> characters;
@@ -63,17 +63,17 @@ TEST_F(MixedStage, EveryAgentIsAnimatedAsItsOwnCharacter) {
 }
 
 TEST_F(MixedStage, HasOnePoseHashHoweverItIsScheduled) {
-  const Tuning base{.scene = Scene::grid, .agents = 60, .pus = 1};
+  const Tuning base{.scene = Scene::grid, .agents = 60, .system = {.pus = 1}};
   Tuning levels = base, three = base, narrow = base;
-  levels.schedule = Schedule::levels;
-  three.pus = 3;
-  narrow.tile = 2;
+  levels.system.schedule = anim::Schedule::levels;
+  three.system.pus = 3;
+  narrow.system.tile = 2;
   const std::uint64_t expected = hash_after(base, 40);
   for (const Tuning& tuning : {levels, three, narrow}) EXPECT_EQ(hash_after(tuning, 40), expected);
 }
 
 TEST_F(MixedStage, SlotsAreAsLargeAsTheCharacterNeeds) {
-  open({.scene = Scene::grid, .agents = 60, .bone_lod = false});
+  open({.scene = Scene::grid, .agents = 60, .lod = {.rule = anim::LodRule::budget, .bone_lod = false}});
   pass(2);
   const auto slot_of = [&](std::uint8_t character) {
     return stage_->shown().pose(first_of(character)).to.lines * render::palette_line_bytes;

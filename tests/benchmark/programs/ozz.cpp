@@ -17,7 +17,6 @@
 namespace throng::app {
 namespace {
 
-
 anim::Result<Json> row_of(const BenchOptions& options, const BenchCase& bench) {
   const auto whom = bench_character(options.model, bench.bones, bench.clips);
   if (!whom) return whom.error();

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "app/settings/tuning_values.h"
+
+/// How a row of the table reads and writes its value, by the kind of the value.
+namespace throng::app {
+
+/// The way to a member of Tuning, const or not: at(&Tuning::lod, &anim::LodRules::smooth).
+template <typename... Members>
+auto at(Members... members) {
+  return [=](auto& tuning) -> auto& { return (tuning.*....*members); };
+}
+
+template <typename Member>
+TuningValue number(TuningValue value, Member member) {
+  using Number = std::remove_reference_t<decltype(member(std::declval<Tuning&>()))>;
+  const double least = value.least, most = value.most, first = value.zero.empty() ? least : 1;
+  value.form = TuningValue::Form::number;
+  value.values = range_text<Number>(first, most);
+  value.read = [=](Tuning& tuning, const std::string& text) {
+    return read_number<Number>(text, least, most, member(tuning));
+  };
+  value.read_option = [=](Tuning& tuning, const std::string& text) {
+    return read_number<Number>(text, first, most, member(tuning));
+  };
+  value.text = [=](const Tuning& tuning) { return shortest_text(member(tuning)); };
+  return value;
+}
+
+/// A number of which 0 in a preset is no limit; the option takes what is above it.
+template <typename Member>
+TuningValue limit(TuningValue value, const char* unit, Member member) {
+  value = number(std::move(value), member);
+  value.read_option = [=](Tuning& tuning, const std::string& text) {
+    return number_above_zero(member(tuning), unit)(text);
+  };
+  return value;
+}
+
+template <typename Member>
+TuningValue on_off(TuningValue value, Member member) {
+  value.form = TuningValue::Form::on_off;
+  value.values = "on or off";
+  value.read = [=](Tuning& tuning, const std::string& text) { return on_or_off(member(tuning))(text); };
+  value.read_option = value.read;
+  value.text = [=](const Tuning& tuning) { return std::string(member(tuning) ? "on" : "off"); };
+  return value;
+}
+
+template <typename Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+/// One of a few; where several words mean the same, the first is written. The option does not take that of `zero`.
+template <typename Value, typename Member>
+TuningValue one_of(TuningValue value, Member member, const Choices<Value>& choices) {
+  const Choices<Value> taken(choices.begin() + (value.zero.empty() ? 0 : 1), choices.end());
+  std::vector<std::string> names;
+  for (const auto& [name, unused] : taken) names.push_back(name);
+  value.form = std::is_integral_v<Value> && !value.zero.empty() ? TuningValue::Form::number : TuningValue::Form::word;
+  value.values = with_or(names);
+  value.read = [=](Tuning& tuning, const std::string& text) { return choice<Value>(member(tuning), choices)(text); };
+  value.read_option = [=](Tuning& tuning, const std::string& text) {
+    return choice<Value>(member(tuning), taken)(text);
+  };
+  value.text = [=](const Tuning& tuning) -> std::string {
+    for (const auto& [name, each] : choices) {
+      if (each == member(tuning)) return name;
+    }
+    assert(false);
+    return {};
+  };
+  return value;
+}
+
+/// An enumeration, with a word for each enumerator in its order.
+template <std::size_t count, typename Member>
+TuningValue word(TuningValue value, Member member, const std::array<const char*, count>& words) {
+  using Value = std::remove_reference_t<decltype(member(std::declval<Tuning&>()))>;
+  Choices<Value> choices;
+  for (std::size_t i = 0; i < count; ++i) choices.emplace_back(words[i], static_cast<Value>(i));
+  return one_of<Value>(std::move(value), member, choices);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/settings/option_values.h"
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// The part of a number's range that the overlay's track shows, and how the number is written there.
+struct Track {
+  double least = 0, most = 0;  ///< both 0: the whole range
+  int decimals = 0;
+  bool logarithmic = false;
+  const char* zero_word = nullptr;  ///< written instead of 0
+  const char* suffix = "";          ///< the unit
+};
+
+/// A value of the tuning. The table of all of them, tuning_values(), is the only place that says a value's name, range,
+/// default and meaning: the command line, its help, presets, `--set`, recordings, the overlay and READMEs read it.
+struct TuningValue {
+  enum class Form : std::uint8_t { number, on_off, word };
+
+  std::string_view key = {};      ///< in JSON, and of `--set`
+  std::string_view group = {};    ///< the heading above the option in the help
+  std::string_view option = {};   ///< as the help has it, "--agents N"; empty: the command line has none
+  std::string_view help = {};     ///< {values} and {default} stand for what is allowed and the default
+  double least = 0, most = 0;     ///< of a number
+  std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take
+  bool option_does_more = false;  ///< the option changes other values too
+  Track track = {};
+  Form form = Form::number;
+  std::string values = {};  ///< what the option takes, in words
+  /// Take the text into a tuning, or complain: as presets and `--set` write it, and as the option does.
+  std::function<Complaint(Tuning&, const std::string&)> read = {}, read_option = {};
+  std::function<std::string(const Tuning&)> text = {};  ///< exact: read again, it is the same value to the bit
+
+  [[nodiscard]] std::string_view option_name() const { return option.substr(0, option.find(' ')); }
+  [[nodiscard]] std::string_view hint() const { return option.substr(std::min(option.size(), option.find(' ') + 1)); }
+};
+
+/// Every value of Tuning that is worth keeping, in the order of presets. A new member of Tuning gets a row here.
+std::span<const TuningValue> tuning_values();
+
+/// The row with that key or option, which must be there.
+const TuningValue& tuning_value(std::string_view key_or_option);
+
+/// The row with that key; null where there is none.
+const TuningValue* find_tuning_value(std::string_view key);
+
+/// The sentence about the option, with range and default.
+std::string description(const TuningValue& value);
+
+/// Puts the value in `from` into `to`.
+void copy_value(const TuningValue& value, const Tuning& from, Tuning& to);
+
+/// "scene, agents, seed ...".
+std::string known_preset_keys();
+
+/// The table of all keys in app/command_line/README.md.
+std::string presets_as_markdown();
+
+}  // namespace throng::app

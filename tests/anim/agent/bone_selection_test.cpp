@@ -15,8 +15,9 @@ TEST(AddBoneSelection, LetsAPlayRequestPoseTheSelectedBonesAndTheOthersFollow) {
   std::vector<std::uint8_t> priorities(skeleton.bones.size(), 0);
   std::fill_n(priorities.begin(), kept, std::uint8_t{1});
   CrowdRig all, some;
-  all->play(0, {.clip = 1});
-  some->play(0, {.clip = 1, .bone_selection = some->add_bone_selection(BoneSelection(skeleton, priorities, 1))});
+  all->agent(0).play({.clip = 1});
+  some->agent(0).play(
+      {.clip = 1, .bone_selection = some->characters().add_bone_selection(BoneSelection(skeleton, priorities, 1))});
   all.step(5);
   some.step(5);
   const std::vector<int> unlike = some.bones_unlike(all);

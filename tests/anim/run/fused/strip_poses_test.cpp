@@ -27,10 +27,10 @@ struct Walkers {
   static CrowdRig noisy(std::uint32_t first_noisy) {
     CrowdRig crowd({}, 8);
     for (std::uint32_t agent = 0; agent < 8; ++agent) {
-      crowd->play(agent, {.clip = 0});
+      crowd->agent(agent).play({.clip = 0});
       const int times = agent < first_noisy ? 0 : agent == 7 ? 2 : 1;
       for (int i = 0; i < times; ++i)
-        EXPECT_TRUE(crowd->add_post_process(agent, std::make_unique<NoiseProcess>(NoiseProcess::Settings{})));
+        EXPECT_TRUE(crowd->agent(agent).add_post_process(std::make_unique<NoiseProcess>(NoiseProcess::Settings{})));
     }
     crowd.step();
     return crowd;

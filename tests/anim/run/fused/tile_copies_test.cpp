@@ -14,12 +14,12 @@ namespace {
 struct Walkers {
   Walkers() : crowd({}, 8) {
     for (std::uint32_t agent = 0; agent < 8; ++agent) {
-      crowd->play(agent, {.clip = 0});
-      if (agent >= 5) crowd->play(agent, {.clip = 1, .fade = ticks_per_second});
+      crowd->agent(agent).play({.clip = 0});
+      if (agent >= 5) crowd->agent(agent).play({.clip = 1, .fade = ticks_per_second});
     }
     crowd.step();
   }
-  std::byte* block(Handle entity) const { return const_cast<std::byte*>(crowd->pools().block(entity)); }
+  std::byte* block(Handle entity) const { return const_cast<std::byte*>(crowd->agent(0).pools().block(entity)); }
 
   CrowdRig crowd;
 };
@@ -54,7 +54,7 @@ TEST(TileCopies, WriteEachBlockBackWhereItCameFrom) {
     int number = 0;
     for (const AgentWork& work : tile.work) {
       for (std::size_t step = 0; step < work.program->steps.size(); ++step)
-        visit(++number, work.entities[step], work.program->steps[step].layout(walkers.crowd->pools()));
+        visit(++number, work.entities[step], work.program->steps[step].layout(walkers.crowd->agent(0).pools()));
     }
   };
   std::byte* block = tile.blocks;
@@ -84,12 +84,12 @@ TEST(TileCopies, WriteNothingBackOfALookAtWhatWouldBe) {
 
 TEST(TileLists, AreAsLongAsABufferCanHoldBlocks) {
   const CrowdRig crowd;
-  const ScheduleOptions& schedule = crowd->schedule();
+  const ScheduleOptions& schedule = crowd->figures().schedule();
   TileLists lists;
   lists.reserve(schedule.plan.fetch_bytes);
   for (const std::vector<std::byte*>& list : lists.origins)
     EXPECT_EQ(list.size(), schedule.plan.fetch_bytes / entity_header_bytes);
-  EXPECT_EQ(crowd->units().front().list_bytes(), lists.bytes());
+  EXPECT_EQ(crowd->figures().units().front().list_bytes(), lists.bytes());
   EXPECT_LT(lists.bytes(), schedule.local_store_bytes / 4) << "they were twice the store";
 }
 

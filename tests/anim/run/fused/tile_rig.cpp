@@ -3,23 +3,25 @@
 namespace throng::anim {
 
 TileRig::TileRig(const CrowdRig& crowd) : store_(256 * 1024) {
-  const Character& character = crowd->character();
+  const Character& character = crowd->agent(0).character();
   for (const BakedClip& clip : character.clips) {
     clips_.push_back({.keyframe = &clip.keyframe(), .sampled = clip.sampled(), .duration = clip.duration});
   }
   context_ = {.hierarchy = &character.hierarchy,
               .assets = {.clips = clips_,
-                         .kernels = &crowd->kernels(),
+                         .kernels = &crowd->figures().kernels(),
                          .bone_count = character.skeleton.bone_count(),
                          .components = character.skeleton.components()},
               .level_bone_counts = character.skeleton.level_bone_counts,
-              .pools = &crowd->pools()};
+              .pools = &crowd->agent(0).pools()};
   StoreNeeds needs;
   for (std::uint32_t agent = 0; agent < crowd->agent_count(); ++agent) {
-    const PoseProgram& program = crowd->program(agent);
+    const PoseProgram& program = crowd->agent(agent).program();
     needs.widen(program.needs);
-    work_.push_back(
-        {.program = &program, .entities = crowd->graph(agent).entities.data(), .delta = frame_ticks, .agent = agent});
+    work_.push_back({.program = &program,
+                     .entities = crowd->agent(agent).graph().entities.data(),
+                     .delta = frame_ticks,
+                     .agent = agent});
     if (runs_.empty() || runs_.back().program != &program) runs_.push_back({&program, agent, 0});
     ++runs_.back().count;
   }

@@ -20,6 +20,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.frame_crowd |= commands.frame_crowd;
     all.copy_camera |= commands.copy_camera;
     all.screenshot |= commands.screenshot;
+    all.reload_shaders |= commands.reload_shaders;
     all.quit |= commands.quit;
     all.save_roles |= commands.save_roles;
     all.deselect |= commands.deselect;

@@ -41,9 +41,9 @@ struct CrowdMoment {
   std::vector<float> speeds, playback_speeds;
 };
 
-/// Who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents, seed,
-/// the characters' roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the state
-/// after the last `advance`, and live as long as the crowd.
+/// Decides who stands, walks, marches or sits where, and what each of them does. All of it follows from scene, agents,
+/// seed, the characters' roles and the frames' lengths; no pose is read. Spans have one element an agent, hold the
+/// state after the last `advance`, and live as long as the crowd.
 class Crowd {
  public:
   /// `characters`: 1 to 256; see CrowdCast for who is which.

@@ -13,7 +13,7 @@ namespace throng::app {
 /// The first `most_bytes` and one of a file, so that a longer one is known; null where it cannot be opened.
 std::optional<std::string> read_text(const std::filesystem::path& file, std::size_t most_bytes);
 
-/// What complaints end with: what to do about a file that is not there, one that is no JSON, one with other contents.
+/// The remedies that complaints end with: for a missing file, for a file that is not JSON, and for wrong contents.
 struct JsonRemedies {
   std::string_view unread = {}, malformed = {}, wrong = {};
 };

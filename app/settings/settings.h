@@ -104,7 +104,7 @@ inline Tuning without_level_of_detail(Tuning tuning) {
 inline constexpr int most_picture_pixels = 16384;  ///< of a picture's width and of its height
 inline constexpr std::size_t most_models = 16;     ///< of people in one crowd
 
-/// What the command line of the demo says (app/command_line/README.md); Tuning are its starting values.
+/// The options of the demo (app/command_line/README.md). `tuning` holds the values that it starts with.
 struct DemoOptions {
   std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
   Tuning tuning;

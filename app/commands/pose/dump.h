@@ -14,7 +14,7 @@ struct BonePose {
   std::vector<glm::dmat4> palette;           ///< one a palette entry, model space
 };
 
-/// What a dump says of a skin whatever the time: joints, names, mesh nodes.
+/// Describes a skin apart from any time: joints, names, mesh nodes.
 Json describe_skin(const anim::Model& model, const anim::Skin& skin);
 
 /// The joints and the palette of a skin in one pose. A joint that holds a matrix with shear has no t, r, s.

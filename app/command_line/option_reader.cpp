@@ -1,12 +1,12 @@
 #include "app/command_line/option_reader.h"
 
+#include <memory>
 #include <utility>
-
-#include <CLI/CLI.hpp>
 
 namespace throng::app {
 namespace {
 
+// CLI11 would take the next word for the value.
 std::optional<std::string> empty_value_in(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) {
     if (argument.starts_with("--") && argument.ends_with('=')) return argument.substr(0, argument.size() - 1);
@@ -19,158 +19,121 @@ std::string unexpected(const std::string& argument, const std::string& command) 
   return argument + ": unexpected; options begin with --, and one model is the most";
 }
 
-std::string too_many(const std::string& name, const std::vector<std::string>& values, std::size_t most) {
-  if (most == 1) return name + ": given more than once";
-  return values[most] + ": " + std::to_string(most) + " models are the most";
+/// CLI11's help with our hints. Its own hints list the options that exclude each other, in another order in each run.
+class Help : public CLI::Formatter {
+ public:
+  Help() {
+    column_width(34);
+    label("Positionals", "Model");
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_option_text() + (option->get_required() ? " (required)" : "");
+  }
+};
+
+/// CLI11 says "--agents: 1 required N missing", "--agents: At Most 1 required ..." and "events was given ...".
+std::string mismatch(const CLI::App& app, const std::string& words) {
+  const std::size_t colon = words.find(':');
+  if (colon == std::string::npos) return "--" + words.substr(0, words.find(' ')) + ": takes no value";
+  const std::string name = words.substr(0, colon);
+  return name + (app.count(name) > 1 ? ": given more than once" : ": a value is missing");
 }
 
-/// CLI11 names the option, then a colon and words of its own.
-std::string missing_value(const CLI::ArgumentMismatch& error) {
-  const std::string words = error.what();
-  return words.substr(0, words.find(':')) + ": a value is missing";
+/// A check of CLI11 that hands the text on; `joint` stands between name and value.
+auto taken_by(ValueReader reader, const std::string& name, const std::string& joint) {
+  return [=](const std::string& text) {
+    if (const Complaint complaint = reader(text)) {
+      throw CLI::ParseError(name + joint + text + ": " + *complaint, CLI::ExitCodes::ValidationError);
+    }
+  };
 }
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size() + 1, width), ' ');
-  return text;
-}
-
-std::string with_escaped_bars(std::string text) {
-  for (std::size_t bar = 0; (bar = text.find('|', bar)) != std::string::npos; bar += 2) text.insert(bar, 1, '\\');
-  return text;
-}
+std::string cell(const std::string& text) { return CLI::detail::find_and_replace(text, "|", "\\|"); }
 
 }  // namespace
 
-std::string OptionReader::Binding::written() const { return name + (joint == "=" || hint.empty() ? "" : " ") + hint; }
-
 OptionReader::OptionReader(const std::string& command, const std::string& description)
-    : app_(std::make_unique<CLI::App>(description, command)) {
-  app_->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    : App(description + "\n", command) {
+  formatter(std::make_shared<Help>());
+  set_help_flag();  // read() adds one that does not wait until all values are checked
 }
 
-OptionReader::~OptionReader() = default;
-
-bool OptionReader::given(const std::string& name) const { return app_->count(name) > 0; }
-
-std::vector<std::string> OptionReader::all_given() const {
-  std::vector<std::string> names;
-  for (const Binding& binding : bindings_) {
-    if (binding.option->count() > 0) names.push_back(binding.name);
-  }
-  return names;
+CLI::Option* OptionReader::value(const std::string& name, const std::string& hint, const std::string& description,
+                                 ValueReader reader) {
+  return add_option(name, description)
+      ->option_text(hint.empty() ? "" : " " + hint)
+      ->each(taken_by(std::move(reader), name, " "));
 }
 
-void OptionReader::model(std::string& target, const std::string& description, Need need) {
-  CLI::Option* const option = app_->add_option("MODEL")->required(need == Need::required);
-  bindings_.push_back({option, "MODEL", " ", "", description, heading_, any_text(target), need});
+CLI::Option* OptionReader::model(std::string& target, const std::string& description) {
+  return value("MODEL", "", description, any_text(target))->group("Model");
 }
 
-void OptionReader::models(std::vector<std::string>& targets, std::size_t most, const std::string& description) {
-  CLI::Option* const option = app_->add_option("MODEL")->expected(-1);
-  const auto add = [&targets](const std::string& text) -> Complaint { return any_text(targets.emplace_back())(text); };
-  bindings_.push_back({option, "MODEL", " ", "", description, heading_, add, Need::optional, most});
+CLI::Option* OptionReader::flag(const std::string& name, bool& target, const std::string& description) {
+  return add_flag(name, target, description)
+      ->disable_flag_override()
+      ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
 }
 
-void OptionReader::value(const std::string& name, const std::string& hint, const std::string& description,
-                         ValueReader reader, Need need) {
-  CLI::Option* const option = app_->add_option(name)->required(need == Need::required);
-  bindings_.push_back({option, name, " ", hint, description, heading_, std::move(reader), need});
-}
-
-void OptionReader::optional_value(const std::string& name, const std::string& unsaid, const std::string& hint,
-                                  const std::string& description, ValueReader reader) {
-  CLI::Option* const option = app_->add_flag(name + "{" + unsaid + "}");
-  bindings_.push_back({option, name, "=", hint, description, heading_, std::move(reader), Need::optional});
-}
-
-void OptionReader::flag(const std::string& name, bool& target, const std::string& description) {
-  const auto set = [&target](const std::string& text) -> Complaint {
-    if (text != "true") return "takes no value";
-    target = true;
-    return {};
+CLI::Option* OptionReader::optional_value(const std::string& name, const std::string& unsaid, const std::string& hint,
+                                          const std::string& description, ValueReader reader) {
+  const auto said = [unsaid, reader = std::move(reader)](const std::string& text) {
+    return reader(text == "true" ? unsaid : text);  // CLI11's word for a flag without a value
   };
-  bindings_.push_back({app_->add_flag(name), name, "=", "", description, heading_, set, Need::optional});
+  return add_flag(name, description)
+      ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+      ->option_text(hint)
+      ->each(taken_by(said, name, "="));
 }
 
 void OptionReader::tuning_value(const TuningValue& value, Tuning& tuning) {
-  this->value(std::string(value.option_name()), std::string(value.hint()), description(value),
+  this->value(std::string(value.option_name()), std::string(value.hint()), app::description(value),
               [&value, &tuning](const std::string& text) { return value.read_option(tuning, text); });
 }
 
 void OptionReader::tuning(const std::string& group, Tuning& tuning) {
-  heading(group);
+  option_defaults()->group(group);
   for (const TuningValue& value : tuning_values()) {
     if (value.group == group && !value.option.empty()) tuning_value(value, tuning);
   }
 }
 
 std::optional<ParsedCommand> OptionReader::read(const std::vector<std::string>& arguments) {
-  if (auto stop = take_apart(arguments)) return stop;
-  return read_values();
-}
-
-std::optional<ParsedCommand> OptionReader::take_apart(const std::vector<std::string>& arguments) {
   if (const auto name = empty_value_in(arguments)) return UsageError{*name + ": a value is missing after ="};
+  option_defaults()->group("Help");
+  add_flag_callback(
+      "-h,--help", [] { throw CLI::CallForHelp(); }, "Show this text")
+      ->trigger_on_parse();
+  set_version_flag("--version", "throng " THRONG_VERSION, "Show the version");
   try {
-    app_->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     return {};
   } catch (const CLI::CallForHelp&) {
-    return ShowText{help()};
+    return ShowText{CLI::detail::find_and_replace(help(), "\n\n\n", "\n\n")};
+  } catch (const CLI::CallForVersion& version) {
+    return ShowText{version.what() + std::string("\n")};
   } catch (const CLI::ExtrasError&) {
-    return UsageError{unexpected(app_->remaining().front(), app_->get_name())};
+    return UsageError{unexpected(remaining().front(), get_name())};
   } catch (const CLI::ArgumentMismatch& error) {
-    return UsageError{missing_value(error)};
+    return UsageError{mismatch(*this, error.what())};
+  } catch (const CLI::ExcludesError& error) {
+    return UsageError{error.what() + std::string("; give one of them")};
   } catch (const CLI::ParseError& error) {
     return UsageError{error.what()};
   }
 }
 
-std::optional<ParsedCommand> OptionReader::read_values() const {
-  for (const Binding& binding : bindings_) {
-    const std::vector<std::string> texts = binding.option->results();
-    if (texts.size() > binding.most) return UsageError{too_many(binding.name, texts, binding.most)};
-    for (const std::string& text : texts) {
-      if (const Complaint complaint = binding.reader(text)) {
-        return UsageError{binding.name + binding.joint + text + ": " + *complaint};
-      }
+std::string OptionReader::markdown() const {
+  const Help help;
+  std::string text;
+  for (const std::string& group : get_groups()) {
+    text += "\n" + group + ":\n\n| option | meaning |\n|---|---|\n";
+    for (const CLI::Option* option : get_options([&](const auto* each) { return each->get_group() == group; })) {
+      const std::string name = help.make_option_name(option, option->get_positional());
+      text += "| `" + cell(name + help.make_option_opts(option)) + "` | " + cell(option->get_description()) + " |\n";
     }
   }
-  return {};
-}
-
-std::string OptionReader::help() const {
-  constexpr std::size_t column = 34;
-  std::string text = app_->get_description() + "\n\n" + usage() + "\n";
-  std::string heading;
-  for (const Binding& binding : bindings_) {
-    if (binding.heading != heading) text += "\n" + binding.heading + "\n";
-    heading = binding.heading;
-    text += padded("  " + binding.written(), column) + binding.description + "\n";
-  }
-  return footer_.empty() ? text : text + "\n" + footer_ + "\n";
-}
-
-std::string OptionReader::markdown() const {
-  std::string text, heading;
-  for (const Binding& binding : bindings_) {
-    if (binding.heading != heading) text += "\n" + binding.heading + ":\n\n| option | meaning |\n|---|---|\n";
-    heading = binding.heading;
-    text += "| `" + with_escaped_bars(binding.written()) + "` | " + with_escaped_bars(binding.description) + " |\n";
-  }
   return text;
-}
-
-std::string OptionReader::usage() const {
-  std::string line = "Usage: " + app_->get_name();
-  for (const Binding& binding : bindings_) {
-    const std::string hint = binding.hint.empty() ? "" : " " + binding.hint;
-    if (binding.need == Need::required)
-      line += " " + binding.name + hint;
-    else if (binding.name == "MODEL")
-      line += " [MODEL]";
-  }
-  return line + " [options]";
 }
 
 }  // namespace throng::app

@@ -12,7 +12,6 @@ ParsedCommand parse_command_line(const std::vector<std::string>& arguments) {
   if (command == "lod") return parse_lod(rest);
   if (command == "bench") return parse_bench(rest);
   if (command == "bake") return UsageError{"bake: is not built yet"};
-  if (command == "--version") return ShowText{"throng " THRONG_VERSION "\n"};
   return parse_demo(arguments);
 }
 

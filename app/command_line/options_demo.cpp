@@ -11,7 +11,7 @@ namespace {
 
 // Before all others, which win over them.
 void declare_starting_values(OptionReader& reader, DemoOptions& options) {
-  reader.heading("Starting values; options given beside them win");
+  reader.option_defaults()->group("Starting values; options given beside them win");
   reader.value("--preset", "NAME|FILE", "A preset by its name in the overlay, or a file (none)",
                preset_values(options));
   reader.value("--set", "KEY=VALUE,...", "Any value of a preset by its key", set_values(options.tuning));
@@ -23,7 +23,7 @@ void declare_clips(OptionReader& reader, DemoOptions& options) {
 }
 
 void declare_picture(OptionReader& reader, DemoOptions& options) {
-  reader.heading("Picture");
+  reader.option_defaults()->group("Picture");
   reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
   reader.value("--camera", "PLACE", "A camera of the scene, or x,y,z,yaw,pitch[,fov] in metres and degrees",
                camera(options));
@@ -34,11 +34,12 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
                choice<int>(options.msaa, {{"0", 0}, {"4", 4}}));
   reader.value("--shadows", "on|off", "Shadows (on)", on_or_off(options.shadows));
-  reader.optional_value("--ui", "measured", "[=fixed]", "Overlay in a headless run; fixed: with times from a report",
-                        [&options](const std::string& text) {
-                          options.ui = true;
-                          return choice<bool>(options.ui_fixed, {{"measured", false}, {"fixed", true}})(text);
-                        });
+  const auto take_ui = [&options](const std::string& text) {
+    options.ui = true;
+    return choice<bool>(options.ui_fixed, {{"measured", false}, {"fixed", true}})(text);
+  };
+  CLI::Option* const ui = reader.optional_value("--ui", "measured", "[=fixed]",
+                                                "Overlay in a headless run; fixed: with times from a report", take_ui);
   reader.value("--ui-tab", "NAME",
                "Tab that the overlay starts with: crowd, skipping, bones, scheduling, agent, presets",
                choice<std::string>(options.ui_tab, {{"crowd", "Crowd"},
@@ -51,11 +52,11 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.value(
       "--select", "AGENT", "The agent that is selected at first, counted from 0",
       [&options](const std::string& text) { return whole_number(options.selected.emplace(), 0, 99'999)(text); });
-  reader.flag("--hide-ui", options.hide_ui, "No overlay in the window");
+  reader.flag("--hide-ui", options.hide_ui, "No overlay in the window")->excludes(ui);
 }
 
 void declare_run(OptionReader& reader, DemoOptions& options) {
-  reader.heading("Run");
+  reader.option_defaults()->group("Run");
   reader.optional_value("--headless", "auto", "[=egl|osmesa|none]",
                         "No window: EGL, else OSMesa; none: no picture at all",
                         choice<ContextKind>(options.context, {{"auto", ContextKind::headless_default},
@@ -73,7 +74,7 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
 }
 
 void declare_files(OptionReader& reader, DemoOptions& options) {
-  reader.heading("Files");
+  reader.option_defaults()->group("Files");
   reader.value("--screenshot", "FILE.png", "Write the last frame", file_that_ends_in(".png", options.screenshot));
   reader.value("--stats", "FILE|-", "Write what the run did and how long it took, as JSON", any_text(options.stats));
   reader.flag("--events", options.events, "Sum up in --stats what everybody met, and where everybody was");
@@ -118,6 +119,9 @@ std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
 
 /// Options that are right alone and wrong together.
 std::optional<std::string> contradiction_in(const DemoOptions& options) {
+  if (options.models.size() > most_models) {
+    return options.models[most_models] + ": " + std::to_string(most_models) + " models are the most";
+  }
   if (!options.replay.empty()) {
     if (auto contradiction = contradiction_of_replay(options)) return contradiction;
   }
@@ -136,14 +140,16 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
   if (!options.screenshot.empty() && options.draw == DrawWhich::none) return "--screenshot: --draw none draws nothing";
   if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";
-  if (options.ui && options.hide_ui) return "--ui: contradicts --hide-ui; give one of them";
   return {};
 }
 
 void declare_demo(OptionReader& reader, DemoOptions& options) {
-  reader.heading("What is shown");
-  reader.models(options.models, most_models,
-                "glTF files (.glb or .gltf), up to 16 in one crowd; without any, the built-in character");
+  const auto add = [&](const std::string& text) { return any_text(options.models.emplace_back())(text); };
+  const char* const models = "glTF files (.glb or .gltf), up to 16 in one crowd; without any, the built-in character";
+  reader.value("MODEL", "...", models, add)
+      ->expected(1, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args()
+      ->group("Model");
   declare_starting_values(reader, options);
   reader.tuning("Crowd", options.tuning);
   declare_clips(reader, options);
@@ -156,6 +162,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       "Other commands, each with a --help of its own:\n"
       "  throng pose MODEL       the joints and palettes of every skin, as JSON\n"
       "  throng inspect MODEL    what is in a file, what was repaired, what was refused\n"
+      "  throng lod [MODEL]      what each bone level of a character saves and shows\n"
       "  throng bench [MODEL]    what an update of many agents costs");
 }
 
@@ -166,7 +173,9 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
   OptionReader reader("throng", "Throng: a crowd of skinned characters, each in a pose of its own.");
   declare_demo(reader, options);
   if (auto stop = reader.read(arguments)) return *stop;
-  options.given = reader.all_given();
+  for (const CLI::Option* option : reader.get_options([](const auto* each) { return each->count() > 0; })) {
+    options.given.push_back(option->get_name());
+  }
   options.frames_given = reader.given("--frames");
   options.agents_given =
       reader.given("--agents") || reader.given("--preset") || options.tuning.agents != Tuning{}.agents;

@@ -9,36 +9,37 @@
 namespace throng::app {
 namespace {
 
-/// What `row` would put into a tuning at `place`.
-template <typename Value>
-ValueReader alone(const TuningValue& row, Value& target, Value anim::SystemOptions::*place) {
-  return [&row, &target, place](const std::string& text) {
-    Tuning tuning;
-    const Complaint complaint = row.read_option(tuning, text);
-    if (!complaint) target = tuning.system.*place;
-    return complaint;
-  };
-}
-
-/// Several texts that the option of `row` takes, with commas between them; `get` takes each out of its tuning.
-template <typename Value, typename Get>
-void list(OptionReader& reader, const char* option, std::vector<Value>& target, Get get, const char* more = "") {
-  const TuningValue& row = tuning_value(option);
-  const std::string hint(row.hint());
-  const auto read = [&row, &target, get](const std::string& text) -> Complaint {
+/// A reader of several texts with commas between them; `read_one` takes each.
+template <typename Value, typename ReadOne>
+ValueReader list_of(std::vector<Value>& target, ReadOne read_one) {
+  return [&target, read_one](const std::string& text) -> Complaint {
     std::vector<Value> values;
     for (const std::string& part : parts_between_commas(text)) {
-      Tuning tuning;
-      if (const Complaint complaint = row.read_option(tuning, part)) {
-        const bool is_number = row.form == TuningValue::Form::number;
-        return *complaint + (is_number ? ", or several with commas between them" : ", with commas between several");
+      if (const Complaint complaint = read_one(part, values.emplace_back())) {
+        return *complaint + ", or several with commas between them";
       }
-      values.push_back(get(tuning));
     }
     target = std::move(values);
     return {};
   };
-  reader.value(option, hint + "[," + hint + "...]", description(row) + more, read);
+}
+
+ValueReader number_list(std::vector<int>& target, int least, int most) {
+  return list_of(target, [=](const std::string& text, int& number) { return read_number(text, least, most, number); });
+}
+
+/// A list of what the option of one value of the tuning takes; `get` takes each out of its tuning.
+template <typename Value, typename Get>
+void list(OptionReader& reader, const char* option, std::vector<Value>& target, Get get, const char* more = "") {
+  const TuningValue& row = tuning_value(option);
+  const std::string hint(row.hint());
+  const auto read_one = [&row, get](const std::string& text, Value& value) {
+    Tuning tuning;
+    const Complaint complaint = row.read_option(tuning, text);
+    if (!complaint) value = get(tuning);
+    return complaint;
+  };
+  reader.value(option, hint + "[," + hint + "...]", description(row) + more, list_of(target, read_one));
 }
 
 }  // namespace
@@ -46,24 +47,23 @@ void list(OptionReader& reader, const char* option, std::vector<Value>& target, 
 ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   PoseOptions options;
   OptionReader reader("throng pose", "Writes the joints and palettes of every skin of a file.");
-  reader.heading("What is posed");
-  reader.model(options.model, "A glTF file (.glb or .gltf)", OptionReader::Need::required);
-  reader.value("--clip", "NAME|INDEX", "A clip of the file, or none", any_text(options.clip),
-               OptionReader::Need::required);
-  reader.value("--time", "T[,T...]", "Seconds", times_list(options.times), OptionReader::Need::required);
-  const TuningValue& stream = tuning_value("--stream");
-  reader.value("--stream", std::string(stream.hint()), description(stream),
-               alone(stream, options.stream, &anim::SystemOptions::stream));
-  reader.value("--json", "FILE|-", "Where to write", any_text(options.json), OptionReader::Need::required);
+  reader.option_defaults()->group("What is posed");
+  reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
+  reader.value("--clip", "NAME|INDEX", "A clip of the file, or none", any_text(options.clip))->required();
+  reader.value("--time", "T[,T...]", "Seconds", times_list(options.times))->required();
+  Tuning tuning;
+  reader.tuning_value(tuning_value("--stream"), tuning);
+  reader.value("--json", "FILE|-", "Where to write", any_text(options.json))->required();
   if (auto stop = reader.read(arguments)) return *stop;
+  options.stream = tuning.system.stream;
   return options;
 }
 
 ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   InspectOptions options;
   OptionReader reader("throng inspect", "Says what was found in a file, what was repaired and what was refused.");
-  reader.heading("What is inspected");
-  reader.model(options.model, "A glTF file (.glb or .gltf)", OptionReader::Need::required);
+  reader.option_defaults()->group("What is inspected");
+  reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
   reader.flag("--json", options.json, "As one JSON object");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
@@ -72,12 +72,11 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
 ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
   LodOptions options;
   OptionReader reader("throng lod", "Measures what each bone level of a character saves, and what it shows.");
-  reader.heading("What is measured");
-  reader.model(options.model, "A glTF file (.glb or .gltf); without it, the built-in character",
-               OptionReader::Need::optional);
+  reader.option_defaults()->group("What is measured");
+  reader.model(options.model, "A glTF file (.glb or .gltf); without it, the built-in character");
   reader.value("--pixels", "N", "Height on screen for errors in pixels, 1 to 10000 (200)",
                whole_number(options.pixels, 1, 10000));
-  reader.heading("Files");
+  reader.option_defaults()->group("Files");
   reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
   reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot));
   reader.value("--export", "FILE", "Write distances, intervals, bones and meshes for another engine",
@@ -90,24 +89,28 @@ ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
 namespace {
 
 void declare_measured(OptionReader& reader, BenchOptions& options) {
-  reader.heading("What is measured");
-  reader.model(options.model, "A glTF file; without it, a branching skeleton is built", OptionReader::Need::optional);
+  reader.option_defaults()->group("What is measured");
+  reader.model(options.model, "A glTF file; without it, a branching skeleton is built");
   list(
       reader, "--agents", options.agents, [](const Tuning& tuning) { return tuning.agents; },
       "; of every list each, in every combination");
-  reader.value("--bones", "N[,N...]", "Bones of the built skeleton, 1 to 1024 (62)",
-               number_list(options.bones, 1, 1024));
-  reader.value("--clips", "K[,K...]", "Different clips for it, 1 to 256 (2)", number_list(options.clips, 1, 256));
+  reader
+      .value("--bones", "N[,N...]", "Bones of the built skeleton, 1 to 1024 (62)", number_list(options.bones, 1, 1024))
+      ->excludes("MODEL");
+  reader.value("--clips", "K[,K...]", "Different clips for it, 1 to 256 (2)", number_list(options.clips, 1, 256))
+      ->excludes("MODEL");
   reader.value("--frames", "N", "Rounds in which all that is compared takes turns (60)",
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
   reader.value("--sweep", "NAME", "Instead: grain, below which size tasks are too small",
                choice<Sweep>(options.sweep, {{"grain", Sweep::grain}}));
-  reader.value("--machine", "FILE", "Instead: what a machine with other local stores would do; ps2, spe or a file",
-               file_name(options.machine));
+  reader
+      .value("--machine", "FILE", "Instead: what a machine with other local stores would do; ps2, spe or a file",
+             file_name(options.machine))
+      ->excludes("--sweep");
 }
 
 void declare_scheduling(OptionReader& reader, BenchOptions& options) {
-  reader.heading("Scheduling");
+  reader.option_defaults()->group("Scheduling");
   list(reader, "--pus", options.pus, [](const Tuning& tuning) { return tuning.system.pus; });
   list(reader, "--schedule", options.schedules, [](const Tuning& tuning) { return tuning.system.schedule; });
   list(reader, "--stream", options.streams, [](const Tuning& tuning) { return tuning.system.stream; });
@@ -117,25 +120,12 @@ void declare_scheduling(OptionReader& reader, BenchOptions& options) {
 }
 
 void declare_files(OptionReader& reader, BenchOptions& options) {
-  reader.heading("Files");
+  reader.option_defaults()->group("Files");
   reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
-  reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot));
-  reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace));
+  reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot))->excludes("--machine");
+  reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace))
+      ->excludes("--sweep", "--machine");
   reader.value("--data", "DIR", "Folder of assets/machines", existing_folder(options.data));
-}
-
-std::optional<std::string> contradiction_in(const OptionReader& reader, const BenchOptions& options) {
-  for (const char* const built_only : {"--bones", "--clips"}) {
-    if (!options.model.empty() && reader.given(built_only)) {
-      return std::string(built_only) + ": a model brings its own; give one or the other";
-    }
-  }
-  const bool table = options.sweep == Sweep::none && options.machine.empty();
-  if (options.sweep != Sweep::none && !options.machine.empty())
-    return "--machine: contradicts --sweep; give one of them";
-  if (!table && !options.trace.empty()) return "--trace: is of the table only; leave --sweep and --machine out";
-  if (!options.machine.empty() && !options.plot.empty()) return "--plot: there is nothing to draw of --machine";
-  return {};
 }
 
 }  // namespace
@@ -147,7 +137,6 @@ ParsedCommand parse_bench(const std::vector<std::string>& arguments) {
   declare_scheduling(reader, options);
   declare_files(reader, options);
   if (auto stop = reader.read(arguments)) return *stop;
-  if (auto contradiction = contradiction_in(reader, options)) return UsageError{*contradiction};
   return options;
 }
 

@@ -50,19 +50,6 @@ ValueReader whole_number(int& target, int least, int most) {
   };
 }
 
-ValueReader number_list(std::vector<int>& target, int least, int most) {
-  return [&target, least, most](const std::string& text) -> Complaint {
-    std::vector<int> numbers;
-    for (const std::string& part : parts_between_commas(text)) {
-      if (const Complaint complaint = read_number(part, least, most, numbers.emplace_back())) {
-        return *complaint + ", or several with commas between them";
-      }
-    }
-    target = std::move(numbers);
-    return {};
-  };
-}
-
 std::vector<std::string> parts_between_commas(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t from = 0; from <= text.size();) {

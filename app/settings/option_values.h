@@ -48,8 +48,6 @@ Complaint read_number(const std::string& text, double least, double most, Number
 }
 
 ValueReader whole_number(int& target, int least, int most);
-/// N[,N...]: each least to most.
-ValueReader number_list(std::vector<int>& target, int least, int most);
 /// Any number, least to most.
 ValueReader number_between(float& target, float least, float most);
 ValueReader seconds_above_zero(std::optional<double>& target);

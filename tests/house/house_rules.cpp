@@ -85,7 +85,7 @@ const std::vector<Part>& parts() {
       {"tiny_gltf", {"engine/anim/import/"}},
       {"nlohmann/", {"app/files/json.cpp", "engine/anim/import/", "assets/"}},
       {"imgui", {"engine/render/passes/overlay_renderer.cpp", "app/overlay/"}},
-      {"CLI/", {"app/command_line/option_reader.cpp"}},
+      {"CLI/", {"app/command_line/"}},
       {"GLFW/", {"engine/render/gl/window_context.cpp", "app/demo/window_input.cpp"}},
       {"EGL/", {"engine/render/gl/egl_context.cpp"}},
       {"GL/osmesa", {"engine/render/gl/osmesa_context.cpp"}},

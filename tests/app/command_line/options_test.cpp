@@ -264,12 +264,18 @@ TEST(Bench, TakesASweepOrAMachineInstead) {
 }
 
 TEST(Help, IsThereForEveryCommand) {
-  EXPECT_THAT(shown("--help"), HasSubstr("Usage: throng [MODEL] [options]"));
+  EXPECT_THAT(shown("--help"), HasSubstr("Usage: throng [OPTIONS] [MODEL...]"));
   EXPECT_THAT(shown("-h"), HasSubstr("--headless[=egl|osmesa|none]"));
-  EXPECT_THAT(shown("pose --help"),
-              HasSubstr("Usage: throng pose MODEL --clip NAME|INDEX --time T[,T...] --json FILE|-"));
-  EXPECT_THAT(shown("inspect --help"), HasSubstr("Usage: throng inspect MODEL"));
-  EXPECT_THAT(shown("bench --help"), HasSubstr("Usage: throng bench [MODEL]"));
+  EXPECT_THAT(shown("pose --help"), HasSubstr("Usage: throng pose [OPTIONS] MODEL"));
+  EXPECT_THAT(shown("pose --help"), HasSubstr("--clip NAME|INDEX (required)"));
+  EXPECT_THAT(shown("inspect --help"), HasSubstr("Usage: throng inspect [OPTIONS] MODEL"));
+  EXPECT_THAT(shown("lod --help"), HasSubstr("Usage: throng lod [OPTIONS] [MODEL]"));
+  EXPECT_THAT(shown("bench --help"), HasSubstr("Usage: throng bench [OPTIONS] [MODEL]"));
+}
+
+TEST(Help, IsShownBesideWhatWouldBeRefused) {
+  EXPECT_THAT(shown("--agents 0 --help"), HasSubstr("Usage: throng"));
+  EXPECT_THAT(shown("--help --agent"), HasSubstr("Usage: throng"));
 }
 
 TEST(Help, PromisesNothingThatIsNotBuilt) { EXPECT_THAT(shown("--help"), testing::Not(HasSubstr("bake"))); }

@@ -110,7 +110,7 @@ anim::SkinnedMesh balloon_string(double size) {
                         {0.75F, 0.75F, 0.72F, 1.0F});
 }
 
-/// What the camera does: where it is and what it looks at, in size 1.
+/// A key of the camera: its position and the point that it looks at, for an actor of size 1.
 struct View {
   double seconds;
   glm::dvec3 eye, target;

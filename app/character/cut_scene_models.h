@@ -9,14 +9,14 @@
 
 namespace throng::app {
 
-/// What plays in a cut scene beside people (paper 2: "animation streams for characters, cameras, animated
-/// backgrounds"): characters of one bone each. `size` is CharacterRoles::size of the actor.
+/// The characters of a cut scene that are no people, of one bone each (paper 2: "animation streams for characters,
+/// cameras, animated backgrounds"). `size` is CharacterRoles::size of the actor.
 
 inline constexpr double cut_scene_seconds = 14.0;
 inline constexpr double walk_on_seconds = 4.0;  ///< the actor comes to the scene's origin, along +Z
 inline constexpr double release_seconds = 4.6;  ///< it lets the balloon go
 
-/// The balloon's clips: beside whoever stands at the origin; up from there.
+/// The balloon's clips: in the hand of an actor at the origin, and up from there.
 enum BalloonClip : int { carried, rise };
 
 /// A balloon on a string; its bone is at the string's end.

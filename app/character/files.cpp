@@ -4,6 +4,7 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/role_table.h"
+#include "app/files/data_folder.h"
 
 namespace throng::app {
 
@@ -17,6 +18,13 @@ anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::
     characters.back().file = file;
   }
   return characters;
+}
+
+anim::Result<CharacterSource> load_built_in(const std::string& data_option) {
+  const auto file = find_data(data_folders(data_option), "assets/mannequin.glb");
+  if (!file) return file.error();
+  const BoneLodFile kept{{}};
+  return load_character(file->string(), "mannequin (built in)", &kept);
 }
 
 anim::Status take_kept_roles(CharacterSource& character) {

@@ -8,8 +8,11 @@
 
 namespace throng::app {
 
-/// A character a file, in this order. The error names the file and what is wrong with it.
+/// Loads a character from each file, in this order. The error names the file and what is wrong with it.
 anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files);
+
+/// The character that comes with the program, from the folders that --data leads.
+anim::Result<CharacterSource> load_built_in(const std::string& data_option);
 
 /// The roles that were kept for the character the last time, where there are any. The error names the file and the
 /// role that cannot be.

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "app/files/joined.h"
 #include "app/files/json_file.h"
 
 namespace throng::app {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr int role_table_version = 1;
 
-// Insertions, deletions and exchanges that make one name the other (Levenshtein), whatever the case.
+// Counts the insertions, deletions and exchanges that make one name the other (Levenshtein); case does not count.
 std::size_t difference(std::string_view a, std::string_view b) {
   const auto lower = [](char letter) { return letter >= 'A' && letter <= 'Z' ? letter - 'A' + 'a' : int{letter}; };
   std::vector<std::size_t> row(b.size() + 1);
@@ -34,9 +35,7 @@ std::string nearest_names(std::string_view wanted, std::span<const std::string> 
   std::vector<std::string> nearest(names.begin(), names.end());
   std::ranges::stable_sort(nearest, {}, [&](const std::string& name) { return difference(wanted, name); });
   nearest.resize(std::min(nearest.size(), most));
-  std::string list;
-  for (const std::string& name : nearest) list += (list.empty() ? "" : ", ") + name;
-  return list;
+  return joined(nearest);
 }
 
 anim::Result<std::vector<RoleChoice>> choices_in(const Json& clips, const JsonFile& file) {

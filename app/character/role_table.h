@@ -19,7 +19,7 @@ anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const s
 /// Every role with the name of its clip, or "none".
 std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names);
 
-/// MODEL.throng.json: which clip of a model plays which role, as a person chose it.
+/// MODEL.throng.json, in which a person says which clip of a model plays which role.
 ///     {"version": 1, "clips": {"walk": "Walking_A", "cheer": "none"}}
 /// Roles that are not in it keep what the names suggest.
 class RoleFile {
@@ -29,7 +29,7 @@ class RoleFile {
 
   /// Empty if there is no file. The error names the file and what is wrong in it.
   anim::Result<std::vector<RoleChoice>> read() const;
-  /// Written whole or not at all. Where it lies, to tell people.
+  /// Writes the file whole or not at all, and returns its path.
   anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
 
  private:

@@ -4,6 +4,8 @@
 #include <limits>
 #include <string_view>
 
+#include "app/files/joined.h"
+
 namespace throng::app {
 namespace {
 
@@ -30,11 +32,11 @@ Words words_of(std::string_view name) {
 }
 
 bool any_begins_with(const Words& words, std::string_view beginning) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return word.starts_with(beginning); });
+  return std::ranges::any_of(words, [&](const std::string& word) { return word.starts_with(beginning); });
 }
 
 bool any_begins_with_one_of(const Words& words, std::span<const std::string_view> beginnings) {
-  return std::any_of(beginnings.begin(), beginnings.end(), [&](auto word) { return any_begins_with(words, word); });
+  return std::ranges::any_of(beginnings, [&](auto word) { return any_begins_with(words, word); });
 }
 
 struct RoleWords {
@@ -67,31 +69,25 @@ const std::vector<RoleWords>& vocabulary() {
 constexpr std::array<std::string_view, 12> not_for_a_crowd{"pose", "death", "die",  "dead", "land",   "start",
                                                            "end",  "lie",   "fall", "hit",  "defeat", "down"};
 
+constexpr std::size_t another_thing = std::numeric_limits<std::size_t>::max();
+
 // Lower is plainer: first the word itself, then as few others beside it as possible ("Idle" before "Idle_Gun").
 std::size_t strangeness(const Words& words, const RoleWords& role) {
-  constexpr std::size_t another_thing = std::numeric_limits<std::size_t>::max();
   if (any_begins_with_one_of(words, role.unwanted)) return another_thing;
   for (std::size_t rank = 0; rank < role.wanted.size(); ++rank) {
     if (!any_begins_with(words, role.wanted[rank])) continue;
-    const auto long_words = std::count_if(words.begin(), words.end(), [](const auto& word) { return word.size() > 1; });
+    const auto long_words = std::ranges::count_if(words, [](const auto& word) { return word.size() > 1; });
     return rank * 100 + static_cast<std::size_t>(long_words);
   }
   return another_thing;
 }
 
 int plainest(std::span<const Words> names, const RoleWords& role) {
-  int best = no_clip;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (std::size_t clip = 0; clip < names.size(); ++clip) {
-    const std::size_t strange = strangeness(names[clip], role);
-    if (strange >= least) continue;
-    least = strange;
-    best = static_cast<int>(clip);
-  }
-  return best;
+  const auto strange = [&](const Words& words) { return strangeness(words, role); };
+  const auto best = std::ranges::min_element(names, {}, strange);
+  return best == names.end() || strange(*best) == another_thing ? no_clip : static_cast<int>(best - names.begin());
 }
 
-/// The first clip whose name has words that begin so, in any order.
 int clip_with_words(std::span<const Words> names, std::string_view one, std::string_view other) {
   const auto found = std::ranges::find_if(
       names, [&](const Words& words) { return any_begins_with(words, one) && any_begins_with(words, other); });
@@ -115,13 +111,7 @@ std::optional<Role> role_named(std::string_view name) {
   return static_cast<Role>(found - role_names.begin());
 }
 
-std::string known_roles() {
-  std::string list;
-  for (std::size_t role = 0; role < role_count; ++role) {
-    list += (role == 0 ? "" : role + 1 == role_count ? " and " : ", ") + std::string(role_names.at(role));
-  }
-  return list;
-}
+std::string known_roles() { return joined(role_names, ", ", " and "); }
 
 double CharacterRoles::ground_speed(Role gait) const {
   if (clip(gait) == no_clip) return 0.0;

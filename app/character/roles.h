@@ -12,18 +12,18 @@
 
 namespace throng::app {
 
-/// What a member of the crowd can be doing.
+/// The things that a member of the crowd can do.
 enum class Role : std::uint8_t { stand, look_around, walk, jog, run, wave, cheer, clap, sit, other };
-inline constexpr std::size_t role_count = 9;  ///< roles that one clip fills; `other` is whatever clip there is
+inline constexpr std::size_t role_count = 9;  ///< roles that one clip fills; `other` is any clip
 
-/// As `--clips`, the role file and the overlay call them, in the order of Role.
+/// The names that `--clips`, the role file and the overlay use, in the order of Role.
 inline constexpr std::array<const char*, role_count> role_names = {"stand", "look_around", "walk", "jog", "run",
                                                                    "wave",  "cheer",       "clap", "sit"};
 std::optional<Role> role_named(std::string_view name);
 std::string known_roles();  ///< "stand, look_around, ... and sit"
 inline std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
 
-/// Somebody's word for which clip plays a role; "none" for no clip at all.
+/// A person's choice of the clip that plays a role; "none" is no clip at all.
 struct RoleChoice {
   Role role;
   std::string clip;
@@ -69,8 +69,8 @@ struct CharacterRoles {
   bool can_walk() const { return clip(Role::walk) != no_clip && walk_speed > 0.0; }
   /// Metres a second of a gait's clip at scale 1; 0 if there is no such clip, or it stays in place.
   double ground_speed(Role gait) const;
-  /// What is played for `role`: itself, else what comes nearest (run, jog, walk; sit or look_around, stand); nothing
-  /// if that has no clip either.
+  /// The role that is played for `role`: itself, else the nearest one (run, jog, walk; sit or look_around, stand);
+  /// nothing if that has no clip either.
   std::optional<Role> playable(Role role) const;
 };
 

@@ -5,45 +5,12 @@
 #include <string>
 #include <system_error>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace throng::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// An open file that closes itself.
-class Descriptor {
- public:
-  Descriptor(const fs::path& file, int flags) : number_(open(file.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() {
-    if (is_open()) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  bool is_open() const { return number_ >= 0; }
-
-  bool write_all(std::string_view contents) const {
-    while (!contents.empty()) {
-      const ssize_t written = write(number_, contents.data(), contents.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) return false;
-      contents.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-  }
-
-  bool close() {
-    const int number = number_;
-    number_ = -1;
-    return ::close(number) == 0;
-  }
-
- private:
-  int number_;
-};
 
 anim::Error cannot_write(const fs::path& file, int error_number) {
   return {file.string() + ": cannot be written: " + std::generic_category().message(error_number)};
@@ -67,32 +34,23 @@ bool is_device_or_pipe(const fs::path& file) {
 }
 
 anim::Status write_straight(const fs::path& file, std::string_view contents) {
-  const Descriptor device(file, O_WRONLY);
-  if (!device.is_open() || !device.write_all(contents)) return cannot_write(file, errno);
+  std::FILE* const device = std::fopen(file.c_str(), "wbe");
+  if (device == nullptr) return cannot_write(file, errno);
+  const bool written = std::fwrite(contents.data(), 1, contents.size(), device) == contents.size();
+  if (std::fclose(device) != 0 || !written) return cannot_write(file, errno);
   return anim::Done{};
-}
-
-/// Makes the file beside, whole; on failure removes what there is of it.
-anim::Status write_beside(const fs::path& beside, const fs::path& file, std::string_view contents) {
-  Descriptor part(beside, O_WRONLY | O_CREAT | O_TRUNC);
-  if (!part.is_open()) return cannot_write(file, errno);
-  if (part.write_all(contents) && part.close()) return anim::Done{};
-  const int why = errno;
-  unlink(beside.c_str());
-  return cannot_write(file, why);
 }
 
 }  // namespace
 
 anim::Status write_whole_file(const fs::path& file, std::string_view contents) {
   if (is_device_or_pipe(file)) return write_straight(file, contents);
-  const fs::path target = followed(file);
-  const fs::path beside = name_beside(target);
-  if (anim::Status written = write_beside(beside, file, contents); !written) return written;
-  if (rename(beside.c_str(), target.c_str()) == 0) return anim::Done{};
-  const int why = errno;
-  unlink(beside.c_str());
-  return cannot_write(file, why);
+  auto part = FileBeside::create(file);
+  if (!part) return part.error();
+  part->write(contents);
+  anim::Status written = part->commit();
+  if (!written) unlink(name_beside(part->file()).c_str());
+  return written;
 }
 
 anim::Result<FileBeside> FileBeside::create(const fs::path& file) {
@@ -144,7 +102,9 @@ anim::Status check_can_be_written(std::string_view option, const fs::path& file)
   if (fs::is_directory(file, error)) return refuse(EISDIR);
   if (is_device_or_pipe(file)) return access(file.c_str(), W_OK) == 0 ? anim::Status(anim::Done{}) : refuse(errno);
   const fs::path beside = name_beside(followed(file));
-  if (!Descriptor(beside, O_WRONLY | O_CREAT | O_TRUNC).is_open()) return refuse(errno);
+  std::FILE* const part = std::fopen(beside.c_str(), "wbe");
+  if (part == nullptr) return refuse(errno);
+  std::fclose(part);
   unlink(beside.c_str());
   return anim::Done{};
 }

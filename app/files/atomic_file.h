@@ -14,7 +14,7 @@ namespace throng::app {
 /// programs write it at once. A device or pipe is written as it is, a symbolic link is followed.
 anim::Status write_whole_file(const std::filesystem::path& file, std::string_view contents);
 
-/// As write_whole_file; `-` means standard output.
+/// Does the same; `-` means standard output.
 anim::Status write_output(const std::string& file, std::string_view contents);
 
 /// A file that is written as its contents come, beside its place under a temporary name, FILE.PID.part, and renamed
@@ -26,7 +26,7 @@ class FileBeside {
   FileBeside& operator=(FileBeside&&) = delete;
   ~FileBeside();
 
-  /// What goes wrong is said by commit().
+  /// commit() says what went wrong.
   void write(std::string_view contents);
   anim::Status commit();
   const std::filesystem::path& file() const { return file_; }
@@ -40,7 +40,7 @@ class FileBeside {
   int error_ = 0;      // of the first write that failed
 };
 
-/// Whether write_whole_file() could write there now, so that an hour's run does not end in a full stop. Leaves nothing.
+/// Checks that write_whole_file() could write there now, so that a long run does not fail at its end. Leaves no file.
 /// `option` begins the sentence of the error.
 anim::Status check_can_be_written(std::string_view option, const std::filesystem::path& file);
 

@@ -7,8 +7,8 @@
 
 namespace throng::app {
 
-/// One hash of many bytes, however they are cut into pieces: chain_hash over each eight of them as a little-endian
-/// number, then over what is left with zeros behind it, then over how many they were.
+/// Hashes many bytes; pieces of any size give the same hash. It chains each eight bytes as a little-endian number, then
+/// the rest with zeros behind it, then the count of all.
 class ByteHash {
  public:
   void add(std::string_view bytes) {

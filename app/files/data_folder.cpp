@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where an installed program has its data; nothing if the system does not say where the program is.
+/// The data folder of an installed program; empty if the system does not say where the program is.
 fs::path share_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);

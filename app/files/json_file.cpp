@@ -4,25 +4,9 @@
 #include <fstream>
 #include <utility>
 
+#include "app/files/joined.h"
+
 namespace throng::app {
-namespace {
-
-/// `"version", "bones" and "level_counts"`.
-std::string quoted(std::initializer_list<std::string_view> keys) {
-  std::string list;
-  for (const std::string_view& key : keys) {
-    list.append(list.empty() ? "" : &key + 1 == keys.end() ? " and " : ", ").append("\"").append(key).append("\"");
-  }
-  return list;
-}
-
-std::string with_commas(std::initializer_list<std::string_view> keys) {
-  std::string list;
-  for (const std::string_view key : keys) list.append(list.empty() ? "" : ", ").append(key);
-  return list;
-}
-
-}  // namespace
 
 std::optional<std::string> read_text(const std::filesystem::path& file, std::size_t most_bytes) {
   std::ifstream stream(file, std::ios::binary);
@@ -51,9 +35,9 @@ anim::Error JsonFile::wrong(const std::string& what) const {
 }
 
 anim::Status JsonFile::check_table(const Json& table, int version, std::initializer_list<std::string_view> keys) const {
-  if (!table.is_object()) return wrong("must be an object with " + quoted(keys));
+  if (!table.is_object()) return wrong("must be an object with \"" + joined(keys, "\", \"", "\" and \"") + "\"");
   if (const Json::Member* const other = table.member_beside(keys)) {
-    return wrong("unknown key \"" + other->key + "\"; it knows " + with_commas(keys));
+    return wrong("unknown key \"" + other->key + "\"; it knows " + joined(keys));
   }
   const Json& found = table["version"];
   if (!found.is_number() || found.get<double>() != version) {

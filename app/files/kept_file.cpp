@@ -13,19 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path configuration_folder() {
-  const char* const config = std::getenv("XDG_CONFIG_HOME");
-  if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "throng";
-  const char* const home = std::getenv("HOME");
-  return home == nullptr || *home == '\0' ? fs::path() : fs::path(home) / ".config" / "throng";
-}
-
 bool can_write_beside(const fs::path& file) {
   const fs::path folder = file.parent_path();
   return !file.empty() && access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
 }
 
 }  // namespace
+
+fs::path configuration_folder() {
+  const char* const config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "throng";
+  const char* const home = std::getenv("HOME");
+  return home == nullptr || *home == '\0' ? fs::path() : fs::path(home) / ".config" / "throng";
+}
 
 KeptFile::KeptFile(const fs::path& model, std::string_view ending, std::string_view what) : what_(what) {
   const std::string name = (model.empty() ? "mannequin" : model.filename().string()).append(ending);

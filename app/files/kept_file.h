@@ -7,18 +7,23 @@
 
 namespace throng::app {
 
+/// The folder of the user's own choices: $XDG_CONFIG_HOME/throng, else ~/.config/throng; empty if the system names
+/// none.
+std::filesystem::path configuration_folder();
+
 /// A file in which a person's choices for a model are kept from run to run: beside the model, or in
-/// $XDG_CONFIG_HOME/throng (else ~/.config/throng) where that folder cannot be written, or the character is built in.
+/// configuration_folder() where that folder cannot be written, or the character is built in.
 class KeptFile {
  public:
-  /// `model`: its file; empty for the built-in character. `ending`: what is added to the model's name, ".throng.json".
-  /// `what`: what errors call the choices where there is no file to name.
+  /// `model` is the file of the model; empty for the built-in character. The kept file has its name and `ending`, such
+  /// as
+  /// ".throng.json". Errors call the choices `what` where there is no file to name.
   KeptFile(const std::filesystem::path& model, std::string_view ending, std::string_view what);
 
   /// The file that is to be read; empty if there is none. Where it cannot be kept beside the model, a person's own goes
   /// before the one that came with the model.
   std::filesystem::path found() const;
-  /// Written whole or not at all. Where it lies, to tell people.
+  /// Writes the file whole or not at all, and returns its path.
   anim::Result<std::filesystem::path> write(std::string_view text) const;
 
  private:

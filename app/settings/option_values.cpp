@@ -178,13 +178,4 @@ ValueReader file_that_ends_in(std::string ending, std::string& target) {
   };
 }
 
-std::string with_or(const std::vector<std::string>& names) {
-  std::string sentence;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) sentence += i + 1 == names.size() ? " or " : ", ";
-    sentence += names[i];
-  }
-  return sentence;
-}
-
 }  // namespace throng::app

@@ -11,11 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/joined.h"
 #include "app/settings/settings.h"
 
 namespace throng::app {
 
-/// What is wrong with the text of an option, as the end of a sentence: "must be 0 or 4". Nothing: it was taken.
+/// The end of a sentence that says what is wrong with the text of an option: "must be 0 or 4". Nothing: it was taken.
 using Complaint = std::optional<std::string>;
 
 /// Reads the text of an option into the variable that the reader was made for, which must outlive it.
@@ -62,9 +63,6 @@ ValueReader file_name(std::string& target);  ///< anything but `-`, which elsewh
 ValueReader file_that_ends_in(std::string ending, std::string& target);
 ValueReader role_choices(std::vector<RoleChoice>& target);  ///< ROLE=NAME[,ROLE=NAME...], each role once
 
-/// "a, b or c".
-std::string with_or(const std::vector<std::string>& names);
-
 /// One of a few words; `Target` is the value's type or an optional of it.
 template <typename Value, typename Target>
 ValueReader choice(Target& target, std::vector<std::pair<std::string, Value>> choices) {
@@ -77,7 +75,7 @@ ValueReader choice(Target& target, std::vector<std::pair<std::string, Value>> ch
       }
       names.push_back(name);
     }
-    return "must be " + with_or(names);
+    return "must be " + joined(names, ", ", " or ");
   };
 }
 

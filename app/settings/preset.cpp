@@ -8,6 +8,7 @@
 
 #include "app/files/atomic_file.h"
 #include "app/files/json_file.h"
+#include "app/files/kept_file.h"
 #include "app/settings/tuning_values.h"
 
 namespace throng::app {
@@ -15,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t most_bytes = 65536;
-
-fs::path configuration_folder() {
-  const char* const config = std::getenv("XDG_CONFIG_HOME");
-  if (config != nullptr && fs::path(config).is_absolute()) return fs::path(config) / "throng";
-  const char* const home = std::getenv("HOME");
-  return home == nullptr || *home == '\0' ? fs::path() : fs::path(home) / ".config" / "throng";
-}
 
 // The text that a command line would have; nothing for what none can have.
 std::optional<std::string> text_of(const Json& value) {

@@ -64,7 +64,7 @@ TuningValue one_of(TuningValue value, Member member, const Choices<Value>& choic
   std::vector<std::string> names;
   for (const auto& [name, unused] : taken) names.push_back(name);
   value.form = std::is_integral_v<Value> && !value.zero.empty() ? TuningValue::Form::number : TuningValue::Form::word;
-  value.values = with_or(names);
+  value.values = joined(names, ", ", " or ");
   value.read = [=](Tuning& tuning, const std::string& text) { return choice<Value>(member(tuning), choices)(text); };
   value.read_option = [=](Tuning& tuning, const std::string& text) {
     return choice<Value>(member(tuning), taken)(text);

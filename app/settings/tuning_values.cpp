@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -259,11 +260,7 @@ std::string description(const TuningValue& value) {
 
 void copy_value(const TuningValue& value, const Tuning& from, Tuning& to) { value.read(to, value.text(from)); }
 
-std::string known_preset_keys() {
-  std::string keys;
-  for (const TuningValue& value : tuning_values()) keys += (keys.empty() ? "" : ", ") + std::string(value.key);
-  return keys;
-}
+std::string known_preset_keys() { return joined(tuning_values() | std::views::transform(&TuningValue::key)); }
 
 std::string presets_as_markdown() {
   std::string table = "| key | meaning |\n|---|---|\n";

@@ -23,10 +23,7 @@ bool fail(StartError& error, int status, std::string message) {
 
 anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
   if (!options.models.empty()) return load_characters(options.models);
-  const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
-  if (!built_in) return built_in.error();
-  const BoneLodFile kept{{}};
-  auto character = load_character(built_in->string(), "mannequin (built in)", &kept);
+  auto character = load_built_in(options.data);
   if (!character) return character.error();
   std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));

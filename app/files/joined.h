@@ -1,0 +1,21 @@
+#pragma once
+
+#include <ranges>
+#include <string>
+#include <string_view>
+
+namespace throng::app {
+
+/// Puts `between` between the words, and `last` before the last one: "a, b or c".
+template <std::ranges::sized_range Words>
+std::string joined(const Words& words, std::string_view between = ", ", std::string_view last = ", ") {
+  std::string text;
+  auto left = std::ranges::size(words);
+  for (const auto& word : words) {
+    text += word;
+    if (--left > 0) text += left == 1 ? last : between;
+  }
+  return text;
+}
+
+}  // namespace throng::app

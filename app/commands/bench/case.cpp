@@ -9,6 +9,7 @@
 #include "app/commands/bench/held.h"
 #include "app/commands/bench/rounds.h"
 #include "app/figures/statistics.h"
+#include "app/settings/choices.h"
 #include "app/stage/stage.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/import/import.h"
@@ -133,8 +134,8 @@ anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOp
   if (!exact) return exact.error();
   keyframe_ = std::move(*exact);
 
-  // What only waits for memory lets clocks drop for longer than a subject settles, so it goes first and long computing
-  // stands between it and what is compared.
+  // Waiting for memory lets clocks drop for longer than a subject settles, so it goes first: long computing then stands
+  // between it and the subjects that are compared.
   add_write_floors();
   rounds_.add({"keyframe", [this] { keyframe_->run(); }});
   add_kernels();
@@ -235,12 +236,11 @@ anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& 
   json["bones_per_agent"] = bones;
   json["frames"] = options.frames;
   json["pus"] = schedule.pus;
-  json["schedule"] = bench.schedule == anim::Schedule::fused ? "fused" : "levels";
+  json["schedule"] = schedule_words[static_cast<std::size_t>(bench.schedule)];
   json["local_store_kib"] = schedule.local_store_bytes / 1024;
   json["tile"] = schedule.plan.width;
-  json["stream"] = bench.stream == anim::StreamKind::sampled ? "sampled" : "keyframe";
-  const bool packed = work.system().characters().palette_format(0) == anim::PaletteFormat::packed;
-  json["palette_format"] = packed ? "packed" : "float";
+  json["stream"] = stream_words[static_cast<std::size_t>(bench.stream)];
+  json["palette_format"] = palette_words[static_cast<std::size_t>(work.system().characters().palette_format(0))];
   json["stores"] = schedule.stores == anim::StorePolicy::streaming ? "streaming" : "prefetched";
   json["simd_target"] = work.system().figures().kernels().target;
   json["pose_hash"] = hex_string(work.hash(options.frames));

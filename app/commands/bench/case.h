@@ -14,7 +14,7 @@
 
 namespace throng::app {
 
-/// Whom a benchmark animates: as imported or built, and baked.
+/// The character that a benchmark animates: imported or built, then baked.
 struct BenchCharacter {
   anim::Model model;
   std::shared_ptr<const anim::Character> character;
@@ -24,17 +24,17 @@ anim::Result<BenchCharacter> bench_character(const std::string& model, int bones
 /// How a case is scheduled, without hashing.
 anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench);
 
-/// What is done of a case before the next one has its turn.
+/// The share of a case that runs before the next case has its turn.
 struct BenchPass {
   int rounds;
   bool is_last;
   std::string label;  ///< for a person at a terminal
 };
 
-/// Times whole update, bare kernels, their scalar twin, keyframe streams and write floor in interleaved rounds, and
-/// puts them behind those of earlier passes in `times`. In the last pass `trace` gets some frames, and what is returned
-/// is one flat object of figures of all passes, as the README lists them; before, null.
-/// The error is a usage error, found before the first round.
+/// Times the whole update, the bare kernels, their scalar twin, keyframe streams and the write floor in interleaved
+/// rounds, and puts the times behind those of earlier passes in `times`. The last pass gives `trace` some frames and
+/// returns one flat object of the figures of all passes, as the README lists them; earlier passes return null. The
+/// error is a usage error, found before the first round.
 anim::Result<Json> run_bench_case(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character,
                                   const BenchPass& pass, BenchTimes& times, std::optional<TimelineLog>& trace);
 

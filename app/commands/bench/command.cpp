@@ -54,7 +54,7 @@ std::string plot_of_one(const Json& row) {
                      "ns a bone", bars);
 }
 
-/// What of a row is not on the axis.
+/// Names a row by the values that differ between rows and are not on the axis.
 std::string line_name(const Json& row, const Rows& rows, const std::string& axis) {
   std::string name;
   for (const char* const key : {"agents", "bones_per_agent", "clips", "pus", "schedule", "stream"}) {

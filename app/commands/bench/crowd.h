@@ -12,7 +12,7 @@
 
 namespace throng::app {
 
-/// What one agent of a benchmark plays for good: two clips, each from its own phase, and how much of the second.
+/// The two clips that an agent of a benchmark plays for good, each from its own phase, and the weight of the second.
 struct BenchAgent {
   static constexpr int none = -1;  ///< instead of a second clip
 
@@ -50,7 +50,7 @@ class SystemSubject {
   void run();
   /// Time that passes from one run to the next; 1/60 s unless set.
   void set_step(anim::Ticks step) { step_ = step; }
-  /// To other options that are known to fit.
+  /// Changes to other options, which must fit.
   void configure(const anim::SystemOptions& options);
   void record_trace(anim::Tracing tracing) { system_->record_trace(tracing); }
   const anim::AnimationSystem& system() const { return *system_; }
@@ -60,6 +60,17 @@ class SystemSubject {
   std::unique_ptr<anim::AnimationSystem> system_;
   anim::Ticks step_ = anim::ticks_per_second / 60;
   std::vector<anim::AgentUpdate> updates_;
+};
+
+/// Agents of one character, memory for their palettes, and the system that updates them.
+struct BenchCrowd {
+  std::vector<BenchAgent> agents;
+  BenchPalettes palettes;
+  SystemSubject subject;
+
+  static anim::Result<BenchCrowd> create(std::shared_ptr<const anim::Character> character,
+                                         const anim::SystemOptions& options, std::vector<BenchAgent> agents);
+  const anim::AnimationSystem& system() const { return subject.system(); }
 };
 
 /// The bare kernels over the same agents: clips to palettes of their format, one thread, no blocks and no copies.

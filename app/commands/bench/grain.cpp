@@ -20,29 +20,8 @@ namespace {
 
 constexpr double counts_as_slower = 1.1;
 
-/// A crowd that is updated with one set of options after the other.
-struct SweptCrowd {
-  std::vector<BenchAgent> agents;
-  std::unique_ptr<BenchPalettes> palettes;
-  std::unique_ptr<SystemSubject> subject;
-  BenchRounds rounds;
-
-  double per_agent(const std::string& key) const {
-    return rounds.times().median(key) / static_cast<double>(agents.size());
-  }
-};
-
-anim::Status make(SweptCrowd& crowd, const BenchCharacter& character, const anim::SystemOptions& options, int agents) {
-  crowd.agents = bench_agents(*character.character, agents);
-  crowd.palettes = std::make_unique<BenchPalettes>(agents, character.character->skeleton.palette_count());
-  auto subject = SystemSubject::create(character.character, options, crowd.agents, *crowd.palettes);
-  if (!subject) return subject.error();
-  crowd.subject = std::make_unique<SystemSubject>(std::move(*subject));
-  return anim::Done{};
-}
-
-void add(SweptCrowd& crowd, const std::string& key, const anim::SystemOptions& options) {
-  crowd.rounds.add({key, [&crowd] { crowd.subject->run(); }, [&crowd, options] { crowd.subject->configure(options); }});
+void add(BenchRounds& rounds, BenchCrowd& crowd, const std::string& key, const anim::SystemOptions& options) {
+  rounds.add({key, [&crowd] { crowd.subject.run(); }, [&crowd, options] { crowd.subject.configure(options); }});
 }
 
 /// Tiles from 1 to the widest that fits: the same work in ever smaller tasks.
@@ -50,20 +29,21 @@ anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& char
   const BenchCase bench = bench_cases(options).front();
   anim::SystemOptions system = bench_system_options(options, bench);
   system.tile = 0;
-  SweptCrowd crowd;
-  if (anim::Status made = make(crowd, character, system, bench.agents); !made) return made;
-  const int widest = crowd.subject->system().figures().schedule().plan.width;
+  auto crowd = BenchCrowd::create(character.character, system, bench_agents(*character.character, bench.agents));
+  if (!crowd) return crowd.error();
+  BenchRounds rounds;
+  const int widest = crowd->system().figures().schedule().plan.width;
   for (int tile = 1; tile <= widest; tile *= 2) {
     system.tile = tile;
-    add(crowd, std::to_string(tile), system);
+    add(rounds, *crowd, std::to_string(tile), system);
   }
-  crowd.rounds.run(options.frames, "tiles: ");
+  rounds.run(options.frames, "tiles: ");
   const int bones = character.character->skeleton.bone_count();
   for (int tile = 1; tile <= widest; tile *= 2) {
-    const double agent_ns = crowd.per_agent(std::to_string(tile));
+    const double agent_ns = rounds.times().median(std::to_string(tile)) / bench.agents;
     rows.push_back({{"tile", tile},
                     {"ns_per_bone_median", agent_ns / bones},
-                    {"task_us", agent_ns * tile * crowd.subject->system().figures().schedule().pus / 1000.0}});
+                    {"task_us", agent_ns * tile * crowd->system().figures().schedule().pus / 1000.0}});
   }
   return anim::Done{};
 }
@@ -72,19 +52,20 @@ anim::Status sweep_tiles(const BenchOptions& options, const BenchCharacter& char
 anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& character, std::vector<Json>& rows) {
   const BenchCase bench = bench_cases(options).front();
   anim::SystemOptions all = bench_system_options(options, bench);
-  all.cost.least_task = 0;  // every PU is woken, whatever there is to do
+  all.cost.least_task = 0;  // even the least work wakes every PU
   anim::SystemOptions one = all;
   one.pus = 1;
   for (int agents = 1; agents <= std::min(bench.agents, 1024); agents *= 2) {
-    SweptCrowd crowd;
-    if (anim::Status made = make(crowd, character, all, agents); !made) return made;
-    add(crowd, "one", one);
-    add(crowd, "all", all);
-    crowd.rounds.run(options.frames, std::to_string(agents) + " agents: ");
+    auto crowd = BenchCrowd::create(character.character, all, bench_agents(*character.character, agents));
+    if (!crowd) return crowd.error();
+    BenchRounds rounds;
+    add(rounds, *crowd, "one", one);
+    add(rounds, *crowd, "all", all);
+    rounds.run(options.frames, std::to_string(agents) + " agents: ");
     rows.push_back({{"agents", agents},
-                    {"one_pu_us", crowd.rounds.times().median("one") / 1000.0},
-                    {"all_pus_us", crowd.rounds.times().median("all") / 1000.0},
-                    {"speedup_over_one_pu", crowd.rounds.times().median_ratio("one", "all")}});
+                    {"one_pu_us", rounds.times().median("one") / 1000.0},
+                    {"all_pus_us", rounds.times().median("all") / 1000.0},
+                    {"speedup_over_one_pu", rounds.times().median_ratio("one", "all")}});
   }
   return anim::Done{};
 }
@@ -98,7 +79,7 @@ int smallest_tile(const std::vector<Json>& tiles) {
   return 0;
 }
 
-/// From which number of agents on more PUs are faster, and stay so.
+/// The number of agents from which on more PUs are faster, and stay so.
 Json first_faster_crowd(const std::vector<Json>& crowds) {
   Json first = nullptr;
   for (const Json& row : crowds) {

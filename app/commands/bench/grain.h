@@ -6,7 +6,7 @@
 
 namespace throng::app {
 
-/// `throng bench --sweep grain`: below which size tasks are too small. The first value of each list counts.
+/// Runs `throng bench --sweep grain`: finds the size below which tasks are too small, for the first value of each list.
 anim::Result<BenchReport> sweep_grain(const BenchOptions& options);
 
 }  // namespace throng::app

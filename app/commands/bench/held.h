@@ -9,8 +9,8 @@
 
 namespace throng::app {
 
-/// The whole update over the same agents, each with a gaze and with noise on top of its clips: a held program beside
-/// the streaming one.
+/// The whole update over the same agents, each with a gaze and with noise on top of its clips. So it has a held
+/// program, where the other subjects have streaming ones.
 class HeldSubject {
  public:
   /// Null: nothing in the model can look, or its agents do not fit the local store.

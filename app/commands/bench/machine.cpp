@@ -1,7 +1,8 @@
 #include "app/commands/bench/machine.h"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -12,8 +13,8 @@
 #include "app/commands/bench/machine_model.h"
 #include "app/commands/bench/rounds.h"
 #include "app/commands/bench/table.h"
-#include "app/figures/statistics.h"
 #include "app/files/data_folder.h"
+#include "app/settings/choices.h"
 #include "engine/anim/asset/synthetic_model.h"
 
 namespace throng::app {
@@ -32,59 +33,42 @@ anim::Result<std::filesystem::path> machine_file(const BenchOptions& options) {
   return find_data(data_folders(options.data), "assets/machines/" + options.machine + ".json");
 }
 
-/// A crowd in the local store of the machine, on one PU, whose frames are recorded.
-class RecordedCrowd {
- public:
-  static anim::Result<RecordedCrowd> create(std::shared_ptr<const anim::Character> character,
-                                            const anim::SystemOptions& options, std::vector<BenchAgent> agents) {
-    RecordedCrowd crowd;
-    crowd.agents_ = std::move(agents);
-    crowd.palettes_ =
-        std::make_unique<BenchPalettes>(static_cast<int>(crowd.agents_.size()), character->skeleton.palette_count());
-    auto subject = SystemSubject::create(std::move(character), options, crowd.agents_, *crowd.palettes_);
-    if (!subject) return subject.error();
-    crowd.subject_ = std::make_unique<SystemSubject>(std::move(*subject));
-    return crowd;
+BesideBlocks beside_blocks(const anim::AnimationSystem& system) {
+  const anim::UpdateReport& report = system.figures().report();
+  std::uint64_t players = 0;
+  for (std::uint32_t agent = 0; agent < system.agent_count(); ++agent)
+    players += system.agent(agent).program().parts.players;
+  return {.bones = static_cast<double>(report.bones_evaluated),
+          .stream_bytes = system.figures().stream_bytes(),
+          .stream_reads = 2 * players,
+          .palette_bytes = report.palette_bytes,
+          .palettes = report.agents_updated};
+}
+
+/// Runs some frames on one PU and returns the tasks of the fastest: other work disturbed the slower ones.
+std::vector<RecordedTask> fastest_tasks(BenchCrowd& crowd, int frames) {
+  std::vector<RecordedTask> fastest;
+  double least = std::numeric_limits<double>::max();
+  const auto& figures = crowd.system().figures();
+  for (int frame = 0; frame < frames; ++frame) {
+    crowd.subject.run();
+    const anim::UpdateTime& time = figures.update_time();
+    if (time.milliseconds >= least) continue;
+    least = time.milliseconds;
+    fastest = recorded_tasks(figures.units().front().trace().spans(), time, beside_blocks(crowd.system()));
   }
+  return fastest;
+}
 
-  /// The fastest of some frames: what disturbed the others is not the task's.
-  std::vector<RecordedTask> tasks(int frames) {
-    std::vector<RecordedTask> fastest;
-    double least = 1e300;
-    for (int frame = 0; frame < frames; ++frame) {
-      subject_->run();
-      const anim::UpdateTime& time = system().figures().update_time();
-      if (time.milliseconds >= least) continue;
-      least = time.milliseconds;
-      fastest = recorded_tasks(system().figures().units().front().trace().spans(), time, beside_blocks());
-    }
-    return fastest;
-  }
-  void run() { subject_->run(); }
-  const anim::AnimationSystem& system() const { return subject_->system(); }
-  double agents() const { return static_cast<double>(agents_.size()); }
+/// One PU, and the first schedule and stream of the options.
+anim::SystemOptions one_pu_options(const BenchOptions& options) {
+  return bench_system_options(options,
+                              {.pus = 1, .schedule = options.schedules.front(), .stream = options.streams.front()});
+}
 
- private:
-  BesideBlocks beside_blocks() const {
-    const anim::UpdateReport& report = system().figures().report();
-    std::uint64_t players = 0;
-    for (std::uint32_t agent = 0; agent < system().agent_count(); ++agent)
-      players += system().agent(agent).program().parts.players;
-    return {.bones = static_cast<double>(report.bones_evaluated),
-            .stream_bytes = system().figures().stream_bytes(),
-            .stream_reads = 2 * players,
-            .palette_bytes = report.palette_bytes,
-            .palettes = report.agents_updated};
-  }
-
-  std::vector<BenchAgent> agents_;
-  std::unique_ptr<BenchPalettes> palettes_;
-  std::unique_ptr<SystemSubject> subject_;
-};
-
+/// The same in the local store of the machine, with a trace of every task.
 anim::SystemOptions recorded_options(const BenchOptions& options, const Machine& machine) {
-  anim::SystemOptions recorded = bench_system_options(
-      options, {.pus = 1, .schedule = options.schedules.front(), .stream = options.streams.front()});
+  anim::SystemOptions recorded = one_pu_options(options);
   recorded.local_store_bytes = static_cast<std::size_t>(machine.local_store_kib) * 1024;
   recorded.double_buffering = anim::DoubleBuffering::inline_copy;
   recorded.trace = anim::Tracing::every_task;
@@ -123,15 +107,13 @@ std::vector<BenchAgent> paper_agents(const anim::Character& character) {
 anim::Status add_paper_case(const BenchOptions& options, const Machine& machine, Json& json) {
   const auto character = std::make_shared<const anim::Character>(
       anim::bake_character(anim::synthetic_model(paper_bones, paper_skeletons)));
-  auto there = RecordedCrowd::create(character, recorded_options(options, machine), paper_agents(*character));
+  auto there = BenchCrowd::create(character, recorded_options(options, machine), paper_agents(*character));
   if (!there) return there.error();
-  const MachinePrediction predicted = predict(machine, there->tasks(options.frames));
-  anim::SystemOptions usual = bench_system_options(
-      options, {.pus = 1, .schedule = options.schedules.front(), .stream = options.streams.front()});
-  auto here = RecordedCrowd::create(character, usual, paper_agents(*character));
+  const MachinePrediction predicted = predict(machine, fastest_tasks(*there, options.frames));
+  auto here = BenchCrowd::create(character, one_pu_options(options), paper_agents(*character));
   if (!here) return here.error();
   BenchRounds rounds;
-  rounds.add({"here", [&] { here->run(); }});
+  rounds.add({"here", [&] { here->subject.run(); }});
   rounds.run(options.frames, "the paper's case: ");
   json["paper_case_reported_percent_of_frame"] = paper_percent;
   json["paper_case_predicted_percent_of_frame"] = 100.0 * predicted.busy_ns / machine.pus / frame_ns;
@@ -151,10 +133,10 @@ anim::Result<BenchReport> run_machine(const BenchOptions& options) {
   if (!character) return character.error();
 
   const anim::SystemOptions recorded = recorded_options(options, *machine);
-  auto crowd = RecordedCrowd::create(character->character, recorded,
-                                     bench_agents(*character->character, options.agents.front()));
+  auto crowd =
+      BenchCrowd::create(character->character, recorded, bench_agents(*character->character, options.agents.front()));
   if (!crowd) return crowd.error();
-  const std::vector<RecordedTask> tasks = crowd->tasks(options.frames);
+  const std::vector<RecordedTask> tasks = fastest_tasks(*crowd, options.frames);
   const MachinePrediction prediction = predict(*machine, tasks);
   anim::CopyCounts copies;
   double recorded_ns = 0;
@@ -164,30 +146,30 @@ anim::Result<BenchReport> run_machine(const BenchOptions& options) {
     copies += task.after;
     recorded_ns += task.compute_ns;
   }
-  const double agent_ns = prediction.busy_ns / crowd->agents();
+  const double agents = options.agents.front(), agent_ns = prediction.busy_ns / agents;
 
   BenchReport report;
   Json& json = report.json;
   json["machine"] = machine->name;
   json["local_store_kib"] = machine->local_store_kib;
   json["pus"] = machine->pus;
-  json["schedule"] = options.schedules.front() == anim::Schedule::fused ? "fused" : "levels";
-  json["stream"] = options.streams.front() == anim::StreamKind::sampled ? "sampled" : "keyframe";
+  json["schedule"] = schedule_words[static_cast<std::size_t>(options.schedules.front())];
+  json["stream"] = stream_words[static_cast<std::size_t>(options.streams.front())];
   json["agents"] = options.agents.front();
   json["bones_per_agent"] = character->character->skeleton.bone_count();
   json["tile"] = crowd->system().figures().schedule().plan.width;
   json["tasks"] = tasks.size();
-  json["recorded_compute_ns_per_agent"] = recorded_ns / crowd->agents();
-  json["dma_bytes_per_agent"] = static_cast<double>(copies.bytes_in + copies.bytes_out) / crowd->agents();
-  json["dma_transfers_per_agent"] = static_cast<double>(copies.transfers) / crowd->agents();
+  json["recorded_compute_ns_per_agent"] = recorded_ns / agents;
+  json["dma_bytes_per_agent"] = static_cast<double>(copies.bytes_in + copies.bytes_out) / agents;
+  json["dma_transfers_per_agent"] = static_cast<double>(copies.transfers) / agents;
   json["predicted_ns_per_agent"] = agent_ns;
-  json["predicted_dma_ns_per_agent"] = prediction.dma_ns / crowd->agents();
+  json["predicted_dma_ns_per_agent"] = prediction.dma_ns / agents;
   json["predicted_stall_percent"] = 100.0 * prediction.stall_ns / prediction.busy_ns;
   json["predicted_overlap_percent"] = 100.0 * prediction.overlap();
   json["largest_skeleton_bones"] = largest_skeleton(recorded);
   json["characters_per_60hz_frame"] = static_cast<std::int64_t>(frame_ns / agent_ns * machine->pus);
   if (const anim::Status added = add_paper_case(options, *machine, json); !added) return added.error();
-  report.text = figures_as_text({&json, 1}, {});
+  report.text = figures_as_text(std::span(&json, 1), {});
   return report;
 }
 

@@ -6,7 +6,7 @@
 
 namespace throng::app {
 
-/// `throng bench --machine`: what PUs with other local stores would make of the transfers that are recorded here.
+/// Runs `throng bench --machine`: predicts how PUs with other local stores would do the transfers that it records here.
 anim::Result<BenchReport> run_machine(const BenchOptions& options);
 
 }  // namespace throng::app

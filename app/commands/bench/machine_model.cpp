@@ -23,11 +23,9 @@ class MachineReader {
     }
     const Json& value = (*json_)[key];
     const double found = value.is_number() ? value.get<double>() : std::nan("");
-    if (found >= least && found <= most) {
-      target = found;
-    } else {
-      complain(key, "must be " + range(least, most));
-    }
+    const bool fits = found >= least && found <= most;
+    if (!fits) complain(key, "must be " + range(least, most));
+    if (fits) target = found;
   }
   void whole(const char* key, int least, int most, int& target) {
     double value = target;
@@ -40,17 +38,13 @@ class MachineReader {
       if (needed) complain(key, "is missing: a text");
       return;
     }
-    if ((*json_)[key].is<std::string>()) {
-      target = (*json_)[key].get<std::string>();
-    } else {
-      complain(key, "must be a text");
-    }
+    if (!(*json_)[key].is<std::string>()) complain(key, "must be a text");
+    target = json_->value(key, target);
   }
-  bool has(const char* key) const { return json_->contains(key); }
   void complain(const std::string& key, const std::string& what) {
     if (complaint_) complaint_ = file_->wrong("\"" + key + "\" " + what);
   }
-  /// The first thing that is wrong, a key of an unknown name included.
+  /// The first complaint; an unknown key is one.
   anim::Status complaint(std::initializer_list<std::string_view> known) {
     if (const Json::Member* const other = json_->member_beside(known)) complain(other->key, "is no key of a machine");
     return complaint_;
@@ -86,12 +80,11 @@ anim::Result<Machine> read_machine(const std::filesystem::path& file) {
   reader.number("dma_gigabytes_per_second", 1e-3, 1e4, machine.dma_gigabytes_per_second);
   reader.whole("dma_transfers_in_flight", 1, 1024, machine.dma_transfers_in_flight);
   reader.number("compute_times", 1e-3, 1e6, machine.compute_times, false);
-  if (reader.has("compute_ns_per_bone")) {
-    double ns = 0;
-    reader.number("compute_ns_per_bone", 0, 1e9, ns);
-    machine.compute_ns_per_bone = ns;
-    if (reader.has("compute_times"))
+  if (json->contains("compute_ns_per_bone")) {
+    reader.number("compute_ns_per_bone", 0, 1e9, machine.compute_ns_per_bone.emplace());
+    if (json->contains("compute_times")) {
       reader.complain("compute_times", "contradicts compute_ns_per_bone; give one of them");
+    }
   }
   reader.text("notes", machine.notes, false);
   const anim::Status complaint =
@@ -104,9 +97,9 @@ anim::Result<Machine> read_machine(const std::filesystem::path& file) {
 double dma_time(const Machine& machine, const anim::CopyCounts& copies) {
   if (copies.transfers == 0) return 0;
   const auto in_flight = static_cast<std::uint64_t>(machine.dma_transfers_in_flight);
-  const auto latencies = static_cast<double>((copies.transfers + in_flight - 1) / in_flight);
+  const std::uint64_t batches = (copies.transfers + in_flight - 1) / in_flight;
   const auto bytes = static_cast<double>(copies.bytes_in + copies.bytes_out);
-  return latencies * machine.dma_latency_ns + bytes / machine.dma_gigabytes_per_second;
+  return static_cast<double>(batches) * machine.dma_latency_ns + bytes / machine.dma_gigabytes_per_second;
 }
 
 MachinePrediction predict(const Machine& machine, std::span<const RecordedTask> tasks) {
@@ -144,7 +137,7 @@ std::vector<RecordedTask> recorded_tasks(std::span<const anim::TraceSpan> spans,
   }
   const auto count = static_cast<double>(std::max<std::size_t>(tasks.size(), 1));
   const auto share = [&](std::uint64_t whole) {
-    return static_cast<std::uint64_t>(static_cast<double>(whole) / count + 0.5);
+    return static_cast<std::uint64_t>(std::llround(static_cast<double>(whole) / count));
   };
   for (RecordedTask& task : tasks) {
     task.bones = beside.bones / count;

@@ -28,13 +28,13 @@ struct Machine {
 /// Reads the JSON object of tests/benchmark/README.md. The error names the file, the key and what is allowed there.
 anim::Result<Machine> read_machine(const std::filesystem::path& file);
 
-/// One task as it was recorded: what is copied while it is computed, which with double buffering is what the task
-/// before it leaves and the one after it needs.
+/// One task as it was recorded. With double buffering, the results of the task before it and the data of the task after
+/// it are copied while it is computed.
 struct RecordedTask {
   double compute_ns = 0;
   double bones = 0;
   anim::CopyCounts while_computing;
-  anim::CopyCounts before, after;  ///< what nothing hides: of the first task of a stage, of the last
+  anim::CopyCounts before, after;  ///< copies that nothing hides: of the first task of a stage, of the last
 };
 
 struct MachinePrediction {

@@ -14,7 +14,7 @@ enum class Sweep : std::uint8_t {
   grain,  ///< tile by tile and crowd by crowd: below which size tasks are too small
 };
 
-/// What `throng bench` was asked for. LOD and crowd logic are always off there. Lists: every combination is measured.
+/// The options of `throng bench`. It runs without LOD and crowd logic, and measures every combination of the lists.
 struct BenchOptions {
   std::string model;              ///< empty: a branching skeleton of `bones` bones with `clips` different clips
   std::vector<int> agents{1000};  ///< each 1 to 100,000

@@ -116,7 +116,9 @@ Frame frame_of(const std::vector<PlotLine>& lines) {
 
 void draw_axes(Canvas& canvas, const Frame& frame, const std::vector<PlotLine>& lines) {
   const double step = tick_step(frame.most_y);
-  for (double tick = 0; tick <= frame.most_y * 1.001; tick += step) {
+  const auto ticks = static_cast<int>(frame.most_y * 1.001 / step);
+  for (int i = 0; i <= ticks; ++i) {
+    const double tick = i * step;
     canvas.line(frame.left, frame.y(tick), frame.left + frame.width, frame.y(tick), faint);
     canvas.text(frame.left - 8, frame.y(tick) + 4, number(tick), quiet, "end");
   }

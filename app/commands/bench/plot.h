@@ -11,7 +11,7 @@ struct PlotBar {
   bool emphasised = false;
 };
 
-/// Bars from left to right, longest as wide as there is room, each with its value: a whole SVG file.
+/// Draws bars from left to right, the longest as wide as there is room, each with its value, as a whole SVG file.
 std::string bars_as_svg(const std::string& title, const std::string& unit, const std::vector<PlotBar>& bars);
 
 struct PlotLine {
@@ -20,7 +20,7 @@ struct PlotLine {
   bool dashed = false;       ///< for what is only compared with
 };
 
-/// Lines over an axis of doublings, with a scale from 0 upwards, names at their ends: a whole SVG file.
+/// Draws lines over an axis of doublings, with a scale from 0 upwards and names at their ends, as a whole SVG file.
 std::string lines_as_svg(const std::string& title, const std::string& x_name, const std::string& y_name,
                          const std::vector<PlotLine>& lines);
 

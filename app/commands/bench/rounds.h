@@ -13,17 +13,16 @@ namespace throng::app {
 struct BenchSubject {
   std::string key;
   std::function<void()> run;
-  std::function<void()> prepare = [] {};  ///< before it, untimed
+  std::function<void()> prepare = [] {};  ///< runs before it, untimed
 };
 
-/// Subjects that take turns, so that a drift of the machine's speed meets all of them alike. What ran before leaves its
-/// mark on caches and clock rates for some milliseconds, so each runs untimed for as long first: a frame is timed
-/// among frames.
+/// Times subjects in turns, so that a drift of the machine's speed meets all of them alike. What ran before leaves its
+/// mark on caches and clock rates for some milliseconds, so each subject first runs untimed for as long.
 class BenchRounds {
  public:
   void add(BenchSubject subject) { subjects_.push_back(std::move(subject)); }
 
-  /// After a round to warm up. `label` stands before the count of rounds, for a person at a terminal.
+  /// Times `rounds` rounds after one to warm up. At a terminal, `label` and the count of rounds are shown.
   void run(int rounds, const std::string& label);
 
   const BenchTimes& times() const { return times_; }
@@ -32,8 +31,5 @@ class BenchRounds {
   std::vector<BenchSubject> subjects_;
   BenchTimes times_;
 };
-
-/// Rewrites its own line on standard error, and only where that is a terminal; an empty text clears it.
-void show_progress(const std::string& text);
 
 }  // namespace throng::app

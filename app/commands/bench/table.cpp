@@ -17,7 +17,7 @@ std::string short_text(const Json& value) {
   return text;
 }
 
-/// What stands above a column: the key without the words that all have.
+/// Heads a column with its key, without the word that all keys end in.
 std::string heading(std::string_view key) {
   constexpr std::string_view all_have = "_median";
   if (key.ends_with(all_have)) key.remove_suffix(all_have.size());

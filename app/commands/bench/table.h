@@ -7,8 +7,8 @@
 
 namespace throng::app {
 
-/// Flat objects of equal keys as text for a person: one as lines of key and value; several as a table of the keys in
-/// `columns`, numbers rounded to four digits.
+/// Writes flat objects of equal keys as text for a person: one object as lines of key and value, several as a table of
+/// the keys in `columns` with numbers of four digits.
 std::string figures_as_text(std::span<const Json> rows, std::span<const char* const> columns);
 
 /// One object as it is; several as `{"rows": [...]}`.

@@ -6,40 +6,25 @@
 
 namespace throng::app {
 
-void BenchTimes::add(const std::string& key, double nanoseconds) {
-  auto found = std::ranges::find(subjects_, key, [](const auto& subject) { return subject.first; });
-  if (found == subjects_.end()) found = subjects_.insert(found, {key, {}});
-  found->second.push_back(nanoseconds);
-}
-
 void BenchTimes::append(const BenchTimes& later) {
-  for (const auto& [key, times] : later.subjects_) {
-    for (const double nanoseconds : times) add(key, nanoseconds);
+  for (const auto& [key, times] : later.rounds_) {
+    std::vector<double>& mine = rounds_[key];
+    mine.insert(mine.end(), times.begin(), times.end());
   }
 }
 
-const std::vector<double>* BenchTimes::of(const std::string& key) const {
-  const auto found = std::ranges::find(subjects_, key, [](const auto& subject) { return subject.first; });
-  return found == subjects_.end() ? nullptr : &found->second;
-}
-
-double BenchTimes::median(const std::string& key) const {
-  const std::vector<double>* times = of(key);
-  return times == nullptr ? 0.0 : app::median(*times);
-}
+double BenchTimes::median(const std::string& key) const { return has(key) ? app::median(rounds_.at(key)) : 0.0; }
 
 double BenchTimes::fastest(const std::string& key) const {
-  const std::vector<double>* times = of(key);
-  return times == nullptr ? 0.0 : *std::ranges::min_element(*times);
+  return has(key) ? *std::ranges::min_element(rounds_.at(key)) : 0.0;
 }
 
 double BenchTimes::median_ratio(const std::string& key, const BenchTimes& others, const std::string& other) const {
-  const std::vector<double>* times = of(key);
-  const std::vector<double>* divisors = others.of(other);
-  if (times == nullptr || divisors == nullptr) return 0.0;
+  if (!has(key) || !others.has(other)) return 0.0;
+  const std::vector<double>&times = rounds_.at(key), &divisors = others.rounds_.at(other);
   std::vector<double> ratios;
-  for (std::size_t round = 0; round < std::min(times->size(), divisors->size()); ++round) {
-    ratios.push_back((*times)[round] / (*divisors)[round]);
+  for (std::size_t round = 0; round < std::min(times.size(), divisors.size()); ++round) {
+    ratios.push_back(times[round] / divisors[round]);
   }
   return app::median(std::move(ratios));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace throng::app {
@@ -9,25 +9,23 @@ namespace throng::app {
 /// How long subjects took, round by round.
 class BenchTimes {
  public:
-  /// The next round's, of one run of `key`.
-  void add(const std::string& key, double nanoseconds);
-  /// The rounds of `later` behind these.
+  /// Adds the next round's time of one run of `key`.
+  void add(const std::string& key, double nanoseconds) { rounds_[key].push_back(nanoseconds); }
+  /// Puts the rounds of `later` behind these.
   void append(const BenchTimes& later);
 
-  bool has(const std::string& key) const { return of(key) != nullptr; }
+  bool has(const std::string& key) const { return rounds_.contains(key); }
   /// Nanoseconds of one run; 0 if there is no such subject.
   double median(const std::string& key) const;
   double fastest(const std::string& key) const;
-  /// Of one run of `key` over one of `other`, round by round, as far as both were timed; 0 if either was not.
+  /// The time of one run of `key` over one of `other`, round by round, as far as both were timed; 0 if either was not.
   double median_ratio(const std::string& key, const std::string& other) const {
     return median_ratio(key, *this, other);
   }
   double median_ratio(const std::string& key, const BenchTimes& others, const std::string& other) const;
 
  private:
-  const std::vector<double>* of(const std::string& key) const;
-
-  std::vector<std::pair<std::string, std::vector<double>>> subjects_;  // few; key and nanoseconds
+  std::map<std::string, std::vector<double>> rounds_;  // nanoseconds by subject
 };
 
 }  // namespace throng::app

@@ -14,7 +14,7 @@ namespace {
 /// So many that what a pass begins with, crowds and memory, is small beside them.
 constexpr int rounds_of_a_pass = 4;
 
-/// By bones and clips, each made once; a model brings its own.
+/// Makes each character once, by bones and clips; a model brings its own.
 class BenchCharacters {
  public:
   anim::Result<const BenchCharacter*> of(const BenchOptions& options, const BenchCase& bench) {

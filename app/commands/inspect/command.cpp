@@ -3,16 +3,17 @@
 #include <cstddef>
 #include <cstdio>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "app/files/exit_status.h"
 #include "app/files/json.h"
+#include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::app {
-
 namespace {
 
 std::size_t count_vertices(const anim::Model& model) {
@@ -152,8 +153,7 @@ Json model_json(const anim::Model& model) {
           {"skins", skins_json(model)}};
 }
 
-}  // namespace
-
+/// Says for a person what the file holds.
 std::string inspection_text(const anim::ImportedFile& file) {
   std::ostringstream out;
   out << file.file << ": " << file.models.size() << " skeletons, " << file.animations.size() << " animations\n";
@@ -162,6 +162,7 @@ std::string inspection_text(const anim::ImportedFile& file) {
   return out.str();
 }
 
+/// Says the same as one JSON object; README.md beside this file lists the keys.
 std::string inspection_json(const anim::ImportedFile& file) {
   Json models = Json::array();
   for (const anim::Model& model : file.models) models.push_back(model_json(model));
@@ -169,6 +170,8 @@ std::string inspection_json(const anim::ImportedFile& file) {
       {"animations", file.animations}, {"file", file.file}, {"models", std::move(models)}, {"repairs", file.repairs}};
   return inspection.dump(2) + "\n";
 }
+
+}  // namespace
 
 int run_inspect(const InspectOptions& options) {
   const auto file = import::import_file(options.model);

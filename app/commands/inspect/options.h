@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// What `throng inspect` was asked for.
+/// The options of `throng inspect`.
 struct InspectOptions {
   std::string model;
   bool json = false;  ///< one JSON object on standard output instead of lines for a person

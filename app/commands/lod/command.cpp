@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/character/files.h"
 #include "app/commands/lod/curve.h"
 #include "app/files/atomic_file.h"
-#include "app/files/data_folder.h"
 #include "app/files/exit_status.h"
 #include "app/stage/stage.h"
 #include "engine/render/camera.h"
@@ -20,14 +20,9 @@ namespace {
 constexpr float exported_height = 720.0F;  // pixels of the picture that distances are said for
 
 anim::Result<CharacterSource> character_of(const LodOptions& options) {
-  if (!options.model.empty()) {
-    const BoneLodFile kept(options.model);
-    return load_character(options.model, options.model, &kept);
-  }
-  const auto built_in = find_data(data_folders(options.data), "assets/mannequin.glb");
-  if (!built_in) return built_in.error();
-  const BoneLodFile kept{{}};
-  return load_character(built_in->string(), "mannequin (built in)", &kept);
+  if (options.model.empty()) return load_built_in(options.data);
+  const BoneLodFile kept(options.model);
+  return load_character(options.model, options.model, &kept);
 }
 
 anim::Status write_files(const LodOptions& options, const CharacterSource& source,

@@ -4,7 +4,8 @@
 
 namespace throng::app {
 
-/// Runs `throng lod`: what each bone level of a character costs in time and in pixels, measured. Exit status.
+/// Runs `throng lod`: measures what each bone level of a character costs in time and in pixels. Returns the exit
+/// status.
 int run_lod(const LodOptions& options);
 
 }  // namespace throng::app

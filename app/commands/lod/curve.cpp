@@ -51,7 +51,7 @@ std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLeve
   return rows;
 }
 
-/// What is to be said of it that the table does not.
+/// Sentences that the table does not hold.
 std::vector<std::string> remarks_on(const CharacterSource& source, std::span<const LodLevel> levels) {
   std::vector<std::string> remarks;
   if (levels.size() == 1) {

@@ -17,18 +17,18 @@ anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& l
 /// The height on screen, in pixels, below which the error of a level is at most one pixel; infinite without error.
 double pixels_tall_for_one_pixel(const LodLevel& level, double height_metres);
 
-/// Whether each level is worth its switch: it takes at most 90% of the time of the last one that pays, and is within a
-/// pixel of the truth for characters that are still 10 pixels tall. Level 0 does.
+/// Says of each level whether it is worth its switch: it takes at most 90% of the time of the last one that pays, and
+/// is within a pixel of the truth for characters that are still 10 pixels tall. Level 0 always is.
 std::vector<bool> levels_that_pay(std::span<const LodLevel> levels, double height_metres);
 
-/// The curve of bones, time and error as a table for a person, errors in pixels of a character `pixels` tall; and a
-/// sentence for each level that does not pay.
+/// Writes the curve of bones, time and error as a table for a person, with errors in pixels of a character `pixels`
+/// tall, and a sentence for each level that does not pay.
 std::string curve_as_text(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
 
-/// The same as a JSON object.
+/// Writes the same as a JSON object.
 std::string curve_as_json(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
 
-/// The same drawn: shares of time and triangles of level 0 in percent, and pixels, over the bones kept. A whole SVG.
+/// Draws the same as a whole SVG: time and triangles in percent of level 0, and pixels, over the bones kept.
 std::string curve_as_svg(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
 
 }  // namespace throng::app

@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// What `throng lod` was asked for.
+/// The options of `throng lod`.
 struct LodOptions {
   std::string model;        ///< empty: the built-in character
   int pixels = 200;         ///< height on screen at which errors are said in pixels

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// What `throng pose` was asked for.
+/// The options of `throng pose`.
 struct PoseOptions {
   std::string model;
   std::string clip;           ///< a clip's name or index, or "none" for the pose at rest

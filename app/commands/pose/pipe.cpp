@@ -13,8 +13,7 @@ glm::dmat4 to_matrix(const anim::PaletteMatrix& entry) {
   return matrix;
 }
 
-}  // namespace
-
+/// The state of one bone of a pose [packet][components][16].
 anim::StateTransform state_of_bone(std::span<const float> pose, int components, int bone) {
   const std::size_t packet = static_cast<std::size_t>(bone / anim::packet_bones);
   const std::size_t lane = static_cast<std::size_t>(bone % anim::packet_bones);
@@ -28,6 +27,8 @@ anim::StateTransform state_of_bone(std::span<const float> pose, int components, 
   if (components == anim::general_components) state.scale = {value(7), value(8), value(9)};
   return state;
 }
+
+}  // namespace
 
 anim::Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip) {
   if (system_ != nullptr && model_ == &model && clip_ == clip) return anim::Done{};

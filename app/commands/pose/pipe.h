@@ -9,8 +9,8 @@
 
 namespace throng::app {
 
-/// Poses as the crowd computes them: a player's block on a PU with its local store, the kernels, a palette slot. One
-/// agent, in the paper's `levels` schedule, whose blocks keep their transforms.
+/// Computes poses as the crowd does: a player's block on a PU with its local store, the kernels, a palette slot. It has
+/// one agent, in the paper's `levels` schedule, whose blocks keep their transforms.
 class PosePipe {
  public:
   explicit PosePipe(anim::StreamKind stream) : stream_(stream) {}
@@ -27,8 +27,5 @@ class PosePipe {
   std::unique_ptr<anim::AnimationSystem> system_;
   anim::AlignedBytes palette_;
 };
-
-/// What a state holds for one bone of a pose [packet][components][16].
-anim::StateTransform state_of_bone(std::span<const float> pose, int components, int bone);
 
 }  // namespace throng::app

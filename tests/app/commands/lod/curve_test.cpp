@@ -1,4 +1,4 @@
-// What `throng lod` says of bone levels, and what it writes for another engine.
+// `throng lod` tells the truth about bone levels, and writes them for another engine.
 #include "app/commands/lod/curve.h"
 
 #include <array>

@@ -12,7 +12,7 @@
 
 namespace throng::app {
 
-/// What --help or --version asked to be shown on standard output.
+/// The text that --help or --version shows on standard output.
 struct ShowText {
   std::string text;
 };

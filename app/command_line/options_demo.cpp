@@ -104,7 +104,7 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
   return {};
 }
 
-/// What a recording says is not for the command line to say.
+/// A recording has its own options; the command line must not give them too.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
       "MODEL",      "--replay",        "--pus",    "--local-store", "--tile",       "--grain",

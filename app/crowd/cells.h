@@ -19,15 +19,15 @@ struct Body {
   bool moves = false;  ///< false: it stands still during the step
 };
 
-/// A uniform grid over the ground: bodies sorted by cell, by agent within a cell, so that those near a point are a few
-/// runs of neighbours in memory and always come in the same order. Bodies beyond the edge count to the cells along it.
+/// A uniform grid over the ground. It sorts bodies by cell, and by agent within a cell, so that the bodies near a point
+/// are a few runs in memory and always come in the same order. Bodies beyond the edge belong to the cells along it.
 class CrowdCells {
  public:
-  /// Sets memory aside for `bodies` on the ground from `lowest` to `highest`; `reach` is as far as anyone looks,
+  /// Sets memory aside for `bodies` on the ground from `lowest` to `highest`. An agent looks as far as `reach`, in
   /// metres.
   void set_aside(std::size_t bodies, glm::vec2 lowest, glm::vec2 highest, float reach);
 
-  /// Counting sort; as many bodies as were set aside. Allocates nothing.
+  /// Sorts as many bodies as were set aside, by counting. Allocates nothing.
   void sort(std::span<const Body> bodies);
 
   /// All bodies, in the order of cells.

@@ -11,11 +11,11 @@ namespace throng::app {
 /// One colour a tint region (skin, hair, shirt, trousers, shoes): RGBA8, sRGB, red in the lowest byte, alpha 255.
 using Tints = std::array<std::uint32_t, render::tint_regions>;
 
-/// Clothes, hair and skin of one person: muted colours for most, an accent here and there.
+/// Draws the clothes, hair and skin of one person: muted colours for most, an accent here and there.
 Tints random_tints(Random& random);
 
-/// What sets one body apart from another, each from -1 to 1; all 0 is the character as it was made. A character whose
-/// file says nothing of it (`_SHAPE`, `_HAIR`) shows none of it.
+/// The shape of one body, each value from -1 to 1; all 0 is the character as it was made. A character whose file has no
+/// `_SHAPE` and `_HAIR` shows none of it.
 struct Variant {
   float build = 0.0F;     ///< slim to stout
   float frame = 0.0F;     ///< broad hips to broad shoulders
@@ -29,7 +29,7 @@ struct Variant {
   friend bool operator==(const Variant&, const Variant&) = default;
 };
 
-/// Women and men of all builds, most of them near the middle.
+/// Draws a woman or a man of any build; most are near the middle.
 Variant random_variant(Random& random);
 
 }  // namespace throng::app

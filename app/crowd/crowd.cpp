@@ -105,14 +105,15 @@ Crowd::Crowd(CrowdLayout layout, std::uint32_t seed, std::span<const CharacterRo
     : cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),
-      behind_(marchers_.size(), 0),
-      minds_(cast_, habits_of(layout), seed),
-      looks_(looks_of(layout, minds_.habits(), seed, cast_)),
-      walkers_(walkers_of(layout, looks_, cast_)),
-      positions_(minds_.habits().size()),
-      headings_(size()),
-      speeds_(size(), 0.0F),
-      playback_speeds_(size(), 1.0F) {
+      looks_(looks_of(layout, habits_of(layout), seed, cast_)),
+      state_{.behind = std::vector<anim::Ticks>(marchers_.size()),
+             .next_waves = {},
+             .minds = CrowdMinds(cast_, habits_of(layout), seed),
+             .walkers = walkers_of(layout, looks_, cast_),
+             .positions = std::vector<glm::vec3>(looks_.scales.size()),
+             .headings = std::vector<Heading>(looks_.scales.size()),
+             .speeds = std::vector<float>(looks_.scales.size(), 0.0F),
+             .playback_speeds = std::vector<float>(looks_.scales.size(), 1.0F)} {
   place(layout);
   if (layout.wave_seconds > 0.0) expect_wave(layout);
 }
@@ -121,13 +122,13 @@ void Crowd::place(const CrowdLayout& layout) {
   std::size_t agent = walkers();
   for (const MarcherStart& marcher : marchers_) {
     const LanePlace place = marcher_place(route_, marcher, 0.0);
-    positions_[agent] = {place.position.x, 0.0, place.position.y};
-    headings_[agent] = place.heading;
-    speeds_[agent++] = static_cast<float>(route_.speed);
+    state_.positions[agent] = {place.position.x, 0.0, place.position.y};
+    state_.headings[agent] = place.heading;
+    state_.speeds[agent++] = static_cast<float>(route_.speed);
   }
   for (const StanderPlace& place : layout.standers) {
-    positions_[agent] = {place.position.x, place.height, place.position.y};
-    headings_[agent++] = place.heading;
+    state_.positions[agent] = {place.position.x, place.height, place.position.y};
+    state_.headings[agent++] = place.heading;
   }
   follow_walkers();
   for (agent = walkers(); agent < size(); ++agent) match_playback(agent);
@@ -138,51 +139,51 @@ void Crowd::expect_wave(const CrowdLayout& layout) {
   const anim::Ticks first_wave = anim::to_ticks(layout.wave_begins);
   const std::size_t first_stander = walkers() + marchers();
   for (std::size_t stander = 0; stander < layout.standers.size(); ++stander) {
-    const auto unevenness = static_cast<double>(minds_.whim(first_stander + stander).between(-1.0F, 1.0F));
+    const auto unevenness = static_cast<double>(state_.minds.whim(first_stander + stander).between(-1.0F, 1.0F));
     const double after = layout.standers[stander].round * layout.wave_seconds + wave_unevenness * unevenness;
-    next_waves_.push_back(first_wave + anim::to_ticks(after));
+    state_.next_waves.push_back(first_wave + anim::to_ticks(after));
   }
 }
 
-// Whoever the front reaches rises and cheers; seen from afar, it runs round.
+// An agent that the front of the wave reaches rises and cheers. Seen from afar, the wave runs round.
 void Crowd::lead_wave() {
   const std::size_t first_stander = walkers() + marchers();
-  for (std::size_t stander = 0; stander < next_waves_.size(); ++stander) {
-    if (now_ < next_waves_[stander]) continue;
-    const anim::Ticks late = (now_ - next_waves_[stander]) % wave_period_;
-    next_waves_[stander] = now_ - late + wave_period_;
+  for (std::size_t stander = 0; stander < state_.next_waves.size(); ++stander) {
+    if (state_.now < state_.next_waves[stander]) continue;
+    const anim::Ticks late = (state_.now - state_.next_waves[stander]) % wave_period_;
+    state_.next_waves[stander] = state_.now - late + wave_period_;
     const std::size_t agent = first_stander + stander;
     if (habits()[agent] == Habit::act) continue;
     const Role up = cast_.of(agent).playable(Role::cheer) ? Role::cheer : Role::stand;
-    if (late < up_in_wave) minds_.interrupt(agent, up, now_ - late + up_in_wave);
+    if (late < up_in_wave) state_.minds.interrupt(agent, up, state_.now - late + up_in_wave);
   }
 }
 
 void Crowd::match_playback(std::size_t agent) {
   const auto own_speed = static_cast<float>(cast_.of(agent).ground_speed(roles()[agent])) * scales()[agent];
   const bool goes = is_gait(roles()[agent]) && own_speed > 0.0F;
-  playback_speeds_[agent] =
-      goes ? std::clamp(speeds_[agent] / own_speed, least_playback, most_playback) : looks_.paces[agent];
+  state_.playback_speeds[agent] =
+      goes ? std::clamp(state_.speeds[agent] / own_speed, least_playback, most_playback) : looks_.paces[agent];
 }
 
 void Crowd::follow_walkers() {
   for (std::size_t walker = 0; walker < walkers(); ++walker) {
-    const Body& body = walkers_.bodies()[walker];
-    positions_[walker] = {body.position.x, 0.0F, body.position.y};
-    headings_[walker] = walkers_.headings()[walker];
-    speeds_[walker] = glm::length(body.velocity);
+    const Body& body = state_.walkers.bodies()[walker];
+    state_.positions[walker] = {body.position.x, 0.0F, body.position.y};
+    state_.headings[walker] = state_.walkers.headings()[walker];
+    state_.speeds[walker] = glm::length(body.velocity);
     match_playback(walker);
   }
 }
 
 double Crowd::marching_time(std::size_t marcher, anim::Ticks dt) {
-  anim::Ticks& behind = behind_[marcher];
-  if (minds_.holds(walkers() + marcher)) {
+  anim::Ticks& behind = state_.behind[marcher];
+  if (state_.minds.holds(walkers() + marcher)) {
     behind += dt;
   } else {
     behind = std::max<anim::Ticks>(0, behind - dt / slowness_to_catch_up);
   }
-  return anim::to_seconds(now_ - behind);
+  return anim::to_seconds(state_.now - behind);
 }
 
 void Crowd::march(anim::Ticks dt) {
@@ -190,26 +191,26 @@ void Crowd::march(anim::Ticks dt) {
     const std::size_t agent = walkers() + marcher;
     const LanePlace place = marcher_place(route_, marchers_[marcher], marching_time(marcher, dt));
     const glm::vec3 position(place.position.x, 0.0, place.position.y);
-    speeds_[agent] =
-        static_cast<float>(static_cast<double>(glm::distance(position, positions_[agent])) / anim::to_seconds(dt));
-    positions_[agent] = position;
-    headings_[agent] = place.heading;
+    state_.speeds[agent] = static_cast<float>(static_cast<double>(glm::distance(position, state_.positions[agent])) /
+                                              anim::to_seconds(dt));
+    state_.positions[agent] = position;
+    state_.headings[agent] = place.heading;
     match_playback(agent);
   }
 }
 
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& executor, int jobs) {
   assert(dt >= 0);
-  now_ += dt;
-  minds_.decide(now_);
+  state_.now += dt;
+  state_.minds.decide(state_.now);
   lead_wave();
   if (dt > 0) {
-    walkers_.advance(dt, now_, minds_, executor, jobs);
+    state_.walkers.advance(dt, state_.now, state_.minds, executor, jobs);
     follow_walkers();
     march(dt);
   }
-  for (const ClipRequest& request : minds_.requests()) match_playback(request.agent);
-  return minds_.requests();
+  for (const ClipRequest& request : state_.minds.requests()) match_playback(request.agent);
+  return state_.minds.requests();
 }
 
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
@@ -219,46 +220,26 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt) {
 
 void Crowd::put(std::uint32_t agent, const glm::vec3& position, const Heading& heading) {
   assert(habits()[agent] == Habit::act);
-  positions_[agent] = position;
-  headings_[agent] = heading;
+  state_.positions[agent] = position;
+  state_.headings[agent] = heading;
 }
 
 std::optional<ClipRequest> Crowd::hold(std::uint32_t agent) {
-  const auto request = minds_.hold(agent);
-  speeds_[agent] = 0.0F;
+  const auto request = state_.minds.hold(agent);
+  state_.speeds[agent] = 0.0F;
   match_playback(agent);
   return request;
 }
 
 std::optional<ClipRequest> Crowd::release(std::uint32_t agent) {
-  const auto request = minds_.release(agent);
+  const auto request = state_.minds.release(agent);
   match_playback(agent);
   return request;
 }
 
-void Crowd::remember(CrowdMoment& into) const {
-  into = {.now = now_,
-          .behind = behind_,
-          .next_waves = next_waves_,
-          .minds = minds_,
-          .walkers = walkers_,
-          .positions = positions_,
-          .headings = headings_,
-          .speeds = speeds_,
-          .playback_speeds = playback_speeds_};
-}
-
 void Crowd::go_back_to(const CrowdMoment& moment) {
-  assert(moment.positions.size() == positions_.size());
-  now_ = moment.now;
-  behind_ = moment.behind;
-  next_waves_ = moment.next_waves;
-  minds_ = *moment.minds;
-  walkers_ = *moment.walkers;
-  positions_ = moment.positions;
-  headings_ = moment.headings;
-  speeds_ = moment.speeds;
-  playback_speeds_ = moment.playback_speeds;
+  assert(moment->positions.size() == size());
+  state_ = *moment;
 }
 
 CrowdSphere bounding_sphere(const Crowd& crowd) {

@@ -32,39 +32,45 @@ struct Group {
   double radius;  // of the disc that holds everyone's feet
 };
 
-/// Finds groups near a point; a grid of buckets, chained, clamped at its edge.
+/// A square grid about the origin, clamped at its edge.
+struct Grid {
+  double cell;  // metres
+  int columns;
+
+  int column(double coordinate) const {
+    return static_cast<int>(std::clamp(coordinate / cell + 0.5 * columns, 0.0, columns - 1.0));
+  }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
+  }
+  std::size_t index(glm::dvec2 place) const { return index(column(place.x), column(place.y)); }
+  std::size_t size() const { return index(0, columns); }
+};
+
+/// Finds groups near a point: each cell of the grid has a chain of groups.
 class GroupMap {
  public:
   GroupMap(double side, double spacing)
-      : bucket_(bucket * spacing),
-        columns_(static_cast<int>(side / bucket_) + 8),
-        first_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_), -1) {}
+      : grid_{bucket * spacing, static_cast<int>(side / (bucket * spacing)) + 8}, first_(grid_.size(), -1) {}
 
   void add(const Group& group) {
-    int& first = first_[index(column(group.centre.x), column(group.centre.y))];
+    int& first = first_[grid_.index(group.centre)];
     next_.push_back(first);
     first = static_cast<int>(groups_.size());
     groups_.push_back(group);
   }
 
   bool is_free(const Group& wanted, double gap) const {
-    const int x = column(wanted.centre.x), y = column(wanted.centre.y);
-    for (int row = std::max(0, y - 1); row <= std::min(columns_ - 1, y + 1); ++row) {
-      for (int at = std::max(0, x - 1); at <= std::min(columns_ - 1, x + 1); ++at) {
-        if (meets_bucket(index(at, row), wanted, gap)) return false;
+    const int x = grid_.column(wanted.centre.x), y = grid_.column(wanted.centre.y), last = grid_.columns - 1;
+    for (int row = std::max(0, y - 1); row <= std::min(last, y + 1); ++row) {
+      for (int at = std::max(0, x - 1); at <= std::min(last, x + 1); ++at) {
+        if (meets_bucket(grid_.index(at, row), wanted, gap)) return false;
       }
     }
     return true;
   }
 
  private:
-  int column(double coordinate) const {
-    const double from_edge = coordinate / bucket_ + 0.5 * columns_;
-    return static_cast<int>(std::clamp(from_edge, 0.0, columns_ - 1.0));
-  }
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
-  }
   bool meets_bucket(std::size_t at, const Group& wanted, double gap) const {
     for (int group = first_[at]; group >= 0; group = next_[static_cast<std::size_t>(group)]) {
       const Group& there = groups_[static_cast<std::size_t>(group)];
@@ -73,25 +79,25 @@ class GroupMap {
     return false;
   }
 
-  double bucket_;
-  int columns_;
+  Grid grid_;
   std::vector<int> first_;  // by bucket
   std::vector<int> next_;   // by group
   std::vector<Group> groups_;
 };
 
-/// Finds the lanes near a point; a coarse grid, clamped at its edge.
+/// Finds the lanes near a point by a coarse grid.
 class LaneMap {
  public:
   explicit LaneMap(const GroundPlan& ground)
-      : lanes_(ground.lanes), cell_(lane_cell * ground.spacing), columns_(static_cast<int>(ground.side / cell_) + 1) {
-    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_));
+      : lanes_(ground.lanes),
+        grid_{lane_cell * ground.spacing, static_cast<int>(ground.side / (lane_cell * ground.spacing)) + 1},
+        cells_(grid_.size()) {
     for (std::size_t lane = 0; lane < lanes_.size(); ++lane) add(lane, ring_radii.back() * 2.0 * ground.spacing);
   }
 
   bool is_free(const Group& group) const {
-    const auto& near = cells_[index(column(group.centre.x), column(group.centre.y))];
-    return std::all_of(near.begin(), near.end(), [&](std::size_t lane) { return clear_of(lanes_[lane], group); });
+    return std::ranges::all_of(cells_[grid_.index(group.centre)],
+                               [&](std::size_t lane) { return clear_of(lanes_[lane], group); });
   }
 
  private:
@@ -104,20 +110,13 @@ class LaneMap {
     const Lane& loop = lanes_[lane].outermost;
     const glm::dvec2 reach = loop.core + glm::dvec2(loop.corner_radius + lanes_[lane].clear + margin);
     const glm::dvec2 low = loop.centre - reach, high = loop.centre + reach;
-    for (int y = column(low.y); y <= column(high.y); ++y) {
-      for (int x = column(low.x); x <= column(high.x); ++x) cells_[index(x, y)].push_back(lane);
+    for (int y = grid_.column(low.y); y <= grid_.column(high.y); ++y) {
+      for (int x = grid_.column(low.x); x <= grid_.column(high.x); ++x) cells_[grid_.index(x, y)].push_back(lane);
     }
-  }
-  int column(double coordinate) const {
-    return static_cast<int>(std::clamp(coordinate / cell_ + 0.5 * columns_, 0.0, columns_ - 1.0));
-  }
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
   }
 
   std::span<const LaneGround> lanes_;
-  double cell_;
-  int columns_;
+  Grid grid_;
   std::vector<std::vector<std::size_t>> cells_;
 };
 

@@ -18,7 +18,7 @@ struct LaneGround {
   double clear;  ///< metres to keep from either
 };
 
-/// Where standing agents may go.
+/// The ground on which standing agents find places.
 struct GroundPlan {
   double side;           ///< metres, of the square about the origin
   double spacing;        ///< as CharacterRoles::spacing
@@ -26,7 +26,7 @@ struct GroundPlan {
   std::span<const LaneGround> lanes;
 };
 
-/// Loose groups of one to six, each a ring that faces its middle, strewn evenly, clear of lanes and of each other.
+/// Places loose groups of one to six, each a ring that faces its middle, evenly and clear of lanes and of each other.
 /// Spreads past the square's edge when it is full, so all `standers` find a place.
 std::vector<StanderPlace> place_groups(std::size_t standers, const GroundPlan& ground, Random random);
 

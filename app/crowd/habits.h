@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// What somebody came for. It decides which of the transitions between roles are theirs.
+/// The reason why an agent is there. It decides which transitions between roles the agent makes.
 enum class Habit : std::uint8_t {
   stroll,       ///< walks the lanes of a plaza, stops, goes on, runs now and then
   stand_about,  ///< stands where it is, in a group or in a row of the grid
@@ -19,7 +19,7 @@ enum class Habit : std::uint8_t {
   act,          ///< does what a script says (CutScene)
 };
 
-/// One arrow of the state machine: whoever has `habit` and has done `from` for long enough may go over to `to`, and
+/// One arrow of the state machine: an agent of `habit` that has done `from` for long enough may go over to `to`, and
 /// does so in proportion to `weight`.
 struct Transition {
   Habit habit;
@@ -27,7 +27,7 @@ struct Transition {
   float weight;
 };
 
-/// All there are. What is not in this list never happens.
+/// All transitions. Nothing else ever happens.
 std::span<const Transition> transitions();
 
 /// Seconds that a role is kept.
@@ -39,7 +39,7 @@ Stay stay_in(Role role);
 /// The role that an agent of `habit` begins with, as far as the character has a clip for it.
 Role first_role(Habit habit, const CharacterRoles& character, Random& whim);
 
-/// What follows on `from`: one of the transitions whose role the character can play; `from` if there is none.
+/// The role that follows `from`, by a transition whose role the character can play; `from` if there is none.
 Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim);
 
 constexpr bool is_gait(Role role) { return role == Role::walk || role == Role::jog || role == Role::run; }

@@ -15,7 +15,7 @@ struct LanePlace {
   Heading heading;
 };
 
-/// A closed lane: a rectangle with round corners, walked at one speed by everyone on it so that nobody catches up.
+/// A closed lane: a rectangle with round corners. All walk it at one speed, so that nobody catches up.
 /// Lanes of equal core whose corner radii differ by d run d apart all the way round.
 struct Lane {
   glm::dvec2 centre{0.0};      ///< x, z in metres
@@ -25,7 +25,7 @@ struct Lane {
   double speed = 0.0;          ///< metres a second
 
   double length() const;
-  /// `distance` in metres from the lane's start in the direction of walking; any value, wraps.
+  /// The place at `distance` metres from the lane's start in the direction of walking; any value, it wraps.
   LanePlace at(double distance) const;
   /// Metres from `point` (x, z) to the lane: negative inside the loop, positive outside.
   double signed_distance(glm::dvec2 point) const;

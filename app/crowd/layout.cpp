@@ -31,6 +31,12 @@ constexpr float slowest_lane = 0.94F, fastest_lane = 1.03F;
 struct Square {
   glm::dvec2 centre;
   double half;
+
+  /// One of `rows` times `rows` squares that this one is cut into.
+  Square part(int index, int rows) const {
+    const double half_part = half / rows;
+    return {centre + half_part * glm::dvec2(2 * (index % rows) + 1 - rows, 2 * (index / rows) + 1 - rows), half_part};
+  }
 };
 
 /// Lays lanes, and remembers the ground that they take from those who stand.
@@ -69,16 +75,14 @@ void LanePlanner::lay_band(glm::dvec2 centre, glm::dvec2 half_extents, double co
 
 void LanePlanner::lay_loops(const Square& inside) {
   const int cells = std::max(1, static_cast<int>(std::lround(2.0 * inside.half / (loop_cell * spacing_))));
-  const double cell_half = inside.half / cells;
-  for (int cell = 0; cell < cells * cells; ++cell) {
-    const glm::dvec2 at =
-        inside.centre + cell_half * glm::dvec2(2 * (cell % cells) + 1 - cells, 2 * (cell / cells) + 1 - cells);
+  for (int index = 0; index < cells * cells; ++index) {
+    const Square cell = inside.part(index, cells);
     if (!random_.chance(share_of_cells_with_loop)) continue;
     const glm::dvec2 half_extents =
-        (cell_half - spacing_) * glm::dvec2(static_cast<double>(random_.between(0.55F, 0.95F)),
+        (cell.half - spacing_) * glm::dvec2(static_cast<double>(random_.between(0.55F, 0.95F)),
                                             static_cast<double>(random_.between(0.55F, 0.95F)));
     const double radius = std::min(half_extents.x, half_extents.y) * static_cast<double>(random_.between(0.6F, 1.0F));
-    lay_band(at, half_extents, radius, 1 + static_cast<int>(random_.below(2)));
+    lay_band(cell.centre, half_extents, radius, 1 + static_cast<int>(random_.below(2)));
   }
 }
 
@@ -95,10 +99,8 @@ void LanePlanner::lay_block(const Square& block) {
 
 void lay_blocks(double side, double spacing, LanePlanner& planner) {
   const int blocks = std::max(1, static_cast<int>(std::lround(side / (promenade_block * spacing))));
-  const double half = 0.5 * side / blocks;
-  for (int block = 0; block < blocks * blocks; ++block) {
-    planner.lay_block({half * glm::dvec2(2 * (block % blocks) + 1 - blocks, 2 * (block / blocks) + 1 - blocks), half});
-  }
+  const Square plaza{glm::dvec2(0.0), 0.5 * side};
+  for (int block = 0; block < blocks * blocks; ++block) planner.lay_block(plaza.part(block, blocks));
 }
 
 // Walkers at even distances, give or take what keeps them `least_gap` apart.

@@ -23,7 +23,7 @@ struct MarcherStart {
   double offset;    ///< metres out of the route, away from the loop's middle
 };
 
-/// What a place is for.
+/// The part that an agent at a place plays.
 enum class Part : std::uint8_t { bystander, actor, prop };
 
 struct StanderPlace {
@@ -35,7 +35,7 @@ struct StanderPlace {
   Part part = Part::bystander;
 };
 
-/// Who is where when a scene begins; walkers, marchers and standers together are all its agents.
+/// The places of all agents when a scene begins: walkers, marchers and standers.
 struct CrowdLayout {
   std::vector<Lane> lanes;  ///< with their speeds
   std::vector<WalkerStart> walkers;
@@ -43,24 +43,24 @@ struct CrowdLayout {
   Lane route;  ///< with its speed; of the marchers
   std::vector<MarcherStart> marchers;
   std::vector<StanderPlace> standers;
-  double wave_seconds = 0.0;  ///< what a wave that makes everyone cheer takes to come round; 0: there is none
+  double wave_seconds = 0.0;  ///< time that a wave of cheering takes to come round; 0: there is none
   double wave_begins = 2.0;   ///< seconds
 };
 
-/// Metres along one side of the square, centred on the origin, that the plaza of so many agents fills.
+/// The side, in metres, of the square about the origin that the plaza of so many agents fills.
 double plaza_side(std::size_t agents, double spacing);
 
-/// The corner from which the plaza is looked at: x and z in metres. Nobody stands in front of it for a few metres.
+/// The corner from which the camera looks at the plaza: x and z in metres. The few metres before it stay free.
 glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing);
 
-/// Promenades, small loops and loose groups that fill a plaza evenly, whatever its size.
+/// Fills a plaza of any size evenly with promenades, small loops and loose groups.
 CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
-/// Agents in a row of the grid, and metres from one to the next.
+/// The agents in a row of the grid, and the metres from one to the next.
 std::size_t grid_columns(std::size_t agents);
 double grid_pitch(double spacing);
 
-/// Rows that face +Z; the first is at z 0, the others behind it, x centred on 0.
+/// Lays out rows that face +Z; the first is at z 0, the others behind it, x centred on 0.
 CrowdLayout grid_layout(std::size_t agents, const CharacterRoles& roles);
 
 }  // namespace throng::app

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float shortest_fade = 0.3F, longest_fade = 0.8F;
 constexpr float passage_fade = 0.25F;    // seconds, into a clip that leads from one role to another and out of it
-constexpr double fastest_passage = 1.1;  // of whoever stays in place: the clip is left before it is over
+constexpr double fastest_passage = 1.1;  // agents in place play no faster, so the clip is left before it is over
 constexpr std::uint64_t first_whim_stream = 16;
 constexpr anim::Ticks never = std::numeric_limits<anim::Ticks>::max();
 

@@ -14,7 +14,7 @@
 
 namespace throng::app {
 
-/// An agent changes what it does: ease from the clip it plays now into `clip`.
+/// Asks for another clip of an agent: it fades from the clip that it plays now into `clip`.
 struct ClipRequest {
   std::uint32_t agent;
   Role role;
@@ -22,25 +22,25 @@ struct ClipRequest {
   float fade_seconds;  ///< of the crowd's clock
 };
 
-/// Each agent's state machine: what it has in mind, and the clip that shows it. The two differ where its character has
-/// no clip for a role, and where one who means to run is held up by others. Depends on nothing but seed and clock.
-/// Spans have one element an agent.
+/// The state machine of each agent: the role that it has in mind, and the clip that it shows. The two differ where its
+/// character has no clip for the role, and where others hold up an agent that wants to run. All of it follows from seed
+/// and clock. Spans have one element an agent.
 class CrowdMinds {
  public:
   /// `cast` outlives it.
   CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::uint32_t seed);
 
-  /// Begins a frame: forgets requests and changes, then lets everyone whose time has come go over to another role.
+  /// Begins a frame: forgets requests and changes, then lets each agent whose time has come go over to another role.
   void decide(anim::Ticks now);
-  /// Does `role`, if the character can, at once and until the clock says `until`; as next_role decides from then on.
+  /// Lets the agent do `role` at once, if its character can, until the clock says `until`. Then next_role() decides.
   void interrupt(std::size_t agent, Role role, anim::Ticks until);
-  /// Shows `role`, which the character can play, whatever the agent has in mind.
+  /// Shows `role` if the character can play it; the agent has the same in mind as before.
   void show(std::size_t agent, Role role);
 
-  /// From now on it does not change what it does, but to stop walking: that change, if there is one, is returned and
+  /// Keeps the agent at what it does, except that it stops walking. That change, if there is one, is returned and is
   /// not among the requests.
   std::optional<ClipRequest> hold(std::size_t agent);
-  /// It goes on as before.
+  /// Lets the agent go on as before.
   std::optional<ClipRequest> release(std::size_t agent);
   bool holds(std::size_t agent) const { return held_[agent] != 0; }
 
@@ -50,7 +50,7 @@ class CrowdMinds {
   std::span<const int> clips() const { return clips_; }   ///< index, or no_clip for a character that has none
   Random& whim(std::size_t agent) { return whims_[agent]; }
 
-  /// Of this frame, at most one an agent.
+  /// The requests of this frame, at most one an agent.
   std::span<const ClipRequest> requests() const { return requests_; }
   /// Agents that went over to another role in this frame, or chose the one that they have once more.
   std::span<const std::uint32_t> changed() const { return changed_; }
@@ -65,7 +65,7 @@ class CrowdMinds {
   void arrive(std::size_t agent);
   std::optional<ClipRequest> show_apart(std::size_t agent, Role role);
 
-  /// What is done when the clip is over that leads to it.
+  /// The role that follows when a clip that leads to it is over.
   struct Arrival {
     anim::Ticks at;
     Role role;

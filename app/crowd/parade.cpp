@@ -27,6 +27,8 @@ constexpr double quarter_turn = std::numbers::pi / 2.0;
 struct Formation {
   std::size_t marchers = 0, files = 1, ranks = 0;
   double file_pitch = 1.0;
+
+  double half_width() const { return 0.5 * static_cast<double>(files - 1) * file_pitch; }
 };
 
 Formation formation_of(std::size_t agents, const CharacterRoles& roles) {
@@ -44,8 +46,7 @@ Formation formation_of(std::size_t agents, const CharacterRoles& roles) {
 
 Lane route_of(const Formation& formation, const CharacterRoles& roles) {
   const double spacing = roles.spacing();
-  const double half_width = 0.5 * static_cast<double>(formation.files - 1) * formation.file_pitch;
-  const double radius = half_width + inside_of_route * spacing;
+  const double radius = formation.half_width() + inside_of_route * spacing;
   const double wanted = road_a_marching_metre * rank_pitch * spacing * static_cast<double>(formation.ranks);
   const double straight = std::max(wanted - 2.0 * std::numbers::pi * radius, 8.0 * radius) / 4.0;
   return {{0.0, 0.0}, {straight, 0.0}, radius, 1.0, roles.walk_speed};
@@ -112,8 +113,7 @@ CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const Characte
   CrowdLayout layout;
   layout.route = route_of(formation, roles);
   if (formation.marchers > 0) line_up(formation, layout.route, roles.spacing(), layout);
-  const double half_width = 0.5 * static_cast<double>(formation.files - 1) * formation.file_pitch;
-  add_spectators(agents - formation.marchers, half_width, roles.spacing(), Random(seed, 5), layout);
+  add_spectators(agents - formation.marchers, formation.half_width(), roles.spacing(), Random(seed, 5), layout);
   return layout;
 }
 
@@ -138,7 +138,7 @@ double marcher_phase(const Lane& route, const MarcherStart& marcher, const Chara
 ParadeSize parade_size(std::size_t agents, const CharacterRoles& roles) {
   const Formation formation = formation_of(agents, roles);
   const Lane route = route_of(formation, roles);
-  return {route.core.x, route.corner_radius, 0.5 * static_cast<double>(formation.files - 1) * formation.file_pitch};
+  return {route.core.x, route.corner_radius, formation.half_width()};
 }
 
 }  // namespace throng::app

@@ -4,12 +4,12 @@
 
 namespace throng::app {
 
-/// Companies in rank and file on a closed route of two straights and two ends, and spectators along it. The file pitch
-/// is such that on every quarter turn a file walks one whole cycle of the walk clip (or two, ...) more than the one
-/// inside it: on the straights everyone is in step, and nobody's feet slide.
+/// Lays out companies in rank and file on a closed route of two straights and two ends, and spectators along it. The
+/// distance between files is such that on every quarter turn a file walks one whole cycle of the walk clip (or two,
+/// ...) more than the one inside it: on the straights everyone is in step, and nobody's feet slide.
 CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
-/// Where a marcher of `layout` is after `seconds`.
+/// The place of a marcher after `seconds`.
 LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double seconds);
 
 /// The phase of the walk clip, 0 to below 1, that a marcher starts with so that all of its file and rank are in step.

@@ -4,8 +4,8 @@
 
 namespace throng::app {
 
-/// The same numbers on every machine for the same seed and stream (PCG32, M. O'Neill 2014); `std` distributions are
-/// not.
+/// Draws the same numbers on every machine for the same seed and stream (PCG32, M. O'Neill 2014); distributions of
+/// `std` do not.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t stream) : increment_((stream << 1U) | 1U) {

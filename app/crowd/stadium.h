@@ -4,8 +4,8 @@
 
 namespace throng::app {
 
-/// Tiers of seats around a field, the lowest at its level, all facing inwards, and athletes on lanes round the field.
-/// With `wave_seconds`, a wave runs round the tiers.
+/// Lays out tiers of seats around a field, the lowest at its level, all facing inwards, and athletes on lanes round the
+/// field. With `wave_seconds`, a wave runs round the tiers.
 CrowdLayout stadium_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
 /// Metres.

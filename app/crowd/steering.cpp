@@ -35,7 +35,7 @@ struct Reach {
   float closing;
 };
 
-/// What an agent has around it.
+/// The other agents around one, as limits on its velocity.
 struct Surroundings {
   glm::vec2 turn_away{0.0F};  // metres a second
   std::array<Limit, most_close> limits;
@@ -78,7 +78,7 @@ class Step {
     glm::vec2 velocity = wish_.velocity + no_longer_than(around_.turn_away, 1.2F * wished_speed_);
     velocity = no_longer_than(velocity, wish_.most_speed);
     velocity = politely(velocity);
-    // Whoever is held up tries its right.
+    // An agent that is held up tries its right.
     const float held_up = wished_speed_ - glm::dot(velocity, with_length(wish_.velocity, 1.0F));
     if (held_up > 0.5F * wished_speed_) {
       velocity = politely(velocity + with_length(right_of(wish_.velocity), sidestep * held_up));
@@ -152,7 +152,7 @@ class Step {
   Surroundings around_;
 };
 
-/// What all of a step share.
+/// The data that all agents share in a step.
 struct StepWork {
   const CrowdCells* cells;
   std::span<Body> bodies;
@@ -175,7 +175,7 @@ void move_body(const StepWork& work, const Body& self) {
 
 Steering::Steering(std::size_t agents, const Ground& ground)
     : ground_(ground), reach_(std::max(reach_in_spacings * ground.spacing, 8.0F * ground.largest_radius)) {
-  // Whoever two can meet in one step is within reach of both.
+  // Two agents see everybody that both can meet in one step.
   longest_step_ = 0.25F * (reach_ - 2.0F * ground.largest_radius);
   cells_.set_aside(agents, ground.lowest, ground.highest, reach_);
 }

@@ -14,7 +14,7 @@ namespace throng::app {
 /// Two agents never come nearer than this share of their radii summed, if they were not when they began.
 inline constexpr float least_share_of_radii = 0.82F;
 
-/// Where an agent would go if nobody was in its way.
+/// The velocity that an agent would have if nobody was in its way.
 struct Wish {
   glm::vec2 velocity{0.0F};  ///< metres a second
   float most_speed = 0.0F;   ///< metres a second, also while it makes way; above 0 for bodies that move
@@ -26,7 +26,8 @@ struct Wish {
 /// An agent turns away from those it would come too close to (time and place of closest approach; on its right from
 /// those who come head-on), follows no faster than those it walks behind, and accelerates within limits. Whatever that
 /// gives is cut to the half-planes of its buffered Voronoi cell (Zhou et al. 2017), whose origin is always free: of the
-/// gap between two, each may take its half, all of it where the other stands. So nobody meets anybody, however dense.
+/// gap between two, each may take its half, all of it where the other stands. So nobody meets anybody, even in a dense
+/// crowd.
 class Steering {
  public:
   struct Ground {
@@ -42,13 +43,10 @@ class Steering {
   /// agent, `bodies[i].agent` is i. `jobs`, 1 or more, run at once on `executor`. Allocates nothing.
   void step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor, int jobs);
 
-  /// Metres that nobody exceeds in one step.
-  float longest_step() const { return longest_step_; }
-
  private:
   Ground ground_;
   float reach_ = 1.0F;
-  float longest_step_ = 0.0F;
+  float longest_step_ = 0.0F;  // metres that nobody exceeds in one step
   CrowdCells cells_;
 };
 

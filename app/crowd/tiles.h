@@ -8,8 +8,8 @@
 
 namespace throng::app {
 
-/// Calls visit(i) for each i below `count`, tiles of them shared out over `jobs` jobs. What one visit writes, no other
-/// reads or writes.
+/// Calls visit(i) for each i below `count`, and shares tiles of them out over `jobs` jobs. Two visits must not write
+/// the same data, and no visit may read what another writes.
 template <typename Visit>
 void visit_in_tiles(std::size_t count, anim::Executor& executor, int jobs, Visit&& visit) {
   constexpr std::size_t tile = 128;

@@ -48,7 +48,7 @@ Steering::Ground ground_of(std::span<const Body> bodies, float spacing) {
   return {lowest, highest, largest, spacing};
 }
 
-// From one heading towards another, by one turn at most.
+// Turns from one heading towards another, by one turn at most.
 Heading turned(Heading from, Heading to, glm::vec2 most) {
   const float cosine = from.cosine * to.cosine + from.sine * to.sine;
   if (cosine >= most.x) return to;
@@ -94,7 +94,7 @@ float CrowdWalkers::speed_of(std::size_t walker, Role gait) const {
   return static_cast<float>(speed) * paces_[walker];
 }
 
-// To the nearest of a few places on another lane, if one is near enough.
+// Goes to the nearest of a few places on another lane, if one is near enough.
 void CrowdWalkers::set_out(std::size_t walker, Random& whim) {
   constexpr int tries = 4, places = 8;
   const glm::vec2 here = bodies_[walker].position;
@@ -118,7 +118,7 @@ void CrowdWalkers::set_out(std::size_t walker, Random& whim) {
   }
 }
 
-// A few steps in any direction first, then to another lane: the way out for somebody hemmed in.
+// Goes a few steps in any direction, then to another lane. So an agent that is hemmed in gets out.
 void CrowdWalkers::turn_aside(std::size_t walker, Random& whim) {
   set_out(walker, whim);
   const glm::vec2 direction(cosine_sine(4.0 * static_cast<double>(whim.unit())));

@@ -15,17 +15,18 @@
 
 namespace throng::app {
 
-/// The agents that walk where they like: the first of a crowd. Each follows a point that stays a few steps ahead on its
-/// lane, at the speed of what it has in mind, and makes way for others; on another lane, it cuts across to it.
+/// Moves the agents that walk where they like, the first of a crowd. Each follows a point a few steps ahead on its
+/// lane, at the speed of the gait that it has in mind, and makes way for others. It cuts across to a lane that it
+/// changes to.
 class CrowdWalkers {
  public:
-  /// `bodies`: those of all agents, walkers first; `paces`: of the walkers, their speed over that of the gait's clip.
-  /// `cast` outlives it.
+  /// `bodies` has all agents, walkers first; `paces` has the walkers' speeds over those of the gait's clip. `cast`
+  /// outlives this object.
   CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::vector<WalkerStart> starts,
                std::vector<Body> bodies, std::vector<float> paces);
 
-  /// One frame of `dt`, in steps short enough to steer by; then asks `minds` for the gait that fits the speed.
-  /// Allocates nothing. As Steering::step, the result does not depend on `jobs`.
+  /// Moves all walkers by `dt`, in steps short enough to steer by, then asks `minds` for the gait that fits the speed.
+  /// Allocates nothing. The result does not depend on `jobs`.
   void advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs);
 
   std::size_t count() const { return starts_.size(); }
@@ -49,12 +50,12 @@ class CrowdWalkers {
   const CrowdCast* cast_;
   float spacing_;
   std::vector<Lane> lanes_;
-  std::vector<WalkerStart> starts_;  // where on which lane the point is that the walker follows
+  std::vector<WalkerStart> starts_;  // the lane and the place of the point that the walker follows
   std::vector<glm::vec2> ahead_;     // that point
   std::vector<float> paces_;
   std::vector<Heading> headings_;
-  std::vector<anim::Ticks> moved_at_;     // when it last got on
-  std::vector<anim::Ticks> new_gait_at_;  // when it last changed gait
+  std::vector<anim::Ticks> moved_at_;     // the time at which it last got on
+  std::vector<anim::Ticks> new_gait_at_;  // the time at which it last changed gait
   std::vector<Body> bodies_;
   std::vector<Wish> wishes_;
   Steering steering_;

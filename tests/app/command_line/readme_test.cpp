@@ -10,7 +10,7 @@
 namespace throng::app::readme_test {
 namespace {
 
-/// What stands in app/command_line/README.md between <!-- name --> and the next <!-- end -->.
+/// The part of app/command_line/README.md between <!-- name --> and the next <!-- end -->.
 std::string part_of_readme(const std::string& name) {
   std::ifstream file(THRONG_SOURCE_DIR "/app/command_line/README.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};

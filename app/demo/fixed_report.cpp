@@ -40,12 +40,7 @@ anim::Status fix_measured(const std::filesystem::path& report_file, FrameReport&
   report.simd_target = json.value("simd_target", std::string());
   report.hardware_threads = json.value("hardware_threads", 0);
   report.limit_sentence = json.value("limit_sentence", std::string());
-  const float busy_ms = json.value("pu_busy_ms", 0.0F);
-  for (PuReport& pu : report.pu) {
-    pu.busy_ms = busy_ms;
-    pu.wait_ms = 0;
-    pu.spans.clear();
-  }
+  for (PuReport& pu : report.pu) pu.activity.busy_ms = json.value("pu_busy_ms", 0.0);
   report.timeline.clear();
   if (json.contains("sweep")) report.sweep = sweep_in(json["sweep"]);
   return anim::Done{};

@@ -43,11 +43,8 @@ class FrameReporter {
   void describe_device(const Show& show);
   void describe_bones(const anim::Character& character);
   void add_level_of_detail(const Stage& stage);
-  void add_limits(const Stage& stage);
   void add_heads(const Stage& stage);
-  void add_memory(const anim::AnimationSystem& system);
-  void remember_timeline();
-  void add_units(const anim::AnimationSystem& system, double update_ms);
+  void add_units(const anim::AnimationSystem& system);
 
   FrameReport report_;
   LimiterOverFrames limit_;

@@ -33,16 +33,13 @@ EntityRow row_of(anim::Handle entity, const anim::EntityPools& pools, const anim
   const anim::AnimationStateHeader& state = pools.state(entity);
   EntityRow row{.kind = layout.kind->name,
                 .clip = {},
-                .bytes = layout.total_size,
-                .pool = entity.pool(),
-                .generation = entity.generation(),
-                .index = entity.index(),
+                .handle = entity,
                 .priority = state.priority - anim::highest_priority,
                 .resident = layout.is_resident(),
                 .shared = anim::EntityPools::is_shared(entity)};
   const std::byte* const block = pools.block(entity);
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(block);
-  row.block.assign(bytes, bytes + row.bytes);
+  row.block.assign(bytes, bytes + layout.total_size);
   row.fields = block_fields(state);
   if (!is_player(entity)) return row;
   const auto& player = pools.as<anim::Player>(entity);
@@ -60,7 +57,7 @@ void add_graph(const anim::AnimationSystem& system, SelectionReport& report) {
     report.entities.push_back(
         row_of(entities[i], system.agent(report.agent).pools(), system.agent(report.agent).character()));
     report.entities.back().weight = weights[i];
-    report.bytes += report.entities.back().bytes;
+    report.bytes += static_cast<std::uint32_t>(report.entities.back().block.size());
   }
   report.layers = agent_layers(system, report.agent);
 }

@@ -1,14 +1,13 @@
-#include "app/overlay/agent_tab.h"
-
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
-#include "app/overlay/layer_rows.h"
-#include "app/overlay/numbers.h"
+#include "app/overlay/cards.h"
 #include "app/overlay/plots.h"
+#include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
 #include "engine/anim/lod/lod.h"
 
@@ -16,6 +15,8 @@ namespace throng::app {
 namespace {
 
 constexpr std::size_t history_shown = 240, bytes_a_line = 12, most_bytes_shown = 384, most_events_shown = 8;
+constexpr float layer_height = 19, entity_indent = 12, bar_width = 62, percent_width = 44, clip_time_width = 84;
+constexpr float right_margin = 20;  // as wide as the column of resets, which facts leave free too
 
 void show_who(const TabContext& context, const SelectionReport& selected) {
   Widgets& widgets = context.widgets;
@@ -28,31 +29,79 @@ void show_who(const TabContext& context, const SelectionReport& selected) {
                {.what = "Its entities in main memory."});
 }
 
-void show_hands(const TabContext& context, const SelectionReport& selected) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
-  widgets.section("Hands on it");
-  const float last = std::max(selected.clip_seconds, 0.01F);
-  ImGui::BeginDisabled(selected.clip_seconds <= 0 || selected.posture != Posture::upright);
-  float seconds = std::min(selected.held_at.value_or(0), last);
-  if (widgets.number("Hold clip at", seconds, 0,
-                     {.lowest = 0, .highest = static_cast<double>(last), .decimals = 2, .suffix = " s"},
-                     {.what = "Drag to stop it and to move through its clip. Crowd logic holds it in its place.",
-                      .unit = "seconds from the clip's start"})) {
-    commands.hold_at = seconds;
-  }
-  ImGui::EndDisabled();
-  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::BeginDisabled(!selected.held_at);
-  commands.let_go |= widgets.button("Let go", {.what = "It goes on as the crowd wants it."}, width);
-  ImGui::EndDisabled();
-  ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
-  ImGui::BeginDisabled(!selected.can_fall);
-  commands.push_over |= widgets.button("Push", {.what = "Makes a rag-doll of it, which falls. Key P."}, width);
-  ImGui::EndDisabled();
+/// Draws a share, 0 to 1, between the words and the figure.
+void draw_bar(const Theme& theme, const Area& row, float weight, ImU32 colour) {
+  const float right = row.to.x - theme.px(percent_width), left = right - theme.px(bar_width);
+  const float y = std::floor((row.from.y + row.to.y) / 2), half = theme.px(2.5F);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled({left, y - half}, {right, y + half}, colour::well_hovered, half);
+  const float end = left + (right - left) * std::clamp(weight, 0.0F, 1.0F);
+  if (weight > 0) draw.AddRectFilled({left, y - half}, {end, y + half}, colour, half);
 }
 
-/// One column a frame: as high as its interval is long, and below it a dot in the colour of its bone level.
+void draw_layer(const Theme& theme, const Area& row, const LayerRow& layer) {
+  const float y = row.from.y + theme.px(2);
+  draw_text(theme.regular, {row.from.x, y}, colour::text, layer.name + (layer.is_masked ? ", some bones" : ""));
+  draw_bar(theme, row, layer.weight, colour::accent);
+  draw_text(theme.small, {row.to.x, y + theme.px(1)}, colour::text, as_percent(layer.weight), 1);
+}
+
+void draw_entity(const Theme& theme, const Area& row, const EntityRow& entity) {
+  const float y = row.from.y + theme.px(3);
+  const float times_end = row.to.x - theme.px(percent_width + bar_width + 8);
+  const ImU32 ink = entity.weight > 0 ? colour::text : colour::dim;
+  ImGui::PushClipRect(row.from, {times_end - theme.px(clip_time_width), row.to.y}, true);
+  draw_text(theme.small, {row.from.x + theme.px(entity_indent), y}, ink,
+            entity.clip.empty() ? entity.kind : entity.clip);
+  ImGui::PopClipRect();
+  draw_text(theme.small, {times_end, y}, colour::dim, place_in_clip(entity), 1);
+  draw_bar(theme, row, entity.weight, colour::frame);
+  draw_text(theme.small, {row.to.x, y}, ink, as_percent(entity.weight), 1);
+}
+
+Area layer_row(Widgets& widgets, const std::string& name) {
+  Area row = widgets.area(name.c_str(), layer_height);
+  row.to.x -= widgets.theme().px(right_margin);
+  return row;
+}
+
+void show_layers(const TabContext& context, const SelectionReport& selected) {
+  if (selected.layers.empty()) return;
+  Widgets& widgets = context.widgets;
+  const Theme& theme = widgets.theme();
+  widgets.section("Channels, and what changes their pose");
+  for (std::size_t i = 0; i < selected.layers.size(); ++i) {
+    const LayerRow& layer = selected.layers[i];
+    draw_layer(theme, layer_row(widgets, "Layer " + std::to_string(i)), layer);
+    if (!layer.is_channel) continue;
+    for (const std::size_t place : layer.entities) {
+      const std::string name = "Layer " + std::to_string(i) + ", entity " + std::to_string(place);
+      draw_entity(theme, layer_row(widgets, name), selected.entities[place]);
+    }
+  }
+  widgets.caption("Green: how much of a layer is laid over what is below. Blue: how much of an entity is in the pose.");
+}
+
+void show_hands(const TabContext& context, const SelectionReport& selected) {
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  widgets.section("Hands on it");
+  const auto last = static_cast<double>(std::max(selected.clip_seconds, 0.01F));
+  ImGui::BeginDisabled(selected.clip_seconds <= 0 || selected.posture != Posture::upright);
+  double seconds = std::min(static_cast<double>(selected.held_at.value_or(0)), last);
+  if (widgets.number("Hold clip at", seconds, 0, {.highest = last, .decimals = 2, .suffix = " s"},
+                     {.what = "Drag to stop it and to move through its clip. Crowd logic holds it in its place.",
+                      .unit = "seconds from the clip's start"})) {
+    commands.hold_at = static_cast<float>(seconds);
+  }
+  ImGui::EndDisabled();
+  ButtonRow buttons(widgets, 2);
+  commands.let_go |=
+      buttons.button("Let go", {.what = "It goes on as the crowd wants it."}, selected.held_at.has_value());
+  commands.push_over |=
+      buttons.button("Push", {.what = "Makes a rag-doll of it, which falls. Key P."}, selected.can_fall);
+}
+
+/// Draws a column a frame, as high as the interval is long, above a dot in the colour of the bone level.
 void show_history(const TabContext& context, const SelectionReport& selected) {
   Widgets& widgets = context.widgets;
   const Theme& theme = widgets.theme();
@@ -111,9 +160,7 @@ void show_bytes(const TabContext& context, const EntityRow& entity) {
   }
 }
 
-}  // namespace
-
-void AgentTab::show_blocks(const TabContext& context, const SelectionReport& selected) {
+void show_blocks(const TabContext& context, const SelectionReport& selected) {
   if (selected.entities.empty()) return;
   Widgets& widgets = context.widgets;
   widgets.section("Block");
@@ -123,10 +170,10 @@ void AgentTab::show_blocks(const TabContext& context, const SelectionReport& sel
                     (entity.clip.empty() ? "" : ", " + entity.clip));
   }
   const auto last = static_cast<int>(names.size()) - 1;
-  int entity = static_cast<int>(std::min(entity_, names.size() - 1));
+  int entity = static_cast<int>(std::min(context.memory.entity, names.size() - 1));
   if (widgets.pick("Entity", entity, last, names, nullptr,
                    {.what = "Whose block is shown below; the last is the pose."})) {
-    entity_ = static_cast<std::size_t>(entity);
+    context.memory.entity = static_cast<std::size_t>(entity);
   }
   const EntityRow& row = selected.entities[static_cast<std::size_t>(entity)];
   for (const BlockField& field : row.fields) widgets.fact(field.name.c_str(), field.value, {});
@@ -134,7 +181,9 @@ void AgentTab::show_blocks(const TabContext& context, const SelectionReport& sel
   show_bytes(context, row);
 }
 
-void AgentTab::show(const TabContext& context) {
+}  // namespace
+
+void show_agent_tab(const TabContext& context) {
   if (!context.report.selected) {
     context.widgets.section("Nobody is selected");
     context.widgets.caption("Click at a character.");
@@ -142,7 +191,7 @@ void AgentTab::show(const TabContext& context) {
   }
   const SelectionReport& selected = *context.report.selected;
   show_who(context, selected);
-  show_layers(context.widgets, selected);
+  show_layers(context, selected);
   show_hands(context, selected);
   show_history(context, selected);
   show_events(context, selected);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
-#include "app/overlay/bone_order_edit.h"
-#include "app/overlay/numbers.h"
-#include "app/overlay/plots.h"
+#include "app/overlay/tabs.h"
 
 namespace throng::app {
 namespace {
@@ -32,9 +31,9 @@ void draw_levels_kept(const Theme& theme, ImVec2 right_middle, int last_level, i
   }
 }
 
-std::string millimetres(float value) {
-  return value == 0 ? "" : fixed(static_cast<double>(value), value < 10 ? 2 : 0) + " mm";
-}
+double millimetres_off(const BoneRow& bone) { return 1000 * static_cast<double>(bone.lod.error_metres); }
+
+std::string millimetres(double value) { return value == 0 ? "" : fixed(value, value < 10 ? 2 : 0) + " mm"; }
 
 void draw_bone(const Theme& theme, const Area& row, const BoneRow& bone, std::size_t place, int levels) {
   const float text_y = row.from.y + theme.px(1), middle = (row.from.y + row.to.y) / 2;
@@ -44,55 +43,43 @@ void draw_bone(const Theme& theme, const Area& row, const BoneRow& bone, std::si
   ImGui::PushClipRect(row.from, {figures - theme.px(58), row.to.y}, true);
   draw_text(theme.small, {row.from.x + indent, text_y}, colour::text, bone.name);
   ImGui::PopClipRect();
-  draw_text(theme.small, {figures, text_y}, colour::dim, millimetres(bone.error_millimetres), 1);
-  draw_levels_kept(theme, {row.to.x, middle}, std::clamp(bone.level, 0, 3), levels);
+  draw_text(theme.small, {figures, text_y}, colour::dim, millimetres(millimetres_off(bone)), 1);
+  draw_levels_kept(theme, {row.to.x, middle}, std::min<int>(bone.lod.level, 3), levels);
 }
 
-// While something is dragged to the edge of the list, the list comes along.
+// The list scrolls along with what is dragged to its edge.
 void scroll_with_drag() {
   const float y = ImGui::GetIO().MousePos.y, top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
   if (y < top + bone_height) ImGui::SetScrollY(ImGui::GetScrollY() - scroll_a_frame);
   if (y > bottom - bone_height) ImGui::SetScrollY(ImGui::GetScrollY() + scroll_a_frame);
 }
 
-}  // namespace
-
-bool BoneList::matches(const BoneRow& bone) const {
-  return search_.empty() || lower(bone.name).find(lower(search_)) != std::string::npos;
+bool matches(const BoneRow& bone, const std::string& search) {
+  return search.empty() || lower(bone.name).find(lower(search)) != std::string::npos;
 }
 
-void BoneList::change(const TabContext& context, const BoneLodChoice& choice) {
+void change(const TabContext& context, const BoneLodChoice& choice) {
   const BoneLodChoice now = present_bone_lod(context.report.bones.size(), context.report.level_bone_counts);
   if (choice.bones == now.bones && choice.level_counts == now.level_counts) return;
-  undo_.push_back(taken_back(choice, now.level_counts));
+  context.memory.bones.undo.push_back(taken_back(choice, now.level_counts));
   context.commands.bone_lod = choice;
 }
 
-void BoneList::show_search(const TabContext& context) {
-  context.widgets.text("Search", search_, "part of a name",
-                       {.what = "Shows the bones whose names have it. While it is empty, bones can be dragged."});
-}
-
-void BoneList::show_buttons(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
-  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::BeginDisabled(undo_.empty());
-  if (widgets.button("Undo", {.what = "Takes back the last change of the order or of a level's end."}, width)) {
-    commands.bone_lod = undo_.back();
-    undo_.pop_back();
+void show_bone_buttons(const TabContext& context) {
+  std::vector<BoneLodChoice>& undo = context.memory.bones.undo;
+  ButtonRow buttons(context.widgets, 3);
+  if (buttons.button("Undo", {.what = "Takes back the last change of the order or of a level's end."}, !undo.empty())) {
+    context.commands.bone_lod = undo.back();
+    undo.pop_back();
   }
-  ImGui::EndDisabled();
-  ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
-  commands.save_bone_lod |=
-      widgets.button("Save order", {.what = "Keeps order and levels beside the model, in MODEL.lod.json."}, width);
-  ImGui::SetCursorScreenPos({at.x + 2 * (width + gap), at.y});
-  commands.export_lod |= widgets.button(
-      "Export LOD", {.what = "Intervals, distances, bone order, errors and mesh ratios as JSON, for another engine."},
-      width);
+  context.commands.save_bone_lod |=
+      buttons.button("Save order", {.what = "Keeps order and levels beside the model, in MODEL.lod.json."});
+  context.commands.export_lod |= buttons.button(
+      "Export LOD", {.what = "Intervals, distances, bone order, errors and mesh ratios as JSON, for another engine."});
 }
 
-void BoneList::show_row(const TabContext& context, std::size_t place) {
+void show_bone(const TabContext& context, std::size_t place) {
+  std::optional<BoneListMemory::Drag>& drag = context.memory.bones.drag;
   const Theme& theme = context.widgets.theme();
   const BoneRow& bone = context.report.bones[place];
   const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -100,34 +87,36 @@ void BoneList::show_row(const TabContext& context, std::size_t place) {
   const std::string name = "Bone " + std::to_string(place);
   context.widgets.clickable(name, row);
   const bool hovered = ImGui::IsMouseHoveringRect(row.from, row.to);
-  if (ImGui::IsItemActivated() && search_.empty()) drag_ = {.from = place, .border = false, .over = place};
-  if (drag_ && hovered) drag_->over = place;
-  if (hovered && !drag_ && ImGui::IsItemHovered()) {
+  if (ImGui::IsItemActivated() && context.memory.bones.search.empty())
+    drag = {.from = place, .border = false, .over = place};
+  if (drag && hovered) drag->over = place;
+  if (hovered && !drag && ImGui::IsItemHovered()) {
     const std::string what = "Without it and what hangs on it, the surface is off by up to " +
-                             fixed(static_cast<double>(bone.error_millimetres), 2) + " mm (99% of poses). It costs " +
-                             fixed(static_cast<double>(bone.nanoseconds), 1) + " ns an update, by prediction.";
+                             fixed(millimetres_off(bone), 2) + " mm (99% of poses). It costs " +
+                             fixed(nanoseconds_a_bone(), 1) + " ns an update, by prediction.";
     context.widgets.tooltip(bone.name.c_str(), {.what = what.c_str()}, "");
   }
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const bool dragged = drag_ && !drag_->border && drag_->from == place;
+  const bool dragged = drag && !drag->border && drag->from == place;
   if (dragged) draw.AddRectFilled(row.from, row.to, ImGui::GetColorU32(colour::accent_soft));
   draw_bone(theme, row, bone, place, level_count(context.report));
-  if (!drag_ || drag_->over != place || dragged) return;
-  const bool above = !drag_->border && place < drag_->from;
+  if (!drag || drag->over != place || dragged) return;
+  const bool above = !drag->border && place < drag->from;
   const float y = above ? row.from.y : row.to.y;
   draw.AddLine({row.from.x, y}, {row.to.x, y}, ImGui::GetColorU32(colour::accent), theme.px(2));
 }
 
-void BoneList::show_border(const TabContext& context, int level, std::size_t bones) {
+void show_border(const TabContext& context, int level, std::size_t bones) {
+  std::optional<BoneListMemory::Drag>& drag = context.memory.bones.drag;
   const Theme& theme = context.widgets.theme();
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const Area row{.from = from, .to = {from.x + ImGui::GetContentRegionAvail().x, from.y + theme.px(border_height)}};
   context.widgets.clickable("Border " + std::to_string(level), row);
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-  if (ImGui::IsItemActivated()) drag_ = {.from = static_cast<std::size_t>(level), .border = true, .over = bones - 1};
+  if (ImGui::IsItemActivated()) drag = {.from = static_cast<std::size_t>(level), .border = true, .over = bones - 1};
   const ImU32 ink = ImGui::GetColorU32(colour::bone_level(level));
   const std::string words = "level " + std::to_string(level) + " keeps the " + std::to_string(bones) + " above";
-  const float width = theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, 0, words.c_str()).x;
+  const float width = text_width(theme.small, words);
   const float middle = from.y + theme.px(8);
   draw_text(theme.small, {from.x + theme.px(32), from.y}, colour::bone_level(level), words);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -135,36 +124,56 @@ void BoneList::show_border(const TabContext& context, int level, std::size_t bon
   draw.AddLine({from.x + width + theme.px(40), middle}, {row.to.x, middle}, ink);
 }
 
-void BoneList::finish_drag(const TabContext& context) {
-  if (!drag_) return;
+void finish_drag(const TabContext& context) {
+  std::optional<BoneListMemory::Drag>& drag = context.memory.bones.drag;
+  if (!drag) return;
   scroll_with_drag();
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-  const Drag drag = *drag_;
-  drag_.reset();
-  if (drag.over >= context.report.bones.size()) return;
+  const BoneListMemory::Drag done = *std::exchange(drag, std::nullopt);
+  if (done.over >= context.report.bones.size()) return;
   const BoneLodChoice now = present_bone_lod(context.report.bones.size(), context.report.level_bone_counts);
-  change(context, drag.border ? with_border_moved(now, drag.from, static_cast<int>(drag.over) + 1)
-                              : with_bone_moved(parents_of(context.report), now, drag.from, drag.over));
+  change(context, done.border ? with_border_moved(now, done.from, static_cast<int>(done.over) + 1)
+                              : with_bone_moved(parents_of(context.report), now, done.from, done.over));
 }
 
-void BoneList::show(const TabContext& context) {
-  const FrameReport& report = context.report;
-  if (report.character != character_) undo_.clear();
-  character_ = report.character;
-  context.widgets.section("Bones, the most visible first");
-  show_search(context);
-  show_buttons(context);
-  const Theme& theme = context.widgets.theme();
-  const float height = std::max(theme.px(least_height), ImGui::GetContentRegionAvail().y);
+}  // namespace
+
+BoneLodChoice taken_back(const BoneLodChoice& choice, const std::vector<int>& level_counts) {
+  BoneLodChoice back{.bones = std::vector<int>(choice.bones.size()), .level_counts = level_counts};
+  for (std::size_t place = 0; place < choice.bones.size(); ++place) {
+    back.bones[static_cast<std::size_t>(choice.bones[place])] = static_cast<int>(place);
+  }
+  return back;
+}
+
+BoneLodChoice with_border_moved(BoneLodChoice choice, std::size_t level, int bones) {
+  std::vector<int>& counts = choice.level_counts;
+  const auto last = static_cast<int>(counts.size()) - 1, moved = static_cast<int>(level);
+  counts[level] = std::clamp(bones, 1 + last - moved, counts.front() - moved);
+  for (std::size_t i = level; i-- > 1;) counts[i] = std::max(counts[i], counts[i + 1] + 1);
+  for (std::size_t i = level + 1; i < counts.size(); ++i) counts[i] = std::min(counts[i], counts[i - 1] - 1);
+  return choice;
+}
+
+void show_bone_list(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  if (std::exchange(memory.bones.character, report.character) != report.character) memory.bones.undo.clear();
+  widgets.section("Bones, the most visible first");
+  widgets.text("Search", memory.bones.search, "part of a name",
+               {.what = "Shows the bones whose names have it. While it is empty, bones can be dragged."});
+  show_bone_buttons(context);
+  const float height = std::max(widgets.theme().px(least_height), ImGui::GetContentRegionAvail().y);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour::well);
   ImGui::BeginChild("Bone list", {0, height});
   const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  context.widgets.record("Bone list", {.from = from, .to = {from.x + size.x, from.y + size.y}});
+  widgets.record("Bone list", {.from = from, .to = {from.x + size.x, from.y + size.y}});
   for (std::size_t i = 0; i < report.bones.size(); ++i) {
-    if (matches(report.bones[i])) show_row(context, i);
-    const int below = i + 1 < report.bones.size() ? report.bones[i + 1].level : 0;
-    for (int level = std::min(report.bones[i].level, 3); level > below; --level) show_border(context, level, i + 1);
+    if (matches(report.bones[i], memory.bones.search)) show_bone(context, i);
+    const int below = i + 1 < report.bones.size() ? report.bones[i + 1].lod.level : 0;
+    for (int level = std::min<int>(report.bones[i].lod.level, 3); level > below; --level) {
+      show_border(context, level, i + 1);
+    }
   }
   finish_drag(context);
   ImGui::EndChild();

@@ -1,22 +1,20 @@
-#include "app/overlay/bone_lod_tab.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
-#include "app/overlay/numbers.h"
+#include "app/overlay/bone_list.h"
 #include "app/overlay/plots.h"
+#include "app/overlay/tabs.h"
 
 namespace throng::app {
 namespace {
 
-constexpr std::array<const char*, 3> level_distance_labels = {"Level 1 from", "Level 2 from", "Level 3 from"};
 constexpr std::array<const char*, 5> mesh_words = {"auto", "0", "1", "2", "3"};
 
 float longest_distance() { return static_cast<float>(scale_of("bone_level_distance_1").highest); }
 
-/// Levels follow each other: the neighbours of a distance that was moved give way.
+/// Moves the neighbours of a distance that was moved, so that levels follow each other.
 void keep_in_order(Tuning& tuning, std::size_t moved) {
   auto& distance = tuning.lod.level_distances;
   for (std::size_t i = moved + 1; i < distance.size(); ++i) distance[i] = std::max(distance[i], distance[i - 1]);
@@ -49,7 +47,7 @@ void drag_dividers(const Area& band, std::size_t dividers, Tuning& tuning) {
   keep_in_order(tuning, divider);
 }
 
-/// The levels as a band over the distance; its dividers can be dragged.
+/// Shows the levels as a band over the distance; its dividers can be dragged.
 void show_band(const TabContext& context) {
   const Theme& theme = context.widgets.theme();
   Tuning& tuning = context.tuning;
@@ -76,20 +74,20 @@ void show_band(const TabContext& context) {
 }
 
 void show_levels(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Levels");
-  widgets.toggle(
-      "Per-bone LOD", tuning.lod.bone_lod, standard.lod.bone_lod,
-      {.what = "Distant agents are evaluated with fewer bones: each level keeps the front part of the ordered "
-               "list below, and a dropped bone follows its nearest kept ancestor.",
-       .cost = "off evaluates all bones of every agent."});
+  context.row("bone_lod", "Per-bone LOD",
+              {.what = "Distant agents are evaluated with fewer bones: each level keeps the front part of the ordered "
+                       "list below, and a dropped bone follows its nearest kept ancestor.",
+               .cost = "off evaluates all bones of every agent."});
   ImGui::BeginDisabled(!tuning.lod.bone_lod);
-  for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(level_count(report)); ++i) {
+  for (int level = 1; level < level_count(report); ++level) {
+    const std::string number = std::to_string(level), key = "bone_level_distance_" + number;
+    const std::string label = "Level " + number + " from";
     const std::string what =
-        "Agents beyond it keep " + bones_of(report, static_cast<int>(i) + 1) + " bones. The next level moves with it.";
-    if (widgets.number(level_distance_labels.at(i), tuning.lod.level_distances[i], standard.lod.level_distances[i],
-                       scale_of("bone_level_distance_1"), {.what = what.c_str(), .unit = "metres from the camera"})) {
-      keep_in_order(tuning, i);
+        "Agents beyond it keep " + bones_of(report, level) + " bones. The next level moves with it.";
+    if (context.row(key.c_str(), label.c_str(), {.what = what.c_str(), .unit = "metres from the camera"})) {
+      keep_in_order(tuning, static_cast<std::size_t>(level) - 1);
     }
   }
   show_band(context);
@@ -115,31 +113,30 @@ void show_agents_by_level(const TabContext& context) {
              .name_of = [&report](int i) { return "level " + std::to_string(i) + ": " + bones_of(report, i); }});
 }
 
-constexpr std::array<const char*, 5> preview_words = {"rule", "0", "1", "2", "3"};
-
-// The same value as *Force level* of the other tab, where one looks at what it does.
-void show_preview(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
-  const int levels = level_count(report);
-  int word = std::min(tuning.inspection.forced_bone_level, levels - 1) + 1;
-  if (widgets.choose("Preview level", word, standard.inspection.forced_bone_level + 1,
-                     std::span(preview_words).first(static_cast<std::size_t>(levels) + 1),
-                     {.what = "Shows everyone in view with the bones of this level, to look at what it loses."})) {
-    tuning.inspection.forced_bone_level = word - 1;
-  }
-}
-
 }  // namespace
 
 int level_count(const FrameReport& report) {
   return report.level_bone_counts.empty() ? 4 : std::min(4, static_cast<int>(report.level_bone_counts.size()));
 }
 
-void BoneLodTab::show(const TabContext& context) {
+void show_forced_level(const TabContext& context, const char* label, const char* what) {
+  static constexpr std::array<const char*, 5> words = {"rule", "0", "1", "2", "3"};
+  const auto levels = static_cast<std::size_t>(level_count(context.report));
+  int& forced = context.tuning.inspection.forced_bone_level;
+  int word = std::min(forced, static_cast<int>(levels) - 1) + 1;
+  if (context.widgets.choose(label, word, context.standard.inspection.forced_bone_level + 1,
+                             std::span(words).first(levels + 1), {.what = what})) {
+    forced = word - 1;
+  }
+}
+
+void show_bone_lod_tab(const TabContext& context) {
   show_levels(context);
-  show_preview(context);
+  // The same value as *Force level* of the other tab, beside the bones that it drops.
+  show_forced_level(context, "Preview level",
+                    "Shows everyone in view with the bones of this level, to look at what it loses.");
   show_agents_by_level(context);
-  list_.show(context);
+  show_bone_list(context);
 }
 
 }  // namespace throng::app

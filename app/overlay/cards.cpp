@@ -1,9 +1,12 @@
 #include "app/overlay/cards.h"
 
 #include <array>
-#include <vector>
+#include <optional>
 
-#include "app/overlay/numbers.h"
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "app/view/fly_camera.h"
 
 namespace throng::app {
 namespace {
@@ -54,13 +57,40 @@ float draw_lines(const Theme& theme, ImVec2 at, const char* title, std::span<con
 }
 
 float draw_pill(const Theme& theme, ImVec2 at, ImU32 dot, const std::string& words) {
-  const float width = theme.regular->CalcTextSizeA(theme.regular->FontSize, FLT_MAX, 0, words.c_str()).x;
-  const float height = theme.px(27);
+  const float width = text_width(theme.regular, words), height = theme.px(27);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(at, {at.x + width + theme.px(38), at.y + height}, colour::panel, height / 2);
   draw.AddCircleFilled({at.x + theme.px(15), at.y + height / 2}, theme.px(4), dot);
   draw_text(theme.regular, {at.x + theme.px(26), at.y + theme.px(5)}, colour::text, words);
   return at.y + height + theme.px(6);
+}
+
+std::optional<ImVec2> on_screen(const glm::mat4& view_projection, const HeadFigures& head, ImVec2 size) {
+  const glm::vec4 clip = view_projection * glm::vec4(head.x, head.y, head.z, 1.0F);
+  if (clip.w <= render::Camera::near_distance) return std::nullopt;
+  return ImVec2((clip.x / clip.w * 0.5F + 0.5F) * size.x, (0.5F - clip.y / clip.w * 0.5F) * size.y);
+}
+
+std::string words_above(const HeadFigures& head) {
+  const std::string interval = std::to_string(head.interval);
+  return head.bone_level == 0 ? interval : interval + " L" + std::to_string(head.bone_level);
+}
+
+void draw_label(const Theme& theme, ImVec2 at, const HeadFigures& head) {
+  const std::string words = words_above(head);
+  const float width = text_width(theme.small, words), left = at.x - width / 2, top = at.y - theme.small->FontSize;
+  const ImVec2 from(left - theme.px(4), top - theme.px(1)), to(left + width + theme.px(4), at.y + theme.px(1));
+  ImGui::GetWindowDrawList()->AddRectFilled(from, to, colour::panel, theme.px(3));
+  draw_text(theme.small, {left, top}, colour::interval(head.interval), words);
+}
+
+/// Begins a window that lets the pointer through, for words over the crowd.
+void begin_clear_window(const char* name, const Area& place) {
+  ImGui::SetNextWindowPos(place.from);
+  ImGui::SetNextWindowSize({place.width(), place.height()});
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
 }  // namespace
@@ -79,11 +109,7 @@ void begin_fixed_window(const char* name, const Area& place, float rounding) {
 float show_notices(const Widgets& widgets, const Area& crowd, std::span<const Notice> notices) {
   if (notices.empty()) return crowd.from.y;
   const Theme& theme = widgets.theme();
-  ImGui::SetNextWindowPos(crowd.from);
-  ImGui::SetNextWindowSize({crowd.width(), crowd.height()});
-  ImGui::Begin("Notices", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  begin_clear_window("Notices", crowd);
   ImVec2 at(crowd.from.x + theme.px(12), crowd.from.y + theme.px(12));
   for (const Notice& notice : notices) at.y = draw_pill(theme, at, notice.colour, notice.words);
   ImGui::End();
@@ -101,6 +127,19 @@ void show_help_card(Widgets& widgets, const Area& crowd) {
   const float x = from.x + theme.px(margin + 6);
   const float y = draw_lines(theme, {x, from.y + theme.px(margin)}, "Keys", key_lines);
   draw_lines(theme, {x, y}, "Words", word_lines);
+  ImGui::End();
+}
+
+void show_head_labels(Widgets& widgets, const Area& crowd, const FrameReport& report) {
+  if (report.heads.empty()) return;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const render::CameraView view = render::view_of(camera_at(report.camera), size.x / size.y);
+  const glm::mat4 view_projection = view.projection * view.view;
+  begin_clear_window("Heads", crowd);
+  widgets.record("Heads", crowd);
+  for (const HeadFigures& head : report.heads) {
+    if (const auto at = on_screen(view_projection, head, size)) draw_label(widgets.theme(), *at, head);
+  }
   ImGui::End();
 }
 

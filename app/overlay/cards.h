@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// The strip below the crowd: what a frame costs now, and over the last frames.
+/// The strip below the crowd: the cost of the last frame, and of the frames before it.
 void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report);
 
 struct Notice {
@@ -16,13 +16,25 @@ struct Notice {
   std::string words;
 };
 
-/// What there is to say, at the top of the crowd, one below the other. Where they end: the y of what may follow.
+/// Shows the notices at the top of the crowd, one below the other. Returns the y below the last of them.
 float show_notices(const Widgets& widgets, const Area& crowd, std::span<const Notice> notices);
 
 /// The keys and the words, in the middle of the crowd.
 void show_help_card(Widgets& widgets, const Area& crowd);
 
-/// Starts a window of the overlay that stays where it is put; end it with ImGui::End().
+/// The selected agent, in the upper left of `place`, where there is mostly sky: what it does, and the graph of entities
+/// that makes its pose.
+void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
+                         OverlayCommands& commands);
+
+/// "0.42 / 1.03": the seconds of a player in its clip; empty for other entities.
+std::string place_in_clip(const EntityRow& row);
+
+/// Writes the level of detail of each agent in the report above its head: the interval in frames, and after it the bone
+/// level where bones are dropped.
+void show_head_labels(Widgets& widgets, const Area& crowd, const FrameReport& report);
+
+/// Begins a window of the overlay that stays in its place; end it with ImGui::End().
 void begin_fixed_window(const char* name, const Area& place, float rounding = 0);
 
 }  // namespace throng::app

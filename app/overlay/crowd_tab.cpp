@@ -1,4 +1,3 @@
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,98 +10,78 @@ namespace {
 
 std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-// One is a fact; of several, the one whose roles and bones are shown is chosen.
+// A single character is a fact; among several, a person picks the one whose roles and bones are shown.
 void show_characters(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+  const FrameReport& report = context.report;
   if (report.characters.size() < 2) {
-    widgets.fact("Model", report.characters.empty() ? "" : report.characters.front(),
-                 {.what = "The character of every agent. Give another file, or several, on the command line."});
+    context.widgets.fact("Model", report.characters.empty() ? "" : report.characters.front(),
+                         {.what = "The character of every agent. Give another file, or several, on the command line."});
     return;
   }
   std::vector<std::string> names;
   for (const std::string& character : report.characters) names.push_back(file_name(character));
   auto shown = static_cast<int>(report.character);
-  if (widgets.pick("Model", shown, shown, names, nullptr,
-                   {.what = "The characters of the crowd: whose roles are shown below, and whose bones."})) {
-    commands.character = static_cast<std::size_t>(shown);
+  if (context.widgets.pick("Model", shown, shown, names, nullptr,
+                           {.what = "The characters of the crowd: whose roles are shown below, and whose bones."})) {
+    context.commands.character = static_cast<std::size_t>(shown);
   }
 }
 
 void show_who(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
-  widgets.section("Who");
+  context.widgets.section("Who");
   show_characters(context);
-  widgets.choice("Scene", tuning.scene, standard.scene, scene_words,
-                 {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
-                          "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
-                          "film: a cut scene with an actor, a balloon and a camera.",
-                  .cost = "Changing it places all agents anew."});
-  widgets.number("Agents", tuning.agents, standard.agents, scale_of("agents"),
-                 {.what = "Characters in the crowd, each in a pose of its own.",
-                  .unit = "1 to 100,000",
-                  .cost = "Animation grows with agents in view, memory with all of them."});
-  auto seed = static_cast<int>(tuning.seed);
-  widgets.number("Seed", seed, static_cast<int>(standard.seed), scale_of("seed"),
-                 {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
-                  .unit = "0 to 9,999",
-                  .cost = "Changing it places all agents anew."});
-  tuning.seed = static_cast<std::uint32_t>(seed);
-  widgets.toggle(
-      "Placed feet", tuning.placed_feet, standard.placed_feet,
-      {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
-               "them, and slide in turns.",
-       .cost = "Some microseconds an agent."});
+  context.row("scene", "Scene",
+              {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
+                       "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
+                       "film: a cut scene with an actor, a balloon and a camera.",
+               .cost = "Changing it places all agents anew."});
+  context.row("agents", "Agents",
+              {.what = "Characters in the crowd, each in a pose of its own.",
+               .unit = "1 to 100,000",
+               .cost = "Animation grows with agents in view, memory with all of them."});
+  context.row("seed", "Seed",
+              {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
+               .unit = "0 to 9,999",
+               .cost = "Changing it places all agents anew."});
+  context.row("placed_feet", "Placed feet",
+              {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
+                       "them, and slide in turns.",
+               .cost = "Some microseconds an agent."});
 }
 
 void show_time(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Time");
-  widgets.toggle("Pause", tuning.paused, standard.paused,
-                 {.what = "Holds the crowd; the camera still flies. Space does the same."});
-  widgets.number("Speed", tuning.time_scale, standard.time_scale, scale_of("time_scale"),
-                 {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
-  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::BeginDisabled(!tuning.paused);
-  commands.step = widgets.button("Step", {.what = "One frame onwards, while paused."}, width) || commands.step;
-  ImGui::EndDisabled();
-  ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
-  ImGui::BeginDisabled(report.snapshots == 0);
-  commands.rewind |= widgets.button("Rewind",
+  context.row("paused", "Pause", {.what = "Holds the crowd; the camera still flies. Space does the same."});
+  context.row("time_scale", "Speed", {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
+  ButtonRow buttons(widgets, 2);
+  commands.step |= buttons.button("Step", {.what = "One frame onwards, while paused."}, tuning.paused);
+  commands.rewind |= buttons.button("Rewind",
                                     {.what = "Back to the newest of up to ten snapshots, one each half second; pressed "
                                              "again, to the one before it. From there everything happens as it did.",
                                      .cost = "Memory of ten crowds; none are taken above 20,000 agents."},
-                                    width);
-  ImGui::EndDisabled();
-  const std::string kept = report.snapshots == 0
-                               ? "No snapshot yet."
-                               : std::to_string(report.snapshots) + " snapshots, the newest " +
-                                     fixed(static_cast<double>(report.snapshot_seconds), 1) + " s ago.";
-  widgets.caption(kept);
+                                    report.snapshots > 0);
+  widgets.caption(report.snapshots == 0 ? "No snapshot yet."
+                                        : std::to_string(report.snapshots) + " snapshots, the newest " +
+                                              fixed(report.snapshot_seconds, 1) + " s ago.");
 }
 
 void show_picture(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Picture");
-  widgets.choice("Colours", tuning.debug_view, standard.debug_view, debug_view_words,
-                 {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
-                          "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest."});
-  widgets.toggle("Bones as lines", tuning.bones_as_lines, standard.bones_as_lines,
-                 {.what = "Draws the skeletons over the characters.", .cost = "One line a bone and agent in view."});
-  const Theme& theme = widgets.theme();
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  commands.frame_crowd |=
-      widgets.button("Frame crowd", {.what = "Moves the camera until all are in view. Key F."}, width);
-  ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
+  context.row("debug_view", "Colours",
+              {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
+                       "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest."});
+  context.row("bones_as_lines", "Bones as lines",
+              {.what = "Draws the skeletons over the characters.", .cost = "One line a bone and agent in view."});
+  ButtonRow buttons(widgets, 3);
+  commands.frame_crowd |= buttons.button("Frame crowd", {.what = "Moves the camera until all are in view. Key F."});
   commands.copy_camera |=
-      widgets.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."}, width);
-  ImGui::SetCursorScreenPos({at.x + 2 * (width + gap), at.y});
-  commands.screenshot |= widgets.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."}, width);
-  ImGui::Dummy({0, theme.px(2)});
+      buttons.button("Copy camera", {.what = "Puts the camera as an option into the clipboard. Key C."});
+  commands.screenshot |= buttons.button("Screenshot", {.what = "Writes the picture as a PNG. Key F12."});
+  ImGui::Dummy({0, widgets.theme().px(2)});
   const CameraPlace& camera = report.camera;
-  const auto number = [](float value) { return fixed(static_cast<double>(value), 1); };
+  const auto number = [](float value) { return fixed(value, 1); };
   widgets.fact("Camera at", number(camera.x) + ", " + number(camera.y) + ", " + number(camera.z),
                {.what = "Where the camera stands.", .unit = "metres"});
   widgets.fact("Looks", number(camera.yaw) + "\xC2\xB0 yaw, " + number(camera.pitch) + "\xC2\xB0 pitch",
@@ -128,7 +107,7 @@ constexpr RoleRow role_rows[] = {
 };
 
 void show_roles(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Roles");
   RoleClips clips = report.role_clips;
   for (const RoleRow& row : role_rows) {
@@ -136,13 +115,10 @@ void show_roles(const TabContext& context) {
     widgets.pick(row.label, clips[role], report.suggested_role_clips[role], report.clip_names, no_clip_name,
                  {.what = row.what, .cost = "Changing it places all agents anew."});
   }
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  commands.save_roles |= widgets.button(
-      "Save roles", {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."}, width);
-  ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
-  if (widgets.button("Reset roles", {.what = "Back to what the clips' names suggest."}, width)) {
+  ButtonRow buttons(widgets, 2);
+  commands.save_roles |=
+      buttons.button("Save roles", {.what = "Keeps them beside the model, in MODEL.throng.json, for next time."});
+  if (buttons.button("Reset roles", {.what = "Back to what the clips' names suggest."})) {
     clips = report.suggested_role_clips;
   }
   if (clips != report.role_clips) commands.roles = clips;
@@ -155,12 +131,13 @@ void show_in_view(const TabContext& context) {
   widgets.section("In this frame");
   widgets.fact("In view", count(report.visible) + " of " + count(report.agents),
                {.what = "Agents inside the camera's frustum."});
-  widgets.fact("Poses computed", count(report.agents_updated),
+  widgets.fact("Poses computed", count(report.work.agents_updated),
                {.what = "Agents updated in this frame; the others blend towards the pose they were given earlier."});
-  widgets.fact("Bones evaluated", count(report.bones_evaluated), {.what = "Over all agents updated in this frame."});
-  widgets.fact("Draw calls", count(report.draw_calls),
+  widgets.fact("Bones evaluated", count(report.work.bones_evaluated),
+               {.what = "Over all agents updated in this frame."});
+  widgets.fact("Draw calls", count(report.draw_counts.draw_calls),
                {.what = "They do not grow with the crowd: mesh LODs times materials times palette pages at most."});
-  widgets.fact("Triangles", count(report.triangles), {.what = "Of the crowd, after culling and mesh LOD."});
+  widgets.fact("Triangles", count(report.draw_counts.triangles), {.what = "Of the crowd, after culling and mesh LOD."});
 }
 
 }  // namespace

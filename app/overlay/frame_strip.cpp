@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "app/overlay/cards.h"
-#include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
 
 namespace throng::app {
@@ -11,20 +10,20 @@ namespace {
 constexpr float display_interval_ms = 16.7F;
 constexpr float numbers_width = 232;
 
-std::string short_milliseconds(float value) { return fixed(static_cast<double>(value), value < 9.995F ? 2 : 1); }
+std::string short_milliseconds(float value) { return fixed(value, value < 9.995F ? 2 : 1); }
 
 void draw_figure(const Theme& theme, ImVec2 at, const char* name, ImU32 ink, float now, float middle) {
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + theme.px(3)}, {at.x + theme.px(3), at.y + theme.px(39)}, ink,
                                             theme.px(1));
   draw_text(theme.small, {at.x + theme.px(11), at.y}, colour::dim, name);
   draw_text(theme.large, {at.x + theme.px(11), at.y + theme.px(15)}, colour::text, short_milliseconds(now));
-  const float width = theme.large->CalcTextSizeA(theme.large->FontSize, FLT_MAX, 0, short_milliseconds(now).c_str()).x;
+  const float width = text_width(theme.large, short_milliseconds(now));
   draw_text(theme.small, {at.x + width + theme.px(15), at.y + theme.px(22)}, colour::dim, "ms");
   draw_text(theme.small, {at.x + theme.px(11), at.y + theme.px(39)}, colour::faint,
             "median " + short_milliseconds(middle));
 }
 
-/// The version up to its first blank, the renderer up to its details.
+/// Names the device: the version up to its first blank, the renderer up to its details.
 std::string drawn_by(const FrameReport& report) {
   const std::string device = report.gl_renderer.substr(0, report.gl_renderer.find_first_of("(,/"));
   return report.context + ", GL " + report.gl_version.substr(0, report.gl_version.find(' ')) + ", " +
@@ -32,22 +31,18 @@ std::string drawn_by(const FrameReport& report) {
 }
 
 void draw_numbers(const Theme& theme, ImVec2 at, const FrameReport& report) {
-  draw_figure(theme, at, "Frame", colour::frame, report.frame_ms, median(report.frame_ms_history));
+  draw_figure(theme, at, "Frame", colour::frame, report.frame_ms, at_percent(report.frame_ms_history, 50));
   draw_figure(theme, {at.x + theme.px(108), at.y}, "Animation", colour::accent, report.update_ms,
-              median(report.update_ms_history));
+              at_percent(report.update_ms_history, 50));
   const float rate = report.frame_ms > 0 ? 1000 / report.frame_ms : 0;
   draw_text(theme.small, {at.x, at.y + theme.px(66)}, colour::dim,
-            fixed(static_cast<double>(rate), rate < 10 ? 1 : 0) + " frames/s,  drawing " +
-                short_milliseconds(report.draw_ms) + " ms");
+            fixed(rate, rate < 10 ? 1 : 0) + " frames/s,  drawing " + short_milliseconds(report.draw_ms) + " ms");
   draw_text(theme.small, {at.x, at.y + theme.px(84)}, colour::faint, drawn_by(report));
 }
 
-/// The top of the graph: room for nearly all frames, so that one slow frame does not flatten the rest.
+/// Returns room for nearly all frames, so that one slow frame does not flatten the rest.
 float graph_top(const FrameReport& report) {
-  std::vector<float> frames = report.frame_ms_history;
-  std::ranges::sort(frames);
-  const float usual = frames.empty() ? 0 : frames[(frames.size() - 1) * 95 / 100];
-  return round_up(std::max(20.0F, 1.15F * usual));
+  return round_up(std::max(20.0F, 1.15F * at_percent(report.frame_ms_history, 95)));
 }
 
 void draw_scale(const Theme& theme, const Area& graph, float top) {
@@ -55,9 +50,8 @@ void draw_scale(const Theme& theme, const Area& graph, float top) {
     const float y = std::floor(graph.to.y - share * graph.height()) + 0.5F;
     ImGui::GetWindowDrawList()->AddLine({graph.from.x, y}, {graph.to.x, y}, colour::grid);
   }
-  draw_text(theme.small, {graph.to.x + theme.px(6), graph.from.y - theme.px(8)}, colour::faint,
-            fixed(static_cast<double>(top), 0) + " ms");
-  // The limit's own words take the place of 0 where it lies at the bottom.
+  draw_text(theme.small, {graph.to.x + theme.px(6), graph.from.y - theme.px(8)}, colour::faint, fixed(top, 0) + " ms");
+  // Where the limit lies at the bottom, its words take the place of 0.
   if (display_interval_ms / top * graph.height() < theme.px(16)) return;
   draw_text(theme.small, {graph.to.x + theme.px(6), graph.to.y - theme.px(12)}, colour::faint, "0");
 }
@@ -71,11 +65,8 @@ void show_frame_under_pointer(const Area& graph, const FrameReport& report) {
   const std::size_t index = count - 1 - frames_ago;
   const float x = graph.to.x - step * static_cast<float>(frames_ago);
   ImGui::GetWindowDrawList()->AddLine({x, graph.from.y}, {x, graph.to.y}, colour::faint);
-  ImGui::BeginTooltip();
-  ImGui::TextUnformatted(("frame " + short_milliseconds(report.frame_ms_history[index]) + " ms, animation " +
-                          short_milliseconds(report.update_ms_history[index]) + " ms")
-                             .c_str());
-  ImGui::EndTooltip();
+  tell({"frame " + short_milliseconds(report.frame_ms_history[index]) + " ms, animation " +
+        short_milliseconds(report.update_ms_history[index]) + " ms"});
 }
 
 }  // namespace

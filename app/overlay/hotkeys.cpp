@@ -1,46 +1,36 @@
 #include "app/overlay/hotkeys.h"
 
+#include <cmath>
+#include <utility>
+
 namespace throng::app {
 
 void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands) {
   commands.exact_crowd = input.down(Key::x);
   for (const Key key : input.pressed) {
-    switch (key) {
-      case Key::space:
-        tuning.paused = !tuning.paused;
-        break;
-      case Key::tab:
-        switches.hidden = !switches.hidden;
-        break;
-      case Key::f1:
-        switches.help = !switches.help;
-        break;
-      case Key::f:
-        commands.frame_crowd = true;
-        break;
-      case Key::c:
-        commands.copy_camera = true;
-        break;
-      case Key::r:
-        commands.record = true;
-        break;
-      case Key::f5:
-        commands.reload_shaders = true;
-        break;
-      case Key::f12:
-        commands.screenshot = true;
-        break;
-      case Key::p:
-        commands.push_over = anybody_selected;
-        break;
-      case Key::escape:
-        (anybody_selected ? commands.deselect : commands.quit) = true;
-        break;
-      default:
-        break;
-    }
+    if (key == Key::space) tuning.paused = !tuning.paused;
+    if (key == Key::tab) switches.hidden = !switches.hidden;
+    if (key == Key::f1) switches.help = !switches.help;
+    commands.frame_crowd |= key == Key::f;
+    commands.copy_camera |= key == Key::c;
+    commands.record |= key == Key::r;
+    commands.reload_shaders |= key == Key::f5;
+    commands.screenshot |= key == Key::f12;
+    commands.push_over |= key == Key::p && anybody_selected;
+    commands.deselect |= key == Key::escape && anybody_selected;
+    commands.quit |= key == Key::escape && !anybody_selected;
   }
+}
+
+std::optional<PicturePoint> CrowdClick::update(const InputFrame& input, bool pointer_free) {
+  constexpr float most_movement = 4.0F;  // pixels that a hand moves while it clicks
+  const bool down = input.down(MouseButton::left), was_down = std::exchange(was_down_, down);
+  if (down && !was_down && pointer_free) pressed_at_ = PicturePoint{input.pointer_x, input.pointer_y};
+  if (!pressed_at_) return std::nullopt;
+  const float moved = std::hypot(input.pointer_x - pressed_at_->x, input.pointer_y - pressed_at_->y);
+  if (moved > most_movement) pressed_at_.reset();
+  return down ? std::nullopt : std::exchange(pressed_at_, std::nullopt);
 }
 
 }  // namespace throng::app

@@ -1,21 +1,34 @@
 #pragma once
 
+#include <optional>
+
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
 #include "app/view/input.h"
 
 namespace throng::app {
 
-/// What the keys open and close in the overlay.
+/// The parts of the overlay that keys open and close.
 struct OverlaySwitches {
   bool hidden = false;
   bool help = false;
 };
 
-/// Does what the keys pressed in this frame ask for: Space pause, Tab hide, F1 help, F frame crowd, C copy camera,
-/// R begin or end a recording, F5 build the shaders again, F12 screenshot, X while held the exact crowd; with somebody
-/// selected P pushes over and Esc deselects, else Esc quits. Not to be called while a text field has the keys.
+/// Does what the keys pressed in this frame ask for (README.md has the table). The caller leaves it out while a text
+/// field has the keys.
 void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitches& switches, Tuning& tuning,
                    OverlayCommands& commands);
+
+/// Tells a click at the crowd from a drag, and from a click at the overlay.
+class CrowdClick {
+ public:
+  /// Call it once a frame. `pointer_free`: the overlay does not use the pointer. Returns the place of a press whose
+  /// button is let go in this frame.
+  std::optional<PicturePoint> update(const InputFrame& input, bool pointer_free);
+
+ private:
+  bool was_down_ = false;
+  std::optional<PicturePoint> pressed_at_;  // at the crowd, while the pointer stays there
+};
 
 }  // namespace throng::app

@@ -2,9 +2,33 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <iterator>
+
+#include "app/settings/tuning_values.h"
 
 namespace throng::app {
+namespace {
+
+/// The axis along which the track is even.
+double stretched(const NumberScale& scale, double value) {
+  return scale.logarithmic ? std::log(std::max(value, 1e-6)) : value;
+}
+
+std::size_t nearest_stop(const NumberScale& scale, double value) {
+  const auto nearest = std::ranges::min_element(scale.stops, {}, [value](int stop) { return std::abs(stop - value); });
+  return static_cast<std::size_t>(std::distance(scale.stops.begin(), nearest));
+}
+
+std::string without_separators(const std::string& text) {
+  std::string kept;
+  std::ranges::copy_if(text, std::back_inserter(kept), [](char letter) { return letter != ',' && letter != ' '; });
+  return kept;
+}
+
+}  // namespace
 
 std::string fixed(double value, int decimals) {
   std::array<char, 64> text = {};
@@ -26,17 +50,58 @@ std::string as_bytes(std::uint64_t bytes) {
   return fixed(amount / mib, amount < 100 * mib ? 1 : 0) + " MiB";
 }
 
-std::string as_hex(std::uint64_t value) {
-  std::string text(16, '0');
-  for (std::size_t digit = text.size(); digit-- > 0; value >>= 4U) text[digit] = "0123456789abcdef"[value & 15U];
-  return text;
+std::string as_percent(float share) { return fixed(100 * static_cast<double>(share), 0) + " %"; }
+
+NumberScale scale_of(std::string_view key, std::span<const int> stops) {
+  const TuningValue& value = tuning_value(key);
+  const Track& track = value.track;
+  const bool shows_part = track.most > track.least;
+  return {.lowest = shows_part ? track.least : value.least,
+          .highest = shows_part ? track.most : value.most,
+          .decimals = track.decimals,
+          .logarithmic = track.logarithmic,
+          .zero_word = track.zero_word,
+          .suffix = track.suffix,
+          .stops = stops};
 }
 
-float median(std::vector<float> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+double accepted(const NumberScale& scale, double value) {
+  if (!scale.stops.empty()) return scale.stops[nearest_stop(scale, value)];
+  const double parts = std::pow(10.0, scale.decimals);
+  return std::clamp(std::round(value * parts) / parts, scale.lowest, scale.highest);
+}
+
+double place_of(const NumberScale& scale, double value) {
+  if (!scale.stops.empty()) {
+    return static_cast<double>(nearest_stop(scale, value)) / static_cast<double>(scale.stops.size() - 1);
+  }
+  const double low = stretched(scale, scale.lowest), high = stretched(scale, scale.highest);
+  return std::clamp((stretched(scale, value) - low) / (high - low), 0.0, 1.0);
+}
+
+double value_at(const NumberScale& scale, double place) {
+  place = std::clamp(place, 0.0, 1.0);
+  if (!scale.stops.empty()) {
+    return scale.stops[static_cast<std::size_t>(std::lround(place * static_cast<double>(scale.stops.size() - 1)))];
+  }
+  const double between = std::lerp(stretched(scale, scale.lowest), stretched(scale, scale.highest), place);
+  return accepted(scale, scale.logarithmic ? std::exp(between) : between);
+}
+
+std::string written(const NumberScale& scale, double value) {
+  if (value == 0 && scale.zero_word != nullptr) return scale.zero_word;
+  return fixed(value, scale.decimals) + scale.suffix;
+}
+
+std::optional<double> meant(const NumberScale& scale, const std::string& text) {
+  if (scale.zero_word != nullptr && text == scale.zero_word) return 0;
+  const std::string digits = without_separators(text);
+  char* end = nullptr;
+  const double value = std::strtod(digits.c_str(), &end);
+  const std::string rest = end;
+  if (end == digits.c_str() || !std::isfinite(value)) return std::nullopt;
+  if (!rest.empty() && rest != without_separators(scale.suffix)) return std::nullopt;
+  return accepted(scale, value);
 }
 
 }  // namespace throng::app

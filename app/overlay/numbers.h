@@ -1,17 +1,39 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace throng::app {
 
 std::string fixed(double value, int decimals);
+inline std::string fixed(float value, int decimals) { return fixed(static_cast<double>(value), decimals); }
 std::string with_thousands(std::uint64_t value);  ///< 12,345
 std::string as_bytes(std::uint64_t bytes);        ///< "640 B", "12.3 KiB", "1.5 MiB"
-std::string as_hex(std::uint64_t value);          ///< 16 digits
+std::string as_percent(float share);              ///< "25 %", of a share of 0 to 1
 
-/// Half of the values are no larger; 0 of none.
-float median(std::vector<float> values);
+/// The numbers that a row accepts, and how it writes them.
+struct NumberScale {
+  double lowest = 0, highest = 1;
+  int decimals = 0;
+  bool logarithmic = false;
+  const char* zero_word = nullptr;  ///< written instead of 0, and may be typed
+  const char* suffix = "";          ///< the unit after the number; may be left out when typing
+  std::span<const int> stops = {};  ///< when not empty, the only numbers accepted
+};
+
+/// The scale of the tuning's value with that key.
+NumberScale scale_of(std::string_view key, std::span<const int> stops = {});
+
+/// The nearest number that the scale accepts.
+double accepted(const NumberScale& scale, double value);
+/// The place of a number along its track, 0 to 1, and the number at a place.
+double place_of(const NumberScale& scale, double value);
+double value_at(const NumberScale& scale, double place);
+/// The text of a number, and the number that a text means: nothing if it is no number.
+std::string written(const NumberScale& scale, double value);
+std::optional<double> meant(const NumberScale& scale, const std::string& text);
 
 }  // namespace throng::app

@@ -10,56 +10,56 @@
 
 #include <imgui.h>
 
-#include "app/overlay/agent_tab.h"
-#include "app/overlay/bone_lod_tab.h"
 #include "app/overlay/cards.h"
-#include "app/overlay/crowd_click.h"
-#include "app/overlay/head_labels.h"
 #include "app/overlay/hotkeys.h"
-#include "app/overlay/presets_tab.h"
-#include "app/overlay/scheduling_tab.h"
-#include "app/overlay/selection_card.h"
 #include "app/overlay/tabs.h"
 
 namespace throng::app {
 
 struct ClipboardText {
   Clipboard clipboard;
-  std::string last;  ///< ImGui reads it after the function has returned
+  std::string last;  ///< ImGui reads it after the callback has returned
 };
 
 namespace {
 
 constexpr float column_width = 380, strip_height = 132, header_height = 38, tab_height = 28;
 
-constexpr std::array<const char*, 6> tab_names = {"Crowd",      "LOD skipping", "Per-bone LOD",
-                                                  "Scheduling", "Agent",        "Presets"};
+struct Tab {
+  const char* name;
+  void (*show)(const TabContext& context);
+};
+
+constexpr std::array tabs = std::to_array<Tab>({{"Crowd", show_crowd_tab},
+                                                {"LOD skipping", show_lod_skipping_tab},
+                                                {"Per-bone LOD", show_bone_lod_tab},
+                                                {"Scheduling", show_scheduling_tab},
+                                                {"Agent", show_agent_tab},
+                                                {"Presets", show_presets_tab}});
 constexpr std::size_t tabs_in_a_row = 3;
 
-/// The keys that text editing knows, in our words.
-constexpr std::array<std::pair<int, Key>, 21> edit_keys = {{
-    {ImGuiKey_LeftArrow, Key::left},
-    {ImGuiKey_RightArrow, Key::right},
-    {ImGuiKey_UpArrow, Key::up},
-    {ImGuiKey_DownArrow, Key::down},
-    {ImGuiKey_PageUp, Key::page_up},
-    {ImGuiKey_PageDown, Key::page_down},
-    {ImGuiKey_Home, Key::home},
-    {ImGuiKey_End, Key::end},
-    {ImGuiKey_Insert, Key::insert},
-    {ImGuiKey_Delete, Key::del},
-    {ImGuiKey_Backspace, Key::backspace},
-    {ImGuiKey_Space, Key::space},
-    {ImGuiKey_Enter, Key::enter},
-    {ImGuiKey_Escape, Key::escape},
-    {ImGuiKey_KeyPadEnter, Key::keypad_enter},
-    {ImGuiKey_A, Key::a},
-    {ImGuiKey_C, Key::c},
-    {ImGuiKey_V, Key::v},
-    {ImGuiKey_X, Key::x},
-    {ImGuiKey_Y, Key::y},
-    {ImGuiKey_Z, Key::z},
-}};
+/// The keys that text editing knows, in ImGui's words and in ours.
+constexpr std::array edit_keys = std::to_array<std::pair<int, Key>>({{ImGuiKey_LeftArrow, Key::left},
+                                                                     {ImGuiKey_RightArrow, Key::right},
+                                                                     {ImGuiKey_UpArrow, Key::up},
+                                                                     {ImGuiKey_DownArrow, Key::down},
+                                                                     {ImGuiKey_PageUp, Key::page_up},
+                                                                     {ImGuiKey_PageDown, Key::page_down},
+                                                                     {ImGuiKey_Home, Key::home},
+                                                                     {ImGuiKey_End, Key::end},
+                                                                     {ImGuiKey_Insert, Key::insert},
+                                                                     {ImGuiKey_Delete, Key::del},
+                                                                     {ImGuiKey_Backspace, Key::backspace},
+                                                                     {ImGuiKey_Space, Key::space},
+                                                                     {ImGuiKey_Enter, Key::enter},
+                                                                     {ImGuiKey_Escape, Key::escape},
+                                                                     {ImGuiKey_KeyPadEnter, Key::keypad_enter},
+                                                                     {ImGuiKey_A, Key::a},
+                                                                     {ImGuiKey_C, Key::c},
+                                                                     {ImGuiKey_V, Key::v},
+                                                                     {ImGuiKey_X, Key::x},
+                                                                     {ImGuiKey_Y, Key::y},
+                                                                     {ImGuiKey_Z, Key::z}});
 
 const char* read_clipboard(void* user) {
   auto& text = *static_cast<ClipboardText*>(user);
@@ -99,21 +99,19 @@ Layout lay_out(const Theme& theme, ImVec2 size) {
 
 std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, bool exact, const Theme& theme) {
   std::vector<Notice> notices;
+  const auto add_if = [&](bool holds, ImU32 ink, const char* words) {
+    if (holds) notices.push_back({ink, words});
+  };
   std::istringstream lines(report.notice);
-  for (std::string line; std::getline(lines, line);) notices.push_back({colour::changed, line});
-  if (theme.fonts_missing)
-    notices.push_back({colour::changed, "The overlay's fonts were not found in the data folder."});
-  if (tuning.inspection.freeze_camera) {
-    notices.push_back({colour::accent, "Level of detail goes on from where the camera was frozen."});
-  }
-  if (tuning.inspection.split == Split::shown) {
-    notices.push_back({colour::accent, "Left of the line the exact crowd, right of it as it is shown."});
-  }
-  if (tuning.inspection.split == Split::difference) {
-    notices.push_back({colour::accent, "Left of the line the exact crowd, right of it the difference, times 8."});
-  }
-  if (tuning.paused) notices.push_back({colour::frame, "Paused. Space goes on."});
-  if (exact) notices.push_back({colour::accent, "The exact crowd, while X is held."});
+  for (std::string line; std::getline(lines, line);) add_if(true, colour::changed, line.c_str());
+  add_if(theme.fonts_missing, colour::changed, "The overlay's fonts were not found in the data folder.");
+  add_if(tuning.inspection.freeze_camera, colour::accent, "Level of detail goes on from where the camera was frozen.");
+  add_if(tuning.inspection.split == Split::shown, colour::accent,
+         "Left of the line the exact crowd, right of it as it is shown.");
+  add_if(tuning.inspection.split == Split::difference, colour::accent,
+         "Left of the line the exact crowd, right of it the difference, times 8.");
+  add_if(tuning.paused, colour::frame, "Paused. Space goes on.");
+  add_if(exact, colour::accent, "The exact crowd, while X is held.");
   return notices;
 }
 
@@ -132,15 +130,11 @@ struct Overlay::State {
   OverlaySwitches switches;
   CrowdClick click;
   std::size_t tab = 0;
-  BoneLodTab bones;
-  SchedulingTab scheduling;
-  AgentTab agent;
-  PresetsTab presets;
+  TabMemory memory;
 
   void show_header(const Area& column) const;
   void show_tab_bar(const Area& column);
   void show_column(const Area& column, const TabContext& context_of_tab);
-  void show_tab(const TabContext& context_of_tab);
 };
 
 Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& standard, const Clipboard& clipboard)
@@ -166,7 +160,7 @@ void Overlay::begin_frame(int width, int height, double seconds, const InputFram
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
-  // Two clicks take four frames at least, however slow they are.
+  // A double click takes at least four frames, however slow they are.
   io.MouseDoubleClickTime = std::max(0.3F, 4 * io.DeltaTime);
   feed(io, input);
   ImGui::NewFrame();
@@ -180,7 +174,7 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
   commands.select_at = state.click.update(state.input, !uses_pointer());
   if (!uses_keyboard()) {
     apply_hotkeys(state.input, report.selected.has_value(), state.switches, tuning, commands);
-    if (std::ranges::count(state.input.pressed, Key::b) > 0) state.presets.pair.change_places(tuning);
+    if (std::ranges::count(state.input.pressed, Key::b) > 0) state.memory.pair.change_places(tuning);
   }
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   if (!state.switches.hidden) {
@@ -189,15 +183,15 @@ OverlayCommands Overlay::build(const FrameReport& report, Tuning& tuning) {
     below_notices.from.y =
         show_notices(state.widgets, layout.crowd, notices_of(report, tuning, commands.exact_crowd, state.theme));
     show_frame_strip(state.widgets, layout.strip, report);
-    state.show_column(layout.column, {state.widgets, report, tuning, state.standard, commands});
+    state.show_column(layout.column, {state.widgets, report, tuning, state.standard, commands, state.memory});
     if (report.selected) show_selection_card(state.widgets, below_notices, *report.selected, commands);
     if (state.switches.help) show_help_card(state.widgets, layout.crowd);
   }
   ImGui::Render();
-  state.map.tab = tab_names.at(state.tab);
+  state.map.tab = tabs.at(state.tab).name;
   state.map.hidden = state.switches.hidden;
   state.map.help = state.switches.help;
-  state.map.shows_b = state.presets.pair.shows_b();
+  state.map.shows_b = state.memory.pair.shows_b();
   state.map.typing = ImGui::GetIO().WantTextInput;
   return commands;
 }
@@ -211,12 +205,12 @@ void Overlay::State::show_header(const Area& column) const {
 void Overlay::State::show_tab_bar(const Area& column) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float width = (column.width() - theme.px(16)) / static_cast<float>(tabs_in_a_row);
-  for (std::size_t i = 0; i < tab_names.size(); ++i) {
+  for (std::size_t i = 0; i < tabs.size(); ++i) {
     const auto row = static_cast<float>(i / tabs_in_a_row), place_in_row = static_cast<float>(i % tabs_in_a_row);
     const ImVec2 from(column.from.x + theme.px(8) + width * place_in_row,
                       column.from.y + theme.px(header_height + tab_height * row));
     const Area place{.from = from, .to = {from.x + width, from.y + theme.px(tab_height)}};
-    const std::string name = tab_names.at(i);
+    const std::string name = tabs.at(i).name;
     if (widgets.clickable("tab:" + name, place)) tab = i;
     const bool shown = i == tab, hovered = ImGui::IsItemHovered();
     draw_text(theme.regular, {(place.from.x + place.to.x) / 2, from.y + theme.px(5)},
@@ -236,30 +230,13 @@ void Overlay::State::show_column(const Area& column, const TabContext& context_o
   const float top = theme.px(header_height + 2 * tab_height) + 1;
   ImGui::SetCursorScreenPos({column.from.x, column.from.y + top});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(16), theme.px(8)});
-  // One child a tab: each keeps where it was scrolled to.
-  ImGui::BeginChild(tab_names.at(tab), {column.width(), column.height() - top}, false,
+  // Each tab is a child of its own and so keeps its scroll position.
+  ImGui::BeginChild(tabs.at(tab).name, {column.width(), column.height() - top}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
-  show_tab(context_of_tab);
+  tabs.at(tab).show(context_of_tab);
   ImGui::EndChild();
   ImGui::PopStyleVar();
   ImGui::End();
-}
-
-void Overlay::State::show_tab(const TabContext& context_of_tab) {
-  switch (tab) {
-    case 0:
-      return show_crowd_tab(context_of_tab);
-    case 1:
-      return show_lod_skipping_tab(context_of_tab);
-    case 2:
-      return bones.show(context_of_tab);
-    case 3:
-      return scheduling.show(context_of_tab);
-    case 4:
-      return agent.show(context_of_tab);
-    default:
-      return presets.show(context_of_tab);
-  }
 }
 
 ImDrawData* Overlay::draw_data() const { return ImGui::GetDrawData(); }
@@ -282,8 +259,8 @@ bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
 void Overlay::set_hidden(bool hidden) { state_->switches.hidden = hidden; }
 
 void Overlay::show_tab(const std::string& name) {
-  const auto* const found = std::ranges::find(tab_names, name);
-  if (found != tab_names.end()) state_->tab = static_cast<std::size_t>(found - tab_names.begin());
+  const auto* const found = std::ranges::find(tabs, name, &Tab::name);
+  if (found != tabs.end()) state_->tab = static_cast<std::size_t>(found - tabs.begin());
 }
 
 bool Overlay::fonts_missing() const { return state_->theme.fonts_missing; }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/overlay/numbers.h"
-
 namespace throng::app {
 namespace {
 
@@ -21,11 +19,18 @@ void draw_distance_axis(const Theme& theme, const Area& plot, float longest) {
     draw_list().AddLine({x, plot.from.y}, {x, plot.to.y}, ImGui::GetColorU32(colour::grid));
     const float align = metres == 0 ? 0.0F : (metres + step > longest ? 1.0F : 0.5F);
     draw_text(theme.small, {x, plot.to.y + theme.px(2)}, colour::faint,
-              fixed(static_cast<double>(metres), 0) + (metres + step > longest ? " m" : ""), align);
+              fixed(metres, 0) + (metres + step > longest ? " m" : ""), align);
   }
 }
 
 }  // namespace
+
+float at_percent(std::vector<float> values, std::size_t percent) {
+  if (values.empty()) return 0;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * percent / 100);
+  std::ranges::nth_element(values, place);
+  return *place;
+}
 
 float round_up(float value) {
   const float decade = std::pow(10.0F, std::floor(std::log10(std::max(value, 1e-3F))));

@@ -4,24 +4,24 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/overlay/widgets.h"
-#include "app/report/frame_report.h"
 
 namespace throng::app {
 
-/// The newest frames, which graphs over frames show.
+/// The number of frames that graphs over frames show, the newest.
 inline constexpr std::size_t frames_shown = 240;
 
-/// A line over an area, 0 at the bottom and `highest` at the top: the last value at the right edge, one step of
-/// `1 / (capacity - 1)` of the width a value.
+/// Draws a line over an area, 0 at the bottom and `highest` at the top. The last value lies at the right edge, and each
+/// takes a step of `1 / (capacity - 1)` of the width.
 void draw_line(const Area& area, std::span<const float> values, float highest, std::size_t capacity, ImU32 colour,
                float thickness);
 
-/// A level line across the area with its words beside its right end.
+/// Draws a level line across the area with its words beside its right end.
 void draw_limit(const Theme& theme, const Area& area, float value, float highest, const std::string& words);
 
-/// Bars side by side; `count_of(i)` stands above, `name_of(i)` below. The space for names is inside the area.
+/// Bars side by side. The count stands above each, `name_of(i)` below, inside the area.
 struct Bars {
   std::span<const int> counts;
   std::function<ImU32(int)> colour_of;
@@ -29,7 +29,7 @@ struct Bars {
 };
 void draw_bars(const Theme& theme, const Area& area, const Bars& bars);
 
-/// Steps upwards over a distance axis: `value_at(metres)`.
+/// A value in steps over a distance axis.
 struct Steps {
   float longest = 100;  ///< metres at the right edge
   int largest = 1;      ///< value at the top
@@ -38,8 +38,11 @@ struct Steps {
 };
 void draw_steps(const Theme& theme, const Area& area, const Steps& steps);
 
-/// A rounded dark ground for a plot.
+/// Draws a rounded dark ground for a plot.
 void draw_well(const Theme& theme, const Area& area);
+
+/// The value that so many percent of the values do not exceed; 0 of none.
+float at_percent(std::vector<float> values, std::size_t percent);
 
 /// The next larger of 1, 2, 5, 10, 20, 50...
 float round_up(float value);

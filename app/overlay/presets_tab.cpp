@@ -1,9 +1,9 @@
-#include "app/overlay/presets_tab.h"
-
 #include <algorithm>
 #include <array>
+#include <utility>
 
-#include "app/overlay/preset_name.h"
+#include "app/overlay/tabs.h"
+#include "app/settings/preset.h"
 
 namespace throng::app {
 namespace {
@@ -11,44 +11,42 @@ namespace {
 constexpr std::array<const char*, 2> pair_words = {"A", "B"};
 constexpr float preset_height = 28, button_width = 66;
 
-}  // namespace
-
-void PresetsTab::show_pair(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+void show_pair(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Compare");
-  int shown = pair.shows_b() ? 1 : 0;
+  int shown = memory.pair.shows_b() ? 1 : 0;
   if (widgets.choose("In use", shown, shown, pair_words,
                      {.what = "Two tunings; the other one waits. Change some values, then go to and fro. Key B."})) {
-    pair.change_places(tuning);
+    memory.pair.change_places(tuning);
   }
-  const char* const label = pair.shows_b() ? "Copy B to A" : "Copy A to B";
-  if (widgets.button(label, {.what = "The other one becomes what is in use."}, ImGui::GetContentRegionAvail().x)) {
-    pair.copy_to_other(tuning);
+  const char* const label = memory.pair.shows_b() ? "Copy B to A" : "Copy A to B";
+  if (ButtonRow(widgets, 1).button(label, {.what = "The other one becomes what is in use."})) {
+    memory.pair.copy_to_other(tuning);
   }
 }
 
-void PresetsTab::show_saving(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+void show_saving(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  std::string& name = memory.preset_name;
   widgets.section("Keep");
-  widgets.text("Name", name_, "letters, digits, - and _", {.what = "What the tuning and the camera are kept under."});
-  const bool fits = can_name_a_preset(name_), exists = std::ranges::binary_search(report.preset_names, name_);
-  ImGui::BeginDisabled(!fits);
-  const Help help{.what =
-                      "Writes all values and the camera to NAME.json in the folder of presets. A preset of that "
-                      "name is replaced."};
-  if (widgets.button(exists ? "Replace preset" : "Save preset", help, ImGui::GetContentRegionAvail().x)) {
-    commands.save_preset = name_;
+  widgets.text("Name", name, "letters, digits, - and _", {.what = "What the tuning and the camera are kept under."});
+  const bool exists = std::ranges::binary_search(report.preset_names, name);
+  if (ButtonRow(widgets, 1)
+          .button(exists ? "Replace preset" : "Save preset",
+                  {.what = "Writes all values and the camera to NAME.json in the folder of presets. A "
+                           "preset of that name is replaced."},
+                  can_name_a_preset(name))) {
+    commands.save_preset = name;
   }
-  ImGui::EndDisabled();
   commands.copy_command_line |=
-      widgets.button("Copy as command line",
-                     {.what = "Puts the options that make this crowd into the clipboard: only "
-                              "what differs from what no option means."},
-                     ImGui::GetContentRegionAvail().x);
+      ButtonRow(widgets, 1)
+          .button("Copy as command line",
+                  {.what = "Puts the options that make this crowd into the clipboard: only what differs "
+                           "from what no option means."});
 }
 
-void PresetsTab::show_names(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+void show_names(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
   widgets.section("Kept");
   if (report.preset_names.empty()) widgets.caption("Nothing yet.");
   const Theme& theme = widgets.theme();
@@ -63,10 +61,10 @@ void PresetsTab::show_names(const TabContext& context) {
       commands.load_preset = name;
     }
     ImGui::SetCursorScreenPos({right - width, at.y});
-    const bool asked = about_to_delete_ == name;
+    const bool asked = memory.about_to_delete == name;
     if (widgets.named_button(asked ? "Really?" : "Delete", "Delete " + name, {.what = "Removes its file."}, width)) {
       if (asked) commands.delete_preset = name;
-      about_to_delete_ = asked ? "" : name;
+      memory.about_to_delete = asked ? "" : name;
     }
     ImGui::PopID();
     ImGui::SetCursorScreenPos(at);
@@ -74,7 +72,17 @@ void PresetsTab::show_names(const TabContext& context) {
   }
 }
 
-void PresetsTab::show(const TabContext& context) {
+}  // namespace
+
+void TuningPair::change_places(Tuning& tuning) {
+  shows_b_ = !shows_b_;
+  if (!other_) other_ = tuning;
+  other_->paused = tuning.paused;
+  other_->inspection = tuning.inspection;
+  std::swap(*other_, tuning);
+}
+
+void show_presets_tab(const TabContext& context) {
   show_pair(context);
   show_saving(context);
   show_names(context);

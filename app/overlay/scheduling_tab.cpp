@@ -1,13 +1,10 @@
-#include "app/overlay/scheduling_tab.h"
-
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <string>
 
-#include "app/overlay/numbers.h"
-#include "app/overlay/plots.h"
+#include "app/overlay/tabs.h"
 #include "app/report/tuning_sweep.h"
-#include "app/settings/choices.h"
 
 namespace throng::app {
 namespace {
@@ -22,61 +19,55 @@ constexpr auto local_store_choices = zero_and(local_store_stops);
 constexpr auto tile_choices = zero_and(tile_stops);
 constexpr auto grain_choices = zero_and(grain_stops);
 
+// The table has it in nanoseconds, people read microseconds.
 void show_grain(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
-  auto microseconds = static_cast<float>(swept_value(SweptValue::grain, tuning));
-  if (widgets.number(
-          "Grain", microseconds, static_cast<float>(swept_value(SweptValue::grain, standard)),
+  double microseconds = swept_value(SweptValue::grain, context.tuning);
+  if (context.widgets.number(
+          "Grain", microseconds, swept_value(SweptValue::grain, context.standard),
           scale_of("cost_least_task_ns", grain_choices),
           {.what = "Work that is worth another PU: no more of them are woken than have so much to do each. What a PU "
                    "then takes at a time is a tile.",
            .unit = "microseconds of one PU, predicted; any: all PUs are woken, whatever there is to do",
            .cost = "Small: waking takes longer than the work. Large: PUs stand by while others work."})) {
-    set_swept_value(SweptValue::grain, static_cast<double>(microseconds), tuning);
+    set_swept_value(SweptValue::grain, microseconds, context.tuning);
   }
 }
 
 void show_machine(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
-  widgets.section("Processing units");
+  context.widgets.section("Processing units");
   NumberScale threads = scale_of("pus");
-  threads.highest = std::max(threads.highest, static_cast<double>(report.hardware_threads));
-  widgets.number("PUs", tuning.system.pus, standard.system.pus, threads,
-                 {.what = "Worker threads, each with a local store of its own. The poses are the same for any number.",
-                  .unit = "threads; all: as many as the machine has",
-                  .cost = "More than the machine has only take turns."});
-  int kib = local_store_kib(tuning);
-  widgets.number(
-      "Local store", kib, local_store_kib(standard), scale_of("local_store_kib", local_store_choices),
-      {.what = "A PU's own memory: entities are copied in, updated there and copied out. Its size decides how "
-               "many characters fit into a tile. Too small for this skeleton is refused, with a line that says "
-               "what is needed.",
-       .unit = "KiB; auto: 64, or what one character needs",
-       .cost = "Small: narrow tiles. Large: out of the processor's own cache."});
-  set_local_store_kib(tuning, kib);
-  widgets.number("Tile", tuning.system.tile, standard.system.tile, scale_of("tile", tile_choices),
-                 {.what = "Characters that are handed to a PU at a time.",
-                  .unit = "characters; auto: as many as fit",
-                  .cost = "Narrow tiles leave vector lanes idle."});
+  threads.highest = std::max(threads.highest, static_cast<double>(context.report.hardware_threads));
+  context.row("pus", "PUs", threads,
+              {.what = "Worker threads, each with a local store of its own. The poses are the same for any number.",
+               .unit = "threads; all: as many as the machine has",
+               .cost = "More than the machine has only take turns."});
+  context.row("local_store_kib", "Local store", scale_of("local_store_kib", local_store_choices),
+              {.what = "A PU's own memory: entities are copied in, updated there and copied out. Its size decides how "
+                       "many characters fit into a tile. Too small for this skeleton is refused, with a line that says "
+                       "what is needed.",
+               .unit = "KiB; auto: 64, or what one character needs",
+               .cost = "Small: narrow tiles. Large: out of the processor's own cache."});
+  context.row("tile", "Tile", scale_of("tile", tile_choices),
+              {.what = "Characters that are handed to a PU at a time.",
+               .unit = "characters; auto: as many as fit",
+               .cost = "Narrow tiles leave vector lanes idle."});
   show_grain(context);
-  widgets.choice(
-      "Schedule", tuning.system.schedule, standard.system.schedule, schedule_words,
-      {.what = "levels: all players, then blenders by priority, a barrier in between; states go back to main "
-               "memory after each. fused: a character from clips to palette in one go.",
-       .cost = "levels moves more bytes and waits at barriers."});
-  widgets.choice(
-      "Double buffer", tuning.system.double_buffering, standard.system.double_buffering, double_buffer_words,
-      {.what = "off: fetch, compute, write back. inline: the next tile is fetched before this one is computed. "
-               "interleaved: while it is computed, asked for in slices.",
-       .cost = "A second fetch buffer in the local store."});
-  widgets.choice("Stream", tuning.system.stream, standard.system.stream, stream_words,
-                 {.what = "sampled: even rows of quantised rotations, made for crowds. keyframe: the clip's own keys, "
-                          "exact, with the paper's interpolation structures.",
-                  .cost = "keyframe moves about 7 KB a player and needs a larger local store."});
-  widgets.choice("Palette", tuning.system.palettes, standard.system.palettes, palette_words,
-                 {.what = "What is written for a bone: float, a 3x4 matrix of 48 bytes, or packed, a rotation and a "
-                          "place of 16, unpacked in the vertex shader. Skeletons that are not rigid stay float.",
-                  .cost = "packed: arithmetic for every vertex that is drawn."});
+  context.row("schedule", "Schedule",
+              {.what = "levels: all players, then blenders by priority, a barrier in between; states go back to main "
+                       "memory after each. fused: a character from clips to palette in one go.",
+               .cost = "levels moves more bytes and waits at barriers."});
+  context.row("double_buffer", "Double buffer",
+              {.what = "off: fetch, compute, write back. inline: the next tile is fetched before this one is computed. "
+                       "interleaved: while it is computed, asked for in slices.",
+               .cost = "A second fetch buffer in the local store."});
+  context.row("stream", "Stream",
+              {.what = "sampled: even rows of quantised rotations, made for crowds. keyframe: the clip's own keys, "
+                       "exact, with the paper's interpolation structures.",
+               .cost = "keyframe moves about 7 KB a player and needs a larger local store."});
+  context.row("palette", "Palette",
+              {.what = "What is written for a bone: float, a 3x4 matrix of 48 bytes, or packed, a rotation and a "
+                       "place of 16, unpacked in the vertex shader. Skeletons that are not rigid stay float.",
+               .cost = "packed: arithmetic for every vertex that is drawn."});
 }
 
 using Cells = std::array<std::string, 8>;
@@ -117,60 +108,69 @@ void show_pu_table(const TabContext& context) {
   draw_cells(theme, row_at(0), colour::faint,
              Cells{"PU", "tiles", "agents", "busy ms", "in", "out", "transfers", "store"});
   for (std::size_t i = 0; i < report.pu.size(); ++i) {
-    const PuReport& pu = report.pu[i];
-    draw_busy_bar(theme, row_at(i + 1), pu.busy_ms / std::max(report.update_ms, 1e-3F));
+    const anim::PuActivity& pu = report.pu[i].activity;
+    draw_busy_bar(theme, row_at(i + 1), static_cast<float>(pu.busy_ms) / std::max(report.update_ms, 1e-3F));
     draw_cells(theme, row_at(i + 1), colour::text,
-               Cells{std::to_string(i), with_thousands(pu.tiles), with_thousands(pu.agents),
-                     fixed(static_cast<double>(pu.busy_ms), 2), as_kib(pu.dma_in_bytes), as_kib(pu.dma_out_bytes),
-                     with_thousands(pu.dma_transfers), as_kib(pu.local_store_laid_out_bytes)});
+               Cells{std::to_string(i), with_thousands(pu.tasks), with_thousands(pu.agents), fixed(pu.busy_ms, 2),
+                     as_kib(pu.copies.bytes_in), as_kib(pu.copies.bytes_out), with_thousands(pu.copies.transfers),
+                     as_kib(report.pu[i].local_store_laid_out_bytes)});
   }
 }
 
 void show_legend(const Theme& theme) {
-  struct Entry {
-    const char* word;
-    ImU32 colour;
-  };
-  constexpr std::array<Entry, 4> entries = {{{"fetch", colour::fetch},
-                                             {"compute", colour::compute},
-                                             {"write back", colour::write_back},
-                                             {"wait", colour::wait}}};
   ImVec2 at = ImGui::GetCursorScreenPos();
-  for (const Entry& entry : entries) {
+  const auto show = [&](const char* word, ImU32 ink) {
     const float y = at.y + theme.px(4), size = theme.px(8);
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + size, y + size}, entry.colour, theme.px(2));
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + size, y + size}, ink, theme.px(2));
     at.x += size + theme.px(5);
-    draw_text(theme.small, at, colour::dim, entry.word);
-    at.x += theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, 0, entry.word).x + theme.px(14);
-  }
+    draw_text(theme.small, at, colour::dim, word);
+    at.x += text_width(theme.small, word) + theme.px(14);
+  };
+  show("fetch", colour::fetch);
+  show("compute", colour::compute);
+  show("write back", colour::write_back);
+  show("wait", colour::wait);
   ImGui::Dummy({0, theme.small->FontSize});
 }
 
+std::string as_hex(std::uint64_t value) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
+  return text.data();
+}
+
 void show_totals(const TabContext& context) {
-  const FrameReport& report = context.report;
-  Widgets& widgets = context.widgets;
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  const int tile = report.schedule.plan.width;
+  std::size_t laid_out = 0;
+  for (const PuReport& pu : report.pu) laid_out = std::max(laid_out, pu.local_store_laid_out_bytes);
   widgets.section("In all");
   widgets.fact("Local store laid out",
-               as_bytes(report.local_store_laid_out_bytes) + " of " + std::to_string(report.local_store_kib) + " KiB",
+               as_bytes(laid_out) + " of " + std::to_string(report.schedule.local_store_bytes / bytes_a_kib) + " KiB",
                {.what = "Of each PU's local store: its fetch buffers and the scratch of a tile. The rest stays free."});
-  widgets.fact("Tile width", std::to_string(report.tile) + (report.tile == 1 ? " character" : " characters"),
+  widgets.fact("Tile width", std::to_string(tile) + (tile == 1 ? " character" : " characters"),
                {.what = "What the local store has room for, or what was asked for."});
-  widgets.fact("Copied in, out", as_bytes(report.dma_in_bytes) + ", " + as_bytes(report.dma_out_bytes),
+  widgets.fact("Copied in, out", as_bytes(report.work.copies.bytes_in) + ", " + as_bytes(report.work.copies.bytes_out),
                {.what = "Entity blocks, in this frame, over all PUs.", .unit = "bytes"});
-  widgets.fact("Palettes written", as_bytes(report.palette_bytes),
+  widgets.fact("Palettes written", as_bytes(report.work.palette_bytes),
                {.what = "Straight into memory that the renderer reads, once.", .unit = "bytes in this frame"});
   widgets.fact("SIMD target", report.simd_target, {.what = "The vector instructions chosen for this processor."});
-  widgets.fact(
-      "Pose hash", as_hex(report.pose_hash),
-      {.what = "Over every bit of every palette so far. PUs, schedule, local store, tile and double buffer do not "
-               "change it."});
+  widgets.fact("Pose hash", as_hex(report.pose_hash),
+               {.what = "Over every bit of every palette so far. PUs, schedule, local store, tile and double buffer do "
+                        "not change it."});
 }
 
 void show_memory(const TabContext& context) {
-  if (context.report.memory.empty()) return;
+  const auto has_blocks = [](const anim::KindMemory& kind) {
+    return kind.own.blocks_alive + kind.shared.blocks_alive > 0;
+  };
+  if (std::ranges::none_of(context.report.memory, has_blocks)) return;
   context.widgets.section("Blocks in main memory");
-  for (const KindRow& kind : context.report.memory) {
-    context.widgets.fact(kind.kind.c_str(), with_thousands(kind.blocks) + ", " + as_bytes(kind.bytes),
+  for (const anim::KindMemory& kind : context.report.memory) {
+    if (!has_blocks(kind)) continue;
+    context.widgets.fact(kind.kind,
+                         with_thousands(kind.own.blocks_alive + kind.shared.blocks_alive) + ", " +
+                             as_bytes(kind.own.bytes_alive + kind.shared.bytes_alive),
                          {.what = "Living blocks of this kind of entity, of all agents, and what they take. The slabs "
                                   "they lie in have room for more."});
   }
@@ -178,19 +178,16 @@ void show_memory(const TabContext& context) {
 
 }  // namespace
 
-void SchedulingTab::show_timeline(const TabContext& context) {
-  if (context.report.timeline.empty()) return;
-  context.widgets.section("Last updates, PU by PU");
-  timeline_.show(context.widgets, context.report.timeline);
-  show_legend(context.widgets.theme());
-  context.widgets.caption("Wheel: zoom. Drag: along. Double click: all.");
-}
-
-void SchedulingTab::show(const TabContext& context) {
+void show_scheduling_tab(const TabContext& context) {
   show_machine(context);
-  sweep_.show(context);
+  show_sweep(context);
   show_pu_table(context);
-  show_timeline(context);
+  if (!context.report.timeline.empty()) {
+    context.widgets.section("Last updates, PU by PU");
+    show_timeline(context);
+    show_legend(context.widgets.theme());
+    context.widgets.caption("Wheel: zoom. Drag: along. Double click: all.");
+  }
   show_totals(context);
   show_memory(context);
 }

@@ -1,12 +1,8 @@
-#include "app/overlay/selection_card.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "app/overlay/cards.h"
-#include "app/overlay/entity_words.h"
-#include "app/overlay/numbers.h"
 #include "app/settings/choices.h"
 
 namespace throng::app {
@@ -14,7 +10,7 @@ namespace {
 
 constexpr float widest_card = 620, card_margin = 14, card_gap = 12;
 constexpr float title_height = 25, text_height = 19, entity_height = 18, button_height = 34;
-constexpr std::size_t most_rows = 16;  // of a longer graph, the end: what is nearest to the pose
+constexpr std::size_t most_rows = 16;  // a longer graph shows its end, which is nearest to the pose
 
 struct Column {
   const char* title;
@@ -32,15 +28,14 @@ constexpr std::array columns = std::to_array<Column>({{"entity", 0.00F, 0.18F, 0
                                                       {"memory", 0.88F, 1.00F, 1}});
 using Cells = std::array<std::string, columns.size()>;
 
-std::string number(float value, int decimals) { return fixed(static_cast<double>(value), decimals); }
-
 Cells cells_of(const EntityRow& row) {
   return {row.kind,
           row.clip,
           place_in_clip(row),
           as_percent(row.weight),
-          with_thousands(row.bytes),
-          std::to_string(row.pool) + ":" + std::to_string(row.generation) + ":" + std::to_string(row.index),
+          with_thousands(row.block.size()),
+          std::to_string(row.handle.pool()) + ":" + std::to_string(row.handle.generation()) + ":" +
+              std::to_string(row.handle.index()),
           row.priority == 0 ? "highest" : std::to_string(row.priority),
           row.shared ? "shared" : (row.resident ? "resident" : "transient")};
 }
@@ -64,8 +59,8 @@ std::string doing(const SelectionReport& selected) {
 }
 
 std::string whereabouts(const SelectionReport& selected) {
-  return "at " + number(selected.x, 1) + ", " + number(selected.y, 1) + ", " + number(selected.z, 1) + " m   " +
-         number(selected.speed, 2) + " m/s";
+  return "at " + fixed(selected.x, 1) + ", " + fixed(selected.y, 1) + ", " + fixed(selected.z, 1) + " m   " +
+         fixed(selected.speed, 2) + " m/s";
 }
 
 std::string detail(const SelectionReport& selected) {
@@ -118,11 +113,16 @@ void show_buttons(Widgets& widgets, ImVec2 at, const SelectionReport& selected, 
       "Push over", {.what = "Makes a rag-doll of it, which falls away from the camera, lies and gets up. Key P."},
       width);
   ImGui::EndDisabled();
-  ImGui::SetCursorScreenPos({at.x + width + widgets.theme().px(8), at.y});
+  ImGui::SameLine(0, widgets.theme().px(8));
   commands.deselect |= widgets.button("Deselect", {.what = "As a click beside it, or Esc."}, width);
 }
 
 }  // namespace
+
+std::string place_in_clip(const EntityRow& row) {
+  if (row.duration_seconds <= 0) return "";
+  return fixed(row.position_seconds, 2) + " / " + fixed(row.duration_seconds, 2);
+}
 
 void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
                          OverlayCommands& commands) {

@@ -1,13 +1,11 @@
-#include "app/overlay/sweep_view.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
-#include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
+#include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
 
 namespace throng::app {
@@ -15,7 +13,7 @@ namespace {
 
 constexpr float plot_height = 132, axis_width = 44, stop_margin = 18;
 
-/// A value is written with this after it, in the order of SweptValue.
+/// The unit that is written after a value, in the order of SweptValue.
 constexpr std::array<const char*, 4> units = {" PUs", " KiB", " a tile", " \xC2\xB5s"};
 
 std::string with_unit(SweptValue value, double number) {
@@ -30,22 +28,24 @@ std::string in_three_digits(double number) {
   return text.data();
 }
 
-/// The value that the crowd is posed with, where the tuning says "automatic" too.
+/// The value that the crowd is posed with; where the tuning says "automatic", the one that was chosen.
 double in_force(SweptValue value, const FrameReport& report, const Tuning& tuning) {
   switch (value) {
     case SweptValue::pus:
       return tuning.system.pus == 0 ? report.hardware_threads : tuning.system.pus;
     case SweptValue::local_store:
-      return local_store_kib(tuning) == 0 ? report.local_store_kib : local_store_kib(tuning);
+      return static_cast<double>(
+          (tuning.system.local_store_bytes == 0 ? report.schedule.local_store_bytes : tuning.system.local_store_bytes) /
+          bytes_a_kib);
     case SweptValue::tile:
-      return tuning.system.tile == 0 ? report.tile : tuning.system.tile;
+      return tuning.system.tile == 0 ? report.schedule.plan.width : tuning.system.tile;
     case SweptValue::grain:
       break;
   }
   return swept_value(value, tuning);
 }
 
-/// Where stops lie in the plot, side by side, and times above each other from 0 on.
+/// The places in the plot: stops lie side by side, and times one above the other from 0 on.
 struct Axes {
   Area plot;
   float pitch, margin;
@@ -71,7 +71,7 @@ Axes axes_of(const Theme& theme, const Area& all, const SweepCurve& curve) {
           .highest = static_cast<double>(round_up(static_cast<float>(highest * 1.05)))};
 }
 
-/// Between the stops on both sides of it; `value` need not be one of them.
+/// The place of a value that need not be a stop: between the stops on both sides of it.
 float x_between(const Axes& axes, const SweepCurve& curve, double value) {
   const auto after = std::ranges::lower_bound(curve.stops, value, {}, &SweepStop::value);
   if (after == curve.stops.begin()) return axes.x_of(0);
@@ -130,13 +130,10 @@ const SweepStop* stop_under_pointer(const Axes& axes, const SweepCurve& curve) {
   return stop.known && !stop.refused ? &stop : nullptr;
 }
 
-void tell(const SweepCurve& curve, const SweepStop& stop) {
-  ImGui::BeginTooltip();
-  ImGui::TextUnformatted((with_unit(curve.value, stop.value) + ": " + as_milliseconds(stop.cost.milliseconds)).c_str());
-  ImGui::TextUnformatted(
-      (with_thousands(stop.cost.tasks) + " tasks, " + as_bytes(stop.cost.bytes) + " copied an update").c_str());
-  if (!curve.runs) ImGui::TextUnformatted("Click: take this value.");
-  ImGui::EndTooltip();
+void tell_of(const SweepCurve& curve, const SweepStop& stop) {
+  tell({with_unit(curve.value, stop.value) + ": " + as_milliseconds(stop.cost.milliseconds),
+        with_thousands(stop.cost.tasks) + " tasks, " + as_bytes(stop.cost.bytes) + " copied an update",
+        curve.runs ? "" : "Click: take this value."});
 }
 
 std::string summary(const SweepCurve& curve) {
@@ -159,36 +156,32 @@ std::string refusals(const SweepCurve& curve) {
   return values.empty() ? "" : "Left out: " + values + ": " + curve.refusal;
 }
 
-}  // namespace
-
-void SweepView::show_button(const TabContext& context) const {
-  const auto& [widgets, report, tuning, standard, commands] = context;
-  const float width = ImGui::GetContentRegionAvail().x;
-  if (report.sweep.runs) {
-    commands.stop_sweep |= widgets.button("Stop", {.what = "The curve so far stays."}, width);
-    return;
+void show_sweep_button(const TabContext& context) {
+  ButtonRow buttons(context.widgets, 1);
+  if (context.report.sweep.runs) {
+    context.commands.stop_sweep |= buttons.button("Stop", {.what = "The curve so far stays."});
+  } else if (buttons.button(
+                 "Sweep",
+                 {.what = "The crowd goes through the stops of that value, some frames at each, five rounds of all. "
+                          "Then the value is as it was. Poses are the same throughout.",
+                  .cost = "Some frames are slow meanwhile."},
+                 !context.tuning.paused && !context.tuning.taken_away.animation)) {
+    context.commands.sweep = context.memory.swept;
   }
-  ImGui::BeginDisabled(tuning.paused || tuning.taken_away.animation);
-  if (widgets.button("Sweep",
-                     {.what = "The crowd goes through the stops of that value, some frames at each, five rounds of "
-                              "all. Then the value is as it was. Poses are the same throughout.",
-                      .cost = "Some frames are slow meanwhile."},
-                     width)) {
-    commands.sweep = value_;
-  }
-  ImGui::EndDisabled();
 }
 
-void SweepView::show(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, commands] = context;
+}  // namespace
+
+void show_sweep(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
   const SweepCurve& curve = report.sweep;
   widgets.section("Sweep: what an update takes");
   ImGui::BeginDisabled(curve.runs);
-  widgets.choice("Vary", value_, value_, swept_value_words,
+  widgets.choice("Vary", memory.swept, memory.swept, swept_value_words,
                  {.what = "What a sweep goes through, while all other values stay.",
                   .unit = "PUs: threads; store: KiB of each; tile: characters; grain: microseconds"});
   ImGui::EndDisabled();
-  show_button(context);
+  show_sweep_button(context);
   if (curve.stops.empty()) return;
   const Theme& theme = widgets.theme();
   const Area area = widgets.area("Sweep curve", plot_height);
@@ -197,7 +190,7 @@ void SweepView::show(const TabContext& context) {
   draw_in_force(theme, axes, x_between(axes, curve, in_force(curve.value, report, tuning)));
   draw_curve(theme, axes, curve);
   if (const SweepStop* const stop = stop_under_pointer(axes, curve)) {
-    tell(curve, *stop);
+    tell_of(curve, *stop);
     if (!curve.runs && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) set_swept_value(curve.value, stop->value, tuning);
   }
   for (const std::string& line : {summary(curve), refusals(curve)}) {

@@ -1,29 +1,87 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "app/overlay/widgets.h"
 #include "app/report/frame_report.h"
 #include "app/settings/settings.h"
 
 namespace throng::app {
 
-/// What a tab reads and may change.
+/// Two tunings to compare, A and B: one is in use, and the other waits until they change places. The pause and the ways
+/// to look at level of detail belong to neither and stay as they are.
+class TuningPair {
+ public:
+  [[nodiscard]] bool shows_b() const { return shows_b_; }
+
+  /// Brings the other one into use; the first time it is the same.
+  void change_places(Tuning& tuning);
+  /// The other one becomes a copy of the one in use.
+  void copy_to_other(const Tuning& tuning) { other_ = tuning; }
+
+ private:
+  std::optional<Tuning> other_;
+  bool shows_b_ = false;
+};
+
+/// The list of bones, from frame to frame.
+struct BoneListMemory {
+  struct Drag {
+    std::size_t from = 0;  ///< place in the list; of a border, the level that ends there
+    bool border = false;
+    std::size_t over = 0;  ///< the row under the pointer
+  };
+  std::string search;
+  std::size_t character = 0;
+  std::optional<Drag> drag;
+  std::vector<BoneLodChoice> undo;  ///< each takes the order after it back to the one before
+};
+
+/// All that the tabs remember from frame to frame.
+struct TabMemory {
+  BoneListMemory bones;
+  SweptValue swept = SweptValue::tile;       ///< the value that the next sweep varies
+  float timeline_from = 0, timeline_to = 1;  ///< the part of the timeline that is seen, in shares of its length
+  std::size_t entity = SIZE_MAX;             ///< the entity whose block is shown; past the end: the last
+  TuningPair pair;                           ///< key B changes their places
+  std::string preset_name, about_to_delete;  ///< a preset is deleted when it is asked for a second time
+};
+
+/// All that a tab reads and may change.
 struct TabContext {
   Widgets& widgets;
   const FrameReport& report;
   Tuning& tuning;
   const Tuning& standard;  ///< the defaults to go back to
   OverlayCommands& commands;
+  TabMemory& memory;
+
+  /// Shows the tuning's value with that key. The table of values gives kind, range, words and default. True: the person
+  /// changed it.
+  bool row(const char* key, const char* label, const Help& help) const { return row(key, label, scale_of(key), help); }
+  bool row(const char* key, const char* label, const NumberScale& scale, const Help& help) const;
 };
 
-/// Bone levels of the character shown: four, unless it has fewer.
+/// The bone levels of the character shown: four, unless it has fewer.
 int level_count(const FrameReport& report);
+/// The level that the person forces on agents.
+void show_forced_level(const TabContext& context, const char* label, const char* what);
 
 void show_crowd_tab(const TabContext& context);
 void show_lod_skipping_tab(const TabContext& context);
-/// Parts of it.
-void show_lod_inspection(const TabContext& context);
-void show_budget(const TabContext& context);
-void show_error_on_screen(const TabContext& context);
-void show_who_limits(const TabContext& context);
+void show_bone_lod_tab(const TabContext& context);
+void show_scheduling_tab(const TabContext& context);
+void show_agent_tab(const TabContext& context);
+void show_presets_tab(const TabContext& context);
+
+/// A sweep over the crowd that runs: the value to vary, a button, and the curve. A click on a stop takes its value.
+void show_sweep(const TabContext& context);
+/// The work of each PU in the last frames, side by side on one axis of milliseconds. The wheel zooms about the pointer,
+/// a drag moves along, and a double click shows all again. A span under the pointer says what it was.
+void show_timeline(const TabContext& context);
 
 }  // namespace throng::app

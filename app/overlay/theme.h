@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// Colours of the overlay, packed as Dear ImGui wants them. Few of them: the crowd is what should be looked at.
+/// The colours of the overlay, packed as Dear ImGui wants them. They are few, because people should look at the crowd.
 namespace colour {
 inline constexpr ImU32 panel = IM_COL32(16, 19, 24, 241);
 inline constexpr ImU32 panel_edge = IM_COL32(255, 255, 255, 18);
@@ -28,9 +28,9 @@ inline constexpr ImU32 wait = IM_COL32(72, 79, 90, 255);
 inline constexpr ImU32 frame = IM_COL32(122, 178, 232, 255);
 
 ImU32 with_alpha(ImU32 colour, float alpha);
-/// What the debug views lay over an agent, opaque: `place` 0 of `steps` is full detail.
+/// The colour that debug views lay over an agent, opaque: `place` 0 of `steps` is full detail.
 ImU32 step(int place, int steps);
-ImU32 interval(int frames);  ///< of an agent that is updated every so many frames; the longest share one
+ImU32 interval(int frames);  ///< of an agent that is updated every so many frames; the longest intervals share one
 ImU32 bone_level(int level);
 }  // namespace colour
 

@@ -1,5 +1,3 @@
-#include "app/overlay/timeline_view.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +5,8 @@
 
 #include <imgui_internal.h>
 
-#include "app/overlay/numbers.h"
 #include "app/overlay/plots.h"
+#include "app/overlay/tabs.h"
 
 namespace throng::app {
 namespace {
@@ -20,13 +18,13 @@ struct SpanLook {
   const char* words;
 };
 
-/// In the order of PuSpan::Kind.
+/// The looks of the kinds that lanes show, in the order of anim::TraceSpan::Kind.
 constexpr std::array<SpanLook, 4> looks = {{{colour::fetch, "fetch: entities are copied into the local store"},
                                             {colour::compute, "compute"},
                                             {colour::write_back, "write back: changed bytes are copied out"},
                                             {colour::wait, "wait"}}};
 
-const SpanLook& look_of(PuSpan::Kind kind) { return looks[static_cast<std::size_t>(kind)]; }
+const SpanLook& look_of(const anim::TraceSpan& span) { return looks.at(static_cast<std::size_t>(span.kind)); }
 
 std::string agents_of(const anim::TaskContent& content) {
   const std::string first = with_thousands(content.first_agent), last = with_thousands(content.last_agent);
@@ -37,46 +35,44 @@ std::string agents_of(const anim::TaskContent& content) {
   return with_thousands(content.agents) + " agents from " + first + " to " + last + ", " + level;
 }
 
-void show_content(const PuSpan& span, int frame) {
-  const auto begin = static_cast<double>(span.begin_ms), end = static_cast<double>(span.end_ms);
-  ImGui::BeginTooltip();
-  ImGui::TextUnformatted(look_of(span.kind).words);
-  ImGui::TextUnformatted(("frame " + std::to_string(frame) + ", " + fixed(begin, 3) + " to " + fixed(end, 3) + " ms, " +
-                          fixed(1000 * (end - begin), 1) + " \xC2\xB5s")
-                             .c_str());
-  if (span.content.agents > 0) ImGui::TextUnformatted(agents_of(span.content).c_str());
-  if (span.transfers > 0) {
-    ImGui::TextUnformatted((as_bytes(span.bytes_in) + " in, " + as_bytes(span.bytes_out) + " out, " +
-                            with_thousands(span.transfers) + " transfers")
-                               .c_str());
-  }
-  ImGui::EndTooltip();
+void tell_of(const anim::TraceSpan& span, const TimelineFrame& frame) {
+  const double begin = frame.time.ms(span.begin), end = frame.time.ms(span.end);
+  tell({look_of(span).words,
+        "frame " + std::to_string(frame.frame) + ", " + fixed(begin, 3) + " to " + fixed(end, 3) + " ms, " +
+            fixed(1000 * (end - begin), 1) + " \xC2\xB5s",
+        span.content.agents == 0 ? "" : agents_of(span.content),
+        span.transfers == 0 ? ""
+                            : as_bytes(span.bytes_in) + " in, " + as_bytes(span.bytes_out) + " out, " +
+                                  with_thousands(span.transfers) + " transfers"});
 }
 
-/// Milliseconds of the axis to pixels of a lane.
+/// Turns milliseconds of the axis into pixels of a lane.
 struct Axis {
   float from_ms, to_ms, left, right;
 
   [[nodiscard]] float x_of(float ms) const { return left + (right - left) * (ms - from_ms) / (to_ms - from_ms); }
 };
 
-void draw_spans(const Theme& theme, const Area& lane, std::span<const PuSpan> spans, float start_ms, int frame,
+void draw_spans(const Theme& theme, const Area& lane, const TimelineFrame& frame, std::size_t pu, float start_ms,
                 const Axis& axis) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  for (const PuSpan& span : spans) {
-    const float left = axis.x_of(start_ms + span.begin_ms);
-    const float right = std::max(axis.x_of(start_ms + span.end_ms), left + theme.px(0.75F));
+  const auto x_of = [&](std::uint64_t tick) { return axis.x_of(start_ms + static_cast<float>(frame.time.ms(tick))); };
+  for (const anim::TraceSpan& span : frame.lanes[pu]) {
+    const float left = x_of(span.begin), right = std::max(x_of(span.end), left + theme.px(0.75F));
     if (right < axis.left || left > axis.right) continue;
     const ImVec2 from(std::max(left, axis.left), lane.from.y), to(std::min(right, axis.right), lane.to.y);
-    draw.AddRectFilled(from, to, ImGui::GetColorU32(look_of(span.kind).colour));
-    if (lane.hovered && ImGui::IsMouseHoveringRect(from, to)) show_content(span, frame);
+    draw.AddRectFilled(from, to, ImGui::GetColorU32(look_of(span).colour));
+    if (lane.hovered && ImGui::IsMouseHoveringRect(from, to)) tell_of(span, frame);
   }
 }
 
-float length_of(const std::deque<TimelineFrame>& frames) {
-  float all = 0;
-  for (const TimelineFrame& frame : frames) all += frame.length_ms;
-  return all;
+/// Milliseconds until the last PU was done.
+float length_of(const TimelineFrame& frame) {
+  double length = 0;
+  for (const std::vector<anim::TraceSpan>& lane : frame.lanes) {
+    if (!lane.empty()) length = std::max(length, frame.time.ms(lane.back().end));
+  }
+  return static_cast<float>(length);
 }
 
 void draw_lanes(const Theme& theme, const Area& area, const std::deque<TimelineFrame>& frames, const Axis& axis) {
@@ -88,8 +84,8 @@ void draw_lanes(const Theme& theme, const Area& area, const std::deque<TimelineF
     draw_well(theme, lane);
     float start = 0;
     for (const TimelineFrame& frame : frames) {
-      if (pu < frame.lanes.size()) draw_spans(theme, lane, frame.lanes[pu], start, frame.frame, axis);
-      start += frame.length_ms;
+      if (pu < frame.lanes.size()) draw_spans(theme, lane, frame, pu, start, axis);
+      start += length_of(frame);
     }
     if (pitch < theme.small->FontSize) continue;
     draw_text(theme.small, {area.from.x - theme.px(20), (lane.from.y + lane.to.y - theme.small->FontSize) / 2},
@@ -101,33 +97,36 @@ void draw_borders(const Area& area, const std::deque<TimelineFrame>& frames, con
   float start = 0;
   for (const TimelineFrame& frame : frames) {
     const float x = axis.x_of(start);
-    start += frame.length_ms;
+    start += length_of(frame);
     if (x <= axis.left || x >= axis.right) continue;
     ImGui::GetWindowDrawList()->AddLine({x, area.from.y}, {x, area.to.y}, ImGui::GetColorU32(colour::text));
   }
 }
 
-}  // namespace
-
-void TimelineView::zoom_and_move(const Area& axis) {
+void zoom_and_move(const Area& axis, float& from, float& to) {
   const ImGuiIO& io = ImGui::GetIO();
-  const float width = to_ - from_;
+  const float width = to - from;
   if (axis.hovered && io.MouseWheel != 0) {
     const float share = std::clamp((io.MousePos.x - axis.from.x) / axis.width(), 0.0F, 1.0F);
     const float wanted = std::clamp(width * std::pow(zoom_a_step, io.MouseWheel), closest, 1.0F);
-    from_ = std::clamp(from_ + share * (width - wanted), 0.0F, 1.0F - wanted);
-    to_ = from_ + wanted;
+    from = std::clamp(from + share * (width - wanted), 0.0F, 1.0F - wanted);
+    to = from + wanted;
   }
   if (ImGui::IsItemActive() && io.MouseDelta.x != 0) {
-    from_ = std::clamp(from_ - width * io.MouseDelta.x / axis.width(), 0.0F, 1.0F - width);
-    to_ = from_ + width;
+    from = std::clamp(from - width * io.MouseDelta.x / axis.width(), 0.0F, 1.0F - width);
+    to = from + width;
   }
-  if (axis.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) from_ = 0, to_ = 1;
+  if (axis.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) from = 0, to = 1;
 }
 
-void TimelineView::show(Widgets& widgets, const std::deque<TimelineFrame>& frames) {
-  const float length = length_of(frames);
+}  // namespace
+
+void show_timeline(const TabContext& context) {
+  const std::deque<TimelineFrame>& frames = context.report.timeline;
+  float length = 0;
+  for (const TimelineFrame& frame : frames) length += length_of(frame);
   if (length <= 0) return;
+  Widgets& widgets = context.widgets;
   const Theme& theme = widgets.theme();
   const float lanes = std::clamp(20.0F * static_cast<float>(frames.back().lanes.size()), 60.0F, 150.0F);
   const Area all = widgets.area("Timeline", lanes + 16);
@@ -135,13 +134,13 @@ void TimelineView::show(Widgets& widgets, const std::deque<TimelineFrame>& frame
   const Area area{.from = {all.from.x + theme.px(20), all.from.y},
                   .to = {all.to.x, all.to.y - theme.px(16)},
                   .hovered = all.hovered};
-  zoom_and_move(area);
-  const Axis axis{from_ * length, to_ * length, area.from.x, area.to.x};
+  float &from = context.memory.timeline_from, &to = context.memory.timeline_to;
+  zoom_and_move(area, from, to);
+  const Axis axis{from * length, to * length, area.from.x, area.to.x};
   draw_lanes(theme, area, frames, axis);
   draw_borders(area, frames, axis);
   const auto write = [&](float ms, float x, float align) {
-    draw_text(theme.small, {x, area.to.y + theme.px(2)}, colour::faint, fixed(static_cast<double>(ms), 3) + " ms",
-              align);
+    draw_text(theme.small, {x, area.to.y + theme.px(2)}, colour::faint, fixed(ms, 3) + " ms", align);
   };
   write(axis.from_ms, area.from.x, 0);
   write(axis.to_ms, area.to.x, 1);

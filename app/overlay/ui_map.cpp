@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 
 #include "app/files/json.h"
 #include "app/settings/choices.h"
+#include "app/settings/preset.h"
 
 namespace throng::app {
 namespace {
@@ -15,46 +15,20 @@ const char* word(const std::array<const char*, Count>& words, Choice choice) {
   return words.at(static_cast<std::size_t>(choice));
 }
 
-Json inspection_json(const LodInspection& look) {
-  return {{"freeze_camera", look.freeze_camera},
-          {"thresholds", look.thresholds},
-          {"figures_above_heads", look.figures_above_heads},
-          {"split", word(split_words, look.split)},
-          {"split_at", look.split_at},
-          {"forced_interval", look.forced_interval},
-          {"forced_bone_level", look.forced_bone_level},
-          {"force_selected_only", look.force_selected_only}};
-}
-
+/// The values of presets, and the ways to look at level of detail, which presets do not keep.
 Json tuning_json(const Tuning& tuning) {
-  return {{"scene", word(scene_words, tuning.scene)},
-          {"agents", tuning.agents},
-          {"seed", tuning.seed},
-          {"paused", tuning.paused},
-          {"time_scale", tuning.time_scale},
-          {"lod", word(lod_rule_words, tuning.lod.rule)},
-          {"full_rate_distance", tuning.lod.full_rate_distance},
-          {"interval_growth", tuning.lod.interval_growth},
-          {"largest_interval", tuning.lod.largest_interval},
-          {"smooth", tuning.lod.smooth},
-          {"placed_feet", tuning.placed_feet},
-          {"inspection", inspection_json(tuning.inspection)},
-          {"bone_lod", tuning.lod.bone_lod},
-          {"bone_level_distance", std::span(tuning.lod.level_distances)},
-          {"mesh_lod", tuning.mesh_lod},
-          {"pus", tuning.system.pus},
-          {"local_store_kib", local_store_kib(tuning)},
-          {"tile", tuning.system.tile},
-          {"grain_ns", tuning.system.cost.least_task},
-          {"schedule", word(schedule_words, tuning.system.schedule)},
-          {"double_buffer", word(double_buffer_words, tuning.system.double_buffering)},
-          {"stream", word(stream_words, tuning.system.stream)},
-          {"debug_view", word(debug_view_words, tuning.debug_view)},
-          {"bones_as_lines", tuning.bones_as_lines}};
+  Json json = to_json(Preset{.tuning = tuning, .camera = {}});
+  const LodInspection& look = tuning.inspection;
+  json["inspection"] = {{"freeze_camera", look.freeze_camera},
+                        {"thresholds", look.thresholds},
+                        {"figures_above_heads", look.figures_above_heads},
+                        {"split", word(split_words, look.split)},
+                        {"split_at", look.split_at}};
+  return json;
 }
 
 Json entity_json(const EntityRow& row) {
-  return {{"kind", row.kind}, {"clip", row.clip}, {"weight", row.weight}, {"bytes", row.bytes}};
+  return {{"kind", row.kind}, {"clip", row.clip}, {"weight", row.weight}, {"bytes", row.block.size()}};
 }
 
 Json layer_json(const LayerRow& layer) {
@@ -102,7 +76,7 @@ Json report_json(const FrameReport& report) {
           {"characters", report.characters},
           {"drawn", report.drawn},
           {"visible", report.visible},
-          {"agents_updated", report.agents_updated},
+          {"agents_updated", report.work.agents_updated},
           {"agents_by_interval", report.agents_by_interval},
           {"agents_by_bone_level", report.agents_by_bone_level},
           {"level_bone_counts", report.level_bone_counts},
@@ -110,9 +84,9 @@ Json report_json(const FrameReport& report) {
           {"heads", report.heads.size()},
           {"thresholds", report.thresholds.size()},
           {"threshold_clip", report.threshold_clip},
-          {"pus", report.pus},
-          {"local_store_kib", report.local_store_kib},
-          {"tile", report.tile},
+          {"pus", report.schedule.pus},
+          {"local_store_kib", report.schedule.local_store_bytes / bytes_a_kib},
+          {"tile", report.schedule.plan.width},
           {"snapshots", report.snapshots},
           {"preset_names", report.preset_names},
           {"timeline_frames", report.timeline.size()},

@@ -8,28 +8,28 @@
 
 namespace throng::app {
 
-/// Where a widget lies, in pixels from the top left of the window.
+/// The place of a widget, in pixels from the top left of the window.
 struct UiRectangle {
   float x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Where everything of the overlay lies and what it is set to, so that a program can drive it as a person would.
-/// Names are the words on the screen: "Agents" is a value's slider, "Agents.field" where it is typed, "Agents.reset";
-/// "Schedule:levels" is one of several choices; "tab:Crowd" a tab.
+/// The places of all widgets and the state of the overlay, so that a program can drive it as a person would. Names are
+/// the words on the screen: "Agents" is a value's slider, "Agents.field" the field to type into, "Agents.reset" its
+/// arrow, "Schedule:levels" one of several choices, "tab:Crowd" a tab.
 struct UiMap {
   std::string tab;
-  bool hidden = false;                                       ///< the overlay, by Tab
-  bool help = false;                                         ///< the help card, by F1
-  bool shows_b = false;                                      ///< of two tunings the second is in use
+  bool hidden = false;                                       ///< by Tab
+  bool help = false;                                         ///< the help card is open, by F1
+  bool shows_b = false;                                      ///< the second of two tunings is in use
   bool typing = false;                                       ///< keys go into a text field
   std::vector<std::pair<std::string, UiRectangle>> widgets;  ///< those that can be seen, in drawing order
 
   [[nodiscard]] const UiRectangle* find(const std::string& name) const;
 };
 
-/// The map with the tuning and the figures that tests wait for, as JSON: `tab`, `hidden`, `help`, `shows_b`, `typing`,
-/// `frame`, `tuning` {agents, paused, schedule, ...}, `report` {agents, drawn, pus, tile, selected, ...}, `camera` {x,
-/// y, z, yaw, pitch, field_of_view}, `widgets` {name: {x, y, w, h}}.
+/// The map with the figures that tests wait for, as JSON: `tab`, `hidden`, `help`, `shows_b`, `typing`, `frame`,
+/// `tuning` {the keys of presets, `inspection`}, `report` {agents, drawn, pus, tile, selected, ...}, `camera` {x, y, z,
+/// yaw, pitch, field_of_view}, `widgets` {name: {x, y, w, h}}.
 std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report);
 
 }  // namespace throng::app

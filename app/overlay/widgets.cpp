@@ -17,22 +17,57 @@ bool resting_on(const Area& place) {
          context.ActiveId == 0 && context.HoveredIdTimer > seconds_until_help;
 }
 
-Area rectangle(ImVec2 from, ImVec2 to) {
-  return {.from = from, .to = to, .hovered = ImGui::IsMouseHoveringRect(from, to)};
+/// Writes a paragraph; none where the text is empty.
+void write_paragraph(ImFont* font, ImU32 ink, const std::string& text) {
+  if (text.empty()) return;
+  ImGui::PushFont(font);
+  ImGui::PushStyleColor(ImGuiCol_Text, ink);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
 }
 
 }  // namespace
 
+Area rectangle(ImVec2 from, ImVec2 to) {
+  return {.from = from, .to = to, .hovered = ImGui::IsMouseHoveringRect(from, to)};
+}
+
+float text_width(ImFont* font, const std::string& text) {
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+}
+
 void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align) {
-  const float width = align == 0 ? 0 : font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  const float width = align == 0 ? 0 : text_width(font, text);
   const ImVec2 place(std::floor(at.x - align * width), std::floor(at.y));
   ImGui::GetWindowDrawList()->AddText(font, font->FontSize, place, ImGui::GetColorU32(colour), text.c_str());
 }
 
+void tell(std::initializer_list<std::string> lines) {
+  ImGui::BeginTooltip();
+  for (const std::string& line : lines) {
+    if (!line.empty()) ImGui::TextUnformatted(line.c_str());
+  }
+  ImGui::EndTooltip();
+}
+
+ButtonRow::ButtonRow(Widgets& widgets, int count)
+    : widgets_(widgets),
+      width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
+             static_cast<float>(count)) {}
+
+bool ButtonRow::button(const char* label, const Help& help, bool enabled) {
+  if (begun_) ImGui::SameLine();
+  begun_ = true;
+  ImGui::BeginDisabled(!enabled);
+  const bool pressed = widgets_.button(label, help, width_);
+  ImGui::EndDisabled();
+  return pressed;
+}
+
 void Widgets::record(const std::string& name, const Area& place) {
-  const ImRect clip = ImGui::GetCurrentWindow()->ClipRect;
   ImRect seen(place.from, place.to);
-  seen.ClipWith(clip);
+  seen.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
   if (seen.GetWidth() <= 0 || seen.GetHeight() <= 0) return;
   map_.widgets.emplace_back(name, UiRectangle{seen.Min.x, seen.Min.y, seen.GetWidth(), seen.GetHeight()});
 }
@@ -57,43 +92,30 @@ void Widgets::section(const char* title) {
   ImGui::Dummy({0, theme_.px(4)});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text(theme_.strong, at, colour::text, title);
-  const float width = theme_.strong->CalcTextSizeA(theme_.strong->FontSize, FLT_MAX, 0, title).x;
+  const float left = at.x + text_width(theme_.strong, title) + theme_.px(10);
   const float y = std::floor(at.y + theme_.strong->FontSize * 0.55F);
-  ImGui::GetWindowDrawList()->AddLine({at.x + width + theme_.px(10), y}, {at.x + ImGui::GetContentRegionAvail().x, y},
-                                      colour::grid);
+  ImGui::GetWindowDrawList()->AddLine({left, y}, {at.x + ImGui::GetContentRegionAvail().x, y}, colour::grid);
   ImGui::Dummy({0, theme_.strong->FontSize + theme_.px(1)});
 }
 
 void Widgets::caption(const std::string& text) {
-  ImGui::PushFont(theme_.small);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour::dim);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
+  write_paragraph(theme_.small, colour::dim, text);
   ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
 }
 
 void Widgets::tooltip(const char* title, const Help& help, const std::string& standard) const {
-  // Beside the column, so that the value it explains stays in sight; its own edge follows the pointer down the screen.
+  // It lies beside the column, so that the value it explains stays in sight, and follows the pointer down the screen.
   const float x = ImGui::GetWindowPos().x - theme_.px(10), y = ImGui::GetMousePos().y;
   ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {1, y / ImGui::GetIO().DisplaySize.y});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(theme_.px(tooltip_width));
-  ImGui::PushFont(theme_.strong);
-  ImGui::TextUnformatted(title);
-  ImGui::PopFont();
-  ImGui::TextUnformatted(help.what);
   std::string measure = help.unit;
   if (!standard.empty()) measure += (measure.empty() ? "default " : ", default ") + standard;
-  ImGui::PushFont(theme_.small);
-  ImGui::PushStyleColor(ImGuiCol_Text, colour::dim);
-  if (!measure.empty()) ImGui::TextUnformatted(measure.c_str());
-  ImGui::PopStyleColor();
-  ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
-  if (*help.cost != '\0') ImGui::TextUnformatted(help.cost);
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
+  write_paragraph(theme_.strong, colour::text, title);
+  write_paragraph(theme_.regular, colour::text, help.what);
+  write_paragraph(theme_.small, colour::dim, measure);
+  write_paragraph(theme_.small, colour::changed, help.cost);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -101,27 +123,29 @@ void Widgets::tooltip(const char* title, const Help& help, const std::string& st
 Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& help, const std::string& standard) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float right = from.x + ImGui::GetContentRegionAvail().x, bottom = from.y + theme_.px(row_height);
-  Row row;
-  row.all = rectangle(from, {right, bottom});
-  row.label = rectangle(from, {from.x + theme_.px(label_width), bottom});
-  row.control = rectangle({row.label.to.x, from.y}, {right - theme_.px(reset_width), bottom});
+  const Area words = rectangle(from, {from.x + theme_.px(label_width), bottom});
+  Row row{.label = label,
+          .help = help,
+          .standard = standard,
+          .all = rectangle(from, {right, bottom}),
+          .control = rectangle({words.to.x, from.y}, {right - theme_.px(reset_width), bottom})};
   ImGui::PushID(label);
-  clickable(std::string(label) + ".label", row.label);
+  clickable(std::string(label) + ".label", words);
   row.reset = changed && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-  if (ImGui::IsItemHovered() && resting_on(row.label)) tooltip(label, help, standard);
+  if (ImGui::IsItemHovered() && resting_on(words)) tooltip(label, help, standard);
   if (changed) {
     const float x = from.x - theme_.px(8);
     ImGui::GetWindowDrawList()->AddRectFilled({x, from.y + theme_.px(5)}, {x + theme_.px(3), bottom - theme_.px(5)},
                                               colour::changed, theme_.px(1));
     row.reset = reset_arrow(label, row.all) || row.reset;
   }
-  const ImU32 ink = row.label.hovered || changed ? colour::text : colour::dim;
+  const ImU32 ink = words.hovered || changed ? colour::text : colour::dim;
   draw_text(theme_.regular, {from.x, from.y + theme_.px(4)}, ink, label);
   return row;
 }
 
-void Widgets::end_row(const Row& row, const char* label, const Help& help, const std::string& standard) const {
-  if (resting_on(row.control) && typed_.empty()) tooltip(label, help, standard);
+void Widgets::end_row(const Row& row) const {
+  if (resting_on(row.control) && typed_.empty()) tooltip(row.label, row.help, row.standard);
   ImGui::PopID();
   ImGui::SetCursorScreenPos(row.all.from);
   ImGui::Dummy({row.all.width(), row.all.height()});
@@ -140,52 +164,6 @@ bool Widgets::reset_arrow(const char* label, const Area& row) {
   draw.AddTriangleFilled({tip.x - theme_.px(2.5F), tip.y - theme_.px(3)}, {tip.x + theme_.px(3.5F), tip.y},
                          {tip.x - theme_.px(2), tip.y + theme_.px(3)}, ink);
   return clicked;
-}
-
-bool Widgets::toggle(const char* label, bool& value, bool standard, const Help& help) {
-  const bool before = value;
-  const std::string standard_word = standard ? "on" : "off";
-  const Row row = begin_row(label, value != standard, help, standard_word);
-  const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(4));
-  const ImVec2 size(theme_.px(34), theme_.px(17));
-  if (clickable(label, rectangle(from, {from.x + size.x, from.y + size.y}))) value = !value;
-  if (row.reset) value = standard;
-  const float radius = size.y / 2;
-  const float knob_x = value ? from.x + size.x - radius : from.x + radius;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImU32 off = ImGui::IsItemHovered() ? colour::well_hovered : colour::well;
-  draw.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(value ? colour::accent : off),
-                     radius);
-  draw.AddCircleFilled({knob_x, from.y + radius}, radius - theme_.px(3),
-                       ImGui::GetColorU32(value ? colour::on_accent : colour::dim));
-  draw_text(theme_.small, {from.x + size.x + theme_.px(8), from.y + theme_.px(1)}, colour::dim, value ? "on" : "off");
-  end_row(row, label, help, standard_word);
-  return value != before;
-}
-
-bool Widgets::choose(const char* label, int& index, int standard, std::span<const char* const> words,
-                     const Help& help) {
-  const int before = index;
-  const std::string standard_word = words[static_cast<std::size_t>(standard)];
-  const Row row = begin_row(label, index != standard, help, standard_word);
-  const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(1));
-  const ImVec2 to(row.control.to.x, row.control.to.y - theme_.px(2));
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(from, to, ImGui::GetColorU32(colour::well), theme_.px(4));
-  const float width = (to.x - from.x) / static_cast<float>(words.size());
-  for (int i = 0; i < static_cast<int>(words.size()); ++i) {
-    const char* const word = words[static_cast<std::size_t>(i)];
-    const float x = std::floor(from.x + width * static_cast<float>(i));
-    const Area place = rectangle({x, from.y}, {std::floor(x + width), to.y});
-    if (clickable(std::string(label) + ":" + word, place)) index = i;
-    const bool hovered = ImGui::IsItemHovered();
-    if (i == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
-    const ImU32 ink = i == index ? colour::on_accent : (hovered ? colour::text : colour::dim);
-    draw_text(theme_.small, {(place.from.x + place.to.x) / 2, from.y + theme_.px(4)}, ink, word, 0.5F);
-  }
-  if (row.reset) index = standard;
-  end_row(row, label, help, standard_word);
-  return index != before;
 }
 
 bool Widgets::named_button(const char* words, const std::string& name, const Help& help, float width) {

@@ -1,17 +1,18 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <span>
 #include <string>
 
-#include "app/overlay/number_scale.h"
+#include "app/overlay/numbers.h"
 #include "app/overlay/theme.h"
 #include "app/overlay/ui_map.h"
 
 namespace throng::app {
 
-/// What the tooltip of a value says; its default is added from the value itself.
+/// The tooltip of a value; its default is added from the value itself.
 struct Help {
   const char* what = "";
   const char* unit = "";
@@ -36,11 +37,10 @@ class Widgets {
   [[nodiscard]] const Theme& theme() const { return theme_; }
 
   void section(const char* title);
-  bool number(const char* label, int& value, int standard, const NumberScale& scale, const Help& help);
-  bool number(const char* label, float& value, float standard, const NumberScale& scale, const Help& help);
+  bool number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
   bool toggle(const char* label, bool& value, bool standard, const Help& help);
   bool button(const char* label, const Help& help, float width) { return named_button(label, label, help, width); }
-  /// One of several with the same words: `name` tells it apart in the map.
+  /// A button that shares its words with others: `name` tells it apart in the map.
   bool named_button(const char* words, const std::string& name, const Help& help, float width);
   /// A few words, at most 63 bytes; `hint` stands there while it is empty.
   bool text(const char* label, std::string& value, const char* hint, const Help& help);
@@ -57,14 +57,14 @@ class Widgets {
   }
   bool choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help);
 
-  /// One of many words, from a list that opens; -1 is `none`, the first entry of the list; null: there is no such.
+  /// One of many words, from a list that opens. `none` is its first entry, index -1; null: the list has no such entry.
   bool pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,
             const Help& help);
 
-  /// The width that is left, `height` pixels of a plain screen high, for a picture named `name`.
+  /// All of the width that is left, and `height` pixels of a plain screen, for a picture named `name`.
   Area area(const char* name, float height);
 
-  /// A tab or another plain clickable word, drawn by the caller into the rectangle.
+  /// A tab or another plain clickable word, which the caller draws into the rectangle.
   bool clickable(const std::string& name, const Area& place);
   void tooltip(const char* title, const Help& help, const std::string& standard) const;
   void record(const std::string& name, const Area& place);
@@ -72,25 +72,45 @@ class Widgets {
  private:
   using FieldText = std::array<char, 32>;
   struct Row {
-    Area all, label, control;
+    const char* label;
+    Help help;
+    std::string standard;
+    Area all, control;
     bool reset = false;  ///< asked for in this frame, by the arrow or a double click on the label
   };
 
   Row begin_row(const char* label, bool changed, const Help& help, const std::string& standard);
-  void end_row(const Row& row, const char* label, const Help& help, const std::string& standard) const;
+  void end_row(const Row& row) const;
   bool reset_arrow(const char* label, const Area& row);
-  bool edit_number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
   bool drag_track(const char* label, const Area& place, double& value, double standard, const NumberScale& scale);
   bool type_field(const char* label, const Area& place, double& value, const NumberScale& scale);
 
   const Theme& theme_;
   UiMap& map_;
-  std::map<ImGuiID, FieldText>
-      typed_;                     ///< what stands in the fields being typed into, two while one is left for another
-  ImGuiID held_after_reset_ = 0;  ///< the track that a double click reset, until the button is let go
+  std::map<ImGuiID, FieldText> typed_;  ///< text of the fields being typed into; two while one is left for another
+  ImGuiID held_after_reset_ = 0;        ///< the track that a double click reset, until the button is let go
 };
 
+/// Buttons of equal width, side by side over all of the width that is left.
+class ButtonRow {
+ public:
+  ButtonRow(Widgets& widgets, int count);
+  /// The next button to the right.
+  bool button(const char* label, const Help& help, bool enabled = true);
+
+ private:
+  Widgets& widgets_;
+  float width_;
+  bool begun_ = false;
+};
+
+/// A rectangle that knows whether the pointer is over it.
+Area rectangle(ImVec2 from, ImVec2 to);
+
+float text_width(ImFont* font, const std::string& text);
 /// Draws text with its left, middle (0.5) or right edge (1) at `at`.
 void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align = 0);
+/// A tooltip at the pointer; empty lines are left out.
+void tell(std::initializer_list<std::string> lines);
 
 }  // namespace throng::app

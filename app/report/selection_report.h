@@ -7,6 +7,7 @@
 
 #include "app/character/roles.h"
 #include "app/crowd/habits.h"
+#include "engine/anim/base/pool.h"
 
 namespace throng::app {
 
@@ -26,29 +27,28 @@ struct LodOfFrame {
 /// One entity of an agent's graph, as its block stands after the last update.
 struct EntityRow {
   std::string kind;
-  std::string clip;                                   ///< of a player; else empty
-  float position_seconds = 0;                         ///< of a player, in its clip
-  float duration_seconds = 0;                         ///< of a player's clip
-  float weight = 0;                                   ///< in the pose that is shown, 0 to 1
-  std::uint32_t bytes = 0;                            ///< of its block
-  std::uint32_t pool = 0, generation = 0, index = 0;  ///< its handle
-  int priority = 0;                                   ///< 0 highest: players; below 0 what reads them
-  bool resident = false;                              ///< keeps its transforms in main memory
-  bool shared = false;                                ///< several agents read it
-  std::vector<BlockField> fields = {};                ///< of the block's header
-  std::vector<std::uint8_t> block = {};               ///< the bytes themselves
+  std::string clip;            ///< of a player; else empty
+  float position_seconds = 0;  ///< of a player, in its clip
+  float duration_seconds = 0;  ///< of a player's clip
+  float weight = 0;            ///< its share of the pose that is shown, 0 to 1
+  anim::Handle handle = {};
+  int priority = 0;                      ///< 0: players, the highest; below 0: those that read them
+  bool resident = false;                 ///< keeps its transforms in main memory
+  bool shared = false;                   ///< several agents read it
+  std::vector<BlockField> fields = {};   ///< of the block's header
+  std::vector<std::uint8_t> block = {};  ///< its bytes
 };
 
-/// A channel of an agent and what it is made of, or what changes the pose of all of them.
+/// A channel of an agent with its entities, or an entity that changes the pose of all channels.
 struct LayerRow {
   std::string name;
-  float weight = 1;        ///< how much of it is laid over what is below, 0 to 1
-  bool is_masked = false;  ///< over some bones only
+  float weight = 1;        ///< how much it counts against the layers below, 0 to 1
+  bool is_masked = false;  ///< it changes some bones only
   bool is_channel = true;
-  std::vector<std::size_t> entities;  ///< places in SelectionReport::entities, sources before what reads them
+  std::vector<std::size_t> entities;  ///< places in SelectionReport::entities, readers after what they read
 };
 
-/// How a pushed agent is: Stage::fallen in the overlay's words.
+/// The overlay's words for what FallenAgents does with an agent.
 enum class Posture : std::uint8_t { upright, falling, down, getting_up };
 
 /// All that the overlay shows of the selected agent.
@@ -65,12 +65,12 @@ struct SelectionReport {
   int bones = 0;       ///< of that level
   bool can_fall = false;
   int channels = 0;
-  std::vector<EntityRow> entities;       ///< each once, sources before what reads them, the pose last
-  std::vector<LayerRow> layers = {};     ///< the later over the earlier
+  std::vector<EntityRow> entities;       ///< each once, readers after what they read, the pose last
+  std::vector<LayerRow> layers = {};     ///< a later one lies over the earlier ones
   std::uint32_t bytes = 0;               ///< of all blocks
   std::vector<LodOfFrame> history = {};  ///< of the last frames, oldest first
-  std::vector<std::string> events = {};  ///< data keys met and clips begun, the newest first
-  std::optional<float> held_at = {};     ///< seconds: its clip is held there by hand
+  std::vector<std::string> events = {};  ///< data keys that it met and clips that it began, the newest first
+  std::optional<float> held_at = {};     ///< seconds: a person holds its clip there
   float clip_seconds = 0;                ///< of the clip that it plays; 0: none
 };
 

@@ -8,7 +8,7 @@ namespace throng::app {
 namespace {
 
 constexpr double nanoseconds_a_microsecond = 1000;
-constexpr int least_threads_tried = 4;  // of a smaller machine too: there one sees that more do not pay
+constexpr int least_threads_tried = 4;  // also on a smaller machine, to show that more threads do not pay
 
 std::vector<double> stops_of(SweptValue value, int threads) {
   switch (value) {
@@ -123,7 +123,7 @@ void TuningSweep::add(const UpdateCost& cost) {
   go_on();
 }
 
-// To the next stop that was not refused, in the next round after the last.
+// Goes to the next stop that was not refused; after the last stop the next round begins.
 void TuningSweep::go_on() {
   frames_ = 0;
   do {

@@ -26,7 +26,7 @@ inline constexpr std::array grain_stops = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1
 double swept_value(SweptValue value, const Tuning& tuning);
 void set_swept_value(SweptValue value, double to, Tuning& tuning);
 
-/// What posing one frame took.
+/// The cost of posing one frame.
 struct UpdateCost {
   double milliseconds = 0;
   std::uint64_t tasks = 0;  ///< handed to PUs
@@ -37,40 +37,41 @@ struct SweepStop {
   double value = 0;
   bool refused = false;
   bool known = false;
-  UpdateCost cost = {};  ///< median of its frames, figure by figure; of one that is known
+  UpdateCost cost = {};  ///< once it is known: the median of its frames, figure by figure
 };
 
-/// What a sweep has found so far.
+/// The results of a sweep so far.
 struct SweepCurve {
   SweptValue value = SweptValue::pus;
   std::vector<SweepStop> stops;  ///< values ascend
   int visits = 0, all_visits = 0;
   bool runs = false;
-  std::string refusal;  ///< why the first of the refused stops was
+  std::string refusal;  ///< the reason why the first of the refused stops was refused
 
   bool complete() const { return visits == all_visits; }
-  /// Where an update takes least; null while nothing is known.
+  /// The stop at which an update takes least; null while nothing is known.
   const SweepStop* lowest() const;
 };
 
-/// Goes through the stops of one value of the tuning while the crowd runs, some frames at each, round after round, so
-/// that a drift of the machine's speed meets all stops alike. Each frame it says what to apply, and is told what that
-/// came to. It changes nothing itself: when it has ended, the tuning it began with is to be applied again.
+/// Goes through the stops of one value of the tuning while the crowd runs, some frames at each. It does so round after
+/// round, so that a drift of the machine's speed meets all stops alike. In each frame it says which tuning to apply,
+/// and is told the cost. It changes nothing itself: after it has ended, the caller applies the tuning it began with
+/// again.
 class TuningSweep {
  public:
   static constexpr int rounds = 5, settling_frames = 2, measured_frames = 3;
 
-  /// From `tuning` on, which is what everything else stays at. `threads`: of the machine.
+  /// All other values stay as they are in `tuning`. `threads`: of the machine.
   void start(SweptValue value, const Tuning& tuning, int threads);
   void stop() { curve_.runs = false; }
   bool runs() const { return curve_.runs; }
   bool began_with(const Tuning& tuning) const { return tuning == start_; }
 
-  /// What the next frame is to be posed with, while it runs.
+  /// While it runs: the tuning for the next frame.
   Tuning tuning() const;
-  /// That could not be, for `reason`; tuning() is another one, or the sweep has ended.
+  /// tuning() could not be applied, for this reason. The sweep goes on to another stop, or ends.
   void refuse(const std::string& reason);
-  /// A frame was posed with tuning().
+  /// A frame was posed with tuning(), at this cost.
   void add(const UpdateCost& cost);
 
   const SweepCurve& curve() const { return curve_; }

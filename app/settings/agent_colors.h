@@ -6,24 +6,24 @@
 
 namespace throng::app {
 
-/// What debug views show of an agent.
+/// The figures of an agent that debug views show.
 struct AgentDetail {
   int interval = 1;        ///< frames
-  int bone_level = 0;      ///< of the slots shown
+  int bone_level = 0;      ///< of the pose shown
   float error_px = -1.0F;  ///< on screen; below 0: not measured
 };
 
 /// The colour (RGBA8, sRGB, red in the lowest byte) that a debug view lays over an agent; 0: none.
 std::uint32_t debug_color(DebugView view, const AgentDetail& detail);
 
-/// Of an error on screen, 0 to 5: below a quarter of a pixel, a half, 1, 2, 4, and more.
+/// The step of an error on screen, 0 to 5: below a quarter of a pixel, a half, 1, 2, 4, and more.
 int error_step(float pixels);
 inline constexpr int error_steps = 6;
 
-/// Of whoever was clicked at: the overlay's own colour, so that card and character are seen to belong together.
+/// The colour of the selected agent, which is the overlay's own, so that card and character seem to belong together.
 inline constexpr std::uint32_t selected_color = 0xB0AEBF48;
 
-/// One of a short row of colours that are told apart at a glance, from green (full detail) to red.
+/// The colour of a step, from green (full detail) to red. People tell these colours apart at a glance.
 std::uint32_t step_color(int step, int steps);
 
 }  // namespace throng::app

@@ -8,8 +8,7 @@
 
 namespace throng::app {
 
-// The words for each enumeration of the settings and the report, in its order; those of the command line where it has
-// them.
+// The words for each enumeration of the settings and the report, in its order. The command line has the same words.
 inline constexpr std::array<const char*, 5> scene_words = {"plaza", "parade", "stadium", "grid", "film"};
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
@@ -24,7 +23,7 @@ inline constexpr std::array<const char*, 7> habit_words = {"strolls",    "stands
 inline constexpr std::array<const char*, 4> posture_words = {"upright", "falls", "lies", "gets up"};
 inline constexpr std::array<const char*, 5> debug_view_words = {"none", "interval", "bones", "mesh", "error"};
 
-// The engine's enumerations are in its hands: here it is checked that their order is still that of the words.
+// The engine may change its enumerations. These checks fail when their order is no longer that of the words.
 template <std::size_t count, class Choice>
 consteval bool is_last(const std::array<const char*, count>& words, Choice choice, std::string_view word) {
   return static_cast<std::size_t>(choice) + 1 == count && words.back() == word;

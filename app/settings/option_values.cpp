@@ -15,7 +15,7 @@ std::optional<double> finite_number_in(const std::string& text) {
   return read_number(text, -most, most, number) ? std::nullopt : std::optional(number);
 }
 
-/// Every part between commas as a finite number, or nothing.
+/// All parts between commas as finite numbers, or nothing.
 std::optional<std::vector<double>> numbers_in(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& part : parts_between_commas(text)) {

@@ -16,13 +16,13 @@
 
 namespace throng::app {
 
-/// The end of a sentence that says what is wrong with the text of an option: "must be 0 or 4". Nothing: it was taken.
+/// The fault in the text of an option, as the end of a sentence: "must be 0 or 4". Nothing: the text was taken.
 using Complaint = std::optional<std::string>;
 
-/// Reads the text of an option into the variable that the reader was made for, which must outlive it.
+/// Reads the text of an option into a variable, which must outlive the reader.
 using ValueReader = std::function<Complaint(const std::string& text)>;
 
-/// Read again, it is the same number to the bit.
+/// The shortest text that reads back as the same number to the bit.
 template <typename Number>
 std::string shortest_text(Number number) {
   char text[32];
@@ -52,7 +52,7 @@ ValueReader whole_number(int& target, int least, int most);
 /// Any number, least to most.
 ValueReader number_between(float& target, float least, float most);
 ValueReader seconds_above_zero(std::optional<double>& target);
-/// Above 0; `unit` is named where it is refused: "pixels".
+/// A number above 0. A complaint names the `unit`: "pixels".
 ValueReader number_above_zero(float& target, std::string unit);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative
 ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to 16,384

@@ -1,8 +1,7 @@
 #include "app/settings/preset.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
+#include <cctype>
 #include <cstdlib>
 #include <system_error>
 
@@ -58,7 +57,11 @@ Complaint read_into(const fs::path& file, Preset& preset) {
   return from_json_text(*text, preset);
 }
 
-// What an option given alone brings with it: `--lod off` also turns off what only saves work.
+bool may_stand_in_a_name(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == ' ' || letter == '-' || letter == '_';
+}
+
+// The defaults under the options of `tuning`: `--lod off` also turns off all that saves work.
 Tuning settled(Tuning defaults, const Tuning& tuning) {
   if (tuning.lod.rule != anim::LodRule::off || defaults.lod.rule == anim::LodRule::off) return defaults;
   defaults.lod.bone_lod = defaults.lod.smooth = false;
@@ -111,6 +114,10 @@ fs::path preset_folder() {
 fs::path preset_file(const std::string& name_or_file) {
   const bool is_file = name_or_file.find_first_of("/.") != std::string::npos;
   return is_file ? fs::path(name_or_file) : preset_folder() / (name_or_file + ".json");
+}
+
+bool can_name_a_preset(const std::string& name) {
+  return !name.empty() && name.front() != ' ' && name.back() != ' ' && std::ranges::all_of(name, may_stand_in_a_name);
 }
 
 std::vector<std::string> preset_names() {
@@ -173,9 +180,7 @@ std::string command_line(const Tuning& tuning, const Tuning& defaults, const std
 std::string camera_text(const CameraPlace& place) {
   std::string text;
   for (const float number : {place.x, place.y, place.z, place.yaw, place.pitch, place.field_of_view}) {
-    std::array<char, 32> digits{};
-    const char* const end = std::to_chars(digits.begin(), digits.end(), number).ptr;
-    text.append(text.empty() ? "" : ",").append(std::string_view(digits.data(), end));
+    text.append(text.empty() ? "" : ",").append(shortest_text(number));
   }
   return text;
 }

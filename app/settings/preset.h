@@ -13,31 +13,33 @@
 
 namespace throng::app {
 
-/// Values under a name: what a person tuned, to come back to or to hand on.
+/// The values that a person tuned, to come back to or to hand on.
 struct Preset {
   Tuning tuning;
   std::optional<CameraPlace> camera;  ///< none: the camera stays where it is
 };
 
-/// One flat JSON object; the keys are those of tuning_values() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has
-/// them, in a string). Missing keys keep what `preset` has. The complaint names the key and what to do, and then
-/// nothing has changed.
+/// One flat JSON object with the keys of tuning_values() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has them, in a
+/// string). Keys that are missing leave `preset` as it is. A complaint names the key and what to do, and then nothing
+/// has changed.
 Json to_json(const Preset& preset);
 Complaint from_json(const Json& json, Preset& preset);
-/// As from_json(); also complains of what is no JSON.
+/// As from_json(), of a text that may not be JSON.
 Complaint from_json_text(std::string_view text, Preset& preset);
 
-/// Missing keys are the defaults. The error is one line that names file, key and what to do.
+/// Keys that are missing have their defaults. The error is one line that names file, key and what to do.
 anim::Result<Preset> read_preset(const std::filesystem::path& file);
-/// Whole or not at all; makes the folder.
+/// Writes the file whole or not at all, and makes its folder.
 anim::Status write_preset(const std::filesystem::path& file, const Preset& preset);
 
-/// Where presets with a name lie: $XDG_CONFIG_HOME/throng/presets, else ~/.config/throng/presets; empty if the system
-/// names neither.
+/// The folder of presets with a name: $XDG_CONFIG_HOME/throng/presets, else ~/.config/throng/presets; empty if the
+/// system names neither.
 std::filesystem::path preset_folder();
-/// NAME.json in it. What has a dot or slash is a file of its own.
+/// NAME.json in that folder. A name with a dot or slash is a file of its own.
 std::filesystem::path preset_file(const std::string& name_or_file);
-/// Of the presets in the folder, sorted.
+/// True for a name that a preset can be kept under: letters, digits, blanks inside, - and _.
+bool can_name_a_preset(const std::string& name);
+/// The names of the presets in the folder, sorted.
 std::vector<std::string> preset_names();
 
 /// The name or file of a preset, as `--preset` takes it.
@@ -46,11 +48,11 @@ ValueReader preset_values(DemoOptions& options);
 /// KEY=VALUE,... of tuning_values(), as `--set` takes them.
 ValueReader set_values(Tuning& tuning);
 
-/// The options that make `tuning` of `defaults`, and the camera: "--agents 5000 --set full_rate_distance=20
-/// --camera 0,2,9,0,-5,50". Only what differs; empty if nothing does.
+/// The options that turn `defaults` into `tuning` and place the camera: "--agents 5000 --set full_rate_distance=20
+/// --camera 0,2,9,0,-5,50". Values that do not differ are left out.
 std::string command_line(const Tuning& tuning, const Tuning& defaults, const std::optional<CameraPlace>& camera);
 
-/// As `--camera` takes it: x,y,z,yaw,pitch,fov.
+/// The text that `--camera` takes: x,y,z,yaw,pitch,fov.
 std::string camera_text(const CameraPlace& place);
 
 }  // namespace throng::app

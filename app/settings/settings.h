@@ -17,20 +17,20 @@ enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, n
 enum class DrawWhich : std::uint8_t { last, all, none };
 enum class DebugView : std::uint8_t { none, interval, bone_level, mesh_lod, error };
 enum class ErrorSampling : std::uint8_t { some, all, off };
-/// Whether the picture is the crowd as it is shown, or left of a line the exact one; right of it the one shown, or how
-/// far the two are apart.
+/// Divides the picture at a line. Left of it is the exact crowd; right of it the crowd as shown, or the difference of
+/// the two.
 enum class Split : std::uint8_t { off, shown, difference };
-/// How the camera moves by itself, from where it stands at first.
+/// The way that the camera moves by itself from its first place.
 enum class CameraPath : std::uint8_t { none, orbit, pan };
 
-/// Where the camera stands: x, y, z in metres; yaw, pitch, vertical field of view in degrees. Yaw 0 looks along -Z.
+/// The place of the camera: x, y, z in metres; yaw, pitch, vertical field of view in degrees. Yaw 0 looks along -Z.
 struct CameraPlace {
   float x = 0, y = 0, z = 0;
   float yaw = 0, pitch = 0;
   float field_of_view = 50;
 };
 
-/// Parts of a frame left out, to see what each of them costs.
+/// Leaves out parts of a frame, to show the cost of each.
 struct TakenAway {
   bool animation = false;  ///< time stands still
   bool upload = false;     ///< the records of the last frame are drawn again; characters may jump
@@ -40,21 +40,21 @@ struct TakenAway {
   friend bool operator==(const TakenAway&, const TakenAway&) = default;
 };
 
-/// What lets people look at level of detail, and try what it would do. No part of a look that is worth keeping.
+/// Ways to look at level of detail, and to try others. Presets keep the forced values only.
 struct LodInspection {
   bool freeze_camera = false;  ///< level of detail and culling go on from where the camera was; its frustum is drawn
   bool thresholds = false;     ///< a ring on the ground wherever the interval grows
-  bool figures_above_heads = false;  ///< interval and bone level of those near by
+  bool figures_above_heads = false;  ///< interval and bone level of agents near by
   Split split = Split::off;
   float split_at = 0.35F;            ///< of the picture's width, 0 to 1: left of it the crowd is exact
-  int forced_interval = 0;           ///< frames, 1 to 16; 0: as the rule has it
-  int forced_bone_level = -1;        ///< 0 to 3, or the character's last; -1: as the rule has it
+  int forced_interval = 0;           ///< frames, 1 to 16; 0: the rule decides
+  int forced_bone_level = -1;        ///< 0 to 3, or the character's last; -1: the rule decides
   bool force_selected_only = false;  ///< the forced values are for the selected agent, else for everyone
 
   friend bool operator==(const LodInspection&, const LodInspection&) = default;
 };
 
-/// Every value that can be tuned while the crowd runs: the overlay edits a copy, the demo applies it at a frame
+/// Every value that can be tuned while the crowd runs. The overlay edits a copy, and the demo applies it at a frame
 /// boundary.
 struct Tuning {
   // Crowd
@@ -66,7 +66,7 @@ struct Tuning {
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
   // Level of detail
   anim::LodRules lod{.rule = anim::LodRule::budget};  ///< CrowdLod puts tolerance_pixels and counts_cost in
-  ErrorSampling error_sample = ErrorSampling::some;   ///< whose error on screen is measured, of those in view
+  ErrorSampling error_sample = ErrorSampling::some;   ///< the agents in view whose error on screen is measured
   float error_px = 1.0F;                              ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
   LodInspection inspection = {};
@@ -81,7 +81,7 @@ struct Tuning {
   friend bool operator==(const Tuning&, const Tuning&) = default;
 };
 
-/// The size of each local store as the program says it; 0: automatic.
+/// The size of each local store in the unit of options and overlay; 0: automatic.
 inline constexpr std::size_t bytes_a_kib = 1024;
 inline int local_store_kib(const Tuning& tuning) {
   return static_cast<int>(tuning.system.local_store_bytes / bytes_a_kib);
@@ -90,7 +90,7 @@ inline void set_local_store_kib(Tuning& tuning, int kib) {
   tuning.system.local_store_bytes = static_cast<std::size_t>(kib) * bytes_a_kib;
 }
 
-/// The same crowd as `--lod off` shows it: everyone posed in full in every frame.
+/// The tuning with which `--lod off` shows the same crowd: everyone is posed in full in every frame.
 inline Tuning without_level_of_detail(Tuning tuning) {
   tuning.lod.rule = anim::LodRule::off;
   tuning.lod.bone_lod = false;
@@ -104,7 +104,7 @@ inline Tuning without_level_of_detail(Tuning tuning) {
 inline constexpr int most_picture_pixels = 16384;  ///< of a picture's width and of its height
 inline constexpr std::size_t most_models = 16;     ///< of people in one crowd
 
-/// The options of the demo (app/command_line/README.md). `tuning` holds the values that it starts with.
+/// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
   std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
   Tuning tuning;
@@ -116,14 +116,14 @@ struct DemoOptions {
   int width = 1280;
   int height = 720;
   bool ui = false;               ///< overlay in a headless run
-  bool ui_fixed = false;         ///< with measured times from a committed report
-  std::string ui_tab = "Crowd";  ///< that the overlay starts with
+  bool ui_fixed = false;         ///< the overlay shows measured times from a committed report
+  std::string ui_tab = "Crowd";  ///< the overlay starts with it
   std::optional<int> selected;   ///< an agent, from the start
   bool hide_ui = false;
   float ui_scale = 1;  ///< of every measure of the overlay
-  int msaa = -1;       ///< -1: what the device affords; 0 or 4
+  int msaa = -1;       ///< 0 or 4; -1: as much as the device affords
   bool shadows = true;
-  std::vector<RoleChoice> clips;   ///< over those of the role file, and those that names suggest
+  std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
   bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
   bool shadows_given = false;      ///< a software renderer draws none unless given
   std::vector<std::string> given;  ///< the options that the command line names, "--pus"
@@ -131,12 +131,12 @@ struct DemoOptions {
   std::optional<CameraPlace> camera;
   CameraPath camera_path = CameraPath::none;
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
-  bool events = false;                                 ///< what everybody meets is summed up for the statistics
+  bool events = false;                                 ///< the statistics sum up the events of all agents
   std::string record, replay;                          ///< files; empty: not asked for
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 
-/// Of a headless run: what was asked for, else the last where something of it is written, else none.
+/// The frames that a headless run draws: those asked for; else the last, if something of it is written; else none.
 inline DrawWhich drawn_frames(const DemoOptions& options) {
   const bool is_seen = !options.screenshot.empty() || !options.ui_map.empty();
   return options.draw.value_or(is_seen ? DrawWhich::last : DrawWhich::none);

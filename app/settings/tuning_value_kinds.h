@@ -9,10 +9,10 @@
 
 #include "app/settings/tuning_values.h"
 
-/// How a row of the table reads and writes its value, by the kind of the value.
+/// Makes the rows of the table: each reads and writes its value by the kind of the value.
 namespace throng::app {
 
-/// The way to a member of Tuning, const or not: at(&Tuning::lod, &anim::LodRules::smooth).
+/// Makes a function that finds a member of a Tuning, const or not: at(&Tuning::lod, &anim::LodRules::smooth).
 template <typename... Members>
 auto at(Members... members) {
   return [=](auto& tuning) -> auto& { return (tuning.*....*members); };
@@ -34,7 +34,7 @@ TuningValue number(TuningValue value, Member member) {
   return value;
 }
 
-/// A number of which 0 in a preset is no limit; the option takes what is above it.
+/// A number above 0, and 0 in a preset for no limit.
 template <typename Member>
 TuningValue limit(TuningValue value, const char* unit, Member member) {
   value = number(std::move(value), member);
@@ -57,7 +57,8 @@ TuningValue on_off(TuningValue value, Member member) {
 template <typename Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-/// One of a few; where several words mean the same, the first is written. The option does not take that of `zero`.
+/// One of a few values. Where several words mean the same, the first is written. The option does not take the word of
+/// `zero`.
 template <typename Value, typename Member>
 TuningValue one_of(TuningValue value, Member member, const Choices<Value>& choices) {
   const Choices<Value> taken(choices.begin() + (value.zero.empty() ? 0 : 1), choices.end());
@@ -85,6 +86,7 @@ TuningValue word(TuningValue value, Member member, const std::array<const char*,
   using Value = std::remove_reference_t<decltype(member(std::declval<Tuning&>()))>;
   Choices<Value> choices;
   for (std::size_t i = 0; i < count; ++i) choices.emplace_back(words[i], static_cast<Value>(i));
+  value.words = words;
   return one_of<Value>(std::move(value), member, choices);
 }
 

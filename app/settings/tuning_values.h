@@ -32,13 +32,15 @@ struct TuningValue {
   std::string_view help = {};     ///< {values} and {default} stand for what is allowed and the default
   double least = 0, most = 0;     ///< of a number
   std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take
-  bool option_does_more = false;  ///< the option changes other values too
+  bool option_does_more = false;  ///< the option also changes other values
   Track track = {};
   Form form = Form::number;
-  std::string values = {};  ///< what the option takes, in words
-  /// Take the text into a tuning, or complain: as presets and `--set` write it, and as the option does.
+  std::span<const char* const> words = {};  ///< of an enumeration, in its order
+  std::string values = {};                  ///< all that the option takes, as a phrase
+  /// Both take a text into a tuning, or complain: the first reads the text of presets and `--set`, the second that of
+  /// the option.
   std::function<Complaint(Tuning&, const std::string&)> read = {}, read_option = {};
-  std::function<std::string(const Tuning&)> text = {};  ///< exact: read again, it is the same value to the bit
+  std::function<std::string(const Tuning&)> text = {};  ///< it reads back as the same value to the bit
 
   [[nodiscard]] std::string_view option_name() const { return option.substr(0, option.find(' ')); }
   [[nodiscard]] std::string_view hint() const { return option.substr(std::min(option.size(), option.find(' ') + 1)); }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/overlay/bone_order_edit.h"
+#include "app/overlay/bone_list.h"
 #include "tests/app/overlay/overlay_driver.h"
 
 namespace throng::app::bones_test {
@@ -15,11 +15,11 @@ FrameReport two_legs() {
   FrameReport report;
   report.characters = {"legs"};
   report.level_bone_counts = {5, 3, 1};
-  report.bones = {{.name = "pelvis", .depth = 0, .level = 2, .parent = -1, .error_millimetres = 80},
-                  {.name = "thigh_l", .depth = 1, .level = 1, .parent = 0, .error_millimetres = 30},
-                  {.name = "thigh_r", .depth = 1, .level = 1, .parent = 0, .error_millimetres = 29},
-                  {.name = "shin_l", .depth = 2, .level = 0, .parent = 1, .error_millimetres = 9},
-                  {.name = "shin_r", .depth = 2, .level = 0, .parent = 2, .error_millimetres = 8}};
+  report.bones = {{.name = "pelvis", .depth = 0, .parent = -1, .lod = {.bone = 0, .error_metres = 0.080F, .level = 2}},
+                  {.name = "thigh_l", .depth = 1, .parent = 0, .lod = {.bone = 1, .error_metres = 0.030F, .level = 1}},
+                  {.name = "thigh_r", .depth = 1, .parent = 0, .lod = {.bone = 2, .error_metres = 0.029F, .level = 1}},
+                  {.name = "shin_l", .depth = 2, .parent = 1, .lod = {.bone = 3, .error_metres = 0.009F, .level = 0}},
+                  {.name = "shin_r", .depth = 2, .parent = 2, .lod = {.bone = 4, .error_metres = 0.008F, .level = 0}}};
   return report;
 }
 

@@ -1,8 +1,8 @@
-#include "app/overlay/number_scale.h"
-
 #include <array>
 
 #include <gtest/gtest.h>
+
+#include "app/overlay/numbers.h"
 
 namespace throng::app::number_scale_test {
 namespace {

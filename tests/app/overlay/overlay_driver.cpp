@@ -112,21 +112,30 @@ FrameReport full_report() {
   report.agents_by_interval = {300, 200, 100};
   report.agents_by_bone_level = {200, 200, 100, 100};
   report.level_bone_counts = {4, 3, 2, 1};
-  report.bones = {{.name = "hips", .depth = 0, .level = 3, .parent = -1, .error_millimetres = 90},
-                  {.name = "spine", .depth = 1, .level = 2, .parent = 0, .error_millimetres = 40},
-                  {.name = "hand", .depth = 2, .level = 1, .parent = 1, .error_millimetres = 12},
-                  {.name = "finger", .depth = 3, .level = 0, .parent = 2, .error_millimetres = 2}};
+  report.bones = {{.name = "hips", .depth = 0, .parent = -1, .lod = {.bone = 0, .error_metres = 0.09F, .level = 3}},
+                  {.name = "spine", .depth = 1, .parent = 0, .lod = {.bone = 1, .error_metres = 0.04F, .level = 2}},
+                  {.name = "hand", .depth = 2, .parent = 1, .lod = {.bone = 2, .error_metres = 0.012F, .level = 1}},
+                  {.name = "finger", .depth = 3, .parent = 2, .lod = {.bone = 3, .error_metres = 0.002F, .level = 0}}};
   report.clip_names = {"Idle", "Walking_A", "Running_A"};
   report.role_clips[index_of(Role::stand)] = 0;
   report.role_clips[index_of(Role::walk)] = 1;
   report.suggested_role_clips = report.role_clips;
-  report.pus = 2;
+  report.schedule.pus = 2;
   report.hardware_threads = 4;
-  PuReport pu;
-  pu.spans = {{PuSpan::Kind::fetch, 0, 0.1F}, {PuSpan::Kind::compute, 0.1F, 0.9F}};
-  report.pu = {pu, pu};
-  report.timeline = {{.frame = 1, .length_ms = 0.9F, .lanes = {pu.spans, pu.spans}},
-                     {.frame = 2, .length_ms = 0.9F, .lanes = {pu.spans, pu.spans}}};
+  report.pu.resize(2);
+  const std::vector<anim::TraceSpan> spans = {
+      {.begin = 0, .end = 100, .bytes_in = 0, .bytes_out = 0, .transfers = 0, .kind = anim::TraceSpan::Kind::fetch},
+      {.begin = 100,
+       .end = 900,
+       .bytes_in = 0,
+       .bytes_out = 0,
+       .transfers = 0,
+       .kind = anim::TraceSpan::Kind::compute}};
+  for (const int frame : {1, 2}) {
+    report.timeline.push_back({.frame = frame,
+                               .time = {.start = {}, .milliseconds = 1, .first_tick = 0, .last_tick = 1000},
+                               .lanes = {spans, spans}});
+  }
   return report;
 }
 

@@ -18,10 +18,9 @@ SelectionReport somebody() {
                            .channels = 1,
                            .entities = {},
                            .bytes = 384};
-  selected.entities = {
-      {.kind = "sampled player", .clip = "Walking_A", .duration_seconds = 1, .weight = 0.25F, .bytes = 128},
-      {.kind = "sampled player", .clip = "Idle", .duration_seconds = 2, .weight = 0.75F, .bytes = 128},
-      {.kind = "ease blender", .clip = {}, .weight = 1, .bytes = 128, .priority = -1}};
+  selected.entities = {{.kind = "sampled player", .clip = "Walking_A", .duration_seconds = 1, .weight = 0.25F},
+                       {.kind = "sampled player", .clip = "Idle", .duration_seconds = 2, .weight = 0.75F},
+                       {.kind = "ease blender", .clip = {}, .weight = 1, .priority = -1}};
   return selected;
 }
 
@@ -132,12 +131,15 @@ TEST_F(SelectionCard, MemoryByKindIsInTheSchedulingTab) {
   };
   scroll_down();
   EXPECT_FALSE(driver.sees("ease blender"));
-  driver.report.memory = {{.kind = "sampled player", .blocks = 1000, .bytes = 128000, .reserved_bytes = 131072},
-                          {.kind = "ease blender", .blocks = 12, .bytes = 1536, .reserved_bytes = 131072}};
+  driver.report.memory = {
+      {.kind = "sampled player", .own = {.blocks_alive = 1000, .bytes_alive = 128000}, .shared = {}},
+      {.kind = "ease blender", .own = {}, .shared = {.blocks_alive = 12, .bytes_alive = 1536}},
+      {.kind = "look-at", .own = {}, .shared = {}}};
   driver.frames();
   scroll_down();
   EXPECT_TRUE(driver.sees("sampled player"));
   EXPECT_TRUE(driver.sees("ease blender"));
+  EXPECT_FALSE(driver.sees("look-at")) << "it has no blocks";
 }
 
 }  // namespace

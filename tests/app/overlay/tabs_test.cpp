@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/overlay/preset_name.h"
+#include "app/settings/preset.h"
 #include "tests/app/overlay/overlay_driver.h"
 
 namespace throng::app::tabs_test {
@@ -14,10 +14,9 @@ SelectionReport somebody() {
       .agent = 7, .visible = true, .interval = 2, .can_fall = true, .channels = 1, .entities = {}, .clip_seconds = 2};
   selected.entities = {{.kind = "sampled player",
                         .clip = "Walking_A",
-                        .bytes = 128,
                         .fields = {{"Priority", "highest"}, {"Bones", "62"}},
                         .block = std::vector<std::uint8_t>(128, 0xAB)},
-                       {.kind = "ease blender", .clip = {}, .bytes = 128, .fields = {{"Sources", "2"}}}};
+                       {.kind = "ease blender", .clip = {}, .fields = {{"Sources", "2"}}}};
   selected.layers = {{.name = "Channel 0", .entities = {0, 1}},
                      {.name = "look-at", .weight = 0.5F, .is_channel = false, .entities = {2}}};
   selected.history.assign(200, {.visible = true, .interval = 3, .bone_level = 1});

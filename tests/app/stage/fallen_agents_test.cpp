@@ -187,10 +187,10 @@ TEST_F(PushedOnStage, WeightsOfThePlayersAreAllOfThePose) {
     stage_->select(static_cast<std::uint32_t>(i % 12));
     const auto report = report_selection(*stage_);
     float sum = 0.0F;
-    std::uint32_t bytes = 0;
+    std::size_t bytes = 0;
     for (const EntityRow& row : report->entities) {
       sum += row.clip.empty() ? 0.0F : row.weight;
-      bytes += row.bytes;
+      bytes += row.block.size();
     }
     ASSERT_NEAR(sum, 1.0F, 1e-5F);
     ASSERT_EQ(bytes, report->bytes);

@@ -203,7 +203,9 @@ TEST_F(StageInHands, EveryBlockOfTheSelectedAgentIsReportedByteForByte) {
   const auto report = report_selection(*stage_);
   ASSERT_FALSE(report->entities.empty());
   for (const EntityRow& entity : report->entities) {
-    EXPECT_EQ(entity.block.size(), entity.bytes);
+    const auto size = std::ranges::find(entity.fields, "Total size", &BlockField::name);
+    ASSERT_NE(size, entity.fields.end());
+    EXPECT_EQ(size->value, std::to_string(entity.block.size()) + " B");
     const auto priority = std::ranges::find(entity.fields, "Priority", &BlockField::name);
     ASSERT_NE(priority, entity.fields.end());
     EXPECT_EQ(priority->value == "highest", entity.priority == 0);

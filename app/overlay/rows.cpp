@@ -1,0 +1,207 @@
+// The rows that edit a value: a number, a switch, one of a few words, one of many, and text.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <imgui_internal.h>
+
+#include "app/overlay/tabs.h"
+#include "app/settings/tuning_values.h"
+
+namespace throng::app {
+namespace {
+
+constexpr float field_width = 64, field_gap = 8, longest_list = 300;
+
+void draw_track(const Theme& theme, const Area& place, float knob_place, bool lively) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float y = std::floor((place.from.y + place.to.y) / 2), knob_radius = theme.px(lively ? 6.5F : 5.5F);
+  const float margin = theme.px(7), x0 = place.from.x + margin, x1 = place.to.x - margin;
+  const float knob = std::lerp(x0, x1, knob_place), half = theme.px(1.5F);
+  draw.AddRectFilled({x0, y - half}, {x1, y + half}, ImGui::GetColorU32(colour::well_hovered), half);
+  draw.AddRectFilled({x0, y - half}, {knob, y + half}, ImGui::GetColorU32(colour::accent), half);
+  draw.AddCircleFilled({knob, y}, knob_radius, ImGui::GetColorU32(lively ? colour::text : colour::accent));
+}
+
+std::string word_of(int index, std::span<const std::string> words, const char* none) {
+  return index < 0 ? none : words[static_cast<std::size_t>(index)];
+}
+
+void draw_closed(const Theme& theme, const Area& place, const std::string& word, bool lively) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(lively ? colour::well_hovered : colour::well),
+                     theme.px(4));
+  ImGui::PushClipRect(place.from, {place.to.x - theme.px(18), place.to.y}, true);
+  draw_text(theme.small, {place.from.x + theme.px(8), place.from.y + theme.px(4)}, colour::text, word);
+  ImGui::PopClipRect();
+  const ImVec2 tip(place.to.x - theme.px(10), place.from.y + theme.px(13));
+  draw.AddTriangleFilled({tip.x - theme.px(4), tip.y - theme.px(4)}, {tip.x + theme.px(4), tip.y - theme.px(4)}, tip,
+                         colour::dim);
+}
+
+}  // namespace
+
+bool Widgets::number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help) {
+  const std::string standard_text = written(scale, standard);
+  const Row row = begin_row(label, written(scale, value) != standard_text, help, standard_text);
+  const float field_x = row.control.to.x - theme_.px(field_width);
+  const Area track{.from = row.control.from, .to = {field_x - theme_.px(field_gap), row.control.to.y}};
+  const Area field{.from = {field_x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
+  bool changed = drag_track(label, track, value, standard, scale);
+  changed = type_field(label, field, value, scale) || changed;
+  if (row.reset) {
+    value = standard;
+    changed = true;
+  }
+  end_row(row);
+  return changed;
+}
+
+bool Widgets::drag_track(const char* label, const Area& place, double& value, double standard,
+                         const NumberScale& scale) {
+  clickable(label, place);
+  const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  const ImGuiID id = ImGui::GetItemID();
+  const double before = value;
+  if (!active && held_after_reset_ == id) held_after_reset_ = 0;
+  if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    held_after_reset_ = id;
+    value = standard;
+  } else if (active && held_after_reset_ != id) {
+    const float margin = theme_.px(7), pointer = ImGui::GetIO().MousePos.x;
+    value = value_at(scale, static_cast<double>((pointer - place.from.x - margin) / (place.width() - 2 * margin)));
+  }
+  draw_track(theme_, place, static_cast<float>(place_of(scale, value)), active || hovered);
+  return value != before;
+}
+
+bool Widgets::type_field(const char* label, const Area& place, double& value, const NumberScale& scale) {
+  ImGui::SetCursorScreenPos(place.from);
+  ImGui::SetNextItemWidth(place.width());
+  const ImGuiID id = ImGui::GetID("field");
+  FieldText shown = {};
+  written(scale, value).copy(shown.data(), shown.size() - 1);
+  const auto typing = typed_.find(id);
+  FieldText& text = typing == typed_.end() ? shown : typing->second;
+  ImGui::InputText("##field", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
+  record(std::string(label) + ".field", place);
+  if (ImGui::IsItemActivated()) typed_[id] = text;
+  const double before = value;
+  if (ImGui::IsItemDeactivatedAfterEdit()) value = meant(scale, text.data()).value_or(value);
+  if (ImGui::IsItemDeactivated()) typed_.erase(id);
+  return value != before;
+}
+
+bool Widgets::toggle(const char* label, bool& value, bool standard, const Help& help) {
+  const bool before = value;
+  const std::string standard_word = standard ? "on" : "off";
+  const Row row = begin_row(label, value != standard, help, standard_word);
+  const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(4));
+  const ImVec2 size(theme_.px(34), theme_.px(17));
+  if (clickable(label, rectangle(from, {from.x + size.x, from.y + size.y}))) value = !value;
+  if (row.reset) value = standard;
+  const float radius = size.y / 2;
+  const float knob_x = value ? from.x + size.x - radius : from.x + radius;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 off = ImGui::IsItemHovered() ? colour::well_hovered : colour::well;
+  draw.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(value ? colour::accent : off),
+                     radius);
+  draw.AddCircleFilled({knob_x, from.y + radius}, radius - theme_.px(3),
+                       ImGui::GetColorU32(value ? colour::on_accent : colour::dim));
+  draw_text(theme_.small, {from.x + size.x + theme_.px(8), from.y + theme_.px(1)}, colour::dim, value ? "on" : "off");
+  end_row(row);
+  return value != before;
+}
+
+bool Widgets::choose(const char* label, int& index, int standard, std::span<const char* const> words,
+                     const Help& help) {
+  const int before = index;
+  const std::string standard_word = words[static_cast<std::size_t>(standard)];
+  const Row row = begin_row(label, index != standard, help, standard_word);
+  const ImVec2 from(row.control.from.x, row.control.from.y + theme_.px(1));
+  const ImVec2 to(row.control.to.x, row.control.to.y - theme_.px(2));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(from, to, ImGui::GetColorU32(colour::well), theme_.px(4));
+  const float width = (to.x - from.x) / static_cast<float>(words.size());
+  for (int i = 0; i < static_cast<int>(words.size()); ++i) {
+    const char* const word = words[static_cast<std::size_t>(i)];
+    const float x = std::floor(from.x + width * static_cast<float>(i));
+    const Area place = rectangle({x, from.y}, {std::floor(x + width), to.y});
+    if (clickable(std::string(label) + ":" + word, place)) index = i;
+    const bool hovered = ImGui::IsItemHovered();
+    if (i == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
+    const ImU32 ink = i == index ? colour::on_accent : (hovered ? colour::text : colour::dim);
+    draw_text(theme_.small, {(place.from.x + place.to.x) / 2, from.y + theme_.px(4)}, ink, word, 0.5F);
+  }
+  if (row.reset) index = standard;
+  end_row(row);
+  return index != before;
+}
+
+bool Widgets::pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,
+                   const Help& help) {
+  const int before = index;
+  const std::string standard_word = word_of(standard, words, none);
+  const Row row = begin_row(label, index != standard, help, standard_word);
+  Area place = row.control;
+  place.from.y += theme_.px(1);
+  place.to.y -= theme_.px(2);
+  if (clickable(label, place)) ImGui::OpenPopup("list");
+  draw_closed(theme_, place, word_of(index, words, none), ImGui::IsItemHovered() || ImGui::IsPopupOpen("list"));
+  ImGui::SetNextWindowPos({place.from.x, place.to.y});
+  ImGui::SetNextWindowSizeConstraints({place.width(), 0}, {place.width(), theme_.px(longest_list)});
+  if (ImGui::BeginPopup("list")) {
+    for (int i = none == nullptr ? 0 : -1; i < static_cast<int>(words.size()); ++i) {
+      const std::string word = word_of(i, words, none);
+      ImGui::PushID(i);
+      if (ImGui::Selectable(word.c_str(), i == index)) index = i;
+      ImGui::PopID();
+      record(std::string(label) + ":" + word, {.from = ImGui::GetItemRectMin(), .to = ImGui::GetItemRectMax()});
+    }
+    ImGui::EndPopup();
+  }
+  if (row.reset) index = standard;
+  end_row(row);
+  return index != before;
+}
+
+bool Widgets::text(const char* label, std::string& value, const char* hint, const Help& help) {
+  const Row row = begin_row(label, false, help, "");
+  std::array<char, 64> typed = {};
+  value.copy(typed.data(), typed.size() - 1);
+  const Area field{.from = {row.control.from.x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
+  ImGui::SetCursorScreenPos(field.from);
+  ImGui::SetNextItemWidth(field.width());
+  const bool changed = ImGui::InputTextWithHint("##text", hint, typed.data(), typed.size());
+  record(std::string(label) + ".field", field);
+  if (changed) value = typed.data();
+  end_row(row);
+  return changed;
+}
+
+bool TabContext::row(const char* key, const char* label, const NumberScale& scale, const Help& help) const {
+  const TuningValue& row = tuning_value(key);
+  const std::string now = row.text(tuning), before = row.text(standard);
+  std::string text;
+  if (row.form == TuningValue::Form::on_off) {
+    bool on = now == "on";
+    if (!widgets.toggle(label, on, before == "on", help)) return false;
+    text = on ? "on" : "off";
+  } else if (row.form == TuningValue::Form::word) {
+    const auto index_of = [&](const std::string& word) {
+      return static_cast<int>(std::ranges::find(row.words, word) - row.words.begin());
+    };
+    int index = index_of(now);
+    if (!widgets.choose(label, index, index_of(before), row.words, help)) return false;
+    text = row.words[static_cast<std::size_t>(index)];
+  } else {
+    double number = std::strtod(now.c_str(), nullptr);
+    const double usual = std::strtod(before.c_str(), nullptr);
+    if (!widgets.number(label, number, usual, scale, help)) return false;
+    text = number == usual ? before : fixed(number, scale.decimals);
+  }
+  row.read(tuning, text);
+  return true;
+}
+
+}  // namespace throng::app

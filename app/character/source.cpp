@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/anim/import/import.h"
+#include "engine/anim/survey/lod_survey.h"
 
 namespace throng::app {
 namespace {
@@ -38,6 +39,11 @@ void guess_roles(CharacterSource& source) {
     passage.seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(passage.clip)].duration);
   }
   assign_roles(source, source.suggested);
+}
+
+std::shared_ptr<const anim::Character> reordered(const anim::Character& character, const anim::Model& model,
+                                                 const BoneLodChoice& choice) {
+  return std::make_shared<const anim::Character>(anim::reorder_character(character, model, choice));
 }
 
 template <typename Float, typename Vector>
@@ -103,30 +109,26 @@ anim::Result<CharacterSource> load_character(const std::string& path, const std:
     if (*choice) anim::reorder_bones(source.model, **choice);
   }
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
-  source.bounds = anim::measure_bounds(source.model);
+  source.bounds = source.character->bounds;
+  anim::keep_surveyed_keys(source.model);
   guess_roles(source);
   source.repairs = std::move(file->repairs);
   return source;
 }
 
 ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice) {
-  anim::Model model;  // what baking reads of it
+  anim::Model model;  // what measuring reads of it
   model.skeleton = source.model.skeleton;
   model.skins = source.model.skins;
   model.clips = source.model.clips;
   model.meshes = source.model.meshes;
   anim::reorder_bones(model, choice);
-  ReorderedCharacter reordered{.character = std::make_shared<const anim::Character>(anim::bake_character(model)),
-                               .places = std::vector<int>(choice.bones.size())};
-  for (std::size_t place = 0; place < choice.bones.size(); ++place) {
-    reordered.places[static_cast<std::size_t>(choice.bones[place])] = static_cast<int>(place);
-  }
-  return reordered;
+  return {.character = reordered(*source.character, model, choice), .places = anim::bone_places(choice)};
 }
 
 void take_order(CharacterSource& source, const BoneLodChoice& choice) {
   anim::reorder_bones(source.model, choice);
-  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
+  source.character = reordered(*source.character, source.model, choice);
 }
 
 void assign_roles(CharacterSource& source, const RoleClips& clips) {

@@ -19,7 +19,7 @@ namespace throng::app {
 struct CharacterSource {
   std::string name;   ///< shown to people
   std::string file;   ///< that it is from; empty: the built-in character
-  anim::Model model;  ///< keeps the surface that `mesh` points into
+  anim::Model model;  ///< keeps the surface that drawing reads; of its clips only what anim::reorder_character reads
   std::shared_ptr<const anim::Character> character;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
@@ -40,7 +40,7 @@ struct ReorderedCharacter {
   std::shared_ptr<const anim::Character> character;
   std::vector<int> places;
 };
-/// Bakes `source` in an order that check_bone_lod() let pass; `source` itself is as it was.
+/// Reorders `source` as check_bone_lod() let pass, without baking its clips again; `source` itself is as it was.
 ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice);
 
 /// Brings a character that is on no stage into such an order.

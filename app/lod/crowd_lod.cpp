@@ -63,14 +63,6 @@ void CrowdLod::weigh(anim::Ticks now, std::optional<std::uint32_t> selected) {
   if (selected_) importance_[*selected_] = importance_of_selected;
 }
 
-void CrowdLod::measure_clips(std::span<const CharacterSource> sources) {
-  if (!skip_errors_.empty()) return;
-  for (const CharacterSource& source : sources) {
-    skip_errors_.push_back(anim::measure_skip_errors(source.model, *source.character));
-  }
-  for (std::size_t i = 0; i < characters_.size(); ++i) characters_[i].clips = skip_errors_[i];
-}
-
 bool CrowdLod::must_build(const LodPreparation& moment) const {
   if (choices_.empty() || !same_but_tolerance(moment.rules, built_for_)) return true;
   if (moment.frame_step == 0) return false;
@@ -78,10 +70,8 @@ bool CrowdLod::must_build(const LodPreparation& moment) const {
   return ratio > longer_frame || ratio < 1.0 / longer_frame;
 }
 
-void CrowdLod::prepare(const LodPreparation& moment, std::span<const CharacterSource> sources,
-                       std::optional<std::uint32_t> selected) {
+void CrowdLod::prepare(const LodPreparation& moment, std::optional<std::uint32_t> selected) {
   const bool by_error = moment.rules.rule == anim::LodRule::budget;
-  if (by_error) measure_clips(sources);
   if (must_build(moment)) {
     built_seconds_ = moment.frame_step > 0 ? anim::to_seconds(moment.frame_step) : usual_frame_seconds;
     built_for_ = moment.rules;

@@ -5,9 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "app/character/source.h"
 #include "app/settings/settings.h"
-#include "engine/anim/bake/skip_error.h"
 #include "engine/anim/base/units.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/anim/lod/lod_choices.h"
@@ -37,8 +35,7 @@ struct LodFigures {
 /// more than others, and the tolerance.
 class CrowdLod {
  public:
-  /// At first, and whenever one of them has other levels; `characters` outlive this. Their clips' errors are measured
-  /// once, when the rule first asks for them.
+  /// At first, and whenever one of them has other levels; `characters` outlive this.
   void set_characters(std::span<anim::LodCharacter> characters);
 
   /// The crowd starts anew.
@@ -47,8 +44,7 @@ class CrowdLod {
   void fade(std::uint32_t agent, anim::Ticks until);
 
   /// Before a frame's selection.
-  void prepare(const LodPreparation& moment, std::span<const CharacterSource> sources,
-               std::optional<std::uint32_t> selected);
+  void prepare(const LodPreparation& moment, std::optional<std::uint32_t> selected);
   const anim::LodRules& rules() const { return rules_; }
   const anim::LodChoices& choices() const { return choices_; }
   std::span<const float> importance() const { return importance_; }
@@ -65,12 +61,10 @@ class CrowdLod {
   const LodFigures& figures() const { return figures_; }
 
  private:
-  void measure_clips(std::span<const CharacterSource> sources);
   void weigh(anim::Ticks now, std::optional<std::uint32_t> selected);
   bool must_build(const LodPreparation& moment) const;
 
   std::span<anim::LodCharacter> characters_;
-  std::vector<std::vector<anim::SkipError>> skip_errors_;  // [character][clip]; empty: not measured yet
   anim::LodRules rules_, built_for_;
   double built_seconds_ = 0.0;  // a frame
   anim::LodChoices choices_;

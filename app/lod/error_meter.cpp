@@ -31,7 +31,7 @@ ErrorMeter::ErrorMeter(std::span<const CharacterSource> characters) {
 
 void ErrorMeter::set_character(std::size_t character, const CharacterSource& source) {
   MeasuredCharacter& measured = characters_[character];
-  measured.points = anim::choose_surface_points(source.model);
+  measured.points = source.character->surface_points;
   measured.kept_entries = entries_at_levels(source.model.skeleton);
   measured.packing = anim::packing_frames(source.model.skeleton);
   measured.entries = static_cast<std::size_t>(source.model.skeleton.palette_count());

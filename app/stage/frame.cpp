@@ -80,7 +80,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   const std::uint64_t last_frame = frame_++;
   exact_.give_back(last_frame);
   slots_.reclaim(completed_frame);
-  crowd_lod_.prepare({.rules = tuning_.lod, .now = system_->clock(), .frame_step = frame_step}, characters_, selected_);
+  crowd_lod_.prepare({.rules = tuning_.lod, .now = system_->clock(), .frame_step = frame_step}, selected_);
   const auto select = [&] {
     anim::select_for_update(lod_frame(camera, width, height), lod_, selection_, system_->executor(),
                             system_->options().pus);

@@ -22,11 +22,7 @@ using EntriesByLevel = std::vector<std::vector<std::uint32_t>>;  // [character][
 EntriesByLevel entries_by_level(std::span<const CharacterSource> characters) {
   EntriesByLevel entries;
   for (const CharacterSource& source : characters) {
-    const anim::Skeleton& skeleton = source.character->skeleton;
-    std::vector<std::uint32_t>& of_character = entries.emplace_back();
-    for (const int bones : skeleton.level_bone_counts) {
-      of_character.push_back(static_cast<std::uint32_t>(anim::palette_count_for_bones(skeleton, bones)));
-    }
+    entries.push_back(source.character->level_entries);
   }
   return entries;
 }
@@ -58,7 +54,8 @@ anim::LodCharacter lod_character(const CharacterSource& source) {
           .level_count = static_cast<int>(source.character->skeleton.level_bone_counts.size()),
           .level_error_metres = source.character->bone_lod.level_error_metres,
           .update_nanoseconds = update_costs(source.character->skeleton, anim::CostModel{}),
-          .full_rate_nanoseconds = source.roles.is_prop ? 0 : cost_of_placed_feet};
+          .full_rate_nanoseconds = source.roles.is_prop ? 0 : cost_of_placed_feet,
+          .clips = source.character->skip_errors};
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
@@ -168,9 +165,7 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   source.character = reordered.character;
   rigs_[character]->reorder_bones(reordered.places);
   palette_entries_ = entries_by_level(characters_);
-  const std::span<const anim::SkipError> skip_errors = lod_characters_[character].clips;  // as they were in any order
   lod_characters_[character] = lod_character(source);
-  lod_characters_[character].clips = skip_errors;
   crowd_lod_.set_characters(lod_characters_);
   meter_.set_character(character, source);
   meter_.reset(crowd_->size());

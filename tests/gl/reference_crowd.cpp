@@ -26,8 +26,9 @@ anim::StateTransform blended(const anim::StateTransform& from, const anim::State
 
 }  // namespace
 
-ReferenceCrowd::ReferenceCrowd(const CharacterSource& character, const Tuning& tuning)
+ReferenceCrowd::ReferenceCrowd(const CharacterSource& character, std::vector<anim::Clip> clips, const Tuning& tuning)
     : character_(character),
+      clips_(std::move(clips)),
       crowd_(tuning.scene, static_cast<std::size_t>(tuning.agents), tuning.seed, character.roles),
       plays_(crowd_.size()) {
   for (std::size_t agent = 0; agent < crowd_.size(); ++agent) {
@@ -76,7 +77,7 @@ std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, co
                                           [&](const Stretch& stretch) { return stretch.since <= moment.evaluated; });
   const double played = known->position + anim::to_seconds(moment.time - known->since) * known->speed;
   const double seconds = std::fmod(played, duration);
-  auto locals = anim::reference_pose(skeleton, &character_.model.clips[play.clip], seconds).locals;
+  auto locals = anim::reference_pose(skeleton, &clips_[play.clip], seconds).locals;
   // The crowd moves its agents itself, so the travel of a clip is no part of the pose.
   const glm::dvec3 travelled = clip.loop_displacement * (seconds / duration);
   for (std::size_t bone = 0; bone < locals.size(); ++bone) {

@@ -28,8 +28,8 @@ struct PoseMoment {
 /// player, schedule or slot.
 class ReferenceCrowd {
  public:
-  /// `character` must outlive it.
-  ReferenceCrowd(const CharacterSource& character, const Tuning& tuning);
+  /// `character` must outlive it; `clips` are those of its file.
+  ReferenceCrowd(const CharacterSource& character, std::vector<anim::Clip> clips, const Tuning& tuning);
 
   void advance(anim::Ticks delta);
 
@@ -63,6 +63,7 @@ class ReferenceCrowd {
   std::vector<anim::StateTransform> locals_of(const Play& play, const PoseMoment& moment) const;
 
   const CharacterSource& character_;
+  std::vector<anim::Clip> clips_;
   Crowd crowd_;
   anim::Ticks clock_ = 0;
   std::vector<std::vector<Play>> plays_;  // by agent, oldest first

@@ -13,11 +13,13 @@
 
 #include "app/view/fly_camera.h"
 #include "app/view/scenes.h"
+#include "engine/anim/import/import.h"
 
 namespace throng::app::test {
 namespace {
 
 constexpr int width = 64, height = 36;
+constexpr const char* model_file = THRONG_SOURCE_DIR "/assets/mannequin.glb";
 
 template <typename Value>
 Value value_of(anim::Result<Value> result) {
@@ -63,11 +65,12 @@ anim::PaletteMatrix rows_of(const glm::dmat4& matrix) {
 
 StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   std::vector<CharacterSource> characters;
-  characters.push_back(value_of(load_character(THRONG_SOURCE_DIR "/assets/mannequin.glb", "mannequin")));
+  characters.push_back(value_of(load_character(model_file, "mannequin")));
   renderer_ = create_renderer(context, characters.front().model);
   pages_ = std::make_unique<RememberedPages>(renderer_->palette_pages());
   stage_ = value_of(Stage::create(std::move(characters), tuning, *pages_));
-  reference_ = std::make_unique<ReferenceCrowd>(stage_->characters().front(), tuning);
+  anim::Model as_imported = value_of(import::import_file(model_file)).models.front();
+  reference_ = std::make_unique<ReferenceCrowd>(stage_->characters().front(), std::move(as_imported.clips), tuning);
   moments_.resize(stage_->crowd().size());
   const auto cameras = scene_cameras(tuning.scene, stage_->crowd().size(), stage_->common_roles());
   camera_ = camera_at(find_camera(cameras, "above")->place);

@@ -173,41 +173,131 @@ class BlockLayout {
   std::vector<Part> parts_;
 };
 
-}  // namespace
+/// Everything in a stream but what follows from it.
+struct StreamParts {
+  std::vector<PendingEvent> pending;
+  ValueTables values;
+  std::vector<float> constants;
+  std::vector<std::uint16_t> cubic_lanes;
+};
 
-AlignedBytes pack_keyframe_stream(const StateClip& clip) {
-  const int time_shift = choose_time_shift(clip.duration);
-  std::vector<PendingEvent> pending = sorted_events(clip, time_shift);
-  const ValueTables values = place_values(clip, pending);
-  const auto tracks = static_cast<std::uint32_t>(clip.tracks.size());
+/// `header` has the counts of bones and components, the time shift and the duration.
+AlignedBytes lay_out(KeyframeStream header, const StreamParts& parts, std::uint32_t tracks) {
   const std::uint32_t interval = std::max(least_seek_interval, 2 * tracks);
   std::vector<KeyEvent> events;
-  events.reserve(pending.size());
-  for (const PendingEvent& p : pending) events.push_back(p.event);
-  const std::vector<float> constants = constant_pose(clip);
-  const std::vector<std::uint16_t> lanes = cubic_lanes(clip);
-  const std::vector<std::uint32_t> seeks = seek_points(pending, tracks, interval);
+  events.reserve(parts.pending.size());
+  for (const PendingEvent& p : parts.pending) events.push_back(p.event);
+  const std::vector<std::uint32_t> seeks = seek_points(parts.pending, tracks, interval);
 
   BlockLayout layout;
-  KeyframeStream header{};
-  header.bone_count = static_cast<std::int32_t>(clip.constants.size());
-  header.components = clip.components;
-  header.time_shift = time_shift;
-  header.duration = clip.duration;
   header.event_count = static_cast<std::uint32_t>(events.size());
   header.track_count = tracks;
   header.seek_interval = interval;
-  header.constants_offset = layout.append(constants);
-  header.cubic_lanes_offset = layout.append(lanes);
+  header.constants_offset = layout.append(parts.constants);
+  header.cubic_lanes_offset = layout.append(parts.cubic_lanes);
   header.events_offset = layout.append(events);
   header.seek_points_offset = layout.append(seeks);
-  for (int c = 0; c < key_channels; ++c) header.values_offsets[c] = layout.append(values[static_cast<std::size_t>(c)]);
+  for (std::size_t c = 0; c < key_channels; ++c) header.values_offsets[c] = layout.append(parts.values[c]);
   header.total_size = static_cast<std::uint32_t>(layout.size());
 
   AlignedBytes block = allocate_aligned(header.total_size);
   std::memcpy(block.get(), &header, sizeof(header));
   layout.copy_to(block.get());
   return block;
+}
+
+/// Returns the events of a stream with their new bones, in the order of sorted_events.
+std::vector<PendingEvent> reordered_events(const KeyframeStream& stream, std::span<const int> places) {
+  std::vector<PendingEvent> events;
+  for (const KeyEvent& event : stream.events()) {
+    events.push_back({.event = event, .track = 0, .key = 0});
+    events.back().event.bone = static_cast<std::uint16_t>(places[event.bone]);
+  }
+  const auto track = [](const PendingEvent& p) { return std::tuple(p.event.bone, p.event.channel); };
+  const auto later = events.begin() + static_cast<std::ptrdiff_t>(stream.track_count);
+  std::ranges::sort(events.begin(), later, {}, track);
+  const std::span openings(events.begin(), later);
+  for (PendingEvent& p : events) {
+    const auto opening = std::ranges::lower_bound(openings, track(p), {}, track);
+    p.track = static_cast<std::uint32_t>(opening - openings.begin());
+  }
+  std::ranges::sort(later, events.end(), {}, [](const PendingEvent& p) { return std::tuple(p.event.start, p.track); });
+  return events;
+}
+
+/// Gives the values of reordered events their place; see place_values.
+ValueTables move_values(const KeyframeStream& stream, std::vector<PendingEvent>& events) {
+  ValueTables tables;
+  std::vector<std::uint32_t> latest(stream.track_count);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    auto& [event, track, key] = events[i];
+    std::vector<float>& table = tables[static_cast<std::size_t>(event.channel)];
+    const auto copy = [&, channel = event.channel,
+                       floats = key_width(event.channel) * (event.is_cubic != 0 ? 3 : 1)](std::uint32_t from) {
+      const auto place = static_cast<std::uint32_t>(table.size());
+      table.insert(table.end(), stream.values(channel) + from, stream.values(channel) + from + floats);
+      return place;
+    };
+    const bool is_step = event.value == event.previous_value;
+    if (i < stream.track_count && !is_step) latest[track] = copy(event.previous_value);
+    event.value = copy(event.value);
+    event.previous_value = is_step ? event.value : latest[track];
+    latest[track] = event.value;
+  }
+  return tables;
+}
+
+std::vector<float> reordered_constants(const KeyframeStream& stream, std::span<const int> places) {
+  const std::size_t floats = pose_bytes(stream.bone_count, stream.components) / sizeof(float);
+  std::vector<float> pose(stream.constants(0), stream.constants(0) + floats);  // lanes without a bone stay
+  for (std::size_t bone = 0; bone < places.size(); ++bone) {
+    const auto from = static_cast<int>(bone), to = places[bone];
+    for (int c = 0; c < stream.components; ++c) {
+      const int place = (to / packet_bones * stream.components + c) * packet_bones + to % packet_bones;
+      pose[static_cast<std::size_t>(place)] =
+          stream.constants(from / packet_bones)[c * packet_bones + from % packet_bones];
+    }
+  }
+  return pose;
+}
+
+std::vector<std::uint16_t> cubic_lanes(const KeyframeStream& stream, std::span<const PendingEvent> events) {
+  std::vector<std::uint16_t> lanes(static_cast<std::size_t>(packets_for(stream.bone_count) * key_channels));
+  for (const auto& [event, track, key] : events.first(stream.track_count)) {
+    if (event.is_cubic == 0) continue;
+    const int place = event.bone / packet_bones * key_channels + static_cast<int>(event.channel);
+    auto& mask = lanes[static_cast<std::size_t>(place)];
+    mask = static_cast<std::uint16_t>(mask | 1U << (event.bone % packet_bones));
+  }
+  return lanes;
+}
+
+}  // namespace
+
+AlignedBytes pack_keyframe_stream(const StateClip& clip) {
+  const int time_shift = choose_time_shift(clip.duration);
+  StreamParts parts{.pending = sorted_events(clip, time_shift),
+                    .values = {},
+                    .constants = constant_pose(clip),
+                    .cubic_lanes = cubic_lanes(clip)};
+  parts.values = place_values(clip, parts.pending);
+  KeyframeStream header{};
+  header.bone_count = static_cast<std::int32_t>(clip.constants.size());
+  header.components = clip.components;
+  header.time_shift = time_shift;
+  header.duration = clip.duration;
+  return lay_out(header, parts, static_cast<std::uint32_t>(clip.tracks.size()));
+}
+
+AlignedBytes reorder_keyframe_stream(const KeyframeStream& stream, std::span<const int> places) {
+  assert(places.size() == static_cast<std::size_t>(stream.bone_count));
+  StreamParts parts{.pending = reordered_events(stream, places),
+                    .values = {},
+                    .constants = reordered_constants(stream, places),
+                    .cubic_lanes = {}};
+  parts.values = move_values(stream, parts.pending);
+  parts.cubic_lanes = cubic_lanes(stream, parts.pending);
+  return lay_out(stream, parts, stream.track_count);
 }
 
 AlignedBytes build_keyframe_stream(const Skeleton& skeleton, const Clip& clip) {

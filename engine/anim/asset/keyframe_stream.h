@@ -91,4 +91,8 @@ static_assert(offsetof(KeyframeStream, values_offsets) == 52);
 /// Builds the stream of `clip` on `skeleton` in a 64-byte aligned block of `total_size` bytes.
 AlignedBytes build_keyframe_stream(const Skeleton& skeleton, const Clip& clip);
 
+/// Builds the stream of the same clip on a skeleton whose bones have other places; `places` has the new index of each.
+/// It has the bits of a stream that is built on that skeleton, because bones keep their values and their times.
+AlignedBytes reorder_keyframe_stream(const KeyframeStream& stream, std::span<const int> places);
+
 }  // namespace throng::anim

@@ -22,6 +22,12 @@ struct BoneOrder {
 /// of a hand, are so kept or dropped together. Bones of no importance, such as the handles of a rig, go first.
 BoneOrder order_bones(std::span<const int> parents, std::span<const double> importance);
 
+/// Returns the new index of each bone of an order.
+std::vector<int> bone_places(const BoneOrder& order);
+
+/// Returns for each place in the palette the index of the entry that goes there when its skeleton takes an order.
+std::vector<int> palette_order(const Skeleton& skeleton, const BoneOrder& order);
+
 /// Brings the skeleton, skins, clips and meshes of a model into an order.
 void reorder_bones(Model& model, const BoneOrder& order);
 

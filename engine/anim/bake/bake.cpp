@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -7,6 +10,8 @@
 #include "engine/anim/bake/character.h"
 #include "engine/anim/bake/footsteps.h"
 #include "engine/anim/bake/grid.h"
+#include "engine/anim/bake/parallel.h"
+#include "engine/anim/bake/reorder.h"
 #include "engine/anim/bake/root_motion.h"
 #include "engine/anim/bake/sampled.h"
 #include "engine/anim/bake/surface.h"
@@ -117,31 +122,41 @@ std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& c
   return find_footsteps(character.skeleton, baked.keyframe(), character.height);
 }
 
-void add_clip(Character& character, const SurfaceProxy& proxy, const Clip& clip, const BakeOptions& options) {
-  BakedClip baked = bake_clip(character.skeleton, proxy, clip, options);
-  for (const NamedDataKey& key : data_keys_of(character, clip, baked)) {
+/// Data keys get the numbers of their names one clip after the other, so that no thread decides them.
+void add_data_keys(Character& character, BakedClip& baked, std::span<const NamedDataKey> keys) {
+  for (const NamedDataKey& key : keys) {
     const Ticks time = std::clamp<Ticks>(key_ticks(key.time), 0, baked.duration);
     baked.data_keys.push_back({.time = time, .name = intern(character.data_key_names, key.name)});
   }
   std::ranges::stable_sort(baked.data_keys, {}, &DataKey::time);
-  character.clips.push_back(std::move(baked));
 }
 
 }  // namespace
 
 Character bake_character(const Model& model, const BakeOptions& options) {
+  static const std::vector<Clip> rest{{.name = "rest", .tracks = {}}};
+  const std::vector<Clip>& clips = model.clips.empty() ? rest : model.clips;
   const SurfaceProxy proxy = make_surface_proxy(model);
   Character character{.skeleton = model.skeleton,
                       .hierarchy = compile_hierarchy(model.skeleton),
-                      .clips = {},
+                      .clips = std::vector<BakedClip>(clips.size()),
                       .height = proxy.height,
-                      .bone_lod = measure_bone_lod(model)};
-  for (const Clip& clip : model.clips) add_clip(character, proxy, clip, options);
-  if (character.clips.empty()) {
-    Clip rest;
-    rest.name = "rest";
-    add_clip(character, proxy, rest, options);
-  }
+                      .skip_errors = std::vector<SkipError>(clips.size()),
+                      .level_entries = entries_of_levels(model.skeleton)};
+  std::vector<std::vector<NamedDataKey>> data_keys(clips.size());
+  const auto bake = [&](std::size_t clip) {
+    BakedClip& baked = character.clips[clip];
+    baked = bake_clip(character.skeleton, proxy, clips[clip], options);
+    data_keys[clip] = data_keys_of(character, clips[clip], baked);
+    character.skip_errors[clip] = measure_skip_error(character.skeleton, proxy, baked, clips.size());
+  };
+  const std::function<void()> surveys[] = {[&] { character.bone_lod = measure_bone_lod(model); },
+                                           [&] { character.bounds = measure_bounds(model); },
+                                           [&] { character.surface_points = choose_surface_points(model); }};
+  in_parallel(std::size(surveys) + clips.size(),
+              [&](std::size_t part) { part < std::size(surveys) ? surveys[part]() : bake(part - std::size(surveys)); });
+  for (std::size_t clip = 0; clip < clips.size(); ++clip)
+    add_data_keys(character, character.clips[clip], data_keys[clip]);
   return character;
 }
 

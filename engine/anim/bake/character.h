@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,14 @@
 #include "engine/anim/asset/model.h"
 #include "engine/anim/asset/root_curve.h"
 #include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/bake/skip_error.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/units.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
 #include "engine/anim/survey/bone_lod.h"
+#include "engine/anim/survey/character_bounds.h"
+#include "engine/anim/survey/surface_points.h"
 
 namespace throng::anim {
 
@@ -42,7 +47,7 @@ struct BakeOptions {
   bool take_root_motion = true;  ///< remove the ground-plane travel of the root from the pose (off for `pose`)
 };
 
-/// A baked skeleton with its clips. Read-only while agents play it.
+/// A baked skeleton with its clips, and all that is measured on them. Read-only while agents play it.
 struct Character {
   Skeleton skeleton;
   HierarchyProgram hierarchy;
@@ -50,10 +55,19 @@ struct Character {
   std::vector<std::string> data_key_names = {};  ///< of all its clips, each once
   double height = 0.0;    ///< metres, of the rest pose's surface, or of its joints where there is no surface
   BoneLod bone_lod = {};  ///< the errors that dropping bones causes
+  std::vector<SkipError> skip_errors = {};  ///< the errors that skipping frames causes, one a clip
+  CharacterBounds bounds = {};
+  SurfacePoints surface_points = {};              ///< where the errors of drawn poses are measured
+  std::vector<std::uint32_t> level_entries = {};  ///< palette entries of each level, descending
 };
 
-/// Bakes every clip of `model`. Never fails on what import accepted.
+/// Bakes every clip of `model`, on as many threads as the machine has cores. Never fails on what import accepted.
 Character bake_character(const Model& model, const BakeOptions& options = {});
+
+/// Returns the character that bake_character would make of `model`, which is the model of `character` in another order
+/// of its bones. Takes what no order changes from `character` and does not bake clips again. Reads only those keys of
+/// `model` that keep_surveyed_keys keeps.
+Character reorder_character(const Character& character, const Model& model, const BoneOrder& order);
 
 /// Returns the speed, in metres a second, at which the ground must pass under a character that plays `clip`, so that
 /// its feet do not slide. It is the speed of the clip's root motion; without any, that of the foot that stands; 0 for

@@ -96,13 +96,18 @@ void drop_rounding_of_positions(SampledRows& rows, float negligible) {
   }
 }
 
-SampledBake encode(const SampleSource& source, SampledRows& rows) {
+AlignedBytes sample(const SampleSource& source, SampledRows& rows) {
   fill_rows(source, rows);
   drop_rounding_of_positions(rows, static_cast<float>(rounding_of_bound * source.error_bound));
   const std::size_t size = sampled_stream_bytes(rows);
-  SampledBake bake{.block = allocate_aligned(size),
+  AlignedBytes block = allocate_aligned(size);
+  encode_sampled_stream(rows, source.exact.duration, {block.get(), size});
+  return block;
+}
+
+SampledBake encode(const SampleSource& source, SampledRows& rows) {
+  SampledBake bake{.block = sample(source, rows),
                    .rate = static_cast<double>(ticks_per_second) / static_cast<double>(rows.row_step)};
-  encode_sampled_stream(rows, source.exact.duration, {bake.block.get(), size});
   bake.error = turns_too_far(rows) ? std::numeric_limits<double>::infinity()
                                    : measure_error(source, *reinterpret_cast<const SampledStream*>(bake.block.get()));
   return bake;
@@ -151,6 +156,16 @@ SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks 
     if (keeps_to_bound) break;
   }
   return best;
+}
+
+AlignedBytes sample_as(const SampleSource& source, const SampledStream& stream) {
+  SampledRows rows{.bone_count = stream.bone_count,
+                   .components = stream.components,
+                   .first_row = stream.first_row,
+                   .row_step = stream.row_step,
+                   .row_count = stream.row_count,
+                   .rows = {}};
+  return sample(source, rows);
 }
 
 SampledBake bake_still(const SampleSource& source) {

@@ -34,6 +34,10 @@ SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks 
 /// Makes the stream of a clip in which nothing moves: one row.
 SampledBake bake_still(const SampleSource& source);
 
+/// Samples the source at the times of the rows of `stream`, which was made of the same clip on a skeleton whose bones
+/// have other places. A packet without motion keeps floats where others have int16, so lanes cannot change packets.
+AlignedBytes sample_as(const SampleSource& source, const SampledStream& stream);
+
 /// Returns the largest distance on the proxy between the two streams, on every row and at several times between rows.
 double measure_error(const SampleSource& source, const SampledStream& stream);
 

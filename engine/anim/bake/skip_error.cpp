@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
+#include "engine/anim/bake/character.h"
 #include "engine/anim/bake/surface.h"
 
 namespace throng::anim {
@@ -124,15 +126,10 @@ float SkipError::metres(float sixtieths, bool smooth) const {
   return below * std::pow(above / below, octaves);
 }
 
-std::vector<SkipError> measure_skip_errors(const Model& model, const Character& character) {
-  const SurfaceProxy proxy = make_surface_proxy(model);
-  const std::size_t stretches = std::clamp<std::size_t>(most_stretches / character.clips.size(), 2, 8);
-  std::vector<SkipError> errors;
-  for (const BakedClip& clip : character.clips) {
-    const MovingSurface surface(character.skeleton, proxy, clip);
-    errors.push_back(measure(surface, proxy.points.size(), clip.duration, stretches));
-  }
-  return errors;
+SkipError measure_skip_error(const Skeleton& skeleton, const SurfaceProxy& proxy, const BakedClip& clip,
+                             std::size_t clips) {
+  const std::size_t stretches = std::clamp<std::size_t>(most_stretches / clips, 2, 8);
+  return measure(MovingSurface(skeleton, proxy, clip), proxy.points.size(), clip.duration, stretches);
 }
 
 }  // namespace throng::anim

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
-#include <vector>
+#include <cstddef>
 
-#include "engine/anim/asset/model.h"
-#include "engine/anim/bake/character.h"
+#include "engine/anim/asset/skeleton.h"
 
 namespace throng::anim {
+
+struct BakedClip;
+struct SurfaceProxy;
 
 /// How far a clip's surface is off when only some of its frames are posed, in metres: 99% of the clip's frames stay
 /// below it at their worst point. `spans` are the times between posed frames, in sixtieths of a second.
@@ -26,8 +28,9 @@ struct SkipError {
 /// The error of a clip in which nothing moves.
 inline constexpr SkipError no_skip_error{.blended = {}, .held = {}};
 
-/// Measures each clip of `character`, which was baked from `model`, in stretches all over the clip. The points are the
-/// joints and the farthest vertex of each bone, without root motion.
-std::vector<SkipError> measure_skip_errors(const Model& model, const Character& character);
+/// Measures a clip on the points of `proxy`, without root motion, in stretches all over the clip. A character with more
+/// `clips` gets fewer stretches a clip.
+SkipError measure_skip_error(const Skeleton& skeleton, const SurfaceProxy& proxy, const BakedClip& clip,
+                             std::size_t clips);
 
 }  // namespace throng::anim

@@ -15,6 +15,12 @@ std::uint8_t coarsest_level_with(const Skeleton& skeleton, int bone) {
   return static_cast<std::uint8_t>(levels - 1);
 }
 
+/// Adds the row of the next bone.
+void add_row(const Skeleton& skeleton, float error_metres, BoneLod& lod) {
+  const auto bone = static_cast<int>(lod.rows.size());
+  lod.rows.push_back({.bone = bone, .error_metres = error_metres, .level = coarsest_level_with(skeleton, bone)});
+}
+
 /// The points that change at a level, with their own entries and with those that replace them.
 struct LevelPoints {
   std::vector<LodPoint> full, reduced;
@@ -58,14 +64,18 @@ void measure_levels(const Model& model, BoneLod& lod) {
 
 BoneLod measure_bone_lod(const Model& model) {
   BoneLod lod;
-  const std::vector<double> errors = bone_errors(model);
-  for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
-    lod.rows.push_back({.bone = bone,
-                        .error_metres = static_cast<float>(errors[static_cast<std::size_t>(bone)]),
-                        .level = coarsest_level_with(model.skeleton, bone)});
-  }
+  for (const double error : bone_errors(model)) add_row(model.skeleton, static_cast<float>(error), lod);
   measure_levels(model, lod);
   return lod;
+}
+
+BoneLod reorder_bone_lod(const BoneLod& lod, const Model& model, std::span<const int> bones) {
+  BoneLod reordered;
+  for (const int bone : bones) {
+    add_row(model.skeleton, lod.rows[static_cast<std::size_t>(bone)].error_metres, reordered);
+  }
+  measure_levels(model, reordered);
+  return reordered;
 }
 
 std::vector<int> kept_entries(const Skeleton& skeleton, int bone_count) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/anim/asset/model.h"
@@ -26,6 +27,10 @@ struct BoneLod {
 
 /// Measures the levels that the model's skeleton has.
 BoneLod measure_bone_lod(const Model& model);
+
+/// Returns what measure_bone_lod finds on `model`, whose bones were measured in another order; `bones` has the former
+/// index of each. A bone's error stays with it, and only levels are measured.
+BoneLod reorder_bone_lod(const BoneLod& lod, const Model& model, std::span<const int> bones);
 
 /// Returns for each palette entry the one that replaces it when only the first `bone_count` bones are kept: itself, or
 /// the first entry of its bone's nearest kept ancestor that has one.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "engine/anim/asset/reference_pose.h"
 
@@ -56,6 +57,37 @@ std::vector<LodPoint> pick_joints(const Skeleton& skeleton) {
   return points;
 }
 
+std::vector<double> surveyed_times(const Model& model, const Clip& clip) {
+  const int poses = std::clamp(most_poses / static_cast<int>(model.clips.size()), 2, 16);
+  std::vector<double> times;
+  for (int i = 0; i < poses; ++i) times.push_back(clip.duration * (i + 0.5) / poses);
+  return times;
+}
+
+/// Keeps the last key at or before each time, and the first one after it.
+template <typename Value>
+void keep_keys_around(Track<Value>& track, std::span<const double> times) {
+  if (track.empty()) return;
+  std::vector<bool> is_read(track.times.size() + 1, false);  // and one behind the last, which is none
+  for (const double time : times) {
+    const auto wide = [](float key) { return static_cast<double>(key); };
+    const auto after = std::ranges::upper_bound(track.times, time, {}, wide) - track.times.begin();
+    is_read[static_cast<std::size_t>(after)] = true;
+    is_read[static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - 1, 0))] = true;
+  }
+  const std::size_t values_a_key = track.interpolation == Interpolation::cubic_spline ? 3 : 1;
+  Track<Value> kept{.interpolation = track.interpolation, .times = {}, .values = {}};
+  for (std::size_t key = 0; key < track.times.size(); ++key) {
+    if (!is_read[key]) continue;
+    kept.times.push_back(track.times[key]);
+    const std::span values = std::span(track.values).subspan(key * values_a_key, values_a_key);
+    kept.values.insert(kept.values.end(), values.begin(), values.end());
+  }
+  kept.times.shrink_to_fit();
+  kept.values.shrink_to_fit();
+  track = std::move(kept);
+}
+
 }  // namespace
 
 std::vector<LodPoint> pick_lod_points(const Model& model) {
@@ -73,10 +105,18 @@ glm::dvec3 skinned(const LodPoint& point, std::span<const glm::dmat4> palette) {
 
 void visit_surveyed_poses(const Model& model, const std::function<void(std::span<const glm::dmat4> palette)>& visit) {
   if (model.clips.empty()) return visit(reference_pose(model.skeleton, nullptr, 0.0).palette);
-  const int poses = std::clamp(most_poses / static_cast<int>(model.clips.size()), 2, 16);
   for (const Clip& clip : model.clips) {
-    for (int i = 0; i < poses; ++i) {
-      visit(reference_pose(model.skeleton, &clip, clip.duration * (i + 0.5) / poses).palette);
+    for (const double time : surveyed_times(model, clip)) visit(reference_pose(model.skeleton, &clip, time).palette);
+  }
+}
+
+void keep_surveyed_keys(Model& model) {
+  for (Clip& clip : model.clips) {
+    const std::vector<double> times = surveyed_times(model, clip);
+    for (BoneTracks& tracks : clip.tracks) {
+      keep_keys_around(tracks.translation, times);
+      keep_keys_around(tracks.rotation, times);
+      keep_keys_around(tracks.scale, times);
     }
   }
 }

@@ -26,7 +26,7 @@ TEST(SkipErrorTest, GoesThroughWhatWasMeasuredAndBeyondAlongTheSameLaw) {
 TEST(SkipErrorTest, AClipThatStandsStillHasNone) {
   Model model = synthetic_model(20, 1, 1);
   model.clips.clear();
-  for (const SkipError& error : measure_skip_errors(model, bake_character(model))) {
+  for (const SkipError& error : bake_character(model).skip_errors) {
     EXPECT_LT(error.metres(16.0F, true), 1e-5F);
     EXPECT_LT(error.metres(16.0F, false), 1e-5F);
   }
@@ -34,7 +34,7 @@ TEST(SkipErrorTest, AClipThatStandsStillHasNone) {
 
 TEST(SkipErrorTest, BlendingIsOffByMoreThanTheSpanGrowsAndHoldingByMoreThanBlending) {
   const Model model = synthetic_model(62, 2, 1);
-  const std::vector<SkipError> errors = measure_skip_errors(model, bake_character(model));
+  const std::vector<SkipError> errors = bake_character(model).skip_errors;
   ASSERT_EQ(errors.size(), model.clips.size());
   for (const SkipError& error : errors) {
     EXPECT_GT(error.blended[1], 0.0F);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -15,6 +16,7 @@
 
 #include "app/stage/stage.h"
 #include "app/view/fly_camera.h"
+#include "engine/anim/import/import.h"
 
 namespace throng::app::bone_lod_test {
 namespace {
@@ -187,6 +189,30 @@ TEST_F(ReorderedStage, PosesTheSameCrowdAsIfTheBonesHadStayed) {
     pass(*stage, 20);
     EXPECT_EQ(stage->system().figures().pose_hash(), as_it_was->system().figures().pose_hash());
     EXPECT_EQ(stage->crowd().positions().size(), 40U);
+  }
+}
+
+TEST_F(ReorderedStage, HasTheCharacterThatIsBakedInThatOrder) {
+  const std::string file = THRONG_SOURCE_DIR "/assets/mannequin.glb";
+  const CharacterSource source = *load_character(file, "mannequin");
+  const BoneLodChoice choice = arms_first(source.character->skeleton);
+  const auto kept = in_order(source, choice).character;
+  const anim::Character& reordered = *kept;
+  anim::Model model = std::move(import::import_file(file)->models.front());
+  anim::reorder_bones(model, choice);
+  const anim::Character anew = anim::bake_character(model);
+  EXPECT_EQ(reordered.bone_lod.level_error_metres, anew.bone_lod.level_error_metres);
+  EXPECT_EQ(reordered.surface_points.firsts, anew.surface_points.firsts);
+  ASSERT_EQ(reordered.clips.size(), anew.clips.size());
+  for (std::size_t clip = 0; clip < anew.clips.size(); ++clip) {
+    const anim::BakedClip &a = reordered.clips[clip], &b = anew.clips[clip];
+    ASSERT_TRUE(a.sampled() != nullptr && b.sampled() != nullptr);
+    ASSERT_EQ(a.sampled()->total_size, b.sampled()->total_size);
+    EXPECT_EQ(std::memcmp(a.sampled(), b.sampled(), b.sampled()->total_size), 0) << b.name;
+    ASSERT_EQ(a.keyframe().total_size, b.keyframe().total_size);
+    EXPECT_EQ(std::memcmp(&a.keyframe(), &b.keyframe(), b.keyframe().total_size), 0) << b.name;
+    EXPECT_EQ(a.data_keys.size(), b.data_keys.size()) << b.name;
+    EXPECT_EQ(reordered.skip_errors[clip].blended, anew.skip_errors[clip].blended) << b.name;
   }
 }
 

@@ -1,0 +1,67 @@
+#include "engine/anim/bake/reorder.h"
+
+#include "engine/anim/bake/character.h"
+#include "engine/anim/bake/parallel.h"
+#include "engine/anim/bake/sampled.h"
+
+namespace throng::anim {
+
+namespace {
+
+/// Notes, errors, loops, root motion and data keys stay. They come from the largest distance over all points of the
+/// surface, from the roots and from the lowest joints, which are the same in any order.
+BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::span<const int> places) {
+  BakedClip reordered{.name = clip.name,
+                      .duration = clip.duration,
+                      .loops = clip.loops,
+                      .loop_displacement = clip.loop_displacement,
+                      .root_motion = clip.root_motion,
+                      .data_keys = clip.data_keys,
+                      .keyframe_block = reorder_keyframe_stream(clip.keyframe(), places),
+                      .sampled_block = {},
+                      .sampled_rate = clip.sampled_rate,
+                      .sampled_error = clip.sampled_error,
+                      .error_bound = clip.error_bound,
+                      .note = clip.note};
+  if (clip.sampled() == nullptr) return reordered;
+  const SurfaceProxy unused;
+  const SampleSource source{skeleton, unused, reordered.keyframe(), clip.loop_displacement, clip.error_bound};
+  reordered.sampled_block = sample_as(source, *clip.sampled());
+  return reordered;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> entries_of_levels(const Skeleton& skeleton) {
+  std::vector<std::uint32_t> entries;
+  for (const int bones : skeleton.level_bone_counts) {
+    entries.push_back(static_cast<std::uint32_t>(palette_count_for_bones(skeleton, bones)));
+  }
+  return entries;
+}
+
+// Bounds and skip errors are the largest of all points, so no order changes them. The surface points begin at the first
+// bone, so they are chosen again; that takes the rest pose alone.
+Character reorder_character(const Character& character, const Model& model, const BoneOrder& order) {
+  const std::vector<int> places = bone_places(order);
+  Character reordered{.skeleton = model.skeleton,
+                      .hierarchy = compile_hierarchy(model.skeleton),
+                      .clips = std::vector<BakedClip>(character.clips.size()),
+                      .data_key_names = character.data_key_names,
+                      .height = character.height,
+                      .bone_lod = {},
+                      .skip_errors = character.skip_errors,
+                      .bounds = character.bounds,
+                      .surface_points = choose_surface_points(model),
+                      .level_entries = entries_of_levels(model.skeleton)};
+  in_parallel(1 + character.clips.size(), [&](std::size_t part) {
+    if (part == 0) {
+      reordered.bone_lod = reorder_bone_lod(character.bone_lod, model, order.bones);
+    } else {
+      reordered.clips[part - 1] = reorder_clip(character.clips[part - 1], reordered.skeleton, places);
+    }
+  });
+  return reordered;
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,127 @@
+// A character whose bones change their order is to the bit the one that is baked in that order, though no clip is
+// baked.
+#include <cstring>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/bake/character.h"
+#include "engine/anim/survey/lod_survey.h"
+#include "tests/anim/asset/clip_fixtures.h"
+
+namespace throng::anim::reorder_test {
+namespace {
+
+/// Every bone after its parent, but the last ones of those first.
+BoneOrder other_order(const Skeleton& skeleton) {
+  BoneOrder order{.bones = {}, .level_counts = {skeleton.bone_count(), skeleton.bone_count() / 2}};
+  std::vector<bool> is_placed(skeleton.bones.size(), false);
+  while (order.bones.size() < skeleton.bones.size()) {
+    for (int bone = skeleton.bone_count(); bone-- > 0;) {
+      const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+      if (is_placed[static_cast<std::size_t>(bone)]) continue;
+      if (parent >= 0 && !is_placed[static_cast<std::size_t>(parent)]) continue;
+      is_placed[static_cast<std::size_t>(bone)] = true;
+      order.bones.push_back(bone);
+    }
+  }
+  return order;
+}
+
+template <typename Stream>
+bool same_bits(const Stream* a, const Stream* b) {
+  if (a == nullptr || b == nullptr) return a == b;
+  return a->total_size == b->total_size && std::memcmp(a, b, a->total_size) == 0;
+}
+
+void expect_same(const Character& a, const Character& b) {
+  EXPECT_EQ(a.data_key_names, b.data_key_names);
+  EXPECT_EQ(a.height, b.height);
+  EXPECT_EQ(a.level_entries, b.level_entries);
+  EXPECT_EQ(a.bounds.reach, b.bounds.reach);
+  EXPECT_EQ(a.bone_lod.level_error_metres, b.bone_lod.level_error_metres);
+  for (std::size_t bone = 0; bone < a.bone_lod.rows.size(); ++bone) {
+    EXPECT_EQ(a.bone_lod.rows[bone].error_metres, b.bone_lod.rows[bone].error_metres) << bone;
+    EXPECT_EQ(a.bone_lod.rows[bone].level, b.bone_lod.rows[bone].level) << bone;
+  }
+  ASSERT_EQ(a.surface_points.firsts, b.surface_points.firsts);
+  for (std::size_t i = 0; i < a.surface_points.influences.size(); ++i) {
+    EXPECT_EQ(a.surface_points.influences[i].entry, b.surface_points.influences[i].entry);
+    EXPECT_EQ(a.surface_points.influences[i].weighted, b.surface_points.influences[i].weighted);
+  }
+  ASSERT_EQ(a.clips.size(), b.clips.size());
+  for (std::size_t clip = 0; clip < a.clips.size(); ++clip) {
+    EXPECT_TRUE(same_bits(&a.clips[clip].keyframe(), &b.clips[clip].keyframe())) << clip;
+    EXPECT_TRUE(same_bits(a.clips[clip].sampled(), b.clips[clip].sampled())) << clip;
+    EXPECT_EQ(a.clips[clip].loops, b.clips[clip].loops);
+    EXPECT_EQ(a.clips[clip].loop_displacement, b.clips[clip].loop_displacement);
+    EXPECT_EQ(a.clips[clip].sampled_rate, b.clips[clip].sampled_rate);
+    EXPECT_EQ(a.clips[clip].sampled_error, b.clips[clip].sampled_error);
+    EXPECT_EQ(a.clips[clip].note, b.clips[clip].note);
+    EXPECT_EQ(a.skip_errors[clip].blended, b.skip_errors[clip].blended);
+    EXPECT_EQ(a.skip_errors[clip].held, b.skip_errors[clip].held);
+  }
+}
+
+void expect_same_as_baked_anew(const Model& given) {
+  Model model = given;
+  const BoneOrder order = other_order(model.skeleton);
+  const Character character = bake_character(model);
+  reorder_bones(model, order);
+  const Character anew = bake_character(model);
+  keep_surveyed_keys(model);
+  expect_same(reorder_character(character, model, order), anew);
+}
+
+TEST(ReorderedCharacter, IsTheOneThatIsBakedInThatOrder) {
+  expect_same_as_baked_anew(synthetic_model(62, 3));
+  for (Model model : {general_model(40), synthetic_model(40, 0)}) {
+    unsigned seed = 0;
+    for (const Interpolation kind : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline}) {
+      model.clips.push_back(wild_clip(model.skeleton, kind, 1.5, ++seed));
+    }
+    expect_same_as_baked_anew(model);
+  }
+}
+
+/// STEP, LINEAR and CUBICSPLINE tracks in one clip.
+TEST(ReorderedCharacter, KeepsEveryInterpolation) {
+  Model model = synthetic_model(20, 1);
+  for (BoneTracks& tracks : model.clips.front().tracks) {
+    Track<glm::quat>& rotation = tracks.rotation;
+    if (tracks.bone % 3 == 0) rotation.interpolation = Interpolation::step;
+    if (tracks.bone % 3 != 1) continue;
+    rotation.interpolation = Interpolation::cubic_spline;
+    std::vector<glm::quat> values;
+    for (const glm::quat& value : rotation.values) values.insert(values.end(), {value * 0.1F, value, value * 0.2F});
+    rotation.values = std::move(values);
+  }
+  expect_same_as_baked_anew(model);
+}
+
+TEST(SurveyedKeys, AreFewAndShowTheSamePoses) {
+  Model model = synthetic_model(30, 2, 1, 120);
+  const auto keys = [&] {
+    std::size_t count = 0;
+    for (const Clip& clip : model.clips) {
+      for (const BoneTracks& tracks : clip.tracks) count += tracks.rotation.times.size();
+    }
+    return count;
+  };
+  std::vector<glm::dmat4> before, after;
+  const auto into = [](std::vector<glm::dmat4>& all) {
+    return [&all](std::span<const glm::dmat4> palette) { all.insert(all.end(), palette.begin(), palette.end()); };
+  };
+  const std::size_t all_keys = keys();
+  visit_surveyed_poses(model, into(before));
+  keep_surveyed_keys(model);
+  visit_surveyed_poses(model, into(after));
+  EXPECT_EQ(before, after);
+  EXPECT_LT(keys(), all_keys / 2);
+}
+
+}  // namespace
+}  // namespace throng::anim::reorder_test

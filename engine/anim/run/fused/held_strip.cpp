@@ -1,7 +1,6 @@
-#include "engine/anim/run/fused/held_strip.h"
-
 #include <algorithm>
 
+#include "engine/anim/run/fused/pose_strip.h"
 #include "engine/anim/run/store/pose_entity.h"
 
 namespace throng::anim {

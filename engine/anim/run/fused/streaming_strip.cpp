@@ -1,6 +1,6 @@
-#include "engine/anim/run/fused/streaming_strip.h"
-
 #include <cstring>
+
+#include "engine/anim/run/fused/pose_strip.h"
 
 namespace throng::anim {
 namespace {

@@ -4,8 +4,7 @@
 #include <bit>
 
 #include "engine/anim/run/fused/advance.h"
-#include "engine/anim/run/fused/held_strip.h"
-#include "engine/anim/run/fused/streaming_strip.h"
+#include "engine/anim/run/fused/pose_strip.h"
 
 namespace throng::anim {
 namespace {

@@ -33,9 +33,9 @@ namespace throng::anim {
 ///    strip; a tile has up to two. Most characters show clips, and one kernel poses these for the whole strip. The
 ///    others are composed over them. All that packets need is looked up here, because kernels leave nothing in L1 but
 ///    what they work on.
-/// 5. *Pose held packets* (held_strip.h), in held tiles alone. A gaze or a limb that reaches needs bones of several
+/// 5. *Pose held packets* (pose_strip.h), in held tiles alone. A gaze or a limb that reaches needs bones of several
 ///    packets at once, so the first packets of all characters are posed, kept, changed, and then made palettes.
-/// 6. *Pose streaming* (streaming_strip.h). The other packets go from rows of clips to palettes one by one, 16 bones of
+/// 6. *Pose streaming* (pose_strip.h). The other packets go from rows of clips to palettes one by one, 16 bones of
 ///    all characters at a time. A pose of 62 bones has four packets, and scratch holds one of each character; that is
 ///    why a tile of this width fits the store.
 /// 7. *Palettes* (strip_palettes.h) are written packet by packet in 5 and 6, in ascending order, because a bone needs

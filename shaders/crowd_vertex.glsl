@@ -4,9 +4,9 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 texture_coord;
 layout(location = 3) in vec4 color;
 layout(location = 4) in vec4 weights;
-layout(location = 5) in uint region;
-layout(location = 6) in vec3 shape;
-layout(location = 7) in vec2 hair;
+layout(location = 5) in vec3 shape;
+layout(location = 6) in vec2 hair;
+layout(location = 7) in uint region;
 
 layout(location = 0) uniform uint vertex_count;
 

@@ -4,6 +4,7 @@
 
 #include "app/show/show.h"
 #include "app/view/camera_path.h"
+#include "engine/render/mesh/mesh_lod.h"
 
 namespace throng::app {
 namespace {
@@ -65,7 +66,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
 int Show::pick_mesh_lod(std::uint8_t character, float pixels_tall, int at_least) const {
   const render::CrowdMesh& mesh = renderer_->meshes()[character];
   const int fixed = stage_->tuning().mesh_lod;
-  if (fixed < 0) return render::pick_mesh_lod(mesh, pixels_tall, at_least, mesh_detail_);
+  if (fixed < 0) return render::pick_mesh_lod(mesh.triangles_by_lod(), pixels_tall, at_least, mesh_detail_);
   return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
 }
 

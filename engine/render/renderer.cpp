@@ -3,16 +3,8 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/render/frame/frame_uniforms.h"
-
 namespace throng::render {
 namespace {
-
-gl::Buffer create_frame_uniforms() {
-  gl::Buffer buffer = gl::create_buffer();
-  glNamedBufferStorage(buffer.id(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  return buffer;
-}
 
 void add(DrawCounts& sum, const DrawCounts& more) {
   sum.draw_calls += more.draw_calls;
@@ -22,40 +14,16 @@ void add(DrawCounts& sum, const DrawCounts& more) {
 }  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::create(gl::Context& context, const RendererOptions& options) {
-  auto shaders = std::make_unique<ShaderLibrary>(options.data / "shaders");
-  Result<GroundPass> ground = GroundPass::create(*shaders);
-  if (!ground) return ground.error();
-  Result<ContactPass> contact = ContactPass::create(*shaders);
-  if (!contact) return contact.error();
-  Result<CrowdPass> crowd = CrowdPass::create(*shaders);
-  if (!crowd) return crowd.error();
-  Result<LinePass> lines = LinePass::create(*shaders);
-  if (!lines) return lines.error();
-  Result<SplitPass> split = SplitPass::create(*shaders);
-  if (!split) return split.error();
-  Result<SkinningReadBack> reader = SkinningReadBack::create(*shaders);
-  if (!reader) return reader.error();
-  return std::unique_ptr<Renderer>(new Renderer(context, options, std::move(shaders), std::move(*ground),
-                                                std::move(*contact), std::move(*crowd), std::move(*lines),
-                                                std::move(*split), *reader));
+  std::unique_ptr<Renderer> renderer(new Renderer(context, options));
+  if (const Status& built = renderer->shaders_.status(); !built) return built.error();
+  return renderer;
 }
 
-Renderer::Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
-                   GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SplitPass split,
-                   SkinningReadBack reader)
+Renderer::Renderer(gl::Context& context, const RendererOptions& options)
     : context_(&context),
-      shaders_(std::move(shaders)),
-      ground_(std::move(ground)),
-      contact_(std::move(contact)),
-      crowd_(std::move(crowd)),
-      lines_(std::move(lines)),
-      split_(std::move(split)),
-      read_back_(reader),
+      shaders_(options.data / "shaders"),
       target_(options.size, options.samples),
-      frame_uniforms_(create_frame_uniforms()),
       shadows_(options.shadows) {}
-
-Renderer::~Renderer() = default;
 
 Status Renderer::load_characters(std::span<const CrowdMeshData> characters) {
   assert(!characters.empty() && characters.size() <= most_characters);
@@ -74,20 +42,7 @@ void Renderer::reset_palette_pages() {
   palettes_ = PaletteBuffer();
 }
 
-void Renderer::upload(const CrowdFrame& frame) {
-  const FrameUniforms uniforms = frame_uniforms(frame.camera, frame.now);
-  glNamedBufferSubData(frame_uniforms_.id(), 0, sizeof(uniforms), &uniforms);
-  glBindBufferBase(GL_UNIFORM_BUFFER, frame_uniforms_binding, frame_uniforms_.id());
-  instances_.upload(frame.instances);
-}
-
-std::vector<ReadBackVertex> Renderer::read_back(const CrowdFrame& frame, const ReadBackAgent& agent) {
-  assert(agent.character < meshes_.size() && agent.instance < frame.instances.size());
-  upload(frame);
-  // OpenGL captures no vertices without a framebuffer, and without a window ours is the only one.
-  target_.bind_overlay();
-  return read_back_.read(agent, meshes_[agent.character], palettes_);
-}
+void Renderer::upload(const CrowdFrame& frame) { frame_data_.upload(frame); }
 
 DrawCounts Renderer::draw(const CrowdFrame& frame) {
   upload(frame);
@@ -107,10 +62,9 @@ DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
   assert(!meshes_.empty());
   target_.bind_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
-  ground_.draw();
-  DrawCounts counts{1, 1};
+  DrawCounts counts = ground_.draw();
   if (shadows_) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
-  add(counts, contact_.draw(static_cast<std::uint32_t>(frame.instances.size()), !shadows_));
+  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !shadows_));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
   add(counts, lines_.draw(frame.lines, target_.size()));
   glDisable(GL_RASTERIZER_DISCARD);
@@ -119,13 +73,9 @@ DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
 }
 
 Status Renderer::prepare_overlay() {
-  if (!overlay_) {
-    Result<OverlayRenderer> overlay = OverlayRenderer::create(*shaders_);
-    if (!overlay) return overlay.error();
-    overlay_ = std::move(*overlay);
-  }
+  if (!overlay_) overlay_.emplace(shaders_);
   overlay_->upload_fonts();
-  return Done{};
+  return shaders_.status();
 }
 
 void Renderer::draw_overlay(const ImDrawData& data) {
@@ -143,10 +93,6 @@ void Renderer::finish() { glFinish(); }
 
 void Renderer::set_size(glm::ivec2 size) {
   if (size != target_.size()) target_ = ImageTarget(size, target_.samples());
-}
-
-void Renderer::set_samples(int samples) {
-  if (samples != target_.samples()) target_ = ImageTarget(target_.size(), samples);
 }
 
 }  // namespace throng::render

@@ -11,19 +11,17 @@
 
 #include "engine/render/crowd_draw.h"
 #include "engine/render/crowd_mesh_data.h"
+#include "engine/render/frame/frame_data.h"
 #include "engine/render/frame/image_target.h"
-#include "engine/render/frame/instance_stream.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/frame_fences.h"
 #include "engine/render/palette/palette_buffer.h"
-#include "engine/render/passes/contact_pass.h"
 #include "engine/render/passes/crowd_pass.h"
 #include "engine/render/passes/ground_pass.h"
 #include "engine/render/passes/line_pass.h"
 #include "engine/render/passes/overlay_renderer.h"
-#include "engine/render/passes/skinning_read_back.h"
 #include "engine/render/passes/split_pass.h"
 #include "engine/render/shader/shader_library.h"
 #include "engine/result.h"
@@ -51,9 +49,6 @@ class Renderer {
  public:
   /// `context` must outlive the renderer.
   static Result<std::unique_ptr<Renderer>> create(gl::Context& context, const RendererOptions& options);
-  ~Renderer();
-  Renderer(const Renderer&) = delete;
-  Renderer& operator=(const Renderer&) = delete;
 
   /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. On failure the former
   /// ones stay.
@@ -64,6 +59,9 @@ class Renderer {
 
   /// Gives PaletteSlots its pages; CrowdBatch::page is an index into them.
   PalettePageSource& palette_pages() { return palettes_; }
+
+  /// Binds pages for programs other than the renderer's own.
+  const PaletteBuffer& palettes() const { return palettes_; }
 
   /// Drops all pages, for a new PaletteSlots. Waits for the device.
   void reset_palette_pages();
@@ -80,9 +78,6 @@ class Renderer {
   /// Draws two frames into one picture. Uploads `left` last.
   DrawCounts draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split);
 
-  /// Tells tests where the vertex shader puts each vertex of one agent of `frame`. Draws nothing; waits for the device.
-  std::vector<ReadBackVertex> read_back(const CrowdFrame& frame, const ReadBackAgent& agent);
-
   /// Prepares draw_overlay(). An ImGui context must be current and its fonts added; call it again after adding fonts.
   Status prepare_overlay();
   void draw_overlay(const ImDrawData& data);
@@ -97,34 +92,26 @@ class Renderer {
   void finish();
 
   void set_size(glm::ivec2 size);
-  void set_samples(int samples);
   void set_shadows(bool shadows) { shadows_ = shadows; }
   glm::ivec2 size() const { return target_.size(); }
-  int samples() const { return target_.samples(); }
-  bool shadows() const { return shadows_; }
 
   /// Builds all shaders again from disk. A program that fails keeps its last good build; the first error is returned.
-  Status reload_shaders() { return shaders_->reload(); }
+  Status reload_shaders() { return shaders_.reload(); }
 
   gl::Context& context() { return *context_; }
 
  private:
-  Renderer(gl::Context& context, const RendererOptions& options, std::unique_ptr<ShaderLibrary> shaders,
-           GroundPass ground, ContactPass contact, CrowdPass crowd, LinePass lines, SplitPass split,
-           SkinningReadBack reader);
+  Renderer(gl::Context& context, const RendererOptions& options);
 
   gl::Context* context_;
-  std::unique_ptr<ShaderLibrary> shaders_;
-  GroundPass ground_;
-  ContactPass contact_;
-  CrowdPass crowd_;
-  LinePass lines_;
-  SplitPass split_;
-  SkinningReadBack read_back_;
+  ShaderLibrary shaders_;
+  GroundPass ground_{shaders_};
+  CrowdPass crowd_{shaders_};
+  LinePass lines_{shaders_};
+  SplitPass split_{shaders_};
   std::optional<OverlayRenderer> overlay_;
   ImageTarget target_;
-  gl::Buffer frame_uniforms_;
-  InstanceStream instances_;
+  FrameData frame_data_;
   PaletteBuffer palettes_;
   FrameFences fences_;
   std::vector<CrowdMesh> meshes_;

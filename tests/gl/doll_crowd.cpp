@@ -49,6 +49,7 @@ DollCrowd::DollCrowd(gl::Context& context, int samples) {
     throw std::runtime_error(loaded.error().message);
   }
   slots_ = std::make_unique<PaletteSlots>(renderer_->palette_pages(), std::vector<std::size_t>{doll_palette_bytes});
+  read_back_ = std::make_unique<SkinningReadBack>(*renderer_);
   camera.position = {0.0F, 1.6F, 4.2F};
   camera.pitch = -0.12F;
 }

@@ -7,6 +7,7 @@
 #include "engine/render/camera.h"
 #include "engine/render/renderer.h"
 #include "tests/gl/doll.h"
+#include "tests/gl/skinning_read_back.h"
 
 namespace throng::render::test {
 
@@ -30,6 +31,11 @@ class DollCrowd {
   CrowdFrame frame();
   Image picture();
 
+  /// Gives the surface of `agent` as the vertex shader computes it.
+  std::vector<ReadBackVertex> read_back(const CrowdFrame& drawn, std::uint32_t agent) const {
+    return read_back_->read(drawn, {agent, 0});
+  }
+
   Renderer& renderer() { return *renderer_; }
   const Doll& doll() const { return doll_; }
 
@@ -44,6 +50,7 @@ class DollCrowd {
   Doll doll_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<PaletteSlots> slots_;
+  std::unique_ptr<SkinningReadBack> read_back_;
   std::vector<CrowdBatch> batches_;
 };
 

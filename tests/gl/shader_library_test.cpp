@@ -37,40 +37,41 @@ TEST_F(ShaderLibraryFolder, NamesFileAndLineOfAMistakeInAnIncludedFile) {
   write("bad.frag",
         "#version 450 core\nout vec4 color;\n#include \"light.glsl\"\nvoid main() { color = vec4(sun()); }\n");
   ShaderLibrary shaders(folder_);
-  const Result<ProgramHandle> program = shaders.load({"any.vert", "bad.frag", {}});
-  ASSERT_FALSE(program);
-  EXPECT_NE(program.error().message.find("light.glsl:2: "), std::string::npos) << program.error().message;
-  EXPECT_EQ(program.error().message.find('\n'), std::string::npos);
+  shaders.load({"any.vert", "bad.frag"});
+  ASSERT_FALSE(shaders.status());
+  EXPECT_NE(shaders.status().error().message.find("light.glsl:2: "), std::string::npos)
+      << shaders.status().error().message;
+  EXPECT_EQ(shaders.status().error().message.find('\n'), std::string::npos);
 }
 
 TEST_F(ShaderLibraryFolder, SaysInOneSentenceWhatDoesNotLink) {
   write("lonely.frag",
         "#version 450 core\nin vec3 nowhere;\nout vec4 color;\nvoid main() { color = vec4(nowhere, 1.0); }\n");
   ShaderLibrary shaders(folder_);
-  const Result<ProgramHandle> program = shaders.load({"any.vert", "lonely.frag", {}});
-  ASSERT_FALSE(program);
-  EXPECT_NE(program.error().message.find("lonely.frag"), std::string::npos);
-  EXPECT_EQ(program.error().message.find('\n'), std::string::npos);
+  shaders.load({"any.vert", "lonely.frag"});
+  ASSERT_FALSE(shaders.status());
+  EXPECT_NE(shaders.status().error().message.find("lonely.frag"), std::string::npos);
+  EXPECT_EQ(shaders.status().error().message.find('\n'), std::string::npos);
 }
 
 TEST_F(ShaderLibraryFolder, KeepsTheLastGoodProgramWhenAReloadFails) {
   ShaderLibrary shaders(folder_);
-  const Result<ProgramHandle> program = shaders.load({"any.vert", "good.frag", {}});
-  ASSERT_TRUE(program) << program.error().message;
-  const auto good = shaders.id(*program);
+  const gl::Program& program = shaders.load({"any.vert", "good.frag"});
+  ASSERT_TRUE(shaders.status()) << shaders.status().error().message;
+  const auto good = program.id();
   write("good.frag", "#version 450 core\nnonsense\n");
   EXPECT_FALSE(shaders.reload());
-  EXPECT_EQ(shaders.id(*program), good);
+  EXPECT_EQ(program.id(), good);
   write("good.frag", "#version 450 core\nout vec4 color;\nvoid main() { color = vec4(0.5); }\n");
   EXPECT_TRUE(shaders.reload());
-  EXPECT_NE(shaders.id(*program), good);
+  EXPECT_NE(program.id(), good);
 }
 
 TEST_F(ShaderLibraryFolder, NamesTheFolderThatHasNoShaders) {
   ShaderLibrary shaders(folder_ / "absent");
-  const Result<ProgramHandle> program = shaders.load({"any.vert", "good.frag", {}});
-  ASSERT_FALSE(program);
-  EXPECT_NE(program.error().message.find("absent/any.vert"), std::string::npos);
+  shaders.load({"any.vert", "good.frag"});
+  ASSERT_FALSE(shaders.status());
+  EXPECT_NE(shaders.status().error().message.find("absent/any.vert"), std::string::npos);
 }
 
 }  // namespace

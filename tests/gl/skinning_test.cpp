@@ -20,7 +20,7 @@ glm::dvec3 turned(const InstanceRecord& record, const glm::dvec3& v) {
 /// Measures, in metres, how far the shader's surface of `agent` is from the CPU's with the share `blend` of `to`.
 double largest_error(DollCrowd& crowd, std::uint32_t agent, const DollPalette& from, const DollPalette& to,
                      double blend) {
-  const std::vector<ReadBackVertex> drawn = crowd.renderer().read_back(crowd.frame(), {agent, 0});
+  const std::vector<ReadBackVertex> drawn = crowd.read_back(crowd.frame(), agent);
   EXPECT_EQ(drawn.size(), crowd.doll().vertex_count());
   const InstanceRecord& record = crowd.instances[agent];
   const glm::dvec3 place(record.position[0], record.position[1], record.position[2]);
@@ -83,9 +83,9 @@ TEST_F(Skinning, BlendsAcrossTheWrapOfTheClock) {
   record.blend_start = UINT32_MAX - 9'999;
   record.blend_duration = 40'000;
   frame.now = 10'000;
-  const std::vector<ReadBackVertex> drawn = crowd().renderer().read_back(frame, {0, 0});
+  const std::vector<ReadBackVertex> drawn = crowd().read_back(frame, 0);
   record.blend_start = DollCrowd::now - 20'000;
-  const std::vector<ReadBackVertex> expected = crowd().renderer().read_back(crowd().frame(), {0, 0});
+  const std::vector<ReadBackVertex> expected = crowd().read_back(crowd().frame(), 0);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     EXPECT_LT(glm::distance(drawn[i].position, expected[i].position), 1e-6F) << i;
   }
@@ -100,12 +100,12 @@ TEST_F(Skinning, LowerBoneLevelFollowsTheNearestKeptJoint) {
   for (const DollJoint dropped : {head, left_arm, right_arm}) crowd().to[5][dropped] = crowd().to[5][legs];
   crowd().write_palettes();
   crowd().instances[5].bone_level = 1;
-  const std::vector<ReadBackVertex> drawn = crowd().renderer().read_back(crowd().frame(), {5, 0});
+  const std::vector<ReadBackVertex> drawn = crowd().read_back(crowd().frame(), 5);
   crowd().instances[5].bone_level = 0;
   crowd().from[5] = from;
   crowd().to[5] = to;
   crowd().write_palettes();
-  const std::vector<ReadBackVertex> expected = crowd().renderer().read_back(crowd().frame(), {5, 0});
+  const std::vector<ReadBackVertex> expected = crowd().read_back(crowd().frame(), 5);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     EXPECT_LT(glm::distance(drawn[i].position, expected[i].position), 1e-5F) << i;
   }

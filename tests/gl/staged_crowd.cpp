@@ -67,6 +67,7 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   std::vector<CharacterSource> characters;
   characters.push_back(value_of(load_character(model_file, "mannequin")));
   renderer_ = create_renderer(context, characters.front().model);
+  read_back_ = std::make_unique<render::test::SkinningReadBack>(*renderer_);
   pages_ = std::make_unique<RememberedPages>(renderer_->palette_pages());
   stage_ = value_of(Stage::create(std::move(characters), tuning, *pages_));
   anim::Model as_imported = value_of(import::import_file(model_file)).models.front();
@@ -151,12 +152,12 @@ std::vector<glm::dvec3> StagedCrowd::reference_surface(std::uint32_t agent) cons
   return surface;
 }
 
-std::vector<render::ReadBackVertex> StagedCrowd::surface_on_device(std::uint32_t agent) {
+std::vector<render::test::ReadBackVertex> StagedCrowd::surface_on_device(std::uint32_t agent) {
   const std::uint32_t instance = instance_of(agent);
   const auto batch = std::ranges::find_if(picture_.batches(), [instance](const render::CrowdBatch& candidate) {
     return instance - candidate.first_instance < candidate.instance_count;
   });
-  return renderer_->read_back(frame(), {instance, batch->page});
+  return read_back_->read(frame(), {instance, batch->page});
 }
 
 double StagedCrowd::largest_error_on_screen(std::uint32_t agent) {
@@ -165,7 +166,7 @@ double StagedCrowd::largest_error_on_screen(std::uint32_t agent) {
   const auto pixels = [&](const glm::dvec4& clip) {
     return glm::dvec2(clip) / clip.w * glm::dvec2(width, height) * 0.5;
   };
-  const std::vector<render::ReadBackVertex> drawn = surface_on_device(agent);
+  const std::vector<render::test::ReadBackVertex> drawn = surface_on_device(agent);
   const anim::Ticks now = reference_->clock();
   const std::vector<glm::dvec3> exact = reference_->surface(agent, {.evaluated = now, .time = now}, 0);
   double largest = 0.0;
@@ -179,7 +180,7 @@ double StagedCrowd::largest_error_on_screen(std::uint32_t agent) {
 }
 
 double StagedCrowd::largest_error(std::uint32_t agent) {
-  const std::vector<render::ReadBackVertex> drawn = surface_on_device(agent);
+  const std::vector<render::test::ReadBackVertex> drawn = surface_on_device(agent);
   const std::vector<glm::dvec3> meant = reference_surface(agent);
   if (drawn.size() != meant.size()) throw std::runtime_error("the device has another number of vertices");
   double largest = 0.0;

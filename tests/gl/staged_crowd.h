@@ -10,6 +10,7 @@
 #include "app/stage/stage.h"
 #include "engine/render/renderer.h"
 #include "tests/gl/reference_crowd.h"
+#include "tests/gl/skinning_read_back.h"
 
 namespace throng::app::test {
 
@@ -68,7 +69,7 @@ class StagedCrowd {
   };
 
   void note_moments();
-  std::vector<render::ReadBackVertex> surface_on_device(std::uint32_t agent);
+  std::vector<render::test::ReadBackVertex> surface_on_device(std::uint32_t agent);
   std::uint32_t instance_of(std::uint32_t agent) const;
   double blend_of(std::uint32_t agent) const;
   std::vector<glm::dvec3> reference_surface(std::uint32_t agent) const;
@@ -76,6 +77,7 @@ class StagedCrowd {
   void write(const render::PaletteSlot& slot, const std::vector<anim::PaletteMatrix>& palette);
 
   std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::test::SkinningReadBack> read_back_;
   std::unique_ptr<RememberedPages> pages_;
   std::unique_ptr<Stage> stage_;
   std::unique_ptr<ReferenceCrowd> reference_;

@@ -7,12 +7,6 @@
 namespace throng::render {
 namespace {
 
-gl::Texture create_pixels(glm::ivec2 size) {
-  gl::Texture texture = gl::create_texture(GL_TEXTURE_2D);
-  glTextureStorage2D(texture.id(), 1, GL_SRGB8_ALPHA8, size.x, size.y);
-  return texture;
-}
-
 gl::Texture create_plain_view(const gl::Texture& pixels) {
   // glTextureView gives a view its target, so its name must come from glGenTextures, which gives none.
   GLuint view = 0;
@@ -39,7 +33,7 @@ ImageTarget::ImageTarget(glm::ivec2 size, int samples)
     : size_(size),
       samples_(samples),
       scene_depth_(create_storage(GL_DEPTH32F_STENCIL8, size, samples)),
-      pixels_(create_pixels(size)),
+      pixels_(gl::create_texture(GL_SRGB8_ALPHA8, size.x, size.y)),
       plain_view_(create_plain_view(pixels_)),
       plain_(framebuffer_on(plain_view_)) {
   assert(size.x > 0 && size.y > 0);

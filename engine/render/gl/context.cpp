@@ -1,7 +1,7 @@
 #include "engine/render/gl/context.h"
 
-#include <array>
-#include <string_view>
+#include <algorithm>
+#include <utility>
 
 #include <glad/gl.h>
 
@@ -13,15 +13,40 @@ std::string text_of(GLenum name) {
   return text == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(text));
 }
 
-bool runs_on_processor(std::string_view renderer) {
-  constexpr std::array<std::string_view, 3> software_renderers = {"llvmpipe", "softpipe", "SWR"};
-  for (const std::string_view name : software_renderers) {
-    if (renderer.find(name) != std::string_view::npos) return true;
-  }
-  return false;
+bool runs_on_processor(const std::string& renderer) {
+  return std::ranges::any_of(std::initializer_list<const char*>{"llvmpipe", "softpipe", "SWR"},
+                             [&](const char* name) { return renderer.find(name) != std::string::npos; });
+}
+
+void on_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void* log) {
+  if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+  const std::string message(text, static_cast<std::size_t>(length));
+  const_cast<MessageLog*>(static_cast<const MessageLog*>(log))->add(message);
 }
 
 }  // namespace
+
+void MessageLog::add(std::string message) {
+  const std::lock_guard lock(mutex_);
+  ++count_;
+  if (messages_.size() < kept_messages) messages_.push_back(std::move(message));
+}
+
+std::vector<std::string> MessageLog::messages() const {
+  const std::lock_guard lock(mutex_);
+  return messages_;
+}
+
+std::size_t MessageLog::count() const {
+  const std::lock_guard lock(mutex_);
+  return count_;
+}
+
+void MessageLog::clear() {
+  const std::lock_guard lock(mutex_);
+  messages_.clear();
+  count_ = 0;
+}
 
 Status Context::load_functions(ProcedureSource source) {
   if (gladLoadGL(source) == 0 || GLAD_GL_VERSION_4_5 == 0) {
@@ -30,7 +55,9 @@ Status Context::load_functions(ProcedureSource source) {
   version_ = text_of(GL_VERSION);
   renderer_ = text_of(GL_RENDERER);
   software_ = runs_on_processor(renderer_);
-  collect_messages(messages_);
+  glEnable(GL_DEBUG_OUTPUT);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  glDebugMessageCallback(on_message, &messages_);
   return Done{};
 }
 

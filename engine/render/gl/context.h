@@ -1,16 +1,35 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
-#include "engine/render/gl/message_log.h"
 #include "engine/result.h"
 
 struct GLFWwindow;
 
 namespace throng::render::gl {
+
+/// Collects the driver's messages in order (KHR_debug, severities above notification). A test fails if there is one.
+/// The driver may call from any thread.
+class MessageLog {
+ public:
+  /// Messages beyond this many are counted and not kept.
+  static constexpr std::size_t kept_messages = 64;
+
+  void add(std::string message);
+  std::vector<std::string> messages() const;
+  std::size_t count() const;
+  void clear();
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> messages_;
+  std::size_t count_ = 0;
+};
 
 /// An OpenGL 4.5 core debug context. It is current on the thread that made it. A process has one at most, because
 /// glad's function table is global.
@@ -54,6 +73,14 @@ class Context {
   bool software_ = false;
   MessageLog messages_;
 };
+
+/// Makes a context of a kind that its `open` opens.
+template <typename Kind>
+Result<std::unique_ptr<Context>> open_context(const auto&... options) {
+  auto context = std::make_unique<Kind>();
+  if (const Status opened = context->open(options...); !opened) return opened.error();
+  return std::unique_ptr<Context>(std::move(context));
+}
 
 struct WindowOptions {
   int width = 1280;

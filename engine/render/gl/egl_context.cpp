@@ -20,7 +20,6 @@ struct Egl {
   PFNEGLINITIALIZEPROC initialize = nullptr;
   PFNEGLTERMINATEPROC terminate = nullptr;
   PFNEGLBINDAPIPROC bind_api = nullptr;
-  PFNEGLCHOOSECONFIGPROC choose_config = nullptr;
   PFNEGLCREATECONTEXTPROC create_context = nullptr;
   PFNEGLDESTROYCONTEXTPROC destroy_context = nullptr;
   PFNEGLMAKECURRENTPROC make_current = nullptr;
@@ -30,16 +29,15 @@ struct Egl {
   PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string = nullptr;  // null if EGL lists no devices
 
   bool find_functions() {
-    find(get_procedure, "eglGetProcAddress");
+    find_function(library, get_procedure, "eglGetProcAddress");
     if (get_procedure == nullptr) return false;
-    find(initialize, "eglInitialize");
-    find(terminate, "eglTerminate");
-    find(bind_api, "eglBindAPI");
-    find(choose_config, "eglChooseConfig");
-    find(create_context, "eglCreateContext");
-    find(destroy_context, "eglDestroyContext");
-    find(make_current, "eglMakeCurrent");
-    find(query_string, "eglQueryString");
+    find_function(library, initialize, "eglInitialize");
+    find_function(library, terminate, "eglTerminate");
+    find_function(library, bind_api, "eglBindAPI");
+    find_function(library, create_context, "eglCreateContext");
+    find_function(library, destroy_context, "eglDestroyContext");
+    find_function(library, make_current, "eglMakeCurrent");
+    find_function(library, query_string, "eglQueryString");
     find_extension(get_platform_display, "eglGetPlatformDisplayEXT");
     find_extension(query_devices, "eglQueryDevicesEXT");
     find_extension(query_device_string, "eglQueryDeviceStringEXT");
@@ -47,10 +45,6 @@ struct Egl {
   }
 
  private:
-  template <typename Pointer>
-  void find(Pointer& function, const char* name) const {
-    function = library.find<std::remove_pointer_t<Pointer>>(name);
-  }
   template <typename Pointer>
   void find_extension(Pointer& function, const char* name) const {
     function = reinterpret_cast<Pointer>(get_procedure(name));
@@ -71,7 +65,7 @@ class EglContext final : public Context {
   }
 
   Status open(const EglOptions& options) {
-    egl_.library = SharedLibrary("libEGL.so.1");
+    egl_.library = open_library("libEGL.so.1");
     if (!egl_.library || !egl_.find_functions()) {
       return Error{"libEGL.so.1 is not installed; use --headless=osmesa or install libegl1"};
     }
@@ -121,16 +115,12 @@ class EglContext final : public Context {
         egl_.bind_api(EGL_OPENGL_API) == EGL_FALSE) {
       return EGL_NO_CONTEXT;
     }
-    constexpr std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
-                                                  4,
-                                                  EGL_CONTEXT_MINOR_VERSION,
-                                                  5,
-                                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                                  EGL_CONTEXT_OPENGL_DEBUG,
-                                                  EGL_TRUE,
-                                                  EGL_NONE};
-    return egl_.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    constexpr EGLint attributes[][2] = {{EGL_CONTEXT_MAJOR_VERSION, 4},
+                                        {EGL_CONTEXT_MINOR_VERSION, 5},
+                                        {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT},
+                                        {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE},
+                                        {EGL_NONE}};
+    return egl_.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes[0]);
   }
 
   Egl egl_;
@@ -141,9 +131,7 @@ class EglContext final : public Context {
 }  // namespace
 
 Result<std::unique_ptr<Context>> make_egl_context(const EglOptions& options) {
-  auto context = std::make_unique<EglContext>();
-  if (const Status opened = context->open(options); !opened) return opened.error();
-  return std::unique_ptr<Context>(std::move(context));
+  return open_context<EglContext>(options);
 }
 
 }  // namespace throng::render::gl

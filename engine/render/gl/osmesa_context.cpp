@@ -19,10 +19,10 @@ struct OsMesa {
   decltype(&OSMesaGetProcAddress) get_procedure = nullptr;
 
   bool find_functions() {
-    create_context = library.find<std::remove_pointer_t<decltype(create_context)>>("OSMesaCreateContextAttribs");
-    make_current = library.find<std::remove_pointer_t<decltype(make_current)>>("OSMesaMakeCurrent");
-    destroy_context = library.find<std::remove_pointer_t<decltype(destroy_context)>>("OSMesaDestroyContext");
-    get_procedure = library.find<std::remove_pointer_t<decltype(get_procedure)>>("OSMesaGetProcAddress");
+    find_function(library, create_context, "OSMesaCreateContextAttribs");
+    find_function(library, make_current, "OSMesaMakeCurrent");
+    find_function(library, destroy_context, "OSMesaDestroyContext");
+    find_function(library, get_procedure, "OSMesaGetProcAddress");
     return create_context != nullptr && make_current != nullptr && destroy_context != nullptr &&
            get_procedure != nullptr;
   }
@@ -35,22 +35,17 @@ class OsMesaContext final : public Context {
   }
 
   Status open() {
-    functions_.library = SharedLibrary("libOSMesa.so.8");
+    functions_.library = open_library("libOSMesa.so.8");
     if (!functions_.library || !functions_.find_functions()) {
       return Error{"libOSMesa.so.8 is not installed; use --headless=egl or install libosmesa6"};
     }
-    constexpr std::array<int, 11> attributes = {OSMESA_FORMAT,
-                                                OSMESA_RGBA,
-                                                OSMESA_PROFILE,
-                                                OSMESA_CORE_PROFILE,
-                                                OSMESA_CONTEXT_MAJOR_VERSION,
-                                                4,
-                                                OSMESA_CONTEXT_MINOR_VERSION,
-                                                5,
-                                                OSMESA_DEPTH_BITS,
-                                                0,
-                                                0};
-    context_ = functions_.create_context(attributes.data(), nullptr);
+    constexpr int attributes[][2] = {{OSMESA_FORMAT, OSMESA_RGBA},
+                                     {OSMESA_PROFILE, OSMESA_CORE_PROFILE},
+                                     {OSMESA_CONTEXT_MAJOR_VERSION, 4},
+                                     {OSMESA_CONTEXT_MINOR_VERSION, 5},
+                                     {OSMESA_DEPTH_BITS, 0},
+                                     {}};
+    context_ = functions_.create_context(attributes[0], nullptr);
     if (context_ == nullptr ||
         functions_.make_current(context_, unseen_pixels_.data(), GL_UNSIGNED_BYTE, unseen_size, unseen_size) == 0) {
       return Error{"OSMesa gives no OpenGL 4.5 core context; use --headless=egl"};
@@ -70,10 +65,6 @@ class OsMesaContext final : public Context {
 
 }  // namespace
 
-Result<std::unique_ptr<Context>> make_osmesa_context() {
-  auto context = std::make_unique<OsMesaContext>();
-  if (const Status opened = context->open(); !opened) return opened.error();
-  return std::unique_ptr<Context>(std::move(context));
-}
+Result<std::unique_ptr<Context>> make_osmesa_context() { return open_context<OsMesaContext>(); }
 
 }  // namespace throng::render::gl

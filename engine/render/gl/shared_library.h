@@ -1,6 +1,8 @@
 #pragma once
 
-#include <string>
+#include <memory>
+
+#include <dlfcn.h>
 
 namespace throng::render::gl {
 
@@ -11,30 +13,23 @@ inline constexpr bool keeps_drivers_loaded = true;
 inline constexpr bool keeps_drivers_loaded = false;
 #endif
 
-/// Opens a library by name at run time. No other library sees its symbols (RTLD_LOCAL), because OSMesa exports gl*
-/// functions of its own, which must never stand in for the system's.
-class SharedLibrary {
- public:
-  SharedLibrary() = default;
-  explicit SharedLibrary(const char* name);
-  SharedLibrary(SharedLibrary&& other) noexcept;
-  SharedLibrary& operator=(SharedLibrary&& other) noexcept;
-  SharedLibrary(const SharedLibrary&) = delete;
-  SharedLibrary& operator=(const SharedLibrary&) = delete;
-  ~SharedLibrary();
-
-  explicit operator bool() const { return library_ != nullptr; }
-
-  /// Gives the function of that name, or null.
-  template <typename Function>
-  Function* find(const char* name) const {
-    return reinterpret_cast<Function*>(find_symbol(name));
-  }
-
- private:
-  void* find_symbol(const char* name) const;
-
-  void* library_ = nullptr;
+struct CloseLibrary {
+  void operator()(void* library) const { dlclose(library); }
 };
+
+/// A library that was opened by name at run time, or null.
+using SharedLibrary = std::unique_ptr<void, CloseLibrary>;
+
+/// No other library sees the symbols (RTLD_LOCAL), because OSMesa exports gl* functions of its own, which must never
+/// stand in for the system's.
+inline SharedLibrary open_library(const char* name) {
+  return SharedLibrary(dlopen(name, RTLD_NOW | RTLD_LOCAL | (keeps_drivers_loaded ? RTLD_NODELETE : 0)));
+}
+
+/// Sets `function` to the function of that name, or to null.
+template <typename Function>
+void find_function(const SharedLibrary& library, Function*& function, const char* name) {
+  function = reinterpret_cast<Function*>(dlsym(library.get(), name));
+}
 
 }  // namespace throng::render::gl

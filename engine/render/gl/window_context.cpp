@@ -63,9 +63,7 @@ class WindowContext final : public Context {
 }  // namespace
 
 Result<std::unique_ptr<Context>> make_window_context(const WindowOptions& options) {
-  auto context = std::make_unique<WindowContext>();
-  if (const Status opened = context->open(options); !opened) return opened.error();
-  return std::unique_ptr<Context>(std::move(context));
+  return open_context<WindowContext>(options);
 }
 
 }  // namespace throng::render::gl

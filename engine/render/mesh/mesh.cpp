@@ -5,21 +5,18 @@
 #include <bit>
 #include <string>
 
-#include "engine/render/frame/frame_uniforms.h"
-#include "engine/render/mesh/mesh_lod.h"
+#include "engine/render/frame/frame_data.h"
 
 namespace throng::render {
 namespace {
 
-constexpr GLuint vertex_binding = 0;
 constexpr GLint vertex_count_location = 0;  // the same in every program of the crowd
 
 gl::Texture create_texture(const ImageData& image) {
-  gl::Texture texture = gl::create_texture(GL_TEXTURE_2D);
-  const GLuint id = texture.id();
   const auto mip_levels =
       static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(image.width, image.height))));
-  glTextureStorage2D(id, mip_levels, GL_SRGB8_ALPHA8, image.width, image.height);
+  gl::Texture texture = gl::create_texture(GL_SRGB8_ALPHA8, image.width, image.height, mip_levels);
+  const GLuint id = texture.id();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   glGenerateTextureMipmap(id);
@@ -41,34 +38,23 @@ Status check_size(const ImageData& image, std::size_t index) {
                std::to_string(image.height) + "; this device takes " + std::to_string(limit) + ", scale it down"};
 }
 
-struct FloatAttribute {
-  SurfaceAttribute attribute;
-  GLint size;
-  GLenum type;
-  GLuint offset;
-};
+// In the order of their locations in `shaders/crowd_vertex.glsl`; the region has the next location.
+constexpr gl::FloatAttribute surface_attributes[] = {{3, GL_FLOAT, offsetof(SurfaceVertex, position)},
+                                                     {3, GL_FLOAT, offsetof(SurfaceVertex, normal)},
+                                                     {2, GL_FLOAT, offsetof(SurfaceVertex, texture_coord)},
+                                                     {4, GL_UNSIGNED_SHORT, offsetof(SurfaceVertex, color)},
+                                                     {4, GL_UNSIGNED_SHORT, offsetof(SurfaceVertex, weights)},
+                                                     {3, GL_BYTE, offsetof(SurfaceVertex, shape)},
+                                                     {2, GL_BYTE, offsetof(SurfaceVertex, hair)}};
+constexpr GLuint region_attribute = 7;
 
-constexpr std::array<FloatAttribute, 7> float_attributes = {{
-    {SurfaceAttribute::position, 3, GL_FLOAT, offsetof(SurfaceVertex, position)},
-    {SurfaceAttribute::normal, 3, GL_FLOAT, offsetof(SurfaceVertex, normal)},
-    {SurfaceAttribute::texture_coord, 2, GL_FLOAT, offsetof(SurfaceVertex, texture_coord)},
-    {SurfaceAttribute::color, 4, GL_UNSIGNED_SHORT, offsetof(SurfaceVertex, color)},
-    {SurfaceAttribute::weights, 4, GL_UNSIGNED_SHORT, offsetof(SurfaceVertex, weights)},
-    {SurfaceAttribute::shape, 3, GL_BYTE, offsetof(SurfaceVertex, shape)},
-    {SurfaceAttribute::hair, 2, GL_BYTE, offsetof(SurfaceVertex, hair)},
-}};
-
-void describe_vertex(GLuint array) {
-  for (const FloatAttribute& format : float_attributes) {
-    const auto attribute = static_cast<GLuint>(format.attribute);
-    glVertexArrayAttribFormat(array, attribute, format.size, format.type, GL_TRUE, format.offset);
-    glVertexArrayAttribBinding(array, attribute, vertex_binding);
-    glEnableVertexArrayAttrib(array, attribute);
-  }
-  constexpr auto region = static_cast<GLuint>(SurfaceAttribute::region);
-  glVertexArrayAttribIFormat(array, region, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, region));
-  glVertexArrayAttribBinding(array, region, vertex_binding);
-  glEnableVertexArrayAttrib(array, region);
+gl::VertexArray describe_vertices(const gl::Buffer& vertices, const gl::Buffer& indices) {
+  gl::VertexArray array = gl::create_vertex_array(surface_attributes, vertices, sizeof(SurfaceVertex));
+  glVertexArrayAttribIFormat(array.id(), region_attribute, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, region));
+  glVertexArrayAttribBinding(array.id(), region_attribute, 0);
+  glEnableVertexArrayAttrib(array.id(), region_attribute);
+  glVertexArrayElementBuffer(array.id(), indices.id());
+  return array;
 }
 
 gl::Buffer create_entries(std::span<const std::vector<PaletteEntries>> by_level) {
@@ -104,17 +90,11 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   mesh.indices_ = gl::create_buffer(surface.indices.data(), surface.indices.size() * sizeof(std::uint32_t));
   mesh.palette_entries_ = create_entries(surface.entries_by_level);
   mesh.packing_frames_ = create_packing_frames(data.packing_frames);
-  mesh.array_ = gl::create_vertex_array();
-  const GLuint array = mesh.array_.id();
-  describe_vertex(array);
-  glVertexArrayVertexBuffer(array, vertex_binding, mesh.vertices_.id(), 0, sizeof(SurfaceVertex));
-  glVertexArrayElementBuffer(array, mesh.indices_.id());
-  mesh.runs_by_lod_ = std::move(surface.runs_by_lod);
-  mesh.triangles_by_lod_ = std::move(surface.triangles_by_lod);
-  mesh.error_by_lod_ = std::move(surface.error_by_lod);
-  mesh.vertex_count_ = surface.vertex_count;
-  mesh.first_bone_end_ = surface.first_bone_end;
-  mesh.bone_end_count_ = surface.bone_end_count;
+  mesh.array_ = describe_vertices(mesh.vertices_, mesh.indices_);
+  surface.vertices = {};
+  surface.entries_by_level = {};
+  surface.indices = {};
+  mesh.surface_ = std::move(surface);
   return mesh;
 }
 
@@ -122,11 +102,7 @@ void CrowdMesh::bind() const {
   glBindVertexArray(array_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_entries_binding, palette_entries_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, packing_frames_binding, packing_frames_.id());
-  glUniform1ui(vertex_count_location, first_bone_end_ + bone_end_count_);
-}
-
-int pick_mesh_lod(const CrowdMesh& mesh, float pixels_tall, int at_least, float detail) {
-  return pick_mesh_lod(mesh.triangles_by_lod(), pixels_tall, at_least, detail);
+  glUniform1ui(vertex_count_location, surface_.first_bone_end + surface_.bone_end_count);
 }
 
 }  // namespace throng::render

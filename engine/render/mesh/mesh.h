@@ -19,9 +19,6 @@ struct CrowdMaterial {
   float alpha_cutoff;  ///< 0: opaque
 };
 
-/// Locations of the vertex attributes in `shaders/crowd_vertex.glsl`.
-enum class SurfaceAttribute : GLuint { position, normal, texture_coord, color, weights, region, shape, hair };
-
 /// Holds a character's surface on the device: vertices, the palette entries that they read at each bone level, mesh
 /// LODs and materials.
 class CrowdMesh {
@@ -29,13 +26,13 @@ class CrowdMesh {
   /// Fails where an image is larger than the device takes.
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
-  std::size_t lod_count() const { return runs_by_lod_.size(); }
+  std::size_t lod_count() const { return surface_.runs_by_lod.size(); }
   std::size_t material_count() const { return materials_.size(); }
-  std::span<const std::uint32_t> triangles_by_lod() const { return triangles_by_lod_; }
-  std::span<const float> error_by_lod() const { return error_by_lod_; }  ///< metres
+  std::span<const std::uint32_t> triangles_by_lod() const { return surface_.triangles_by_lod; }
+  std::span<const float> error_by_lod() const { return surface_.error_by_lod; }  ///< metres
 
   /// Gives the runs that draw mesh LOD `lod`, one a material.
-  std::span<const MaterialRun> runs(std::size_t lod) const { return runs_by_lod_[lod]; }
+  std::span<const MaterialRun> runs(std::size_t lod) const { return surface_.runs_by_lod[lod]; }
   const CrowdMaterial& material(int index) const { return materials_[static_cast<std::size_t>(index)]; }
 
   /// Binds the vertices and 32-bit indices and, for the program in use, the palette entries of all bone levels and the
@@ -43,11 +40,11 @@ class CrowdMesh {
   void bind() const;
 
   /// Counts the vertices of the full surface, which come first in the vertex array; those of baked mesh LODs follow.
-  std::uint32_t vertex_count() const { return vertex_count_; }
+  std::uint32_t vertex_count() const { return surface_.vertex_count; }
 
   /// Name the ends of the bones' lines, two a bone, which come last.
-  std::uint32_t first_bone_end() const { return first_bone_end_; }
-  std::uint32_t bone_end_count() const { return bone_end_count_; }
+  std::uint32_t first_bone_end() const { return surface_.first_bone_end; }
+  std::uint32_t bone_end_count() const { return surface_.bone_end_count; }
 
  private:
   CrowdMesh() = default;
@@ -57,17 +54,9 @@ class CrowdMesh {
   gl::Buffer palette_entries_;  // [bone level][vertex]
   gl::Buffer packing_frames_;   // [palette entry]
   gl::VertexArray array_;
-  std::vector<std::vector<MaterialRun>> runs_by_lod_;
-  std::vector<std::uint32_t> triangles_by_lod_;
-  std::vector<float> error_by_lod_;
+  Surface surface_;  // without vertices, entries and indices, which only the device has
   std::vector<gl::Texture> textures_;
   std::vector<CrowdMaterial> materials_;
-  std::uint32_t vertex_count_ = 0;
-  std::uint32_t first_bone_end_ = 0;
-  std::uint32_t bone_end_count_ = 0;
 };
-
-/// Is pick_mesh_lod of mesh_lod.h for the triangles of `mesh`.
-int pick_mesh_lod(const CrowdMesh& mesh, float pixels_tall, int at_least, float detail);
 
 }  // namespace throng::render

@@ -21,10 +21,8 @@ PaletteBuffer::PaletteBuffer(std::size_t first_page)
 
 PalettePage PaletteBuffer::add_page() {
   const std::size_t size = std::min(next_page_bytes_, block_limit_);
-  gl::Buffer buffer = gl::create_buffer();
-  const auto bytes = static_cast<GLsizeiptr>(size);
-  glNamedBufferStorage(buffer.id(), bytes, nullptr, mapping);
-  void* memory = glMapNamedBufferRange(buffer.id(), 0, bytes, mapping);
+  gl::Buffer buffer = gl::create_buffer(nullptr, size, mapping);
+  void* memory = glMapNamedBufferRange(buffer.id(), 0, static_cast<GLsizeiptr>(size), mapping);
   if (memory == nullptr) return {};
   next_page_bytes_ = size * 2;
   pages_.push_back(std::move(buffer));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/render/frame/frame_uniforms.h"
+#include "engine/render/frame/frame_data.h"
 
 namespace throng::render {
 namespace {
@@ -62,25 +62,11 @@ void test_depth() {
 
 }  // namespace
 
-Result<CrowdPass> CrowdPass::create(ShaderLibrary& shaders) {
-  CrowdPass pass(shaders);
-  struct Wanted {
-    ProgramHandle CrowdPass::*program;
-    ProgramFiles files;
-  };
-  const Wanted wanted[] = {
-      {&CrowdPass::opaque_, {"crowd.vert", "crowd.frag", {}}},
-      {&CrowdPass::cut_out_, {"crowd.vert", "crowd_cut_out.frag", {}}},
-      {&CrowdPass::bones_, {"crowd.vert", "bones.frag", {}}},
-      {&CrowdPass::shadow_, {"shadow.vert", "shadow.frag", {}}},
-  };
-  for (const Wanted& each : wanted) {
-    const Result<ProgramHandle> program = shaders.load(each.files);
-    if (!program) return program.error();
-    pass.*each.program = *program;
-  }
-  return pass;
-}
+CrowdPass::CrowdPass(ShaderLibrary& shaders)
+    : opaque_(shaders.load({"crowd.vert", "crowd.frag"})),
+      cut_out_(shaders.load({"crowd.vert", "crowd_cut_out.frag"})),
+      bones_(shaders.load({"crowd.vert", "bones.frag"})),
+      shadow_(shaders.load({"shadow.vert", "shadow.frag"})) {}
 
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
   test_depth();
@@ -104,7 +90,7 @@ DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, std::span<const Cro
 
 void CrowdPass::use_material(const CrowdMaterial& material) const {
   const bool cut_out = material.alpha_cutoff > 0.0F;
-  glUseProgram(shaders_->id(cut_out ? cut_out_ : opaque_));
+  glUseProgram(cut_out ? cut_out_.id() : opaque_.id());
   glUniform4fv(base_color_location, 1, material.base_color);
   if (cut_out) glUniform1f(alpha_cutoff_location, material.alpha_cutoff);
   glBindTextureUnit(0, material.texture);
@@ -118,7 +104,7 @@ void CrowdPass::use_material(const CrowdMaterial& material) const {
 DrawCounts CrowdPass::draw_bones(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
                                  const PaletteBuffer& palettes) const {
   DrawCounts counts;
-  glUseProgram(shaders_->id(bones_));
+  glUseProgram(bones_.id());
   for_each_run(frame.batches, [&](std::span<const CrowdBatch> run) {
     const CrowdMesh& mesh = meshes[run.front().character];
     if (mesh.bone_end_count() == 0) return;
@@ -143,7 +129,7 @@ DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, std::span<const Crow
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_EQUAL, 0, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-  glUseProgram(shaders_->id(shadow_));
+  glUseProgram(shadow_.id());
   compose_outlines(frame.batches, meshes, outlines_);
   outlines_.upload();
   for (const IndirectDraws::Group& group : outlines_.groups()) {

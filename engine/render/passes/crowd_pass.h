@@ -12,10 +12,10 @@ namespace throng::render {
 
 /// Draws all agents with one call for each page and material of a character, however many they are.
 /// Instances of one page must follow each other, in the order of their batches. A batch's `character` is an index into
-/// `meshes`. Frame uniforms and instances must be bound (frame_uniforms.h).
+/// `meshes`. Frame data must be bound.
 class CrowdPass {
  public:
-  static Result<CrowdPass> create(ShaderLibrary& shaders);
+  explicit CrowdPass(ShaderLibrary& shaders);
 
   /// Draws lit surfaces or, with `bones_as_lines`, only the bones.
   DrawCounts draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
@@ -25,18 +25,15 @@ class CrowdPass {
   DrawCounts draw_shadows(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
 
  private:
-  explicit CrowdPass(const ShaderLibrary& shaders) : shaders_(&shaders) {}
-
   DrawCounts draw_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
   DrawCounts draw_bones(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
                         const PaletteBuffer& palettes) const;
   void use_material(const CrowdMaterial& material) const;
 
-  const ShaderLibrary* shaders_;
-  ProgramHandle opaque_{};
-  ProgramHandle cut_out_{};
-  ProgramHandle bones_{};
-  ProgramHandle shadow_{};
+  const gl::Program& opaque_;
+  const gl::Program& cut_out_;
+  const gl::Program& bones_;
+  const gl::Program& shadow_;
   IndirectDraws surfaces_;
   IndirectDraws outlines_;
 };

@@ -1,22 +1,37 @@
 #include "engine/render/passes/ground_pass.h"
 
 namespace throng::render {
+namespace {
 
-Result<GroundPass> GroundPass::create(ShaderLibrary& shaders) {
-  const Result<ProgramHandle> program = shaders.load({"ground.vert", "ground.frag", {}});
-  if (!program) return program.error();
-  return GroundPass(shaders, *program);
-}
+constexpr GLint sun_side_location = 0;
+constexpr GLsizei corners_of_a_disc = 4;
 
-GroundPass::GroundPass(const ShaderLibrary& shaders, ProgramHandle program)
-    : shaders_(&shaders), program_(program), no_vertices_(gl::create_vertex_array()) {}
+}  // namespace
 
-void GroundPass::draw() const {
+GroundPass::GroundPass(ShaderLibrary& shaders)
+    : ground_(shaders.load({"ground.vert", "ground.frag"})), spots_(shaders.load({"contact.vert", "contact.frag"})) {}
+
+DrawCounts GroundPass::draw() const {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  glUseProgram(shaders_->id(program_));
+  glUseProgram(ground_.id());
   glBindVertexArray(no_vertices_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  return {1, 1};
+}
+
+DrawCounts GroundPass::draw_spots(std::uint32_t instance_count, bool with_sun_side) const {
+  if (instance_count == 0) return {};
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+  glUseProgram(spots_.id());
+  glUniform1f(sun_side_location, with_sun_side ? 1.0F : 0.0F);
+  glBindVertexArray(no_vertices_.id());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners_of_a_disc, static_cast<GLsizei>(instance_count));
+  glDisable(GL_BLEND);
+  return {1, std::uint64_t{2} * instance_count};
 }
 
 }  // namespace throng::render

@@ -1,25 +1,30 @@
 #pragma once
 
-#include "engine/render/gl/handles.h"
+#include <cstdint>
+
+#include "engine/render/crowd_draw.h"
 #include "engine/render/shader/shader_library.h"
 
 namespace throng::render {
 
-/// Draws the paved ground at y = 0, the sky, and the haze between them. One triangle covers the picture; the fragment
-/// shader finds where each pixel's ray meets the ground. It writes no depth and must come first, because nothing in the
-/// scene lies below the ground.
+/// Draws the paved ground at y = 0, the sky and the haze between them, and a soft dark spot below every agent, so that
+/// agents seem to stand on the ground.
 class GroundPass {
  public:
-  static Result<GroundPass> create(ShaderLibrary& shaders);
+  explicit GroundPass(ShaderLibrary& shaders);
 
-  void draw() const;
+  /// Covers the picture with one triangle; the fragment shader finds where each pixel's ray meets the ground. It writes
+  /// no depth and must come first, because nothing in the scene lies below the ground. Frame data must be bound.
+  DrawCounts draw() const;
+
+  /// Draws the spots in one call, after the ground and before the crowd. `with_sun_side` adds a soft streak away from
+  /// the sun to each, in place of a cast shadow. Frame data must be bound.
+  DrawCounts draw_spots(std::uint32_t instance_count, bool with_sun_side) const;
 
  private:
-  GroundPass(const ShaderLibrary& shaders, ProgramHandle program);
-
-  const ShaderLibrary* shaders_;
-  ProgramHandle program_;
-  gl::VertexArray no_vertices_;
+  const gl::Program& ground_;
+  const gl::Program& spots_;
+  gl::VertexArray no_vertices_ = gl::create_vertex_array();
 };
 
 }  // namespace throng::render

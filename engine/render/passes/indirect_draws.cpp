@@ -1,7 +1,5 @@
 #include "engine/render/passes/indirect_draws.h"
 
-#include <bit>
-
 namespace throng::render {
 
 void IndirectDraws::clear() {
@@ -19,15 +17,7 @@ void IndirectDraws::add(const MaterialRun& run, const CrowdBatch& batch) {
 }
 
 void IndirectDraws::upload() {
-  if (commands_.size() > capacity_) {
-    capacity_ = std::bit_ceil(commands_.size());
-    buffer_ = gl::create_buffer();
-    glNamedBufferStorage(buffer_.id(), static_cast<GLsizeiptr>(capacity_ * sizeof(DrawCommand)), nullptr,
-                         GL_DYNAMIC_STORAGE_BIT);
-  }
-  if (commands_.empty()) return;
-  glNamedBufferSubData(buffer_.id(), 0, static_cast<GLsizeiptr>(commands_.size() * sizeof(DrawCommand)),
-                       commands_.data());
+  buffer_.upload(commands_);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer_.id());
 }
 

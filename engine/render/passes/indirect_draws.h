@@ -58,8 +58,7 @@ class IndirectDraws {
  private:
   std::vector<DrawCommand> commands_;
   std::vector<Group> groups_;
-  gl::Buffer buffer_;
-  std::size_t capacity_ = 0;  // commands
+  gl::GrowingBuffer<DrawCommand> buffer_;
 };
 
 }  // namespace throng::render

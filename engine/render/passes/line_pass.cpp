@@ -5,38 +5,21 @@
 namespace throng::render {
 namespace {
 
-constexpr GLuint line_binding = 0;
 constexpr GLint picture_location = 0, opacity_location = 1;
 constexpr float seen_opacity = 0.85F, hidden_opacity = 0.16F;
 constexpr GLsizei corners_of_a_ribbon = 6;
 
-enum Attribute : GLuint { from_attribute, to_attribute, color_attribute };
-
-gl::VertexArray create_layout() {
-  gl::VertexArray array = gl::create_vertex_array();
-  const GLuint id = array.id();
-  glVertexArrayAttribFormat(id, from_attribute, 3, GL_FLOAT, GL_FALSE, offsetof(SceneLine, from));
-  glVertexArrayAttribFormat(id, to_attribute, 3, GL_FLOAT, GL_FALSE, offsetof(SceneLine, to));
-  glVertexArrayAttribFormat(id, color_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(SceneLine, color));
-  for (const GLuint attribute : {from_attribute, to_attribute, color_attribute}) {
-    glEnableVertexArrayAttrib(id, attribute);
-    glVertexArrayAttribBinding(id, attribute, line_binding);
-  }
-  glVertexArrayBindingDivisor(id, line_binding, 1);
-  return array;
-}
+constexpr gl::FloatAttribute line_attributes[] = {{3, GL_FLOAT, offsetof(SceneLine, from)},
+                                                  {3, GL_FLOAT, offsetof(SceneLine, to)},
+                                                  {4, GL_UNSIGNED_BYTE, offsetof(SceneLine, color)}};
 
 }  // namespace
 
-Result<LinePass> LinePass::create(ShaderLibrary& shaders) {
-  const Result<ProgramHandle> program = shaders.load({"line.vert", "line.frag", {}});
-  if (!program) return program.error();
-  return LinePass(shaders, *program);
-}
-
-LinePass::LinePass(const ShaderLibrary& shaders, ProgramHandle program)
-    : shaders_(&shaders), program_(program), vertex_array_(create_layout()), lines_(gl::create_buffer()) {
-  glVertexArrayVertexBuffer(vertex_array_.id(), line_binding, lines_.id(), 0, sizeof(SceneLine));
+LinePass::LinePass(ShaderLibrary& shaders)
+    : program_(shaders.load({"line.vert", "line.frag"})),
+      lines_(gl::create_buffer()),
+      vertex_array_(gl::create_vertex_array(line_attributes, lines_, sizeof(SceneLine))) {
+  glVertexArrayBindingDivisor(vertex_array_.id(), 0, 1);
 }
 
 DrawCounts LinePass::draw(std::span<const SceneLine> lines, glm::ivec2 picture) {
@@ -47,7 +30,7 @@ DrawCounts LinePass::draw(std::span<const SceneLine> lines, glm::ivec2 picture) 
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
-  glUseProgram(shaders_->id(program_));
+  glUseProgram(program_.id());
   glUniform2f(picture_location, static_cast<float>(picture.x), static_cast<float>(picture.y));
   glBindVertexArray(vertex_array_.id());
   const auto draw_where = [&](GLenum depth, float opacity) {

@@ -5,7 +5,6 @@
 #include <glm/vec2.hpp>
 
 #include "engine/render/crowd_draw.h"
-#include "engine/render/gl/handles.h"
 #include "engine/render/shader/shader_library.h"
 
 namespace throng::render {
@@ -14,18 +13,15 @@ namespace throng::render {
 /// everywhere on the screen, and lie over the crowd; parts behind an agent show through faintly.
 class LinePass {
  public:
-  static Result<LinePass> create(ShaderLibrary& shaders);
+  explicit LinePass(ShaderLibrary& shaders);
 
   /// `picture` is the size of the target, in pixels.
   DrawCounts draw(std::span<const SceneLine> lines, glm::ivec2 picture);
 
  private:
-  LinePass(const ShaderLibrary& shaders, ProgramHandle program);
-
-  const ShaderLibrary* shaders_;
-  ProgramHandle program_;
-  gl::VertexArray vertex_array_;
+  const gl::Program& program_;
   gl::Buffer lines_;
+  gl::VertexArray vertex_array_;
 };
 
 }  // namespace throng::render

@@ -10,25 +10,11 @@
 namespace throng::render {
 namespace {
 
-constexpr GLuint overlay_binding = 0;
 constexpr GLint to_clip_location = 0;
 
-enum OverlayAttribute : GLuint { position_attribute, texture_coord_attribute, ink_attribute };
-
-gl::VertexArray create_overlay_layout() {
-  gl::VertexArray array = gl::create_vertex_array();
-  const GLuint id = array.id();
-  glVertexArrayAttribFormat(id, position_attribute, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
-  glVertexArrayAttribFormat(id, texture_coord_attribute, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
-  glVertexArrayAttribFormat(id, ink_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
-  for (const GLuint attribute : {position_attribute, texture_coord_attribute, ink_attribute}) {
-    glEnableVertexArrayAttrib(id, attribute);
-    glVertexArrayAttribBinding(id, attribute, overlay_binding);
-  }
-  return array;
-}
-
-void* texture_id(GLuint texture) { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(texture)); }
+constexpr gl::FloatAttribute overlay_attributes[] = {{2, GL_FLOAT, offsetof(ImDrawVert, pos)},
+                                                     {2, GL_FLOAT, offsetof(ImDrawVert, uv)},
+                                                     {4, GL_UNSIGNED_BYTE, offsetof(ImDrawVert, col)}};
 
 GLuint texture_of(const ImDrawCmd& command) {
   return static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
@@ -73,23 +59,15 @@ glm::ivec2 target_size(const ImDrawData& data) {
 
 }  // namespace
 
-Result<OverlayRenderer> OverlayRenderer::create(ShaderLibrary& shaders) {
-  const Result<ProgramHandle> program = shaders.load({"overlay.vert", "overlay.frag", {}});
-  if (!program) return program.error();
+OverlayRenderer::OverlayRenderer(ShaderLibrary& shaders)
+    : program_(shaders.load({"overlay.vert", "overlay.frag"})),
+      vertices_(gl::create_buffer()),
+      indices_(gl::create_buffer()),
+      vertex_array_(gl::create_vertex_array(overlay_attributes, vertices_, sizeof(ImDrawVert))) {
+  glVertexArrayElementBuffer(vertex_array_.id(), indices_.id());
   ImGuiIO& io = ImGui::GetIO();
   io.BackendRendererName = "throng";
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  return OverlayRenderer(shaders, *program);
-}
-
-OverlayRenderer::OverlayRenderer(const ShaderLibrary& shaders, ProgramHandle program)
-    : shaders_(&shaders),
-      program_(program),
-      vertex_array_(create_overlay_layout()),
-      vertices_(gl::create_buffer()),
-      indices_(gl::create_buffer()) {
-  glVertexArrayVertexBuffer(vertex_array_.id(), overlay_binding, vertices_.id(), 0, sizeof(ImDrawVert));
-  glVertexArrayElementBuffer(vertex_array_.id(), indices_.id());
 }
 
 void OverlayRenderer::upload_fonts() {
@@ -97,12 +75,11 @@ void OverlayRenderer::upload_fonts() {
   int width = 0, height = 0;
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-  fonts_ = gl::create_texture(GL_TEXTURE_2D);
-  glTextureStorage2D(fonts_.id(), 1, GL_RGBA8, width, height);
+  fonts_ = gl::create_texture(GL_RGBA8, width, height);
   glTextureSubImage2D(fonts_.id(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   glTextureParameteri(fonts_.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(fonts_.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  atlas.SetTexID(texture_id(fonts_.id()));
+  atlas.SetTexID(reinterpret_cast<void*>(static_cast<std::uintptr_t>(fonts_.id())));
 }
 
 void OverlayRenderer::set_up(const ImDrawData& data, glm::ivec2 target) const {
@@ -112,7 +89,7 @@ void OverlayRenderer::set_up(const ImDrawData& data, glm::ivec2 target) const {
   glEnable(GL_SCISSOR_TEST);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glUseProgram(shaders_->id(program_));
+  glUseProgram(program_.id());
   glBindVertexArray(vertex_array_.id());
   // Maps points to clip space by a scale of x and y and an offset of both; ImGui's y points down.
   const float scale_x = 2.0F / data.DisplaySize.x;

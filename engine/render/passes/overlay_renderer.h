@@ -2,9 +2,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "engine/render/gl/handles.h"
 #include "engine/render/shader/shader_library.h"
-#include "engine/result.h"
 
 struct ImDrawData;
 
@@ -14,14 +12,14 @@ namespace throng::render {
 /// and are blended unconverted, so the framebuffer must not convert.
 ///
 ///   ImGui::CreateContext(); fonts;
-///   auto overlay = OverlayRenderer::create(shaders);     // sets ImGui's renderer flags
-///   overlay->upload_fonts();                             // again after adding fonts
+///   OverlayRenderer overlay(shaders);     // sets ImGui's renderer flags
+///   overlay.upload_fonts();               // again after adding fonts
 ///   ImGui::NewFrame(); ... ImGui::Render();
-///   overlay->draw(*ImGui::GetDrawData());
+///   overlay.draw(*ImGui::GetDrawData());
 class OverlayRenderer {
  public:
   /// An ImGui context must be current. `shaders` must outlive the overlay.
-  static Result<OverlayRenderer> create(ShaderLibrary& shaders);
+  explicit OverlayRenderer(ShaderLibrary& shaders);
 
   /// Builds the font atlas of the current ImGui context and copies it to the device.
   void upload_fonts();
@@ -30,15 +28,12 @@ class OverlayRenderer {
   void draw(const ImDrawData& data) const;
 
  private:
-  OverlayRenderer(const ShaderLibrary& shaders, ProgramHandle program);
-
   void set_up(const ImDrawData& data, glm::ivec2 target) const;
 
-  const ShaderLibrary* shaders_;
-  ProgramHandle program_;
-  gl::VertexArray vertex_array_;
+  const gl::Program& program_;
   gl::Buffer vertices_;
   gl::Buffer indices_;
+  gl::VertexArray vertex_array_;
   gl::Texture fonts_;
 };
 

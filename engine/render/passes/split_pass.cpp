@@ -12,20 +12,10 @@ constexpr float amplification = 8.0F;
 
 }  // namespace
 
-Result<SplitPass> SplitPass::create(ShaderLibrary& shaders) {
-  const Result<ProgramHandle> program = shaders.load({"split.vert", "split.frag", {}});
-  if (!program) return program.error();
-  return SplitPass(shaders, *program);
-}
-
-SplitPass::SplitPass(const ShaderLibrary& shaders, ProgramHandle program)
-    : shaders_(&shaders), program_(program), no_vertices_(gl::create_vertex_array()) {}
-
 void SplitPass::keep(Side& side, const ImageTarget& picture) {
   if (side.size != picture.size()) {
     side.size = picture.size();
-    side.pixels = gl::create_texture(GL_TEXTURE_2D);
-    glTextureStorage2D(side.pixels.id(), 1, GL_RGBA8, side.size.x, side.size.y);
+    side.pixels = gl::create_texture(GL_RGBA8, side.size.x, side.size.y);
   }
   picture.copy_pixels(side.pixels);
 }
@@ -36,7 +26,7 @@ DrawCounts SplitPass::draw(const ImageTarget& target, const SplitView& split) co
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  glUseProgram(shaders_->id(program_));
+  glUseProgram(program_.id());
   glUniform1f(divider_location, split.divider * static_cast<float>(target.size().x));
   glUniform1f(amplification_location, split.difference ? amplification : 0.0F);
   glBindTextureUnit(left_unit, left_.pixels.id());

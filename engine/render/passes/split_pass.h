@@ -4,7 +4,6 @@
 
 #include "engine/render/crowd_draw.h"
 #include "engine/render/frame/image_target.h"
-#include "engine/render/gl/handles.h"
 #include "engine/render/shader/shader_library.h"
 
 namespace throng::render {
@@ -13,7 +12,7 @@ namespace throng::render {
 /// can be drawn into the same target.
 class SplitPass {
  public:
-  static Result<SplitPass> create(ShaderLibrary& shaders);
+  explicit SplitPass(ShaderLibrary& shaders) : program_(shaders.load({"split.vert", "split.frag"})) {}
 
   void keep_left(const ImageTarget& picture) { keep(left_, picture); }
   void keep_right(const ImageTarget& picture) { keep(right_, picture); }
@@ -27,12 +26,10 @@ class SplitPass {
     glm::ivec2 size{0};
   };
 
-  SplitPass(const ShaderLibrary& shaders, ProgramHandle program);
   static void keep(Side& side, const ImageTarget& picture);
 
-  const ShaderLibrary* shaders_;
-  ProgramHandle program_;
-  gl::VertexArray no_vertices_;
+  const gl::Program& program_;
+  gl::VertexArray no_vertices_ = gl::create_vertex_array();
   Side left_, right_;  // without storage until the first split
 };
 

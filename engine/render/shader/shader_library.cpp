@@ -7,19 +7,12 @@
 namespace throng::render {
 namespace {
 
-std::string link_log(GLuint program) {
+/// Reads the log of a shader or a program with the functions for either.
+std::string read_log(GLuint id, auto get_number, auto get_log) {
   GLint length = 0;
-  glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+  get_number(id, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length), '\0');
-  glGetProgramInfoLog(program, length, nullptr, log.data());
-  return log.substr(0, log.find('\n'));
-}
-
-std::string compile_log(GLuint shader) {
-  GLint length = 0;
-  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-  std::string log(static_cast<std::size_t>(length), '\0');
-  glGetShaderInfoLog(shader, length, nullptr, log.data());
+  get_log(id, length, nullptr, log.data());
   return log;
 }
 
@@ -35,11 +28,11 @@ void declare_captured(GLuint program, const std::vector<std::string>& captured) 
 
 ShaderLibrary::ShaderLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-Result<ProgramHandle> ShaderLibrary::load(const ProgramFiles& files) {
+const gl::Program& ShaderLibrary::load(const ProgramFiles& files) {
   Result<gl::Program> program = build(files);
-  if (!program) return program.error();
-  programs_.push_back({files, std::move(*program)});
-  return static_cast<ProgramHandle>(programs_.size() - 1);
+  if (!program && status_) status_ = program.error();
+  programs_.push_back({files, program ? std::move(*program) : gl::Program()});
+  return programs_.back().program;
 }
 
 Status ShaderLibrary::reload() {
@@ -71,7 +64,9 @@ Result<gl::Program> ShaderLibrary::build(const ProgramFiles& files) const {
   GLint linked = GL_FALSE;
   glGetProgramiv(program.id(), GL_LINK_STATUS, &linked);
   if (linked == GL_FALSE) {
-    return Error{"shaders " + files.vertex + " and " + files.fragment + " do not link: " + link_log(program.id())};
+    const std::string log = read_log(program.id(), glGetProgramiv, glGetProgramInfoLog);
+    return Error{"shaders " + files.vertex + " and " + files.fragment +
+                 " do not link: " + log.substr(0, log.find('\n'))};
   }
   return program;
 }
@@ -86,7 +81,8 @@ Result<gl::Shader> ShaderLibrary::compile(GLenum stage, const std::string& file)
   GLint compiled = GL_FALSE;
   glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
   if (compiled == GL_FALSE) {
-    return Error{"shader does not compile: " + first_complaint(compile_log(shader.id()), *source)};
+    return Error{"shader does not compile: " +
+                 first_complaint(read_log(shader.id(), glGetShaderiv, glGetShaderInfoLog), *source)};
   }
   return shader;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,12 +15,9 @@ namespace throng::render {
 /// Names the files of one program, in the library's folder.
 struct ProgramFiles {
   std::string vertex;
-  std::string fragment;               ///< empty: the program only captures vertices
-  std::vector<std::string> captured;  ///< varyings that transform feedback captures, interleaved
+  std::string fragment;                    ///< empty: the program only captures vertices
+  std::vector<std::string> captured = {};  ///< varyings that transform feedback captures, interleaved
 };
-
-/// Names a program as long as its ShaderLibrary lives.
-enum class ProgramHandle : std::size_t {};
 
 /// Builds programs from a folder of GLSL files. A line `#include "name.glsl"` stands for that file of the same folder,
 /// once a stage. Errors name file and line as they are on disk.
@@ -27,10 +25,12 @@ class ShaderLibrary {
  public:
   explicit ShaderLibrary(std::filesystem::path folder);
 
-  Result<ProgramHandle> load(const ProgramFiles& files);
+  /// Builds a program, which lives as long as the library. If it cannot be built it has no name, and status() says why.
+  /// A reload changes its name.
+  const gl::Program& load(const ProgramFiles& files);
 
-  /// Gives the OpenGL name, which is valid until the next reload.
-  GLuint id(ProgramHandle program) const { return programs_[static_cast<std::size_t>(program)].program.id(); }
+  /// Gives the first error of load().
+  const Status& status() const { return status_; }
 
   /// Builds every program again from disk. One that fails keeps its last good build; the first error is returned.
   Status reload();
@@ -45,7 +45,8 @@ class ShaderLibrary {
   Result<gl::Shader> compile(GLenum stage, const std::string& file) const;
 
   std::filesystem::path folder_;
-  std::vector<Entry> programs_;
+  std::deque<Entry> programs_;  // which never move
+  Status status_ = Done{};
 };
 
 }  // namespace throng::render

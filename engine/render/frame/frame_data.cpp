@@ -1,8 +1,9 @@
-#include "engine/render/frame/frame_uniforms.h"
+#include "engine/render/frame/frame_data.h"
 
 #include <glm/matrix.hpp>
 
 namespace throng::render {
+namespace {
 
 FrameUniforms frame_uniforms(const CameraView& camera, std::uint32_t now) {
   const glm::mat4 axes = glm::transpose(camera.view);
@@ -14,6 +15,17 @@ FrameUniforms frame_uniforms(const CameraView& camera, std::uint32_t now) {
   uniforms.ray_forward = -axes[2];
   uniforms.now = now;
   return uniforms;
+}
+
+}  // namespace
+
+void FrameData::upload(const CrowdFrame& frame) {
+  const FrameUniforms uniforms = frame_uniforms(frame.camera, frame.now);
+  glNamedBufferSubData(uniforms_.id(), 0, sizeof(uniforms), &uniforms);
+  glBindBufferBase(GL_UNIFORM_BUFFER, frame_uniforms_binding, uniforms_.id());
+  turn_ = (turn_ + 1) % instances_.size();
+  instances_[turn_].upload(frame.instances);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, instances_binding, instances_[turn_].id());
 }
 
 }  // namespace throng::render

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "engine/render/crowd_draw.h"
+#include "engine/render/gl/handles.h"
+
+namespace throng::render {
+
+/// Bindings of the blocks, the same in every program.
+enum UniformBinding : unsigned { frame_uniforms_binding = 0 };
+enum StorageBinding : unsigned {
+  instances_binding = 0,
+  palette_binding = 1,
+  palette_entries_binding = 2,
+  packing_frames_binding = 3
+};
+
+/// Is block 0 of every scene program. `shaders/frame_uniforms.glsl` repeats the layout (std140).
+///
+///      0  view projection
+///     64  camera position x y z, unused
+///     80  right, up, forward, w unused: forward + x * right + y * up is the ray of place (x, y) in clip space
+///    128  now in microseconds, three unused
+struct FrameUniforms {
+  glm::mat4 view_projection;
+  glm::vec4 camera_position;
+  glm::vec4 ray_right;
+  glm::vec4 ray_up;
+  glm::vec4 ray_forward;
+  std::uint32_t now;
+  std::uint32_t unused[3];
+};
+static_assert(sizeof(FrameUniforms) == 144);
+static_assert(offsetof(FrameUniforms, camera_position) == 64);
+static_assert(offsetof(FrameUniforms, now) == 128);
+
+/// Carries the camera, the time and the instance records of each frame to the device. The records take turns with
+/// several buffers, so that copying never waits for an earlier frame.
+class FrameData {
+ public:
+  /// Copies the data of a frame and binds it for every program.
+  void upload(const CrowdFrame& frame);
+
+ private:
+  static constexpr std::size_t frames_in_flight = 3;
+
+  gl::Buffer uniforms_ = gl::create_buffer(nullptr, sizeof(FrameUniforms), GL_DYNAMIC_STORAGE_BIT);
+  std::array<gl::GrowingBuffer<InstanceRecord>, frames_in_flight> instances_;
+  std::size_t turn_ = 0;
+};
+
+}  // namespace throng::render

@@ -7,7 +7,7 @@ namespace throng::app {
 
 void SelectionLog::begin(const Stage& stage, const SelectionReport& selected) {
   agent_ = selected.agent;
-  crowd_ = stage.crowd_number();
+  crowd_ = stage.animated().number();
   seen_until_ = stage.system().clock();
   clip_ = stage.crowd().clips()[agent_];
   history_.clear();
@@ -41,7 +41,7 @@ void SelectionLog::note_clip(const Stage& stage) {
 
 void SelectionLog::update(const Stage& stage, SelectionReport& selected) {
   const anim::Ticks now = stage.system().clock();
-  if (selected.agent != agent_ || stage.crowd_number() != crowd_ || now < seen_until_) begin(stage, selected);
+  if (selected.agent != agent_ || stage.animated().number() != crowd_ || now < seen_until_) begin(stage, selected);
   if (now > seen_until_) {
     note_data_keys(stage);
     note_clip(stage);

@@ -83,16 +83,16 @@ std::optional<SelectionReport> report_selection(const Stage& stage) {
   SelectionReport report{.agent = agent,
                          .role = crowd.roles()[agent],
                          .habit = crowd.habits()[agent],
-                         .posture = posture_of(stage.fallen(), agent),
+                         .posture = posture_of(stage.animated().fallen(), agent),
                          .x = position.x,
                          .y = position.y,
                          .z = position.z,
                          .speed = crowd.speeds()[agent],
-                         .can_fall = stage.can_fall(agent),
+                         .can_fall = stage.animated().can_fall(agent),
                          .channels = static_cast<int>(stage.system().agent(agent).channel_count()),
                          .entities = {}};
-  if (stage.held_clip()) report.held_at = stage.held_clip()->seconds;
-  report.clip_seconds = stage.clip_seconds(agent);
+  if (stage.animated().held_clip()) report.held_at = stage.animated().held_clip()->seconds;
+  report.clip_seconds = stage.animated().clip_seconds(agent);
   add_level_of_detail(stage, report);
   add_graph(stage.system(), report);
   return report;

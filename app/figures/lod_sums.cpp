@@ -23,7 +23,7 @@ void LodSums::Held::add(bool holds) {
 
 double LodSums::Held::percent() const { return percent_of(held, frames); }
 
-void LodSums::add(const LodFigures& figures) {
+void LodSums::add(const anim::LodFigures& figures) {
   last = figures;
   ++frames;
   predicted_ms += figures.predicted_ms;

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "app/lod/crowd_lod.h"
+#include "engine/anim/lod/level_of_detail.h"
 
 namespace throng::app {
 
@@ -22,14 +22,14 @@ struct LodSums {
     double percent() const;
   };
 
-  LodFigures last;
+  anim::LodFigures last;
   double predicted_ms = 0.0;
   std::uint64_t frames = 0;
   anim::LodCost cost;
   Held error;  ///< frames in which something was measured
   Held budget;
 
-  void add(const LodFigures& figures);
+  void add(const anim::LodFigures& figures);
   double predicted_ms_a_frame() const;
   SavedCost saved(anim::LodRule rule) const { return saved_cost(cost, rule); }
 };

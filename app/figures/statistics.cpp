@@ -148,7 +148,7 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["bones_evaluated_per_frame"] = mean(bones_evaluated_, frames_);
   add_error(json, stage.error_meter().since_start());
   add_level_of_detail(json, lod_, stage.tuning());
-  add_events(json, stage.event_sums());
+  add_events(json, stage.animated().event_sums());
   json["gl_version"] = null_if_empty(drawn_by.gl_version);
   json["gl_renderer"] = null_if_empty(drawn_by.gl_renderer);
   json["context"] = drawn_by.context;

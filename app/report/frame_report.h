@@ -8,7 +8,6 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/roles.h"
-#include "app/lod/crowd_lod.h"
 #include "app/lod/lod_thresholds.h"
 #include "app/report/selection_report.h"
 #include "app/report/tuning_sweep.h"
@@ -16,6 +15,7 @@
 #include "engine/anim/agent/character_agents.h"
 #include "engine/anim/agent/frame_work.h"
 #include "engine/anim/lod/error_window.h"
+#include "engine/anim/lod/level_of_detail.h"
 #include "engine/anim/run/scheduler.h"
 #include "engine/anim/survey/bone_lod.h"
 #include "engine/render/crowd_draw.h"
@@ -75,7 +75,7 @@ struct FrameReport {
   std::vector<int> level_bone_counts;     ///< [level]
   anim::ErrorFigures error;               ///< of what is shown, over the last 60 frames
   std::vector<BoneRow> bones;             ///< in level-of-detail order
-  LodFigures lod;
+  anim::LodFigures lod;
   std::vector<IntervalThreshold> thresholds;  ///< where the interval changes, the nearest first
   std::string threshold_clip;                 ///< the clip that they hold for; empty: they hold for all
   std::string limit_sentence;                 ///< says what limits the frame rate, with figures

@@ -65,7 +65,7 @@ struct Tuning {
   float time_scale = 1.0F;  ///< 0 to 4
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
   // Level of detail
-  anim::LodRules lod{.rule = anim::LodRule::budget};  ///< CrowdLod puts tolerance_pixels and counts_cost in
+  anim::LodRules lod{.rule = anim::LodRule::budget};  ///< LevelOfDetail puts tolerance_pixels and counts_cost in
   ErrorSampling error_sample = ErrorSampling::some;   ///< the agents in view whose error on screen is measured
   float error_px = 1.0F;                              ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit

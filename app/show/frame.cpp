@@ -27,8 +27,8 @@ void Show::film() {
   if (!films) return;
   if (path_ != CameraPath::none) {
     camera = along(path_, path_start_, anim::to_seconds(stage_->system().clock()));
-  } else if (stage_->cut_scene() != nullptr) {
-    camera = stage_->cut_scene()->film(camera);
+  } else if (stage_->animated().cut_scene() != nullptr) {
+    camera = stage_->animated().cut_scene()->film(camera);
   }
 }
 

@@ -50,7 +50,7 @@ void Show::select(std::optional<std::uint32_t> agent) {
 }
 
 void Show::hold_clip(std::uint32_t agent, float seconds) {
-  stage_->hold_clip(agent, seconds);
+  stage_->animated().hold_clip(agent, seconds);
   if (recorder_) recorder_->add(RecordedHold{agent, seconds});
 }
 
@@ -59,7 +59,7 @@ void Show::hold_selected_clip(float seconds) {
 }
 
 void Show::let_go_of_clip() {
-  stage_->let_go_of_clip();
+  stage_->animated().let_go_of_clip();
   if (recorder_) recorder_->add(RecordedHold{});
 }
 
@@ -75,7 +75,7 @@ anim::Status Show::push_selected() {
 }
 
 anim::Status Show::push(std::uint32_t agent, const glm::vec3& direction) {
-  anim::Status pushed = stage_->push_over(agent, direction);
+  anim::Status pushed = stage_->animated().push_over(agent, direction);
   if (pushed && recorder_) recorder_->add(RecordedPush{agent, direction});
   return pushed;
 }

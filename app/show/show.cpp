@@ -117,7 +117,7 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
   statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
   if (!stage) return fail(error, exit_usage, stage.error().message);
   stage_ = std::move(*stage);
-  if (options.events) stage_->sum_up_events();
+  if (options.events) stage_->animated().sum_up_events();
   const int agents = tuning.agents;
   if (!options.selected || *options.selected < agents) return true;
   return fail(

@@ -1,32 +1,39 @@
-// What a person does to a stage by hand: hold somebody's clip, and take the crowd back in time.
+// What a person does to a crowd by hand: holds a clip, pushes an agent over, takes time back.
 #include <algorithm>
+#include <string>
 
+#include <glm/geometric.hpp>
+
+#include "app/stage/animated_crowd.h"
 #include "app/stage/moment.h"
-#include "app/stage/stage.h"
 
 namespace throng::app {
 namespace {
 
 constexpr double fade_after_holding = 0.3;  // seconds
+constexpr float push_impulse = 60.0F;       // kg m/s: a hard shove
+constexpr double push_height = 0.75;        // of the character's, where it is met
+constexpr float least_body_radius = 0.2F;   // metres, to click at
+
+std::string joined(std::span<const std::string> sentences) {
+  std::string all;
+  for (const std::string& sentence : sentences) all += (all.empty() ? "" : "; ") + sentence;
+  return all;
+}
 
 }  // namespace
 
-void Stage::select(std::optional<std::uint32_t> agent) {
-  if (held_clip_ && held_clip_->agent != agent) let_go_of_clip();
-  selected_ = agent;
-}
-
-float Stage::clip_seconds(std::uint32_t agent) const {
+float AnimatedCrowd::clip_seconds(std::uint32_t agent) const {
   const int clip = holds_clip(agent) ? held_clip_->clip : crowd_->clips()[agent];
   if (clip == no_clip) return 0;
   const anim::Character& character = *character_of(agent).character;
   return static_cast<float>(anim::to_seconds(character.clips[static_cast<std::size_t>(clip)].duration));
 }
 
-void Stage::hold_clip(std::uint32_t agent, float seconds) {
+void AnimatedCrowd::hold_clip(std::uint32_t agent, float seconds) {
   if (crowd_->habits()[agent] == Habit::act || fallen_->phase(agent) != FallenAgents::Phase::standing) return;
   if (!holds_clip(agent)) {
-    if (held_clip_) let_go_of_clip();
+    let_go_of_clip();
     held_clip_ = {.agent = agent, .clip = crowd_->clips()[agent]};
     crowd_->hold(agent);
   }
@@ -36,19 +43,69 @@ void Stage::hold_clip(std::uint32_t agent, float seconds) {
                               .fade = 0,
                               .speed = 0.0,
                               .start = anim::to_ticks(static_cast<double>(held_clip_->seconds))});
-  lod_.make_due(agent);
+  lod_->make_due(agent);
 }
 
-void Stage::let_go_of_clip() {
+void AnimatedCrowd::let_go_of_clip() {
   if (!held_clip_) return;
   const std::uint32_t agent = held_clip_->agent;
   held_clip_.reset();
   crowd_->release(agent);
-  request_clip(agent, crowd_->clips()[agent], anim::to_ticks(fade_after_holding), 0.0);
+  change_clip(agent, crowd_->clips()[agent], anim::to_ticks(fade_after_holding));
 }
 
-void Stage::remember(StageMoment& into) const {
-  into.crowd_number = crowd_number_;
+bool AnimatedCrowd::can_fall(std::uint32_t agent) const {
+  return fallen_->possible(agent) && crowd_->habits()[agent] != Habit::act;
+}
+
+anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& direction) {
+  const CharacterSource& character = character_of(agent);
+  if (crowd_->habits()[agent] == Habit::act) return anim::Error{"nobody who acts in the cut scene can be pushed over"};
+  if (!can_fall(agent)) {
+    const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing());
+    return anim::Error{character.name + " cannot be pushed over: " + missing};
+  }
+  if (holds_clip(agent)) let_go_of_clip();
+  const Heading heading = crowd_->headings()[agent];
+  const glm::vec2 way(heading.cosine * direction.x - heading.sine * direction.z,
+                      heading.sine * direction.x + heading.cosine * direction.z);
+  const glm::vec2 impulse = way * (push_impulse / std::max(glm::length(way), 1e-3F));
+  const bool stood = !crowd_->holds(agent);
+  if (stood) change_clip(crowd_->hold(agent));
+  const auto chest = static_cast<float>(push_height * character.bounds.height);
+  const anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
+  if (!pushed && stood) change_clip(crowd_->release(agent));
+  if (pushed) left_out_[agent] = 1;
+  return pushed;
+}
+
+void AnimatedCrowd::let_fallen_get_up() {
+  for (const std::uint32_t agent : fallen_->advance()) {
+    left_out_[agent] = 0;
+    change_clip(crowd_->release(agent));
+  }
+}
+
+// An agent that lies is as long as it was tall, in any direction.
+UprightBody AnimatedCrowd::body_of(std::uint32_t agent) const {
+  const float scale = crowd_->scales()[agent];
+  const anim::CharacterBounds& bounds = character_of(agent).bounds;
+  const float height = static_cast<float>(bounds.height) * scale;
+  const float radius = std::max(static_cast<float>(bounds.body_radius), least_body_radius) * scale;
+  UprightBody body{.agent = agent, .foot = crowd_->positions()[agent], .radius = radius, .height = height};
+  const std::optional<glm::vec3> hips = fallen_->hips(agent);
+  if (!hips || hips->y * scale > height / 4.0F) return body;
+  const Heading heading = crowd_->headings()[agent];
+  const glm::vec2 aside(heading.cosine * hips->x + heading.sine * hips->z,
+                        heading.cosine * hips->z - heading.sine * hips->x);
+  body.foot += scale * glm::vec3(aside.x, 0.0F, aside.y);
+  body.radius = height / 2.0F;
+  body.height = height / 4.0F;
+  return body;
+}
+
+void AnimatedCrowd::remember(StageMoment& into) const {
+  into.crowd_number = number_;
   into.clock = system_->clock();
   system_->snapshot(into.system);
   crowd_->remember(into.crowd);
@@ -56,25 +113,19 @@ void Stage::remember(StageMoment& into) const {
   into.fallen = *fallen_;
   into.feet = feet_->moment();
   into.played_speeds = played_speeds_;
+  into.left_out = left_out_;
 }
 
-anim::Status Stage::go_back_to(const StageMoment& moment) {
-  if (moment.crowd_number != crowd_number_) return anim::Error{"that moment is of another crowd"};
+anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
+  if (moment.crowd_number != number_) return anim::Error{"that moment is of another crowd"};
   if (const anim::Status restored = system_->restore(moment.system); !restored) return restored;
   crowd_->go_back_to(moment.crowd);
   if (cut_scene_ && moment.cut_scene) cut_scene_->go_back_to(*moment.cut_scene);
   *fallen_ = *moment.fallen;
   feet_->go_back_to(moment.feet);
   played_speeds_ = moment.played_speeds;
+  left_out_ = moment.left_out;
   held_clip_.reset();
-  // What is shown are poses of the future.
-  shown_.reset(crowd_->size(), frame_);
-  meter_.reset(crowd_->size());
-  bone_steps_.assign(crowd_->size(), {});
-  lod_.make_all_due();
-  crowd_lod_.reset(crowd_->size(), tuning_);
-  bone_steps_.assign(crowd_->size(), {});
-  meter_.reset(crowd_->size());
   return anim::Done{};
 }
 

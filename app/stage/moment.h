@@ -14,7 +14,7 @@ namespace throng::app {
 
 /// All of a stage that changes as time passes; its memory is used again when it is filled again.
 struct StageMoment {
-  std::uint64_t crowd_number = 0;  ///< Stage::crowd_number: of another crowd it cannot be put back
+  std::uint64_t crowd_number = 0;  ///< AnimatedCrowd::number: of another crowd it cannot be put back
   anim::Ticks clock = 0;
   anim::SystemSnapshot system;
   CrowdMoment crowd;
@@ -22,6 +22,7 @@ struct StageMoment {
   std::optional<FallenAgents> fallen;
   PlacedFeet::Moment feet;
   std::vector<float> played_speeds;
+  std::vector<std::uint8_t> left_out;
 };
 
 }  // namespace throng::app

@@ -5,19 +5,19 @@
 namespace throng::app {
 
 void Rewind::watch(const Stage& stage) {
-  if (!moments_.empty() && moments_.back()->crowd_number != stage.crowd_number()) forget();
-  if (stage.tuning().agents > most_agents || stage.held_clip()) return;
+  if (!moments_.empty() && moments_.back()->crowd_number != stage.animated().number()) forget();
+  if (stage.tuning().agents > most_agents || stage.animated().held_clip()) return;
   if (!moments_.empty() && age(stage) < time_between) return;
   // The oldest one's memory is used again.
   const bool full = moments_.size() == most_moments;
   auto moment = full ? std::move(moments_.front()) : std::make_unique<StageMoment>();
   if (full) moments_.pop_front();
-  stage.remember(*moment);
+  stage.animated().remember(*moment);
   moments_.push_back(std::move(moment));
 }
 
 anim::Status Rewind::go_back(Stage& stage) {
-  if (moments_.empty() || moments_.back()->crowd_number != stage.crowd_number()) {
+  if (moments_.empty() || moments_.back()->crowd_number != stage.animated().number()) {
     return anim::Error{"there is no earlier moment of this crowd to go back to"};
   }
   if (const anim::Status gone = stage.go_back_to(*moments_.back()); !gone) return gone;

@@ -102,7 +102,7 @@ void StagedCrowd::note_moments() {
     const ShownPose& pose = stage_->shown().pose(due.agent);
     const bool looks_ahead = pose.from_time != pose.to_time;
     Slots& slots = moments_[due.agent];
-    const BoneStep& bones = stage_->bone_step(due.agent);
+    const anim::BoneStep& bones = stage_->level_of_detail().bone_step(due.agent);
     const PoseMoment to{.evaluated = now,
                         .time = looks_ahead ? now + due.look_ahead * frame_step : now,
                         .fade_level = bones.fade_level,

@@ -5,20 +5,9 @@
 #include <vector>
 
 #include "engine/anim/agent/fitted_scheduler.h"
+#include "engine/anim/run/agent_update.h"
 
 namespace throng::anim {
-
-/// One agent to be posed in this frame.
-struct AgentUpdate {
-  std::uint32_t agent = 0;
-  std::uint8_t level = 0;           ///< bone level
-  Ticks look_ahead = 0;             ///< the pose is that of now + look_ahead (smooth skipping); see can_wind_back()
-  PaletteDestination palette = {};  ///< the PU writes it there, room for the level's entries; null: nobody draws it
-  /// Fades to or from a coarser level: the bones that it lacks are so many halves of the way to where they stand
-  /// still. At 2 the palette shows what that level shows, so that meshes can change without a pop.
-  std::uint8_t fade_level = 0;
-  std::uint8_t fade_halves = 0;  ///< 0 to 2
-};
 
 /// What the last update did.
 struct UpdateReport {

@@ -113,4 +113,18 @@ void LodController::settle(const LodLimits& limits, const LodOutcome& outcome) {
   }
 }
 
+const char* name_of(BindingLimit limit) {
+  switch (limit) {
+    case BindingLimit::none:
+      return "none";
+    case BindingLimit::error:
+      return "error";
+    case BindingLimit::budget:
+      return "budget";
+    case BindingLimit::both_miss:
+      break;
+  }
+  return "both miss";
+}
+
 }  // namespace throng::anim

@@ -22,6 +22,9 @@ enum class BindingLimit : std::uint8_t {
   both_miss,  ///< both limits are set, and even the coarsest choices do not fit the budget
 };
 
+/// Returns "none", "error", "budget" or "both miss".
+const char* name_of(BindingLimit limit);
+
 /// The outcome of the last frame.
 struct LodOutcome {
   CostByTolerance cost_by_tolerance{};

@@ -41,7 +41,7 @@ class CutSceneOnStage : public testing::Test {
   }
   void pass_until(double seconds) { pass(static_cast<int>((seconds - seconds_) * 60.0 + 0.5)); }
   glm::vec3 place(std::uint32_t agent) const { return stage_->crowd().positions()[agent]; }
-  render::Camera camera() const { return stage_->cut_scene()->film({}); }
+  render::Camera camera() const { return stage_->animated().cut_scene()->film({}); }
   /// Cosine of the angle between where the camera looks and where something is.
   float faces(const glm::vec3& target) const {
     return glm::dot(render::forward(camera()), glm::normalize(target - camera().position));
@@ -130,9 +130,9 @@ TEST_F(CutSceneOnStage, HasOnePoseHashHoweverItIsScheduled) {
 }
 
 TEST_F(CutSceneOnStage, ASelectedActorIsNotPushedOutOfIt) {
-  EXPECT_FALSE(stage_->can_fall(actor));
-  EXPECT_FALSE(stage_->push_over(actor, {0.0F, 0.0F, 1.0F}));
-  EXPECT_TRUE(stage_->can_fall(2));
+  EXPECT_FALSE(stage_->animated().can_fall(actor));
+  EXPECT_FALSE(stage_->animated().push_over(actor, {0.0F, 0.0F, 1.0F}));
+  EXPECT_TRUE(stage_->animated().can_fall(2));
 }
 
 TEST_F(CutSceneOnStage, PlaysWithoutABalloonAndWithAnActorThatCannotWalk) {
@@ -148,11 +148,11 @@ TEST_F(CutSceneOnStage, AnotherSceneHasNone) {
   Tuning plaza = stage_->tuning();
   plaza.scene = Scene::plaza;
   ASSERT_TRUE(stage_->apply(plaza));
-  EXPECT_EQ(stage_->cut_scene(), nullptr);
+  EXPECT_EQ(stage_->animated().cut_scene(), nullptr);
   EXPECT_EQ(stage_->system().agent_count(), 40U);
   plaza.scene = Scene::film;
   ASSERT_TRUE(stage_->apply(plaza));
-  EXPECT_NE(stage_->cut_scene(), nullptr);
+  EXPECT_NE(stage_->animated().cut_scene(), nullptr);
 }
 
 }  // namespace

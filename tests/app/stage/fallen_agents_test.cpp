@@ -47,8 +47,8 @@ class PushedOnStage : public testing::Test {
     for (; frames < a_minute && !holds(); ++frames) pass(1);
     return frames;
   }
-  bool push(std::uint32_t agent) { return static_cast<bool>(stage_->push_over(agent, {0.0F, 0.0F, -1.0F})); }
-  Phase phase(std::uint32_t agent) const { return stage_->fallen().phase(agent); }
+  bool push(std::uint32_t agent) { return static_cast<bool>(stage_->animated().push_over(agent, {0.0F, 0.0F, -1.0F})); }
+  Phase phase(std::uint32_t agent) const { return stage_->animated().fallen().phase(agent); }
   std::size_t blocks(const std::string& kind) const {
     const auto kinds = stage_->system().figures().memory();
     const auto found = std::ranges::find(kinds, kind, &anim::KindMemory::kind);
@@ -66,7 +66,7 @@ TEST_F(PushedOnStage, FallsLiesTwoSecondsAndGetsUp) {
   ASSERT_TRUE(push(agent));
   EXPECT_EQ(blocks("rag-doll"), 1U);
   EXPECT_LT(pass_until([&] { return phase(agent) == Phase::down; }), 30);
-  EXPECT_LT(pass_until([&] { return stage_->fallen().at_rest(agent); }), 12 * 60);
+  EXPECT_LT(pass_until([&] { return stage_->animated().fallen().at_rest(agent); }), 12 * 60);
   EXPECT_NEAR(pass_until([&] { return phase(agent) == Phase::recovering; }), 120, 1);
   EXPECT_EQ(stage_->crowd().positions()[agent], place) << "until it stands it stays there";
   EXPECT_LE(pass_until([&] { return phase(agent) == Phase::standing; }), 62);
@@ -150,7 +150,7 @@ TEST_F(PushedOnStage, IsLeftStandingWhereTheStoreHasNoRoomForARagDoll) {
   Tuning tuning = stage_->tuning();
   int kib = 8;
   for (set_local_store_kib(tuning, kib); !stage_->apply(tuning); set_local_store_kib(tuning, ++kib)) ASSERT_LT(kib, 64);
-  const anim::Status pushed = stage_->push_over(3, {0.0F, 0.0F, -1.0F});
+  const anim::Status pushed = stage_->animated().push_over(3, {0.0F, 0.0F, -1.0F});
   ASSERT_FALSE(pushed);
   EXPECT_NE(pushed.error().message.find("local store"), std::string::npos) << pushed.error().message;
   EXPECT_FALSE(stage_->crowd().holds(3));
@@ -170,7 +170,7 @@ TEST_F(PushedOnStage, SelectionReportHasTheGraphSourcesFirst) {
   EXPECT_FALSE(upright->entities.front().clip.empty());
   EXPECT_EQ(upright->entities.back().weight, 1.0F);
   ASSERT_TRUE(push(3));
-  pass_until([&] { return stage_->fallen().at_rest(3); });
+  pass_until([&] { return stage_->animated().fallen().at_rest(3); });
   const auto down = report_selection(*stage_);
   EXPECT_EQ(down->posture, Posture::down);
   EXPECT_EQ(down->interval, 1);

@@ -58,13 +58,13 @@ TEST_F(StageInHands, AHeldClipStandsWhereItIsHeldAndSoDoesItsAgent) {
   const std::uint32_t agent = 2;
   pass(30);
   stage_->select(agent);
-  stage_->hold_clip(agent, 0.25F);
+  stage_->animated().hold_clip(agent, 0.25F);
   pass(2);
   const glm::vec3 place = stage_->crowd().positions()[agent];
   pass(40);
   EXPECT_NEAR(position_in_clip(agent), 0.25F, 1e-3F);
   EXPECT_EQ(stage_->crowd().positions()[agent], place);
-  stage_->hold_clip(agent, 0.5F);
+  stage_->animated().hold_clip(agent, 0.5F);
   pass(2);
   EXPECT_NEAR(position_in_clip(agent), 0.5F, 1e-3F);
 }
@@ -72,10 +72,10 @@ TEST_F(StageInHands, AHeldClipStandsWhereItIsHeldAndSoDoesItsAgent) {
 TEST_F(StageInHands, WhoIsLetGoPlaysOn) {
   pass(10);
   stage_->select(2);
-  stage_->hold_clip(2, 0.25F);
+  stage_->animated().hold_clip(2, 0.25F);
   pass(5);
-  stage_->let_go_of_clip();
-  EXPECT_FALSE(stage_->held_clip());
+  stage_->animated().let_go_of_clip();
+  EXPECT_FALSE(stage_->animated().held_clip());
   EXPECT_FALSE(stage_->crowd().holds(2));
   pass(60);
   const float then = position_in_clip(2);
@@ -85,16 +85,16 @@ TEST_F(StageInHands, WhoIsLetGoPlaysOn) {
 
 TEST_F(StageInHands, AnotherSelectionAndAPushLetGo) {
   stage_->select(2);
-  stage_->hold_clip(2, 0.25F);
+  stage_->animated().hold_clip(2, 0.25F);
   stage_->select(3);
-  EXPECT_FALSE(stage_->held_clip());
-  stage_->hold_clip(3, 0.25F);
-  ASSERT_TRUE(stage_->push_over(3, {0.0F, 0.0F, -1.0F}));
-  EXPECT_FALSE(stage_->held_clip());
+  EXPECT_FALSE(stage_->animated().held_clip());
+  stage_->animated().hold_clip(3, 0.25F);
+  ASSERT_TRUE(stage_->animated().push_over(3, {0.0F, 0.0F, -1.0F}));
+  EXPECT_FALSE(stage_->animated().held_clip());
   pass(10);
-  EXPECT_NE(stage_->fallen().phase(3), FallenAgents::Phase::standing);
-  stage_->hold_clip(3, 0.25F);
-  EXPECT_FALSE(stage_->held_clip()) << "it has fallen";
+  EXPECT_NE(stage_->animated().fallen().phase(3), FallenAgents::Phase::standing);
+  stage_->animated().hold_clip(3, 0.25F);
+  EXPECT_FALSE(stage_->animated().held_clip()) << "it has fallen";
 }
 
 TEST_F(StageInHands, TakenBackTheCrowdDoesTheSameAgain) {
@@ -117,7 +117,7 @@ TEST_F(StageInHands, TakenBackTwiceItStrikesTheSamePosesBothTimes) {
         .system = {.pus = 2}});
   pass(40);
   StageMoment moment;
-  stage_->remember(moment);
+  stage_->animated().remember(moment);
   std::vector<std::uint64_t> hashes;
   for (int time = 0; time < 2; ++time) {
     ASSERT_TRUE(stage_->go_back_to(moment));
@@ -148,7 +148,7 @@ TEST_F(StageInHands, KeepsNoMoreMomentsThanItSays) {
 TEST_F(StageInHands, AMomentOfAnotherCrowdIsRefused) {
   pass(40);
   StageMoment moment;
-  stage_->remember(moment);
+  stage_->animated().remember(moment);
   Tuning other = stage_->tuning();
   other.seed = 5;
   ASSERT_TRUE(stage_->apply(other));

@@ -36,7 +36,7 @@ class Watched {
     const bool off = lod == anim::LodRule::off;
     const Tuning tuning{.agents = agents, .lod = {.rule = lod, .bone_lod = !off, .smooth = !off}, .system = {.pus = 2}};
     stage_ = std::move(*Stage::create(std::move(characters), tuning, pages_));
-    stage_->sum_up_events();
+    stage_->animated().sum_up_events();
   }
 
   void pass_frame() {
@@ -53,7 +53,7 @@ class Watched {
 
   const Crowd& crowd() const { return stage_->crowd(); }
   const std::vector<std::vector<Met>>& met() const { return met_; }
-  const EventSums& sums() const { return *stage_->event_sums(); }
+  const EventSums& sums() const { return *stage_->animated().event_sums(); }
   std::uint64_t posed() const { return stage_->system().figures().report().agents_updated; }
 
  private:

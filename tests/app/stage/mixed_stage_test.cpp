@@ -106,11 +106,12 @@ TEST_F(MixedStage, EverybodyFallsWithTheBonesOfTheirOwnCharacter) {
   pass(2);
   for (const std::uint8_t character : {std::uint8_t{0}, std::uint8_t{1}}) {
     const std::uint32_t agent = first_of(character);
-    ASSERT_TRUE(stage_->can_fall(agent));
-    EXPECT_TRUE(stage_->push_over(agent, {0.0F, 0.0F, 1.0F}));
+    ASSERT_TRUE(stage_->animated().can_fall(agent));
+    EXPECT_TRUE(stage_->animated().push_over(agent, {0.0F, 0.0F, 1.0F}));
   }
   const auto lie = [&] {
-    return stage_->fallen().hips(first_of(0)).has_value() && stage_->fallen().hips(first_of(1)).has_value();
+    return stage_->animated().fallen().hips(first_of(0)).has_value() &&
+           stage_->animated().fallen().hips(first_of(1)).has_value();
   };
   for (int i = 0; i < 60 && !lie(); ++i) pass(1);
   EXPECT_TRUE(lie());

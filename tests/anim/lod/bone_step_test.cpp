@@ -1,11 +1,11 @@
-#include "app/lod/bone_step.h"
+#include "engine/anim/lod/bone_step.h"
 
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace throng::app::bone_step_test {
+namespace throng::anim::bone_step_test {
 namespace {
 
 using testing::ElementsAre;
@@ -43,4 +43,4 @@ TEST(BoneStep, GetsAnywhereFromAnywhere) {
 }
 
 }  // namespace
-}  // namespace throng::app::bone_step_test
+}  // namespace throng::anim::bone_step_test

@@ -1,6 +1,6 @@
-#include "app/lod/bone_step.h"
+#include "engine/anim/lod/bone_step.h"
 
-namespace throng::app {
+namespace throng::anim {
 namespace {
 
 constexpr std::uint8_t there = 2;
@@ -22,4 +22,4 @@ BoneStep next_step(const BoneStep& now, std::uint8_t wanted) {
   return settled_at(now.fade_level);
 }
 
-}  // namespace throng::app
+}  // namespace throng::anim

@@ -1,0 +1,141 @@
+#include "app/stage/animated_crowd.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "app/character/cut_scene_models.h"
+
+namespace throng::app {
+
+anim::SystemOptions on_this_machine(anim::SystemOptions options) {
+  if (options.pus == 0) options.pus = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return options;
+}
+
+std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters) {
+  std::vector<CharacterRoles> roles;
+  for (const CharacterSource& character : characters) roles.push_back(character.roles);
+  return roles;
+}
+
+anim::Result<std::unique_ptr<AnimatedCrowd>> AnimatedCrowd::create(std::span<const CharacterSource> characters,
+                                                                   const anim::SystemOptions& options,
+                                                                   anim::LevelOfDetail& lod) {
+  std::unique_ptr<AnimatedCrowd> crowd(new AnimatedCrowd(characters, lod));
+  if (const anim::Status opened = crowd->open(options); !opened) return opened.error();
+  return crowd;
+}
+
+anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
+  auto system = anim::AnimationSystem::create(characters_.front().character, on_this_machine(options));
+  if (!system) return system.error();
+  system_ = std::move(*system);
+  for (const CharacterSource& more : characters_.subspan(1)) {
+    if (const auto added = system_->characters().add(more.character); !added) {
+      return anim::Error{more.name + ": " + added.error().message};
+    }
+  }
+  const auto camera = system_->characters().add(film_camera(common_roles(roles_of(characters_)).size()));
+  if (!camera) return camera.error();
+  film_camera_ = *camera;
+  std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
+  for (std::uint32_t character = 0; character < characters_.size(); ++character) {
+    rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));
+    const anim::RigKinds kinds = rigs_.back()->add_to(*system_, character);
+    ragdolls.push_back(kinds.ragdoll);
+    feet.push_back(kinds.foot_placement);
+  }
+  fallen_ = std::make_unique<FallenAgents>(std::move(ragdolls), *system_);
+  feet_ = std::make_unique<PlacedFeet>(std::move(feet), *system_);
+  return anim::Done{};
+}
+
+anim::Status AnimatedCrowd::configure(const anim::SystemOptions& options) {
+  const anim::SystemOptions here = on_this_machine(options);
+  return here == system_->options() ? anim::Status(anim::Done{}) : system_->configure(here);
+}
+
+anim::Status AnimatedCrowd::reorder_bones(std::size_t character, const ReorderedCharacter& reordered) {
+  const auto number = static_cast<std::uint32_t>(character);
+  const anim::Status replaced = system_->characters().replace(number, reordered.character, reordered.places);
+  if (!replaced) return replaced;
+  rigs_[character]->reorder_bones(reordered.places);
+  ++number_;  // moments of it are of other blocks
+  return replaced;
+}
+
+void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks) {
+  const auto agents = static_cast<std::size_t>(tuning.agents);
+  crowd_ = std::make_unique<Crowd>(tuning.scene, agents, tuning.seed, roles_of(characters_));
+  ++number_;
+  held_clip_.reset();
+  fallen_->reset();
+  left_out_.assign(agents, 0);
+  feet_->reset(agents);
+  system_->set_agent_count(0);
+  if (clocks == Clocks::begin_anew) system_->restart();
+  cut_scene_.reset();
+  system_->add_agents(crowd_->characters());
+  played_speeds_.assign(agents, 0.0F);
+  for (std::uint32_t agent = 0; agent < agents; ++agent) {
+    play(agent, crowd_->clips()[agent], 0, static_cast<double>(crowd_->start_phases()[agent]));
+  }
+  if (tuning.scene == Scene::film) {
+    cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
+  }
+  if (event_sums_) event_sums_->reset(agents);
+}
+
+void AnimatedCrowd::move(anim::Ticks delta) {
+  const anim::Ticks before = system_->clock();
+  system_->advance(delta);
+  if (event_sums_) event_sums_->add_events(*system_, before);
+  const auto requests = crowd_->advance(delta, system_->executor(), system_->options().pus);
+  if (event_sums_) event_sums_->add_places(*crowd_);
+  for (const ClipRequest& request : requests) change_clip(request);
+  match_playback();
+  if (cut_scene_ && delta > 0) cut_scene_->advance();
+}
+
+// Agents that walk go at their own pace from frame to frame, and their feet with them.
+void AnimatedCrowd::match_playback() {
+  const std::span<const float> speeds = crowd_->playback_speeds();
+  const std::size_t movers = crowd_->walkers() + crowd_->marchers();
+  for (std::uint32_t agent = 0; agent < movers; ++agent) {
+    if (speeds[agent] == played_speeds_[agent] || crowd_->clips()[agent] == no_clip || holds_clip(agent)) continue;
+    system_->agent(agent).set_speed(static_cast<double>(speeds[agent]));
+    played_speeds_[agent] = speeds[agent];
+  }
+}
+
+void AnimatedCrowd::place_feet(std::uint32_t agent, bool stand, bool is_shown) {
+  if (stand) {
+    feet_->place(*crowd_, agent, is_shown);
+  } else {
+    feet_->let_go(agent);
+  }
+}
+
+void AnimatedCrowd::play(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase) {
+  const bool plays = clip != no_clip;
+  const int index = plays ? clip : 0;
+  const anim::Ticks duration = character_of(agent).character->clips[static_cast<std::size_t>(index)].duration;
+  played_speeds_[agent] = crowd_->playback_speeds()[agent];
+  system_->agent(agent).play(
+      {.clip = index,
+       .fade = fade,
+       .speed = plays ? static_cast<double>(played_speeds_[agent]) : 0.0,
+       .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
+}
+
+void AnimatedCrowd::change_clip(std::uint32_t agent, int clip, anim::Ticks fade) {
+  if (system_->agent(agent).can_wind_back()) lod_->make_due(agent);
+  lod_->change_clip(agent, system_->clock() + fade);
+  play(agent, clip, fade, 0.0);
+}
+
+void AnimatedCrowd::change_clip(const std::optional<ClipRequest>& request) {
+  if (request) change_clip(request->agent, request->clip, anim::to_ticks(static_cast<double>(request->fade_seconds)));
+}
+
+}  // namespace throng::app

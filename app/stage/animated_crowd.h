@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/character/source.h"
+#include "app/crowd/crowd.h"
+#include "app/settings/settings.h"
+#include "app/stage/cut_scene.h"
+#include "app/stage/event_sums.h"
+#include "app/stage/fallen_agents.h"
+#include "app/stage/picking.h"
+#include "app/stage/placed_feet.h"
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/agent/character_rigs.h"
+#include "engine/anim/lod/level_of_detail.h"
+
+namespace throng::app {
+
+struct StageMoment;
+
+/// A crowd and the animation system that it plays in: who walks where, who plays what, who has fallen, and what a
+/// person does to them by hand. Level of detail is told whenever an agent changes clip.
+class AnimatedCrowd {
+ public:
+  /// `characters` and `lod` outlive the crowd. Errors: as AnimationSystem::create and Characters::add.
+  static anim::Result<std::unique_ptr<AnimatedCrowd>> create(std::span<const CharacterSource> characters,
+                                                             const anim::SystemOptions& options,
+                                                             anim::LevelOfDetail& lod);
+
+  /// Other options of the system, at a frame boundary; on error the old ones go on.
+  anim::Status configure(const anim::SystemOptions& options);
+  /// The bones of a character are in another order from now on. Errors: as Characters::replace.
+  anim::Status reorder_bones(std::size_t character, const ReorderedCharacter& reordered);
+
+  enum class Clocks : std::uint8_t { go_on, begin_anew };
+  /// Makes the crowd of the tuning's scene anew.
+  void populate(const Tuning& tuning, Clocks clocks);
+
+  /// Every clock advances, the crowd walks on and asks for clips.
+  void move(anim::Ticks delta);
+  /// Before an update for the pose of now: the feet stand where they came down, or go as the clip has them.
+  void place_feet(std::uint32_t agent, bool stand, bool is_shown);
+  /// Before an update: takes what placed feet need from agents that need it no more, or that nobody sees.
+  void take_back_feet(std::span<const anim::VisibleAgent> visible) { feet_->take_back(visible); }
+  /// After an update: agents that lay long enough stand up and go on.
+  void let_fallen_get_up();
+
+  /// Pushes an agent over, in the world's `direction` (its height is ignored). Errors: its character has nothing that
+  /// could fall, or the local store has no room for it.
+  anim::Status push_over(std::uint32_t agent, const glm::vec3& direction);
+  bool can_fall(std::uint32_t agent) const;
+  const FallenAgents& fallen() const { return *fallen_; }
+  /// As LodCrowd::left_out: agents that have fallen.
+  std::span<const std::uint8_t> left_out() const { return left_out_; }
+
+  struct HeldClip {
+    std::uint32_t agent = 0;
+    int clip = no_clip;
+    float seconds = 0;
+  };
+  /// Holds the clip that an agent plays at `seconds` of it, and the agent where it is. Nothing happens to one that acts
+  /// or has fallen.
+  void hold_clip(std::uint32_t agent, float seconds);
+  void let_go_of_clip();
+  const std::optional<HeldClip>& held_clip() const { return held_clip_; }
+  /// Returns the length of the clip that the agent plays, or is held in; 0 if it plays none.
+  float clip_seconds(std::uint32_t agent) const;
+
+  /// Keeps all that changes as time passes; and puts it back, after which the crowd goes on to the same poses. Errors:
+  /// the moment is of another crowd or schedule; then nothing has changed.
+  void remember(StageMoment& into) const;
+  anim::Status go_back_to(const StageMoment& moment);
+  /// Differs for each crowd that was made, and after bones changed their order.
+  std::uint64_t number() const { return number_; }
+
+  /// From now on everybody's data keys and places are summed up: takes about as long as the crowd's own logic.
+  void sum_up_events() { event_sums_.emplace().reset(crowd_->size()); }
+  const std::optional<EventSums>& event_sums() const { return event_sums_; }
+
+  anim::AnimationSystem& system() { return *system_; }
+  const anim::AnimationSystem& system() const { return *system_; }
+  const Crowd& crowd() const { return *crowd_; }
+  /// Returns the camera of the cut scene; null in the other scenes.
+  const CutScene* cut_scene() const { return cut_scene_.get(); }
+  /// Returns what can be clicked at.
+  UprightBody body_of(std::uint32_t agent) const;
+
+ private:
+  AnimatedCrowd(std::span<const CharacterSource> characters, anim::LevelOfDetail& lod)
+      : characters_(characters), lod_(&lod) {}
+  anim::Status open(const anim::SystemOptions& options);
+  const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd_->characters()[agent]]; }
+  bool holds_clip(std::uint32_t agent) const { return held_clip_ && held_clip_->agent == agent; }
+  void play(std::uint32_t agent, int clip, anim::Ticks fade, double start_phase);
+  void change_clip(std::uint32_t agent, int clip, anim::Ticks fade);
+  void change_clip(const std::optional<ClipRequest>& request);
+  void match_playback();
+
+  std::span<const CharacterSource> characters_;
+  anim::LevelOfDetail* lod_;
+  std::vector<std::unique_ptr<anim::CharacterRigs>> rigs_;  // [character]
+  std::uint32_t film_camera_ = 0;                           // the system's number of the cut scene's camera
+  std::unique_ptr<anim::AnimationSystem> system_;
+  std::unique_ptr<FallenAgents> fallen_;
+  std::unique_ptr<PlacedFeet> feet_;
+  std::optional<EventSums> event_sums_;
+  std::unique_ptr<Crowd> crowd_;
+  std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
+  std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
+  std::vector<std::uint8_t> left_out_;   // [agent] 1: has fallen
+  std::optional<HeldClip> held_clip_;
+  std::uint64_t number_ = 0;
+};
+
+std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters);
+
+/// Returns the options with as many PUs as the machine has cores, where their number is 0.
+anim::SystemOptions on_this_machine(anim::SystemOptions options);
+
+}  // namespace throng::app

@@ -1,0 +1,178 @@
+#include "engine/anim/lod/level_of_detail.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/anim/kernel/kernels.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr double usual_frame_seconds = 1.0 / 60.0;
+constexpr double longer_frame = 1.25;  // than the one that choices were built for, or shorter: they are built anew
+constexpr double nanoseconds_a_millisecond = 1e6;
+constexpr std::uint64_t never_shown = UINT64_MAX;
+
+// No choice depends on the tolerance.
+bool same_but_tolerance(LodRules a, const LodRules& b) {
+  a.tolerance_pixels = b.tolerance_pixels;
+  return a == b;
+}
+
+// Returns nanoseconds of one PU for a character that plays one clip.
+std::array<std::uint32_t, max_bone_levels> update_costs(const Skeleton& skeleton, const CostModel& cost) {
+  std::array<std::uint32_t, max_bone_levels> costs{};
+  for (std::size_t level = 0; level < skeleton.level_bone_counts.size(); ++level) {
+    const int packets = packets_for(skeleton.level_bone_counts[level]);
+    const double tile = cost.of_tile(packets) / widest_strip;
+    costs[level] = static_cast<std::uint32_t>(cost.of_agent({.players = 1}, packets) + tile);
+  }
+  return costs;
+}
+
+}  // namespace
+
+LodCharacter lod_character(const Character& character, const CostModel& cost) {
+  return {.centre_height = static_cast<float>(character.bounds.height / 2.0),
+          .radius = static_cast<float>(character.bounds.reach),
+          .height = static_cast<float>(character.bounds.height),
+          .level_count = static_cast<int>(character.skeleton.level_bone_counts.size()),
+          .level_error_metres = character.bone_lod.level_error_metres,
+          .update_nanoseconds = update_costs(character.skeleton, cost),
+          .full_rate_nanoseconds = 0,
+          .clips = character.skip_errors};
+}
+
+void LevelOfDetail::set_characters(std::vector<LodCharacter> characters) {
+  characters_ = std::move(characters);
+  choices_ = {};
+}
+
+void LevelOfDetail::reset(std::size_t agents, const LodLimits& limits) {
+  state_.resize(agents, selection_);
+  importance_.reset(agents);
+  controller_.reset(limits);
+  shown_in_.assign(agents, never_shown);
+  bone_steps_.assign(agents, {});
+  updates_.clear();
+  updates_.reserve(agents);
+}
+
+void LevelOfDetail::forget_shown() {
+  std::ranges::fill(shown_in_, never_shown);
+  std::ranges::fill(bone_steps_, BoneStep{});
+}
+
+void LevelOfDetail::build_choices(const LodView& view) {
+  const double ratio = view.frame_step == 0 ? 1.0 : to_seconds(view.frame_step) / built_seconds_;
+  const bool same_frames = ratio <= longer_frame && ratio >= 1.0 / longer_frame;
+  if (!choices_.empty() && same_but_tolerance(view.rules, built_for_) && same_frames) return;
+  built_seconds_ = view.frame_step > 0 ? to_seconds(view.frame_step) : usual_frame_seconds;
+  built_for_ = view.rules;
+  choices_.build(characters_, view.rules, static_cast<float>(built_seconds_));
+}
+
+LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
+  LodFrame frame{.positions = crowd.positions,
+                 .scales = crowd.scales,
+                 .characters = characters_,
+                 .character_of = crowd.character_of,
+                 .clips = crowd.clips,
+                 .importance = importance_.of_agents(),
+                 .changing = importance_.changing(),
+                 .choices = &choices_,
+                 .camera = view_.camera,
+                 .rules = view_.rules,
+                 .force = view_.force,
+                 .number = number_};
+  frame.rules.tolerance_pixels = controller_.tolerance_pixels();
+  frame.rules.counts_cost = view_.rules.rule == LodRule::budget;
+  return frame;
+}
+
+void LevelOfDetail::select(const LodCrowd& crowd, const LodView& view, Executor& executor, int jobs) {
+  view_ = view;
+  ++frame_;
+  if (view.frame_step > 0) ++number_;
+  build_choices(view);
+  importance_.weigh(view.now, view.selected);
+  select_for_update(frame(crowd), state_, selection_, executor, jobs);
+  if (find_first_tolerance()) {
+    state_.make_all_due();
+    select_for_update(frame(crowd), state_, selection_, executor, jobs);
+  }
+  for (const VisibleAgent& each : selection_.visible) {
+    std::uint64_t& shown_in = shown_in_[each.agent];
+    if (shown_in == frame_ - 1) shown_in = frame_;
+  }
+  list_updates(crowd);
+}
+
+bool LevelOfDetail::find_first_tolerance() {
+  const bool has_budget = view_.rules.rule == LodRule::budget && view_.limits.budget_nanoseconds > 0.0;
+  if (!has_budget || !controller_.is_new()) return false;
+  controller_.begin(view_.limits, selection_.cost.by_tolerance);
+  return true;
+}
+
+void LevelOfDetail::list_updates(const LodCrowd& crowd) {
+  updates_.clear();
+  for (const DueAgent& due : selection_.due) {
+    if (!crowd.left_out.empty() && crowd.left_out[due.agent] != 0) continue;
+    const BoneStep bones = step_bones(due);
+    // An agent that is evaluated in each frame has the pose of now.
+    const bool ahead = view_.rules.smooth && due.look_ahead > 1 && is_shown(due.agent);
+    updates_.push_back({.agent = due.agent,
+                        .level = bones.level,
+                        .look_ahead = ahead ? due.look_ahead * view_.frame_step : 0,
+                        .palette = nullptr,
+                        .fade_level = bones.fade_level,
+                        .fade_halves = bones.fade_halves});
+  }
+}
+
+// An agent that is shown goes from level to level by steps. Another one, and all while time stands still, go at once.
+BoneStep LevelOfDetail::step_bones(const DueAgent& due) {
+  BoneStep& step = bone_steps_[due.agent];
+  const bool by_steps = view_.frame_step > 0 && is_shown(due.agent);
+  step = by_steps ? next_step(step, due.bone_level) : settled_at(due.bone_level);
+  return step;
+}
+
+AgentUpdate& LevelOfDetail::update_also(std::uint32_t agent) {
+  bone_steps_[agent] = settled_at(0);
+  return updates_.emplace_back(AgentUpdate{.agent = agent});
+}
+
+void LevelOfDetail::show_at_once(AgentUpdate& update) {
+  update.look_ahead = 0;
+  make_due(update.agent);
+}
+
+void LevelOfDetail::settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels) {
+  for (const AgentUpdate& update : updates_) {
+    shown_in_[update.agent] = update.palette.memory() != nullptr ? frame_ : never_shown;
+  }
+  if (view_.frame_step == 0) return;
+  const bool by_error = view_.rules.rule == LodRule::budget;
+  const LodLimits& limits = view_.limits;
+  const auto exempt = static_cast<double>(selection_.cost.reappeared);
+  const double counted = predicted_nanoseconds - exempt;
+  figures_ = {.tolerance_px = by_error ? controller_.tolerance_pixels() : 0.0F,
+              .binding = BindingLimit::none,
+              .predicted_ms = predicted_nanoseconds / nanoseconds_a_millisecond,
+              .budget_held = !by_error || limits.budget_nanoseconds <= 0.0 || counted <= limits.budget_nanoseconds,
+              .error_held = {},
+              .cost = selection_.cost};
+  if (!by_error) return;
+  controller_.settle(limits, {.cost_by_tolerance = selection_.cost.by_tolerance,
+                              .nanoseconds = counted,
+                              .exempt_nanoseconds = exempt,
+                              .measured_error_pixels = measured_error_pixels});
+  figures_.binding = controller_.binding();
+  if (measured_error_pixels && limits.error_pixels > 0.0F) {
+    figures_.error_held = *measured_error_pixels <= limits.error_pixels;
+  }
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/anim/bake/character.h"
+#include "engine/anim/base/executor.h"
+#include "engine/anim/base/units.h"
+#include "engine/anim/lod/bone_step.h"
+#include "engine/anim/lod/lod.h"
+#include "engine/anim/lod/lod_choices.h"
+#include "engine/anim/lod/lod_controller.h"
+#include "engine/anim/lod/lod_importance.h"
+#include "engine/anim/run/agent_update.h"
+#include "engine/anim/run/program/cost_model.h"
+
+namespace throng::anim {
+
+/// Returns what level of detail reads of a character, which outlives the result.
+LodCharacter lod_character(const Character& character, const CostModel& cost = {});
+
+/// A crowd as level of detail reads it. The spans are parallel, one element an agent.
+struct LodCrowd {
+  std::span<const glm::vec3> positions;  ///< metres, world space, between the feet
+  std::span<const float> scales;
+  std::span<const std::uint8_t> character_of = {};  ///< index into the characters; empty: every agent is the first
+  std::span<const int> clips = {};                  ///< of the agent's character; below 0: stands still; empty: all 0
+  std::span<const std::uint8_t> left_out = {};      ///< 1: update_also() alone poses it; empty: no agent
+};
+
+/// The rest of what one frame is decided from.
+struct LodView {
+  LodCamera camera;
+  LodRules rules;    ///< the limits set `tolerance_pixels`; `counts_cost` is not read
+  LodLimits limits;  ///< of LodRule::budget
+  LodForce force = {};
+  std::optional<std::uint32_t> selected = {};  ///< an agent that shows a quarter of the others' error
+  Ticks now = 0;
+  Ticks frame_step = 0;  ///< the length of a frame; 0: time stands still
+};
+
+/// The outcome of a frame.
+struct LodFigures {
+  float tolerance_px = 0.0F;  ///< 0 under rules that have none
+  BindingLimit binding = BindingLimit::none;
+  double predicted_ms = 0.0;       ///< of all PUs
+  bool budget_held = true;         ///< agents that come into view are exempt; true without a budget
+  std::optional<bool> error_held;  ///< none: no such limit, or nothing measured yet
+  LodCost cost;
+};
+
+/// Level of detail for a crowd from frame to frame: lists the agents to be posed, with bone level and look-ahead, and
+/// keeps what that needs of each agent. It allocates in set_characters(), reset() and when the rules change.
+///
+///     select(crowd, view, executor, jobs)   lists updates()
+///     updates()[i].palette = ...            the program says where palettes go; null: the agent is not drawn
+///     system.update(updates())
+///     settle(...)                           learns what was shown and what it cost
+class LevelOfDetail {
+ public:
+  /// Call it at first, and when one of them has other levels. The agents keep what is known of them.
+  void set_characters(std::vector<LodCharacter> characters);
+
+  /// Forgets every agent and makes room for `agents`. Time and turns go on.
+  void reset(std::size_t agents, const LodLimits& limits);
+  /// Turns and figures begin as in the first frame.
+  void restart() { number_ = 0, figures_ = {}; }
+
+  /// The agent goes over to another clip until `until`.
+  void change_clip(std::uint32_t agent, Ticks until) { importance_.fade(agent, until); }
+  /// Makes an agent, or all, due when next visible.
+  void make_due(std::uint32_t agent) { state_.make_due(agent); }
+  void make_all_due() { state_.make_all_due(); }
+  /// No palette is shown any longer, so that no agent blends from one or fades between bone levels.
+  void forget_shown();
+
+  /// Decides for every agent, in up to `jobs` jobs. With a budget the first frame is decided twice, since only a
+  /// decision counts what a tolerance costs.
+  void select(const LodCrowd& crowd, const LodView& view, Executor& executor, int jobs);
+  /// Returns the list for AnimationSystem::update. An agent that looks ahead is shown already: its palette blends from
+  /// the one shown to the new one, over `look_ahead`.
+  std::span<AgentUpdate> updates() { return updates_; }
+  /// Adds an agent that LodCrowd::left_out has, with all bones and for the pose of now.
+  AgentUpdate& update_also(std::uint32_t agent);
+  /// The palette of an update cannot be blended to: it is shown at once, and the agent is due again in the next frame.
+  void show_at_once(AgentUpdate& update);
+
+  /// Learns from the updates which palettes are shown, and from the limits the tolerance of the next frame.
+  /// `measured_error_pixels`: as LodOutcome has it.
+  void settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels = {});
+
+  const LodSelection& selection() const { return selection_; }
+  bool is_visible(std::uint32_t agent) const { return state_.frames_seen[agent] > 0; }  ///< in the last selection
+  bool is_shown(std::uint32_t agent) const { return shown_in_[agent] == frame_; }       ///< it has a palette
+  /// Returns what was decided at its last update; bone_step() says how far it has come.
+  LodChoice choice(std::uint32_t agent) const { return {state_.interval[agent], state_.bone_level[agent]}; }
+  const BoneStep& bone_step(std::uint32_t agent) const { return bone_steps_[agent]; }  ///< of its last update
+  const LodChoices& choices() const { return choices_; }
+  /// Returns the figures of the last settled frame in which time passed.
+  const LodFigures& figures() const { return figures_; }
+
+ private:
+  void build_choices(const LodView& view);
+  LodFrame frame(const LodCrowd& crowd) const;
+  bool find_first_tolerance();
+  void list_updates(const LodCrowd& crowd);
+  BoneStep step_bones(const DueAgent& due);
+
+  std::vector<LodCharacter> characters_;
+  LodImportance importance_;
+  LodChoices choices_;
+  LodRules built_for_;
+  double built_seconds_ = 0.0;  // a frame
+  LodController controller_;
+  LodState state_;
+  LodSelection selection_;
+  LodView view_;                         // of this frame
+  std::uint64_t frame_ = 0;              // selections so far
+  std::uint64_t number_ = 0;             // those in which time passed
+  std::vector<std::uint64_t> shown_in_;  // [agent] the last frame in which it was shown
+  std::vector<BoneStep> bone_steps_;     // [agent] of its last update
+  std::vector<AgentUpdate> updates_;
+  LodFigures figures_;
+};
+
+}  // namespace throng::anim

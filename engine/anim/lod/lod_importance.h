@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/anim/base/units.h"
+
+namespace throng::anim {
+
+/// Which agents may show less error than others: four times less the selected one, half of it an agent in a fade,
+/// whose pose moves more than either clip does.
+class LodImportance {
+ public:
+  /// Forgets everything and makes room for `agents`.
+  void reset(std::size_t agents);
+  /// The agent goes over to another clip until then.
+  void fade(std::uint32_t agent, Ticks until);
+  /// Call it once a frame.
+  void weigh(Ticks now, std::optional<std::uint32_t> selected);
+
+  std::span<const float> of_agents() const { return importance_; }      ///< as LodFrame::importance
+  std::span<const std::uint8_t> changing() const { return changing_; }  ///< as LodFrame::changing
+
+ private:
+  std::vector<float> importance_;       // [agent]
+  std::vector<std::uint8_t> changing_;  // [agent]
+  std::vector<Ticks> fades_until_;      // [agent] 0: does not fade
+  std::vector<std::uint32_t> fading_;   // agents
+  std::optional<std::uint32_t> selected_;
+};
+
+}  // namespace throng::anim

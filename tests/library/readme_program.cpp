@@ -6,7 +6,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
-#include "engine/anim/lod/lod.h"
+#include "engine/anim/lod/level_of_detail.h"
 
 using namespace throng;
 
@@ -37,25 +37,22 @@ int main(int argument_count, char** arguments) {
   std::vector<glm::vec3> positions(agents);
   for (std::uint32_t agent = 0; agent < agents; ++agent) positions[agent].z = -0.1F * static_cast<float>(agent);
   const std::vector<float> scales(agents, 1.0F);
-  const anim::LodCharacter seen{.level_count = static_cast<int>(character->skeleton.level_bone_counts.size())};
-  anim::LodFrame frame;  // has the camera and the rules too
-  frame.positions = positions;
-  frame.scales = scales;
-  frame.characters = {&seen, 1};
-  anim::LodState state;
-  anim::LodSelection selection;
-  state.resize(agents, selection);
+  anim::LevelOfDetail lod;
+  lod.set_characters({anim::lod_character(*character)});
+  lod.reset(agents, {});
+  anim::LodView view;         // has the camera, the rules and the budget
+  view.rules.smooth = false;  // nothing here blends from pose to pose
+  view.frame_step = anim::ticks_per_second / 60;
 
-  std::vector<anim::AgentUpdate> updates;
-  for (; frame.number < 60; ++frame.number) {
-    system.advance(anim::ticks_per_second / 60);
-    anim::select_for_update(frame, state, selection);
-    updates.clear();
-    for (const auto& due : selection.due) {
-      const anim::PaletteDestination palette(palettes.get() + due.agent * stride);
-      updates.push_back({.agent = due.agent, .level = due.bone_level, .palette = palette});
+  for (int frame = 0; frame < 60; ++frame) {
+    system.advance(view.frame_step);
+    view.now = system.clock();
+    lod.select({.positions = positions, .scales = scales}, view, system.executor(), 2);
+    for (anim::AgentUpdate& update : lod.updates()) {
+      update.palette = anim::PaletteDestination(palettes.get() + update.agent * stride);
     }
-    system.update(updates);  // returns when every palette is written
+    system.update(lod.updates());  // returns when every palette is written
+    lod.settle(system.figures().report().predicted_nanoseconds);
   }
   std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.figures().pose_hash()));
 }

@@ -1,0 +1,176 @@
+// Level of detail from frame to frame, as a program uses it.
+
+#include "engine/anim/lod/level_of_detail.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace throng::anim::level_of_detail_test {
+namespace {
+
+constexpr Ticks frame_step = ticks_per_second / 60;
+constexpr std::array<SkipError, 1> walk{};
+
+/// Agents in a row that leads away from a camera at the origin, which looks along -Z; one a metre.
+struct Row : testing::Test {
+  std::vector<glm::vec3> positions;
+  std::vector<float> scales;
+  std::vector<std::uint8_t> left_out;
+  LevelOfDetail lod;
+  LodView view;
+  InOrder executor;
+  std::array<std::byte, 64> memory{};
+
+  Row() {
+    view.camera.frustum.fill(glm::vec4(0.0F, 0.0F, -1.0F, 0.0F));
+    view.camera.pixels_per_unit = 800.0F;
+    view.rules = {.rule = LodRule::distance};
+    view.frame_step = frame_step;
+    lod.set_characters({{.centre_height = 0.0F,
+                         .radius = 1.0F,
+                         .level_count = max_bone_levels,
+                         .level_error_metres = {0.0F, 0.002F, 0.01F, 0.05F},
+                         .update_nanoseconds = {1600, 1200, 800, 400},
+                         .clips = walk}});
+    stand(100);
+  }
+
+  void stand(std::size_t agents) {
+    positions.clear();
+    for (std::size_t i = 0; i < agents; ++i) positions.push_back({0.0F, 0.0F, -1.0F - static_cast<float>(i)});
+    scales.assign(agents, 1.0F);
+    left_out.assign(agents, 0);
+    lod.reset(agents, view.limits);
+  }
+
+  std::span<AgentUpdate> select() {
+    view.now += view.frame_step;
+    lod.select({.positions = positions, .scales = scales, .left_out = left_out}, view, executor, 1);
+    return lod.updates();
+  }
+
+  /// Every agent that is updated gets a palette, but for `undrawn`.
+  void pass_frame(std::uint32_t undrawn = UINT32_MAX) {
+    for (AgentUpdate& update : select()) {
+      if (update.agent != undrawn) update.palette = PaletteDestination(memory.data());
+    }
+    lod.settle(1000.0);
+  }
+
+  const AgentUpdate* update_of(std::uint32_t agent) {
+    const auto found = std::ranges::find(lod.updates(), agent, &AgentUpdate::agent);
+    return found == lod.updates().end() ? nullptr : &*found;
+  }
+  /// Passes frames until it is an agent's turn.
+  AgentUpdate next_update_of(std::uint32_t agent) {
+    for (int i = 0; i < longest_interval; ++i) {
+      pass_frame();
+      if (update_of(agent) != nullptr) return *update_of(agent);
+    }
+    ADD_FAILURE() << "agent " << agent << " is never due";
+    return {};
+  }
+};
+
+TEST_F(Row, ComesIntoViewAtOnceAndLooksAheadFromThere) {
+  pass_frame();
+  ASSERT_EQ(lod.updates().size(), 100U);
+  EXPECT_TRUE(std::ranges::all_of(lod.updates(), [](const AgentUpdate& update) { return update.look_ahead == 0; }));
+  const AgentUpdate far = next_update_of(90);
+  EXPECT_EQ(far.look_ahead % frame_step, 0);
+  EXPECT_GT(far.look_ahead, frame_step);
+  EXPECT_EQ(next_update_of(1).look_ahead, 0) << "near by, posed in each frame";
+}
+
+TEST_F(Row, AnAgentWithoutPaletteHasNothingToBlendFrom) {
+  for (int i = 0; i < 40; ++i) {
+    pass_frame(90);
+    EXPECT_FALSE(lod.is_shown(90));
+    if (const AgentUpdate* update = update_of(90)) {
+      EXPECT_EQ(update->look_ahead, 0);
+    }
+  }
+  EXPECT_TRUE(lod.is_shown(89));
+}
+
+TEST_F(Row, AnUpdateThatCannotBlendIsOfNowAndIsDueAgainInTheNextFrame) {
+  pass_frame();
+  for (bool met = false; !met;) {
+    for (AgentUpdate& update : select()) {
+      update.palette = PaletteDestination(memory.data());
+      if (update.agent != 90 || update.look_ahead == 0) continue;
+      lod.show_at_once(update);
+      EXPECT_EQ(update.look_ahead, 0);
+      met = true;
+    }
+    lod.settle(1000.0);
+  }
+  pass_frame();
+  EXPECT_NE(update_of(90), nullptr);
+}
+
+TEST_F(Row, BoneLevelsChangeByStepsWhereTheAgentIsShownAndAtOnceElsewhere) {
+  view.rules.level_distances = {200.0F, 300.0F, 400.0F};
+  pass_frame();
+  EXPECT_EQ(lod.bone_step(50), settled_at(0));
+  view.rules.level_distances = {15.0F, 20.0F, 30.0F};
+  EXPECT_EQ(next_update_of(50).fade_halves, 1);
+  EXPECT_EQ(next_update_of(50).fade_halves, 2);
+  EXPECT_EQ(next_update_of(50).level, 3);
+  view.rules.level_distances = {200.0F, 300.0F, 400.0F};
+  lod.forget_shown();
+  next_update_of(50);
+  EXPECT_EQ(lod.bone_step(50), settled_at(0));
+}
+
+TEST_F(Row, LeftOutAgentsAreUpdatedByHandAlone) {
+  left_out[3] = 1;
+  pass_frame();
+  EXPECT_EQ(update_of(3), nullptr);
+  select();
+  lod.update_also(3).palette = PaletteDestination(memory.data());
+  lod.settle(1000.0);
+  ASSERT_NE(update_of(3), nullptr);
+  EXPECT_EQ(update_of(3)->level, 0);
+  EXPECT_TRUE(lod.is_shown(3));
+}
+
+TEST_F(Row, ABudgetHoldsFromTheFirstFrame) {
+  view.rules.rule = LodRule::budget;
+  view.limits = {.error_pixels = 0.0F, .budget_nanoseconds = 20'000.0};
+  stand(100);
+  pass_frame();
+  EXPECT_GT(lod.figures().tolerance_px, least_tolerance_pixels);
+  EXPECT_EQ(lod.figures().binding, BindingLimit::budget);
+  EXPECT_TRUE(lod.figures().budget_held);
+}
+
+TEST_F(Row, TheSelectedAgentIsPosedMoreOften) {
+  view.rules.rule = LodRule::budget;
+  for (int i = 0; i < 30; ++i) pass_frame();
+  const LodChoice before = lod.choice(60);
+  view.selected = 60;
+  for (int i = 0; i < 2 * longest_interval; ++i) pass_frame();
+  const LodChoice after = lod.choice(60);
+  EXPECT_LE(after.interval, before.interval);
+  EXPECT_LT(after.interval * 10 + after.bone_level, before.interval * 10 + before.bone_level);
+}
+
+TEST_F(Row, WhileTimeStandsStillNoTurnComesAndNoFigureChanges) {
+  for (int i = 0; i < 20; ++i) pass_frame();
+  const double predicted = lod.figures().predicted_ms;
+  view.frame_step = 0;
+  select();
+  lod.settle(5e6);
+  EXPECT_EQ(lod.figures().predicted_ms, predicted);
+  select();
+  EXPECT_TRUE(lod.updates().empty());
+}
+
+}  // namespace
+}  // namespace throng::anim::level_of_detail_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/anim/import/accessor_reader.h"
+#include "engine/anim/import/accessors.h"
 #include "engine/anim/import/refusal.h"
 
 namespace throng::import {
@@ -49,9 +49,7 @@ class AnimationReader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw Refusal(channel_name_ + ": " + what + "; export the file again");
-  }
+  [[noreturn]] void refuse(const std::string& what) const { import::refuse(channel_name_, what); }
 
   void read_channel(const tinygltf::AnimationChannel& channel) {
     if (channel.sampler < 0 || static_cast<std::size_t>(channel.sampler) >= source_.samplers.size()) {
@@ -75,11 +73,12 @@ class AnimationReader {
   void read_values(const tinygltf::AnimationChannel& channel, int output, const Keys& keys) {
     NodeTracks& tracks = animation_.nodes[channel.target_node];
     if (channel.target_path == "translation") {
-      tracks.translation = read_vectors(output, keys);
+      tracks.translation = read_track<glm::vec3>(output, keys, TINYGLTF_TYPE_VEC3);
     } else if (channel.target_path == "scale") {
-      tracks.scale = read_vectors(output, keys);
+      tracks.scale = read_track<glm::vec3>(output, keys, TINYGLTF_TYPE_VEC3);
     } else if (channel.target_path == "rotation") {
-      tracks.rotation = read_rotations(output, keys);
+      tracks.rotation = read_track<glm::quat>(output, keys, TINYGLTF_TYPE_VEC4);
+      mend_rotations(tracks.rotation);
     }
   }
 
@@ -106,10 +105,8 @@ class AnimationReader {
     } else if (mode == "CUBICSPLINE") {
       keys.interpolation = Interpolation::cubic_spline;
     }
-    keys.times = read_floats(document_, sampler.input,
-                             {.what = channel_name_ + ": key times",
-                              .types = {TINYGLTF_TYPE_SCALAR},
-                              .components = {TINYGLTF_COMPONENT_TYPE_FLOAT}});
+    keys.times =
+        read_floats(document_, sampler.input, {channel_name_ + ": key times", {TINYGLTF_TYPE_SCALAR}, float_alone});
     check_times(keys.times, accessor_at(document_, sampler.input));
     return keys;
   }
@@ -128,43 +125,17 @@ class AnimationReader {
     }
   }
 
-  /// Returns flat values, `width` a key, or three times that with tangents.
-  std::vector<float> read_key_values(int output, const Keys& keys, int type, std::size_t width) const {
-    auto values = read_floats(document_, output,
-                              {.what = channel_name_ + ": key values",
-                               .types = {type},
-                               .components = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_BYTE,
-                                              TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_SHORT,
-                                              TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT}});
-    const std::size_t a_key = keys.interpolation == Interpolation::cubic_spline ? 3 * width : width;
-    if (values.size() != keys.times.size() * a_key) {
-      refuse("has " + std::to_string(values.size() / width) + " values for " + std::to_string(keys.times.size()) +
+  /// Reads the values of the keys, three a key with tangents.
+  template <typename Value>
+  Track<Value> read_track(int output, const Keys& keys, int type) const {
+    const auto values = read_floats(document_, output, {channel_name_ + ": key values", {type}, float_or_small});
+    Track<Value> track{.interpolation = keys.interpolation, .times = keys.times, .values = grouped<Value>(values)};
+    const std::size_t a_key = keys.interpolation == Interpolation::cubic_spline ? 3 : 1;
+    if (track.values.size() != keys.times.size() * a_key) {
+      refuse("has " + std::to_string(track.values.size()) + " values for " + std::to_string(keys.times.size()) +
              " key times");
     }
-    if (!std::ranges::all_of(values, [](float value) { return std::isfinite(value); })) {
-      refuse("a key value is not finite");
-    }
-    return values;
-  }
-
-  Track<glm::vec3> read_vectors(int output, const Keys& keys) const {
-    const auto values = read_key_values(output, keys, TINYGLTF_TYPE_VEC3, 3);
-    Track<glm::vec3> track{.interpolation = keys.interpolation, .times = keys.times, .values = {}};
-    track.values.reserve(values.size() / 3);
-    for (std::size_t i = 0; i < values.size(); i += 3) {
-      track.values.emplace_back(values[i], values[i + 1], values[i + 2]);
-    }
-    return track;
-  }
-
-  Track<glm::quat> read_rotations(int output, const Keys& keys) {
-    const auto values = read_key_values(output, keys, TINYGLTF_TYPE_VEC4, 4);
-    Track<glm::quat> track{.interpolation = keys.interpolation, .times = keys.times, .values = {}};
-    track.values.reserve(values.size() / 4);
-    for (std::size_t i = 0; i < values.size(); i += 4) {
-      track.values.emplace_back(values[i + 3], values[i], values[i + 1], values[i + 2]);
-    }
-    mend_rotations(track);
+    if (!all_finite(values)) refuse("a key value is not finite");
     return track;
   }
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
+#include <meshoptimizer.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/anim/import/meshopt_decode.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/source_file.h"
 
@@ -15,6 +15,78 @@ namespace {
 
 using nlohmann::json;
 using Bytes = std::span<const std::byte>;
+
+/// A buffer view as EXT_meshopt_compression describes it.
+struct MeshoptView {
+  Bytes bytes;
+  std::uint64_t count = 0;   ///< elements
+  std::uint64_t stride = 0;  ///< bytes an element
+  std::string mode;          ///< ATTRIBUTES, TRIANGLES, INDICES
+  std::string filter;        ///< NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL
+};
+
+// The densest packing of each codec: an attribute takes at least 2 bits for 16 elements of a byte, a triangle or an
+// index at least a byte.
+constexpr std::uint64_t attribute_bytes_a_byte = 64;
+constexpr std::uint64_t indices_a_byte = 3;
+
+void check_element(const MeshoptView& view) {
+  const bool attributes = view.mode == "ATTRIBUTES";
+  if (!attributes && view.mode != "TRIANGLES" && view.mode != "INDICES") {
+    throw Refusal("mode " + view.mode + " is unknown");
+  }
+  const std::uint64_t stride = view.stride;
+  const bool known = attributes ? stride > 0 && stride % 4 == 0 && stride <= 256 : stride == 2 || stride == 4;
+  if (!known) throw Refusal("a stride of " + std::to_string(stride) + " bytes is impossible");
+  if (view.mode == "TRIANGLES" && view.count % 3 != 0) throw Refusal("its count is no multiple of 3");
+}
+
+void check_count(const MeshoptView& view) {
+  const std::uint64_t most = view.mode == "ATTRIBUTES" ? view.bytes.size() * attribute_bytes_a_byte / view.stride
+                                                       : view.bytes.size() * indices_a_byte;
+  if (view.count == 0 || view.count > most) {
+    throw Refusal(std::to_string(view.bytes.size()) + " bytes cannot hold " + std::to_string(view.count) + " elements");
+  }
+}
+
+void apply_filter(const MeshoptView& view, std::vector<std::byte>& elements) {
+  const auto count = static_cast<std::size_t>(view.count);
+  const auto stride = static_cast<std::size_t>(view.stride);
+  if (view.filter == "NONE") return;
+  if (view.filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) {
+    meshopt_decodeFilterOct(elements.data(), count, stride);
+  } else if (view.filter == "QUATERNION" && stride == 8) {
+    meshopt_decodeFilterQuat(elements.data(), count, stride);
+  } else if (view.filter == "EXPONENTIAL") {
+    meshopt_decodeFilterExp(elements.data(), count, stride);
+  } else {
+    throw Refusal("filter " + view.filter + " with a stride of " + std::to_string(stride) + " bytes is impossible");
+  }
+}
+
+int decode_elements(const MeshoptView& view, std::vector<std::byte>& elements) {
+  const auto count = static_cast<std::size_t>(view.count);
+  const auto stride = static_cast<std::size_t>(view.stride);
+  const auto* bytes = reinterpret_cast<const unsigned char*>(view.bytes.data());
+  if (view.mode == "ATTRIBUTES") {
+    return meshopt_decodeVertexBuffer(elements.data(), count, stride, bytes, view.bytes.size());
+  }
+  if (view.mode == "TRIANGLES") {
+    return meshopt_decodeIndexBuffer(elements.data(), count, stride, bytes, view.bytes.size());
+  }
+  return meshopt_decodeIndexSequence(elements.data(), count, stride, bytes, view.bytes.size());
+}
+
+/// Decodes count * stride bytes. Before it allocates, it checks that the bytes can hold so many elements. Throws
+/// Refusal.
+std::vector<std::byte> decode_meshopt(const MeshoptView& view) {
+  check_element(view);
+  check_count(view);
+  std::vector<std::byte> elements(static_cast<std::size_t>(view.count * view.stride));
+  if (decode_elements(view, elements) != 0) throw Refusal("its bytes do not decode");
+  apply_filter(view, elements);
+  return elements;
+}
 
 /// Reads the bytes of a data URI or of a file beside the model.
 std::vector<std::byte> read_uri(const std::string& uri, const std::filesystem::path& folder) {
@@ -57,10 +129,10 @@ Bytes slice(const json& view, const std::vector<Bytes>& buffers, const std::stri
   const auto offset = view.value("byteOffset", std::uint64_t{0});
   const auto length = view["byteLength"].get<std::uint64_t>();
   const Bytes bytes = buffers[view["buffer"].get<std::size_t>()];
-  if (length == 0) throw Refusal(name + ": has no bytes; export the file again");
+  if (length == 0) refuse(name, "has no bytes");
   if (offset > bytes.size() || length > bytes.size() - offset) {
-    throw Refusal(name + ": bytes " + std::to_string(offset) + " and " + std::to_string(length) +
-                  " more, but its buffer has " + std::to_string(bytes.size()) + "; export the file again");
+    refuse(name, "bytes " + std::to_string(offset) + " and " + std::to_string(length) + " more, but its buffer has " +
+                     std::to_string(bytes.size()));
   }
   return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
@@ -86,8 +158,7 @@ void check_stride(const json& view, const std::string& name) {
   if (stride == view.end()) return;
   const auto bytes = stride->get<std::uint64_t>();
   if (bytes < 4 || bytes > 252 || bytes % 4 != 0) {
-    throw Refusal(name + ": \"byteStride\" is " + std::to_string(bytes) +
-                  ", not a multiple of 4 from 4 to 252; export the file again");
+    refuse(name, "\"byteStride\" is " + std::to_string(bytes) + ", not a multiple of 4 from 4 to 252");
   }
 }
 

@@ -6,9 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/anim/import/accessor_checks.h"
-#include "engine/anim/import/glb_container.h"
-#include "engine/anim/import/json_checks.h"
+#include "engine/anim/import/accessors.h"
 #include "engine/anim/import/json_document.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/source_file.h"

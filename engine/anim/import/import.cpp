@@ -15,7 +15,6 @@
 #include "engine/anim/import/node_tree.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/skeleton_builder.h"
-#include "engine/anim/import/skins.h"
 #include "engine/anim/survey/bone_importance.h"
 
 namespace throng::import {

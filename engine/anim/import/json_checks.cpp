@@ -1,5 +1,3 @@
-#include "engine/anim/import/json_checks.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/anim/import/json_schema.h"
+#include "engine/anim/import/json_document.h"
 #include "engine/anim/import/refusal.h"
 
 namespace throng::import {
@@ -19,6 +17,148 @@ namespace throng::import {
 namespace {
 
 using nlohmann::json;
+
+/// The kinds of property that a glTF object has.
+enum class Kind : unsigned char {
+  flag,
+  integer,  ///< >= 0
+  number,   ///< finite
+  numbers,  ///< array of `count` finite numbers; of any length where count is 0
+  text,
+  choice,  ///< one of the texts that `target` lists, divided by "|"
+  texts,
+  index,    ///< into the document's top-level array `target`
+  indices,  ///< array of indices, at least `count`, no two equal
+  object,   ///< of the type `target`
+  objects,  ///< array of objects, at least `count`
+};
+
+/// One property of one type of object (glTF 2.0, chapter 5). The key "*" stands for every key of the object.
+struct Property {
+  std::string_view owner;
+  std::string_view key;
+  Kind kind = Kind::text;
+  std::string_view target = {};
+  int count = 0;
+  bool required = false;
+};
+
+constexpr bool required = true;
+
+/// The properties that import reads, grouped by owner. All others are ignored.
+constexpr auto properties = std::to_array<Property>({
+    {"document", "asset", Kind::object, "asset", 0, required},
+    {"document", "scene", Kind::index, "scenes"},
+    {"document", "scenes", Kind::objects, "scene"},
+    {"document", "nodes", Kind::objects, "node"},
+    {"document", "meshes", Kind::objects, "mesh"},
+    {"document", "accessors", Kind::objects, "accessor"},
+    {"document", "bufferViews", Kind::objects, "buffer view"},
+    {"document", "buffers", Kind::objects, "buffer"},
+    {"document", "skins", Kind::objects, "skin"},
+    {"document", "animations", Kind::objects, "animation"},
+    {"document", "materials", Kind::objects, "material"},
+    {"document", "textures", Kind::objects, "texture"},
+    {"document", "images", Kind::objects, "image"},
+    {"document", "extensionsRequired", Kind::texts},
+
+    {"asset", "version", Kind::text, {}, 0, required},
+
+    {"scene", "nodes", Kind::indices, "nodes"},
+
+    {"node", "name", Kind::text},
+    {"node", "mesh", Kind::index, "meshes"},
+    {"node", "skin", Kind::index, "skins"},
+    {"node", "children", Kind::indices, "nodes"},
+    {"node", "matrix", Kind::numbers, {}, 16},
+    {"node", "translation", Kind::numbers, {}, 3},
+    {"node", "rotation", Kind::numbers, {}, 4},
+    {"node", "scale", Kind::numbers, {}, 3},
+
+    {"node", mesh_lods_property, Kind::objects, "mesh LOD"},
+    {"mesh LOD", "node", Kind::index, "nodes", 0, required},
+    {"mesh LOD", "error", Kind::number, {}, 0, required},
+
+    {"mesh", "name", Kind::text},
+    {"mesh", "primitives", Kind::objects, "primitive", 1, required},
+
+    {"primitive", "attributes", Kind::object, "attributes", 0, required},
+    {"primitive", "indices", Kind::index, "accessors"},
+    {"primitive", "material", Kind::index, "materials"},
+    {"primitive", "mode", Kind::integer},
+    {"primitive", "targets", Kind::objects, "attributes"},
+
+    {"attributes", "*", Kind::index, "accessors"},
+
+    {"accessor", "bufferView", Kind::index, "bufferViews"},
+    {"accessor", "byteOffset", Kind::integer},
+    {"accessor", "componentType", Kind::integer, {}, 0, required},
+    {"accessor", "normalized", Kind::flag},
+    {"accessor", "count", Kind::integer, {}, 0, required},
+    {"accessor", "type", Kind::choice, "SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4", 0, required},
+    {"accessor", "min", Kind::numbers},
+    {"accessor", "max", Kind::numbers},
+    {"accessor", "sparse", Kind::object, "sparse"},
+
+    {"sparse", "count", Kind::integer, {}, 0, required},
+    {"sparse", "indices", Kind::object, "sparse indices", 0, required},
+    {"sparse", "values", Kind::object, "sparse values", 0, required},
+    {"sparse indices", "bufferView", Kind::index, "bufferViews", 0, required},
+    {"sparse indices", "byteOffset", Kind::integer},
+    {"sparse indices", "componentType", Kind::integer, {}, 0, required},
+    {"sparse values", "bufferView", Kind::index, "bufferViews", 0, required},
+    {"sparse values", "byteOffset", Kind::integer},
+
+    {"buffer view", "buffer", Kind::index, "buffers", 0, required},
+    {"buffer view", "byteOffset", Kind::integer},
+    {"buffer view", "byteLength", Kind::integer, {}, 0, required},
+    {"buffer view", "byteStride", Kind::integer},
+    {"buffer view", "extensions", Kind::object, "buffer view extensions"},
+
+    {"buffer view extensions", "EXT_meshopt_compression", Kind::object, "meshopt compression"},
+    {"meshopt compression", "buffer", Kind::index, "buffers", 0, required},
+    {"meshopt compression", "byteOffset", Kind::integer},
+    {"meshopt compression", "byteLength", Kind::integer, {}, 0, required},
+    {"meshopt compression", "byteStride", Kind::integer, {}, 0, required},
+    {"meshopt compression", "count", Kind::integer, {}, 0, required},
+    {"meshopt compression", "mode", Kind::choice, "ATTRIBUTES|TRIANGLES|INDICES", 0, required},
+    {"meshopt compression", "filter", Kind::choice, "NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL"},
+
+    {"buffer", "byteLength", Kind::integer, {}, 0, required},
+    {"buffer", "uri", Kind::text},
+
+    {"skin", "name", Kind::text},
+    {"skin", "joints", Kind::indices, "nodes", 1, required},
+    {"skin", "inverseBindMatrices", Kind::index, "accessors"},
+    {"skin", "skeleton", Kind::index, "nodes"},
+
+    {"animation", "name", Kind::text},
+    {"animation", "channels", Kind::objects, "channel", 1, required},
+    {"animation", "samplers", Kind::objects, "sampler", 1, required},
+    {"animation", data_keys_property, Kind::objects, "data key"},
+    {"data key", "time", Kind::number, {}, 0, required},
+    {"data key", "name", Kind::text, {}, 0, required},
+    {"channel", "sampler", Kind::integer, {}, 0, required},
+    {"channel", "target", Kind::object, "target", 0, required},
+    {"target", "node", Kind::index, "nodes"},
+    {"target", "path", Kind::choice, "translation|rotation|scale|weights", 0, required},
+    {"sampler", "input", Kind::index, "accessors", 0, required},
+    {"sampler", "output", Kind::index, "accessors", 0, required},
+    {"sampler", "interpolation", Kind::choice, "LINEAR|STEP|CUBICSPLINE"},
+
+    {"material", "name", Kind::text},
+    {"material", "pbrMetallicRoughness", Kind::object, "metallic roughness"},
+    {"material", "doubleSided", Kind::flag},
+    {"material", "alphaMode", Kind::choice, "OPAQUE|MASK|BLEND"},
+    {"material", "alphaCutoff", Kind::number},
+    {"metallic roughness", "baseColorFactor", Kind::numbers, {}, 4},
+    {"metallic roughness", "baseColorTexture", Kind::object, "texture reference"},
+    {"texture reference", "index", Kind::index, "textures", 0, required},
+    {"texture", "source", Kind::index, "images"},
+
+    {"image", "uri", Kind::text},
+    {"image", "bufferView", Kind::index, "bufferViews"},
+});
 
 // Extensions that a file may require because they do not change what we draw, or because we decode them.
 constexpr std::array<std::string_view, 7> known_extensions{
@@ -46,8 +186,8 @@ std::string describe(const Place& place) {
   return text;
 }
 
-[[noreturn]] void refuse(const Place& place, std::string_view key, const std::string& what) {
-  throw Refusal(describe(place) + ": \"" + std::string(key) + "\" " + what + "; export the file again");
+[[noreturn]] void refuse_property(const Place& place, std::string_view key, const std::string& what) {
+  refuse(describe(place), "\"" + std::string(key) + "\" " + what);
 }
 
 bool lists(std::string_view choices, std::string_view text) {
@@ -64,7 +204,7 @@ class Checker {
   explicit Checker(const json& document) : document_(document) {}
 
   void check_object(const Place& place) const {
-    for (const Property& property : gltf_schema()) {
+    for (const Property& property : properties) {
       if (property.owner != place.type) continue;
       if (property.key == "*") {
         for (const auto& [key, value] : place.object->items()) check_value(place, key, property, value);
@@ -74,7 +214,7 @@ class Checker {
       if (found != place.object->end()) {
         check_value(place, property.key, property, *found);
       } else if (property.required) {
-        refuse(place, property.key, "is missing");
+        refuse_property(place, property.key, "is missing");
       }
     }
   }
@@ -83,27 +223,27 @@ class Checker {
   void check_value(const Place& place, std::string_view key, const Property& property, const json& value) const {
     switch (property.kind) {
       case Kind::flag:
-        if (!value.is_boolean()) refuse(place, key, "is neither true nor false");
+        if (!value.is_boolean()) refuse_property(place, key, "is neither true nor false");
         break;
       case Kind::integer:
-        if (!is_count(value)) refuse(place, key, "is not a whole number of at least 0");
+        if (!is_count(value)) refuse_property(place, key, "is not a whole number of at least 0");
         break;
       case Kind::number:
-        if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(place, key, "is not a number");
+        if (!value.is_number() || !std::isfinite(value.get<double>())) refuse_property(place, key, "is not a number");
         break;
       case Kind::text:
-        if (!value.is_string()) refuse(place, key, "is not a text");
+        if (!value.is_string()) refuse_property(place, key, "is not a text");
         break;
       case Kind::choice:
         if (!value.is_string() || !lists(property.target, value.get_ref<const std::string&>())) {
-          refuse(place, key, "is none of " + std::string(property.target));
+          refuse_property(place, key, "is none of " + std::string(property.target));
         }
         break;
       case Kind::index:
         check_index(place, key, property, value);
         break;
       case Kind::object:
-        if (!value.is_object()) refuse(place, key, "is not an object");
+        if (!value.is_object()) refuse_property(place, key, "is not an object");
         check_object({.outer = &place, .type = property.target, .object = &value});
         break;
       case Kind::numbers:
@@ -116,24 +256,24 @@ class Checker {
   }
 
   void check_array(const Place& place, std::string_view key, const Property& property, const json& value) const {
-    if (!value.is_array()) refuse(place, key, "is not an array");
+    if (!value.is_array()) refuse_property(place, key, "is not an array");
     const auto count = static_cast<std::size_t>(property.count);
     if (property.kind == Kind::numbers && count != 0 && value.size() != count) {
-      refuse(place, key, "has " + std::to_string(value.size()) + " numbers, not " + std::to_string(count));
+      refuse_property(place, key, "has " + std::to_string(value.size()) + " numbers, not " + std::to_string(count));
     }
-    if (value.size() < count) refuse(place, key, "is empty");
+    if (value.size() < count) refuse_property(place, key, "is empty");
     std::unordered_set<std::int64_t> seen;
     std::ptrdiff_t index = 0;
     for (const json& element : value) {
       if (property.kind == Kind::objects) {
-        if (!element.is_object()) refuse(place, key, "holds what is not an object");
+        if (!element.is_object()) refuse_property(place, key, "holds what is not an object");
         check_object({.outer = &place, .type = property.target, .object = &element, .index = index});
       } else {
         Property single = property;
         single.kind = element_kind(property.kind);
         check_value(place, key, single, element);
         if (property.kind == Kind::indices && !seen.insert(element.get<std::int64_t>()).second) {
-          refuse(place, key, "names " + element.dump() + " twice");
+          refuse_property(place, key, "names " + element.dump() + " twice");
         }
       }
       ++index;
@@ -150,12 +290,13 @@ class Checker {
   }
 
   void check_index(const Place& place, std::string_view key, const Property& property, const json& value) const {
-    if (!is_count(value)) refuse(place, key, "is " + value.dump() + ", which is no index");
+    if (!is_count(value)) refuse_property(place, key, "is " + value.dump() + ", which is no index");
     const auto array = document_.find(property.target);
     const std::size_t size = array == document_.end() ? 0 : array->size();
     if (value.get<std::uint64_t>() >= size) {
-      refuse(place, key,
-             "is " + value.dump() + ", but the file has " + std::to_string(size) + " " + std::string(property.target));
+      refuse_property(
+          place, key,
+          "is " + value.dump() + ", but the file has " + std::to_string(size) + " " + std::string(property.target));
     }
   }
 
@@ -169,7 +310,7 @@ void check_transforms(const json& document) {
     const bool has_trs = node.contains("translation") || node.contains("rotation") || node.contains("scale");
     if (has_trs && node.contains("matrix")) {
       const Place place{.outer = &root, .type = "node", .object = &node, .index = index};
-      refuse(place, "matrix", "stands beside a translation, rotation or scale");
+      refuse_property(place, "matrix", "stands beside a translation, rotation or scale");
     }
     ++index;
   }

@@ -24,4 +24,8 @@ inline constexpr const char* mesh_lods_property = "throng_mesh_lods";
 /// integer (glTF 2.0, 2.7 allows "1.0"). Checks depth on the text, before anything recursive reads it. Throws Refusal.
 nlohmann::json parse_json(std::string_view text);
 
+/// Checks that everything import reads has the type, the length and, for an index, the range that glTF demands, and
+/// that import knows every required extension. Throws Refusal with the object's name.
+void check_json(const nlohmann::json& document);
+
 }  // namespace throng::import

@@ -106,7 +106,7 @@ NodeTransform read_transform(const Document& document, std::size_t index) {
   if (!node.rotation.empty()) {
     rotation = glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
     if (!(glm::length(rotation) > 1e-6)) {
-      throw Refusal(node_label(document, index) + ": its rotation is zero; export the file again");
+      refuse(node_label(document, index), "its rotation is zero");
     }
     rotation = glm::normalize(rotation);
   }

@@ -1,17 +1,211 @@
 #include "engine/anim/import/reference_frames.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
+#include <tuple>
 #include <utility>
 
-#include "engine/anim/import/rigid_candidate.h"
+#include "engine/anim/asset/reference_pose.h"
 
 namespace throng::import {
 
 namespace {
 
+using anim::ReferenceFrame;
 using anim::Skeleton;
 using anim::Skin;
+
+/// An exactly rigid skeleton, with skins bound to it.
+struct RigidCandidate {
+  Skeleton skeleton;
+  std::vector<Skin> skins;
+};
+
+// Exporters of 32-bit floats are off by less (4e-5 in the worst of twenty characters), and no scale is so small
+// on purpose. shows_the_same then measures what the rounding really changes.
+constexpr double rounding = 1e-4;
+constexpr double scale_key_rounding = 2e-5;
+
+/// Returns rotation, origin and uniform positive scale of a matrix that has nothing else.
+std::optional<ReferenceFrame> as_frame(const glm::dmat4& matrix) {
+  const glm::dmat3 linear(matrix);
+  const double determinant = glm::determinant(linear);
+  if (!(determinant > 0.0)) return std::nullopt;
+  const double scale = std::cbrt(determinant);
+  const glm::dmat3 rotation = linear / scale;
+  const glm::dmat3 gram = glm::transpose(rotation) * rotation;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (!(std::abs(gram[column][row] - (column == row ? 1.0 : 0.0)) <= rounding)) return std::nullopt;
+    }
+  }
+  return ReferenceFrame{
+      .rotation = glm::normalize(glm::quat_cast(rotation)), .origin = glm::dvec3(matrix[3]), .scale = scale};
+}
+
+glm::dmat4 as_matrix(const ReferenceFrame& frame) {
+  return anim::compose({.rotation = frame.rotation, .position = frame.origin, .scale = glm::dvec3(frame.scale)});
+}
+
+bool scale_is(const anim::Track<glm::vec3>& track, const glm::vec3& expected) {
+  const bool cubic = track.interpolation == anim::Interpolation::cubic_spline;
+  for (std::size_t i = 0; i < track.values.size(); ++i) {
+    const bool tangent = cubic && i % 3 != 1;
+    const glm::dvec3 offset(track.values[i] - (tangent ? glm::vec3(0.0F) : expected));
+    const double largest = std::max({std::abs(offset.x), std::abs(offset.y), std::abs(offset.z)});
+    if (!(largest <= scale_key_rounding * static_cast<double>(std::abs(expected.x)))) return false;
+  }
+  return true;
+}
+
+bool scales_stand_still(const Skeleton& skeleton, const std::vector<anim::Clip>& clips) {
+  for (const anim::Clip& clip : clips) {
+    for (const anim::BoneTracks& tracks : clip.tracks) {
+      if (!scale_is(tracks.scale, skeleton.bones[static_cast<std::size_t>(tracks.bone)].rest.scale)) return false;
+    }
+  }
+  return true;
+}
+
+/// Makes a copy of a skeleton rigid. A step that returns false found that it is not.
+class RigidMaker {
+ public:
+  explicit RigidMaker(const Skeleton& general) : skeleton_(general), placed_(general.bones.size(), false) {}
+
+  std::optional<RigidCandidate> make(std::vector<Skin> skins) {
+    if (!clean_bones() || !set_rest_frames()) return std::nullopt;
+    skeleton_.rigid = true;
+    skeleton_.palette.clear();
+    for (int bone = 0; bone < skeleton_.bone_count(); ++bone) skeleton_.palette.push_back({.bone = bone});
+    if (!std::ranges::all_of(skins, [&](Skin& skin) { return bind(skin); })) return std::nullopt;
+    return RigidCandidate{.skeleton = std::move(skeleton_), .skins = std::move(skins)};
+  }
+
+ private:
+  bool clean_bones() {
+    for (anim::Bone& bone : skeleton_.bones) {
+      const auto local = as_frame(anim::compose(anim::rest_transform(bone)));
+      const auto prefix = as_frame(bone.prefix);
+      if (!local || !prefix) return false;
+      bone.rest.scale = glm::vec3(static_cast<float>(local->scale));
+      if (bone.prefix != glm::dmat4(1.0)) bone.prefix = as_matrix(*prefix);
+    }
+    return true;
+  }
+
+  /// Sets frames and scales to the rest pose, which stays for bones that no skin binds.
+  bool set_rest_frames() {
+    const anim::ReferencePose rest = anim::reference_pose(skeleton_, nullptr, 0.0);
+    for (std::size_t bone = 0; bone < rest.globals.size(); ++bone) {
+      const auto frame = as_frame(rest.globals[bone]);
+      if (!frame) return false;
+      skeleton_.references[bone] = *frame;
+    }
+    return true;
+  }
+
+  bool bind(Skin& skin) {
+    const auto bind_to_model = as_frame(vertex_space(skin));
+    if (!bind_to_model) return false;
+    skin.bind_to_model = as_matrix(*bind_to_model);
+    skin.palette_entries = skin.bones;
+    for (std::size_t joint = 0; joint < skin.bones.size(); ++joint) {
+      if (!place(skin, joint)) return false;
+    }
+    return true;
+  }
+
+  /// Returns where the skin's vertices are in the bind pose. A joint that an earlier skin has placed says so, else the
+  /// rest pose of the root joint.
+  glm::dmat4 vertex_space(const Skin& skin) const {
+    const auto rank = [&](std::size_t joint) {
+      const int bone = skin.bones[joint];
+      return std::tuple(!placed_[static_cast<std::size_t>(bone)], bone);
+    };
+    std::size_t root = 0;
+    for (std::size_t joint = 1; joint < skin.bones.size(); ++joint) {
+      if (rank(joint) < rank(root)) root = joint;
+    }
+    const auto bone = static_cast<std::size_t>(skin.bones[root]);
+    return as_matrix(skeleton_.references[bone]) * skin.inverse_binds[root];
+  }
+
+  /// Makes the joint's bind pose its frame. Its scale must be that of the rest pose.
+  bool place(const Skin& skin, std::size_t joint) {
+    const auto bone = static_cast<std::size_t>(skin.bones[joint]);
+    if (placed_[bone]) return true;
+    if (!as_frame(skin.inverse_binds[joint])) return false;
+    const auto frame = as_frame(skin.bind_to_model * glm::inverse(skin.inverse_binds[joint]));
+    ReferenceFrame& reference = skeleton_.references[bone];
+    if (!frame || std::abs(frame->scale - reference.scale) > rounding * reference.scale) return false;
+    reference.rotation = frame->rotation;
+    reference.origin = frame->origin;
+    placed_[bone] = true;
+    return true;
+  }
+
+  Skeleton skeleton_;
+  std::vector<bool> placed_;
+};
+
+/// Compares the palette of one skin by the definition with that of a rigid skeleton.
+class PaletteComparison {
+ public:
+  void add(const glm::dmat4& expected, const glm::dmat4& shown) {
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 3; ++row) {
+        largest_ = std::max(largest_, std::abs(expected[column][row]));
+        error_ = std::max(error_, std::abs(expected[column][row] - shown[column][row]));
+      }
+    }
+  }
+  bool agrees() const { return error_ <= 0.5 * (1e-4 + 1e-5 * largest_); }
+
+ private:
+  double largest_ = 0.0;
+  double error_ = 0.0;
+};
+
+bool poses_agree(const RigidCandidate& rigid, const Skeleton& general, const std::vector<Skin>& skins,
+                 const anim::Clip* clip, double seconds) {
+  const anim::ReferencePose expected = anim::reference_pose(general, clip, seconds);
+  std::vector<anim::StateTransform> locals = expected.locals;
+  for (std::size_t bone = 0; bone < locals.size(); ++bone) locals[bone].scale = rigid.skeleton.bones[bone].rest.scale;
+  const anim::ReferencePose shown = anim::pose_from_locals(rigid.skeleton, std::move(locals));
+  for (std::size_t skin = 0; skin < skins.size(); ++skin) {
+    PaletteComparison comparison;
+    for (std::size_t joint = 0; joint < skins[skin].bones.size(); ++joint) {
+      const auto entry = static_cast<std::size_t>(skins[skin].palette_entries[joint]);
+      const auto rigid_entry = static_cast<std::size_t>(rigid.skins[skin].palette_entries[joint]);
+      comparison.add(expected.palette[entry], shown.palette[rigid_entry] * rigid.skins[skin].bind_to_model);
+    }
+    if (!comparison.agrees()) return false;
+  }
+  return true;
+}
+
+/// Takes the rounding off a general skeleton that is otherwise rigid; returns nothing for any other.
+std::optional<RigidCandidate> make_rigid_candidate(const Skeleton& general, const std::vector<Skin>& skins,
+                                                   const std::vector<anim::Clip>& clips) {
+  if (!scales_stand_still(general, clips)) return std::nullopt;
+  return RigidMaker(general).make(skins);
+}
+
+/// Says whether the candidate's palettes agree with the general ones, in the rest pose and at five times of every clip,
+/// to half of the tolerance for poses: 1e-4, and 1e-5 of the palette's largest magnitude.
+bool shows_the_same(const RigidCandidate& rigid, const Skeleton& general, const std::vector<Skin>& skins,
+                    const std::vector<anim::Clip>& clips) {
+  constexpr int times = 5;
+  if (!poses_agree(rigid, general, skins, nullptr, 0.0)) return false;
+  for (const anim::Clip& clip : clips) {
+    for (int i = 0; i < times; ++i) {
+      if (!poses_agree(rigid, general, skins, &clip, clip.duration * i / (times - 1))) return false;
+    }
+  }
+  return true;
+}
 
 /// The palette entries of the general path: one for each bone and inverse bind, sorted by bone.
 class GeneralPalette {

@@ -12,4 +12,9 @@ class Refusal : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Refuses a file because of one of its objects, of which `object` is the name. Only another export mends it.
+[[noreturn]] inline void refuse(const std::string& object, const std::string& what) {
+  throw Refusal(object + ": " + what + "; export the file again");
+}
+
 }  // namespace throng::import

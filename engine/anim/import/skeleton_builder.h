@@ -3,12 +3,30 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
+
 #include "engine/anim/asset/model.h"
 #include "engine/anim/import/animations.h"
+#include "engine/anim/import/document.h"
 #include "engine/anim/import/node_tree.h"
-#include "engine/anim/import/skins.h"
 
 namespace throng::import {
+
+/// A skin as the file has it.
+struct FileSkin {
+  int index = 0;
+  std::string name;
+  std::vector<int> joints;                ///< nodes
+  std::vector<glm::dmat4> inverse_binds;  ///< one a joint; identity where the file has none
+  std::vector<int> mesh_nodes;            ///< nodes that draw a mesh with it, in the scene or not
+};
+
+/// Reads all skins. Throws Refusal, also where the scene draws a skin without holding its joints.
+std::vector<FileSkin> read_skins(Document& document, const NodeTree& tree);
+
+/// Groups skins that move together: two share a group if a joint of one is a joint, an ancestor or a descendant of a
+/// joint of the other. Returns indices into `skins`, ascending inside a group.
+std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, const NodeTree& tree);
 
 /// A mesh node without skin that hangs below a bone.
 struct AttachedMesh {

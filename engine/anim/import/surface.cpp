@@ -4,24 +4,88 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/ext/vector_float1.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "engine/anim/import/accessor_reader.h"
+#include "engine/anim/import/accessors.h"
 #include "engine/anim/import/refusal.h"
-#include "engine/anim/import/triangles.h"
 
 namespace throng::import {
 
 namespace {
 
-constexpr float largest_region = 5.0F;
+using Indices = std::vector<std::uint32_t>;
 
-// KHR_mesh_quantization allows these for positions, normals and texture coordinates.
-constexpr std::initializer_list<int> any_component = {
-    TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-    TINYGLTF_COMPONENT_TYPE_SHORT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT};
+Indices read_indices(const Document& document, const tinygltf::Primitive& primitive, std::size_t vertex_count,
+                     const std::string& name) {
+  if (primitive.indices < 0) {
+    Indices indices(vertex_count);
+    std::iota(indices.begin(), indices.end(), 0U);
+    return indices;
+  }
+  Indices indices =
+      read_integers(document, primitive.indices, {name + ": indices", {TINYGLTF_TYPE_SCALAR}, any_unsigned, true});
+  if (const auto largest = std::ranges::max(indices); largest >= vertex_count) {
+    refuse(name, "index " + std::to_string(largest) + " of " + std::to_string(vertex_count) + " vertices");
+  }
+  return indices;
+}
+
+Indices unroll(const Indices& corners, bool is_fan) {
+  Indices triangles;
+  for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+    const bool odd = i % 2 == 1 && !is_fan;
+    triangles.push_back(is_fan ? corners[0] : corners[i]);
+    triangles.push_back(odd ? corners[i + 2] : corners[i + 1]);
+    triangles.push_back(odd ? corners[i + 1] : corners[i + 2]);
+  }
+  return triangles;
+}
+
+/// Returns the indices of a primitive as a list of triangles; unrolls strips and fans. Points and lines give none and a
+/// report.
+Indices read_triangles(Document& document, const tinygltf::Primitive& primitive, std::size_t vertex_count,
+                       const std::string& name) {
+  const int mode = primitive.mode;
+  if (mode > TINYGLTF_MODE_TRIANGLE_FAN) throw Refusal(name + ": mode " + std::to_string(mode) + " is unknown");
+  if (mode < TINYGLTF_MODE_TRIANGLES) {
+    document.repairs.push_back(name + ": points or lines, left out");
+    return {};
+  }
+  Indices indices = read_indices(document, primitive, vertex_count, name);
+  if (mode != TINYGLTF_MODE_TRIANGLES) return unroll(indices, mode == TINYGLTF_MODE_TRIANGLE_FAN);
+  if (indices.size() % 3 != 0) {
+    document.repairs.push_back(name + ": its last triangle is not whole, left out");
+    indices.resize(indices.size() / 3 * 3);
+  }
+  return indices;
+}
+
+/// Returns unit normals, weighted by the area of the triangles around each vertex; +Y for a vertex without any.
+std::vector<glm::vec3> compute_normals(const std::vector<glm::vec3>& positions, const Indices& indices) {
+  std::vector<glm::dvec3> sums(positions.size(), glm::dvec3(0.0));
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    const glm::dvec3 a(positions[indices[i]]);
+    const glm::dvec3 b(positions[indices[i + 1]]);
+    const glm::dvec3 c(positions[indices[i + 2]]);
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    for (std::size_t corner = 0; corner < 3; ++corner) sums[indices[i + corner]] += area;
+  }
+  std::vector<glm::vec3> normals;
+  normals.reserve(sums.size());
+  for (const glm::dvec3& sum : sums) {
+    const double length = glm::length(sum);
+    normals.push_back(length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0.0F, 1.0F, 0.0F));
+  }
+  return normals;
+}
+
+constexpr float largest_region = 5.0F;
 
 class SurfaceReader {
  public:
@@ -33,10 +97,10 @@ class SurfaceReader {
       document_.repairs.push_back(name_ + ": has no POSITION, left out");
       return {};
     }
-    mesh_.positions = read_vectors("POSITION", true);
+    mesh_.positions = read_attribute<glm::vec3>("POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true);
     mesh_.indices = read_triangles(document_, primitive_, mesh_.positions.size(), name_);
     mend_positions();
-    if (primitive_.attributes.contains("NORMAL")) mesh_.normals = read_vectors("NORMAL", false);
+    mesh_.normals = read_attribute<glm::vec3>("NORMAL", TINYGLTF_TYPE_VEC3, float_or_small);
     read_texture_coords(materials);
     read_colors();
     read_regions();
@@ -49,25 +113,17 @@ class SurfaceReader {
   }
 
  private:
-  /// Returns flat numbers of an attribute, one element a position; none where the primitive lacks it.
-  std::vector<float> read_attribute(const char* attribute, const AccessorRule& rule, std::size_t width) const {
+  /// Returns one vector a position; none where the primitive lacks the attribute.
+  template <typename Vector>
+  std::vector<Vector> read_attribute(const char* attribute, int type, Components components, bool raw = false) const {
     const auto found = primitive_.attributes.find(attribute);
     if (found == primitive_.attributes.end()) return {};
-    auto values = read_floats(document_, found->second, rule);
-    if (!mesh_.positions.empty() && values.size() != mesh_.positions.size() * width) {
-      throw Refusal(name_ + ": has another number of " + attribute + " than of POSITION; export the file again");
+    auto values =
+        grouped<Vector>(read_floats(document_, found->second, {name_ + ": " + attribute, {type}, components, raw}));
+    if (!mesh_.positions.empty() && values.size() != mesh_.positions.size()) {
+      refuse(name_, std::string("has another number of ") + attribute + " than of POSITION");
     }
     return values;
-  }
-
-  std::vector<glm::vec3> read_vectors(const char* attribute, bool raw) const {
-    const auto values = read_attribute(
-        attribute,
-        {.what = name_ + ": " + attribute, .types = {TINYGLTF_TYPE_VEC3}, .components = any_component, .raw = raw}, 3);
-    std::vector<glm::vec3> vectors;
-    vectors.reserve(values.size() / 3);
-    for (std::size_t i = 0; i < values.size(); i += 3) vectors.emplace_back(values[i], values[i + 1], values[i + 2]);
-    return vectors;
   }
 
   /// Some exporters write NaN for a vertex that should not be drawn. Drops its triangles.
@@ -77,7 +133,7 @@ class SurfaceReader {
     for (std::size_t vertex = 0; vertex < broken.size(); ++vertex) {
       glm::vec3& position = mesh_.positions[vertex];
       if (std::isinf(position.x) || std::isinf(position.y) || std::isinf(position.z)) {
-        throw Refusal(name_ + ": position " + std::to_string(vertex) + " is infinite; export the file again");
+        refuse(name_, "position " + std::to_string(vertex) + " is infinite");
       }
       if (!std::isnan(position.x + position.y + position.z)) continue;
       broken[vertex] = true;
@@ -97,65 +153,38 @@ class SurfaceReader {
                                 " positions are no numbers, their triangles left out");
   }
 
+  // KHR_mesh_quantization allows small integers for positions, normals and texture coordinates.
   void read_texture_coords(const MaterialCollector& materials) {
-    const auto values = read_attribute(
-        "TEXCOORD_0",
-        {.what = name_ + ": TEXCOORD_0", .types = {TINYGLTF_TYPE_VEC2}, .components = any_component, .raw = true}, 2);
+    mesh_.texture_coords = read_attribute<glm::vec2>("TEXCOORD_0", TINYGLTF_TYPE_VEC2, float_or_small, true);
     const glm::mat3 transform = materials.texture_transform(primitive_.material);
-    mesh_.texture_coords.reserve(values.size() / 2);
-    for (std::size_t i = 0; i < values.size(); i += 2) {
-      mesh_.texture_coords.emplace_back(transform * glm::vec3(values[i], values[i + 1], 1.0F));
-    }
+    for (glm::vec2& place : mesh_.texture_coords) place = glm::vec2(transform * glm::vec3(place, 1.0F));
   }
 
   void read_colors() {
     const auto found = primitive_.attributes.find("COLOR_0");
     if (found == primitive_.attributes.end()) return;
-    const std::size_t width = accessor_at(document_, found->second).type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
-    const auto values =
-        read_attribute("COLOR_0",
-                       {.what = name_ + ": COLOR_0",
-                        .types = {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4},
-                        .components = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                                       TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT}},
-                       width);
-    mesh_.colors.reserve(values.size() / width);
-    for (std::size_t i = 0; i < values.size(); i += width) {
-      mesh_.colors.emplace_back(values[i], values[i + 1], values[i + 2], width == 4 ? values[i + 3] : 1.0F);
+    if (accessor_at(document_, found->second).type != TINYGLTF_TYPE_VEC3) {
+      mesh_.colors = read_attribute<glm::vec4>("COLOR_0", TINYGLTF_TYPE_VEC4, float_or_unsigned);
+      return;
+    }
+    for (const glm::vec3& color : read_attribute<glm::vec3>("COLOR_0", TINYGLTF_TYPE_VEC3, float_or_unsigned)) {
+      mesh_.colors.emplace_back(color, 1.0F);
     }
   }
 
   void read_regions() {
-    const auto values =
-        read_attribute("_REGION",
-                       {.what = name_ + ": _REGION",
-                        .types = {TINYGLTF_TYPE_SCALAR},
-                        .components = {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                                       TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT},
-                        .raw = true},
-                       1);
-    mesh_.regions.reserve(values.size());
-    for (const float value : values) {
-      const bool known = value >= 0.0F && value <= largest_region;
-      mesh_.regions.push_back(static_cast<std::uint8_t>(known ? std::lround(value) : 0));
+    for (const auto& value : read_attribute<glm::vec1>("_REGION", TINYGLTF_TYPE_SCALAR, float_or_unsigned, true)) {
+      const bool known = value.x >= 0.0F && value.x <= largest_region;
+      mesh_.regions.push_back(static_cast<std::uint8_t>(known ? std::lround(value.x) : 0));
     }
   }
 
   /// Reads what an instance may vary. Drawing stores it in bytes, so values are clamped to -1..1.
   void read_variations() {
-    const auto cut = [](float value) {
-      return value >= -1.0F && value <= 1.0F ? value : std::clamp(value, -1.0F, 1.0F);
-    };
-    const auto shapes = read_attribute(
-        "_SHAPE",
-        {.what = name_ + ": _SHAPE", .types = {TINYGLTF_TYPE_VEC3}, .components = {TINYGLTF_COMPONENT_TYPE_FLOAT}}, 3);
-    for (std::size_t i = 0; i < shapes.size(); i += 3) {
-      mesh_.shapes.emplace_back(cut(shapes[i]), cut(shapes[i + 1]), cut(shapes[i + 2]));
-    }
-    const auto hair = read_attribute(
-        "_HAIR",
-        {.what = name_ + ": _HAIR", .types = {TINYGLTF_TYPE_VEC2}, .components = {TINYGLTF_COMPONENT_TYPE_FLOAT}}, 2);
-    for (std::size_t i = 0; i < hair.size(); i += 2) mesh_.hair.emplace_back(cut(hair[i]), cut(hair[i + 1]));
+    mesh_.shapes = read_attribute<glm::vec3>("_SHAPE", TINYGLTF_TYPE_VEC3, float_alone);
+    for (glm::vec3& shape : mesh_.shapes) shape = glm::clamp(shape, -1.0F, 1.0F);
+    mesh_.hair = read_attribute<glm::vec2>("_HAIR", TINYGLTF_TYPE_VEC2, float_alone);
+    for (glm::vec2& hair : mesh_.hair) hair = glm::clamp(hair, -1.0F, 1.0F);
   }
 
   void place(const glm::dmat4& placement) {

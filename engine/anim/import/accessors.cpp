@@ -1,16 +1,116 @@
-#include "engine/anim/import/accessor_reader.h"
+#include "engine/anim/import/accessors.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <string>
 
-#include "engine/anim/import/accessor_checks.h"
 #include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 
 namespace {
+
+std::size_t matrix_rows(int type) {
+  if (type == TINYGLTF_TYPE_MAT2) return 2;
+  if (type == TINYGLTF_TYPE_MAT3) return 3;
+  return type == TINYGLTF_TYPE_MAT4 ? 4 : 0;
+}
+
+/// Returns the bytes of one component, or 0 for a type that glTF does not know.
+std::size_t component_size(int component_type) {
+  // tinygltf knows two types more than glTF.
+  if (component_type == TINYGLTF_COMPONENT_TYPE_INT || component_type == TINYGLTF_COMPONENT_TYPE_DOUBLE) return 0;
+  const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type));
+  return static_cast<std::size_t>(std::max(size, 0));
+}
+
+/// Returns the numbers in one element: 1 to 16.
+std::size_t element_width(const tinygltf::Accessor& accessor) {
+  return static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+}
+
+/// Returns the byte offset of a number in its element. Columns of small matrices start on 4-byte boundaries (glTF 2.0,
+/// 3.6.2.4).
+std::size_t component_offset(const tinygltf::Accessor& accessor, std::size_t component) {
+  const std::size_t size = component_size(accessor.componentType);
+  const std::size_t rows = matrix_rows(accessor.type);
+  if (rows == 0) return component * size;
+  const std::size_t column_pitch = (rows * size + 3) / 4 * 4;
+  return component / rows * column_pitch + component % rows * size;
+}
+
+/// Returns the bytes of one element, without padding after it.
+std::size_t element_size(const tinygltf::Accessor& accessor) {
+  const std::size_t rows = matrix_rows(accessor.type);
+  if (rows == 0) return element_width(accessor) * component_size(accessor.componentType);
+  return component_offset(accessor, rows * rows - rows) + (rows * component_size(accessor.componentType) + 3) / 4 * 4;
+}
+
+/// Says whether `count` elements of `size` bytes, `stride` apart, from `offset` on, lie inside `available` bytes.
+bool fits(std::size_t available, std::size_t offset, std::size_t count, std::size_t stride, std::size_t size) {
+  if (count == 0) return offset <= available;
+  if (offset > available || size > available - offset) return false;
+  return count - 1 <= (available - offset - size) / stride;
+}
+
+class AccessorCheck {
+ public:
+  AccessorCheck(const Document& document, std::size_t index)
+      : document_(document),
+        accessor_(document.gltf.accessors[index]),
+        name_(label("accessor", index, accessor_.name)) {}
+
+  void run() const {
+    if (component_size(accessor_.componentType) == 0) refuse("component type is unknown");
+    if (accessor_.count == 0) refuse("has no elements");
+    if (accessor_.bufferView >= 0) check_view();
+    if (accessor_.sparse.isSparse) check_sparse();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const { import::refuse(name_, what); }
+
+  std::size_t view_size(int view) const { return document_.buffer_views.views[static_cast<std::size_t>(view)].size(); }
+
+  void check_view() const {
+    const auto view = static_cast<std::size_t>(accessor_.bufferView);
+    const std::size_t size = element_size(accessor_);
+    const std::size_t stride = document_.gltf.bufferViews[view].byteStride;
+    if (stride != 0 && stride < size) refuse("its elements are larger than the stride of their buffer view");
+    if (!fits(view_size(accessor_.bufferView), accessor_.byteOffset, accessor_.count, stride != 0 ? stride : size,
+              size)) {
+      refuse(std::to_string(accessor_.count) + " elements do not fit into buffer view " + std::to_string(view));
+    }
+  }
+
+  void check_sparse() const {
+    const auto& sparse = accessor_.sparse;
+    const auto count = static_cast<std::size_t>(sparse.count);
+    if (sparse.count < 1 || count > accessor_.count) refuse("has more sparse elements than elements");
+    const std::size_t index_size = component_size(sparse.indices.componentType);
+    if (std::ranges::find(any_unsigned, sparse.indices.componentType) == any_unsigned.end()) {
+      refuse("its sparse indices are no unsigned integers");
+    }
+    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) refuse("a sparse offset is out of range");
+    if (!fits(view_size(sparse.indices.bufferView), static_cast<std::size_t>(sparse.indices.byteOffset), count,
+              index_size, index_size)) {
+      refuse("its sparse indices do not fit into their buffer view");
+    }
+    const std::size_t size = element_size(accessor_);
+    if (!fits(view_size(sparse.values.bufferView), static_cast<std::size_t>(sparse.values.byteOffset), count, size,
+              size)) {
+      refuse("its sparse values do not fit into their buffer view");
+    }
+  }
+
+  const Document& document_;
+  const tinygltf::Accessor& accessor_;
+  std::string name_;
+};
 
 using Bytes = std::span<const std::byte>;
 
@@ -81,9 +181,7 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw Refusal(name_ + ": " + what + "; export the file again");
-  }
+  [[noreturn]] void refuse(const std::string& what) const { import::refuse(name_, what); }
 
   Bytes view(int index) const { return document_.buffer_views.views[static_cast<std::size_t>(index)]; }
 
@@ -124,12 +222,20 @@ class Reader {
 
 }  // namespace
 
+void check_accessors(const Document& document) {
+  for (std::size_t index = 0; index < document.gltf.accessors.size(); ++index) AccessorCheck(document, index).run();
+}
+
 std::vector<float> read_floats(const Document& document, int accessor, const AccessorRule& rule, std::size_t limit) {
   return Reader<float>(document, accessor, rule).read(limit);
 }
 
 std::vector<std::uint32_t> read_integers(const Document& document, int accessor, const AccessorRule& rule) {
   return Reader<std::uint32_t>(document, accessor, rule).read(SIZE_MAX);
+}
+
+bool all_finite(std::span<const float> values) {
+  return std::ranges::all_of(values, [](float value) { return std::isfinite(value); });
 }
 
 const tinygltf::Accessor& accessor_at(const Document& document, int accessor) {

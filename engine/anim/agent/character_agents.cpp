@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/anim/asset/still_pose.h"
+#include "engine/anim/asset/reference_pose.h"
 
 namespace throng::anim {
 namespace {

@@ -13,14 +13,6 @@ namespace {
 
 constexpr std::uint16_t all_lanes = 0xFFFF;
 
-void write_lane(float* packet, int lane, int components, const StateTransform& state) {
-  const double values[] = {state.rotation.x, state.rotation.y, state.rotation.z, state.rotation.w, state.position.x,
-                           state.position.y, state.position.z, state.scale.x,    state.scale.y,    state.scale.z};
-  for (int component = 0; component < components; ++component) {
-    packet[component * packet_bones + lane] = static_cast<float>(values[component]);
-  }
-}
-
 StateTransform still_state(const Skeleton& skeleton, int bone) {
   if (skeleton.rigid || bone >= skeleton.bone_count()) return {};
   const Transform& rest = skeleton.bones[static_cast<std::size_t>(bone)].rest;
@@ -41,19 +33,17 @@ BoneSelection::BoneSelection(const Skeleton& skeleton, std::span<const std::uint
       lanes_(static_cast<std::size_t>(packets_for(skeleton.bone_count()))),
       still_(allocate_aligned(pose_bytes(skeleton.bone_count(), components_))) {
   assert(priorities.size() == skeleton.bones.size());
-  auto* still = reinterpret_cast<float*>(still_.get());
   for (int packet = 0; packet < packets(); ++packet) {
     unsigned bits = 0;
     for (int lane = 0; lane < packet_bones; ++lane) {
       const int bone = packet * packet_bones + lane;
-      write_lane(still, lane, components_, still_state(skeleton, bone));
+      store_state(still_state(skeleton, bone), bone, components_, reinterpret_cast<float*>(still_.get()));
       if (bone >= skeleton.bone_count() || priorities[static_cast<std::size_t>(bone)] < least) continue;
       bits |= 1U << static_cast<unsigned>(lane);
     }
     evaluated_bones_ += std::popcount(bits);
     if (bits != 0) bits |= padding_lanes(skeleton.bone_count(), packet);
     lanes_[static_cast<std::size_t>(packet)] = static_cast<std::uint16_t>(bits);
-    still += components_ * packet_bones;
   }
 }
 

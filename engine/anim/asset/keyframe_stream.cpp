@@ -117,17 +117,10 @@ std::vector<std::uint32_t> seek_points(const std::vector<PendingEvent>& events, 
 
 std::vector<float> constant_pose(const StateClip& clip) {
   const auto bones = static_cast<int>(clip.constants.size());
-  const int lanes = packets_for(bones) * packet_bones;
-  std::vector<float> pose(static_cast<std::size_t>(lanes * clip.components));
-  for (int bone = 0; bone < lanes; ++bone) {
+  std::vector<float> pose(pose_bytes(bones, clip.components) / sizeof(float));
+  for (int bone = 0; bone < packets_for(bones) * packet_bones; ++bone) {
     const StateTransform state = bone < bones ? clip.constants[static_cast<std::size_t>(bone)] : StateTransform{};
-    const double components[general_components] = {
-        state.rotation.x, state.rotation.y, state.rotation.z, state.rotation.w, state.position.x,
-        state.position.y, state.position.z, state.scale.x,    state.scale.y,    state.scale.z};
-    for (int c = 0; c < clip.components; ++c) {
-      const int place = (bone / packet_bones * clip.components + c) * packet_bones + bone % packet_bones;
-      pose[static_cast<std::size_t>(place)] = static_cast<float>(components[c]);
-    }
+    store_state(state, bone, clip.components, pose.data());
   }
   return pose;
 }

@@ -4,9 +4,12 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
+
+#include "engine/anim/base/pose.h"
 
 namespace throng::anim {
 
@@ -71,6 +74,34 @@ glm::dquat shorter_slerp(const glm::dquat& from, glm::dquat to, double u) {
 template <typename Value>
 bool holds(const Track<Value>& track, const Span& span) {
   return span.from == span.to || track.interpolation == Interpolation::step;
+}
+
+/// Returns the place of each bone in the bind pose; bones that no skin uses have none.
+std::vector<std::optional<glm::dmat4>> bind_globals(const Skeleton& skeleton) {
+  std::vector<std::optional<glm::dmat4>> globals(skeleton.bones.size());
+  for (const PaletteEntry& entry : skeleton.palette) {
+    auto& global = globals[static_cast<std::size_t>(entry.bone)];
+    const bool invertible = std::abs(glm::determinant(entry.post)) > 0.0;
+    if (!global && invertible) global = glm::inverse(entry.post);
+  }
+  return globals;
+}
+
+StateTransform decomposed(const glm::dmat4& matrix) {
+  const glm::dvec3 scale(glm::length(matrix[0]), glm::length(matrix[1]), glm::length(matrix[2]));
+  glm::dmat3 rotation(matrix);
+  for (int axis = 0; axis < 3; ++axis) rotation[axis] /= scale[axis];
+  return {.rotation = glm::normalize(glm::quat_cast(rotation)), .position = glm::dvec3(matrix[3]), .scale = scale};
+}
+
+StateTransform still_transform(const Skeleton& skeleton, int index,
+                               const std::vector<std::optional<glm::dmat4>>& globals) {
+  if (skeleton.rigid) return {};
+  const Bone& bone = skeleton.bones[static_cast<std::size_t>(index)];
+  const auto& own = globals[static_cast<std::size_t>(index)];
+  if (bone.parent < 0 || !own || !globals[static_cast<std::size_t>(bone.parent)]) return rest_transform(bone);
+  const glm::dmat4 local = glm::inverse(*globals[static_cast<std::size_t>(bone.parent)] * bone.prefix) * *own;
+  return std::abs(glm::determinant(local)) > 0.0 ? decomposed(local) : rest_transform(bone);
 }
 
 }  // namespace
@@ -149,6 +180,17 @@ ReferencePose reference_pose(const Skeleton& skeleton, const Clip* clip, double 
     }
   }
   return pose_from_locals(skeleton, std::move(locals));
+}
+
+std::vector<float> still_pose(const Skeleton& skeleton) {
+  const int components = skeleton.components();
+  std::vector<float> pose(pose_bytes(skeleton.bone_count(), components) / sizeof(float));
+  const auto globals = bind_globals(skeleton);
+  for (int bone = 0; bone < packets_for(skeleton.bone_count()) * packet_bones; ++bone) {
+    const bool exists = bone < skeleton.bone_count();
+    store_state(exists ? still_transform(skeleton, bone, globals) : StateTransform{}, bone, components, pose.data());
+  }
+  return pose;
 }
 
 }  // namespace throng::anim

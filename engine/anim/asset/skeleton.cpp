@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/anim/base/pose.h"
+
 namespace throng::anim {
 
 namespace {
@@ -62,6 +64,16 @@ StateTransform to_local(const Skeleton& skeleton, int bone, const StateTransform
   return {.rotation = to_parent * state.rotation * frame.rotation,
           .position = glm::dvec3(glm::inverse(own.prefix) * glm::dvec4(in_parent, 1.0)),
           .scale = glm::dvec3(own.rest.scale)};
+}
+
+void store_state(const StateTransform& state, int bone, int components, float* pose) {
+  const auto& [rotation, position, scale] = state;
+  const double values[general_components] = {rotation.x, rotation.y, rotation.z, rotation.w, position.x,
+                                             position.y, position.z, scale.x,    scale.y,    scale.z};
+  pose += bone / packet_bones * components * packet_bones + bone % packet_bones;
+  for (int component = 0; component < components; ++component) {
+    pose[component * packet_bones] = static_cast<float>(values[component]);
+  }
 }
 
 }  // namespace throng::anim

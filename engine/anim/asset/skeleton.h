@@ -88,7 +88,9 @@ struct StateTransform {
   glm::dvec3 position{0.0};
   glm::dvec3 scale{1.0};
 };
+/// store_state writes a state into a pose: float [packet][components][16].
 StateTransform to_state(const Skeleton& skeleton, int bone, const StateTransform& local);
 StateTransform to_local(const Skeleton& skeleton, int bone, const StateTransform& state);
+void store_state(const StateTransform& state, int bone, int components, float* pose);
 
 }  // namespace throng::anim

@@ -4,7 +4,9 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace throng::anim {
 
@@ -87,6 +89,59 @@ std::vector<int> coarsest_levels(std::span<const int> by_importance, std::span<c
   return levels;
 }
 
+/// Maps old indices of bones or of palette entries to new ones.
+using Places = std::vector<int>;
+
+int at(const Places& places, int index) { return places[static_cast<std::size_t>(index)]; }
+
+Places invert(const std::vector<int>& order) {
+  Places places(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) places[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  return places;
+}
+
+template <typename Element>
+std::vector<Element> permute(std::vector<Element>& elements, const std::vector<int>& order) {
+  std::vector<Element> result;
+  result.reserve(elements.size());
+  for (const int from : order) result.push_back(std::move(elements[static_cast<std::size_t>(from)]));
+  return result;
+}
+
+/// Returns the order of palette entries, which follow their bones.
+std::vector<int> entry_order(const Skeleton& skeleton, const Places& bone_places) {
+  std::vector<int> order(skeleton.palette.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(
+      order, {}, [&](int entry) { return at(bone_places, skeleton.palette[static_cast<std::size_t>(entry)].bone); });
+  return order;
+}
+
+void reorder_skeleton(Skeleton& skeleton, const BoneOrder& order, const Places& places,
+                      const std::vector<int>& entries) {
+  skeleton.bones = permute(skeleton.bones, order.bones);
+  skeleton.references = permute(skeleton.references, order.bones);
+  skeleton.palette = permute(skeleton.palette, entries);
+  for (Bone& bone : skeleton.bones) {
+    if (bone.parent >= 0) bone.parent = at(places, bone.parent);
+  }
+  for (PaletteEntry& entry : skeleton.palette) entry.bone = at(places, entry.bone);
+  skeleton.level_bone_counts = order.level_counts;
+}
+
+void reorder_clip(Clip& clip, const Places& places) {
+  for (BoneTracks& tracks : clip.tracks) tracks.bone = at(places, tracks.bone);
+  std::ranges::sort(clip.tracks, {}, &BoneTracks::bone);
+}
+
+void reorder_influences(std::vector<SkinnedMesh>& meshes, const Places& entry_places) {
+  for (SkinnedMesh& mesh : meshes) {
+    for (glm::u16vec4& vertex : mesh.palette_entries) {
+      for (int i = 0; i < 4; ++i) vertex[i] = static_cast<std::uint16_t>(at(entry_places, vertex[i]));
+    }
+  }
+}
+
 }  // namespace
 
 BoneOrder order_bones(std::span<const int> parents, std::span<const double> importance) {
@@ -105,6 +160,20 @@ BoneOrder order_bones(std::span<const int> parents, std::span<const double> impo
   std::ranges::stable_sort(order.bones, std::ranges::greater{},
                            [&](int bone) { return levels[static_cast<std::size_t>(bone)]; });
   return order;
+}
+
+void reorder_bones(Model& model, const BoneOrder& order) {
+  const Places places = invert(order.bones);
+  const std::vector<int> entries = entry_order(model.skeleton, places);
+  const Places entry_places = invert(entries);
+  reorder_skeleton(model.skeleton, order, places, entries);
+  for (Skin& skin : model.skins) {
+    for (int& bone : skin.bones) bone = at(places, bone);
+    for (int& entry : skin.palette_entries) entry = at(entry_places, entry);
+  }
+  for (Clip& clip : model.clips) reorder_clip(clip, places);
+  reorder_influences(model.meshes, entry_places);
+  for (BakedMeshLod& lod : model.mesh_lods) reorder_influences(lod.meshes, entry_places);
 }
 
 }  // namespace throng::anim

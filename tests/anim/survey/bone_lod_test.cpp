@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/asset/reference_pose.h"
-#include "engine/anim/asset/still_pose.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/survey/bone_importance.h"

@@ -30,16 +30,4 @@ Result<Image> read_png(const std::filesystem::path& file);
 /// Writes a temporary file beside `file`, then renames it, so that `file` is whole or as it was.
 Status write_png(const Image& image, const std::filesystem::path& file);
 
-/// Measures how far two pictures of one size are apart, in steps of 255 a channel, without alpha.
-struct ImageDifference {
-  double mean = 0.0;         ///< over all pixels
-  double worst_block = 0.0;  ///< the largest mean of a 16x16 block: one missing hand shows here
-  int worst_block_x = 0;     ///< pixels: the corner of that block
-  int worst_block_y = 0;
-  Image picture;  ///< the absolute difference, eight times as bright
-};
-
-/// Fails when the sizes differ.
-Result<ImageDifference> compare(const Image& expected, const Image& actual);
-
 }  // namespace throng::render

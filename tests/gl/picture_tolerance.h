@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/render/image.h"
+#include "tests/render/image_difference.h"
 
 namespace throng::render::test {
 

@@ -12,6 +12,7 @@ namespace throng::app::split_view_test {
 namespace {
 
 using render::Image;
+using render::test::compare;
 using render::test::looks_the_same;
 
 constexpr int width = 320, height = 180, line = 128;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/demo/demo.h"
+#include "tests/render/image_difference.h"
 
 namespace throng::app::test {
 namespace {
@@ -74,7 +75,7 @@ void expect_golden_picture(const std::string& name, const DemoOptions& golden) {
   const auto expected = render::read_png(golden_file(name));
   ASSERT_TRUE(expected) << expected.error().message;
   EXPECT_LE(std::filesystem::file_size(golden_file(name)), largest_picture_bytes);
-  const auto difference = render::compare(*expected, actual);
+  const auto difference = render::test::compare(*expected, actual);
   ASSERT_TRUE(difference) << difference.error().message;
   const bool same = difference->mean <= largest_mean_difference && difference->worst_block <= largest_block_difference;
   EXPECT_TRUE(same) << name << ": mean " << difference->mean << ", worst block " << difference->worst_block << " at "

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
-namespace throng::render::image_test {
+#include "tests/render/image_difference.h"
+
+namespace throng::render::test::image_test {
 namespace {
 
 /// Gives the test a folder, and removes it at the end.
@@ -112,4 +114,4 @@ TEST(ImageDifference, IsRefusedForDifferentSizes) {
 }
 
 }  // namespace
-}  // namespace throng::render::image_test
+}  // namespace throng::render::test::image_test

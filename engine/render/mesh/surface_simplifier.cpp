@@ -77,7 +77,10 @@ void SurfaceSimplifier::add_triangles() {
 
 /// Gives each edge that has a triangle on one side only a plane upright on that triangle, so that hems stay in place.
 void SurfaceSimplifier::hold_open_edges() {
-  const std::map<Edge, int> sides = count_sides();
+  std::map<Edge, int> sides;
+  for (const Triangle& triangle : triangles_) {
+    for (std::size_t corner = 0; corner < 3; ++corner) ++sides[edge_of(triangle, corner)];
+  }
   for (const Triangle& triangle : triangles_) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Edge edge = edge_of(triangle, corner);
@@ -93,14 +96,6 @@ void SurfaceSimplifier::hold_open_edges() {
 
 SurfaceSimplifier::Edge SurfaceSimplifier::edge_of(const Triangle& triangle, std::size_t corner) const {
   return std::minmax({point_of_vertex_[triangle.at(corner)], point_of_vertex_[triangle.at((corner + 1) % 3)]});
-}
-
-std::map<SurfaceSimplifier::Edge, int> SurfaceSimplifier::count_sides() const {
-  std::map<Edge, int> sides;
-  for (const Triangle& triangle : triangles_) {
-    for (std::size_t corner = 0; corner < 3; ++corner) ++sides[edge_of(triangle, corner)];
-  }
-  return sides;
 }
 
 void SurfaceSimplifier::reduce_to(std::size_t triangles, double largest_error) {
@@ -196,17 +191,16 @@ bool SurfaceSimplifier::find_stand_ins(std::uint32_t from, std::uint32_t into, S
 }
 
 std::uint32_t SurfaceSimplifier::stand_in_elsewhere(std::uint32_t vertex, const Point& into) const {
+  const auto has_like_texture = [&](std::size_t other) {
+    if (surface_.texture_coords.empty()) return true;
+    const float* own = &surface_.texture_coords[vertex * 2UL];
+    const float* its = &surface_.texture_coords[other * 2];
+    return std::abs(its[0] - own[0]) <= like_texture && std::abs(its[1] - own[1]) <= like_texture;
+  };
   const auto found = std::ranges::find_if(into.vertices, [&](std::uint32_t other) {
-    return surface_.belongs_to[other] == surface_.belongs_to[vertex] && has_like_texture(other, vertex);
+    return surface_.belongs_to[other] == surface_.belongs_to[vertex] && has_like_texture(other);
   });
   return found == into.vertices.end() ? no_vertex : *found;
-}
-
-bool SurfaceSimplifier::has_like_texture(std::uint32_t a, std::uint32_t b) const {
-  if (surface_.texture_coords.empty()) return true;
-  const float* at_a = &surface_.texture_coords[a * 2UL];
-  const float* at_b = &surface_.texture_coords[b * 2UL];
-  return std::abs(at_a[0] - at_b[0]) <= like_texture && std::abs(at_a[1] - at_b[1]) <= like_texture;
 }
 
 void SurfaceSimplifier::merge(std::uint32_t from, std::uint32_t into, const StandIns& stand_ins) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <queue>
 #include <span>
 #include <utility>
@@ -71,14 +70,12 @@ class SurfaceSimplifier {
   void add_triangles();
   void hold_open_edges();
   Edge edge_of(const Triangle& triangle, std::size_t corner) const;
-  std::map<Edge, int> count_sides() const;
   void propose_merges_around(std::uint32_t point);
   bool is_current(const Merge& merge) const;
   bool pinches(std::uint32_t from, std::uint32_t into) const;
   bool turns_a_triangle_over(std::uint32_t from, std::uint32_t into) const;
   bool find_stand_ins(std::uint32_t from, std::uint32_t into, StandIns& stand_ins) const;
   std::uint32_t stand_in_elsewhere(std::uint32_t vertex, const Point& into) const;
-  bool has_like_texture(std::uint32_t a, std::uint32_t b) const;
   void merge(std::uint32_t from, std::uint32_t into, const StandIns& stand_ins);
 
   bool has_point(const Triangle& triangle, std::uint32_t point) const;

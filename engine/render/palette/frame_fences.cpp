@@ -6,8 +6,6 @@
 namespace throng::render {
 namespace {
 
-constexpr GLuint64 one_second = 1'000'000'000;
-
 bool is_signalled(GLenum outcome) { return outcome == GL_ALREADY_SIGNALED || outcome == GL_CONDITION_SATISFIED; }
 
 }  // namespace
@@ -28,25 +26,11 @@ void FrameFences::insert(std::uint64_t frame) {
 
 std::uint64_t FrameFences::poll() {
   while (!pending_.empty() && is_signalled(glClientWaitSync(pending_.front().sync, GL_SYNC_FLUSH_COMMANDS_BIT, 0))) {
-    complete_oldest();
+    completed_ = pending_.front().frame;
+    glDeleteSync(pending_.front().sync);
+    pending_.pop_front();
   }
   return completed_;
-}
-
-void FrameFences::wait(std::uint64_t frame) {
-  while (!pending_.empty() && pending_.front().frame <= frame) {
-    GLenum outcome = GL_TIMEOUT_EXPIRED;
-    while (outcome == GL_TIMEOUT_EXPIRED) {
-      outcome = glClientWaitSync(pending_.front().sync, GL_SYNC_FLUSH_COMMANDS_BIT, one_second);
-    }
-    complete_oldest();
-  }
-}
-
-void FrameFences::complete_oldest() {
-  completed_ = pending_.front().frame;
-  glDeleteSync(pending_.front().sync);
-  pending_.pop_front();
 }
 
 }  // namespace throng::render

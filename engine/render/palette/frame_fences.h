@@ -22,9 +22,6 @@ class FrameFences {
   /// Gives the newest completed frame, or 0 if there is none. Never waits.
   std::uint64_t poll();
 
-  /// Waits until `frame` and all before it are completed. Call it on the GL thread, before animation starts.
-  void wait(std::uint64_t frame);
-
   std::size_t frames_in_flight() const { return pending_.size(); }
 
  private:
@@ -32,8 +29,6 @@ class FrameFences {
     std::uint64_t frame;
     GLsync sync;
   };
-
-  void complete_oldest();
 
   std::deque<Pending> pending_;
   std::uint64_t completed_ = 0;

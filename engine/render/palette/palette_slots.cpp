@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <functional>
-#include <new>
 #include <span>
 #include <utility>
 
 namespace throng::render {
 namespace {
-
-constexpr std::align_val_t line{palette_line_bytes};
 
 std::uint32_t whole_lines(std::size_t bytes) {
   return static_cast<std::uint32_t>((bytes + palette_line_bytes - 1) / palette_line_bytes);
@@ -25,21 +22,9 @@ std::uint32_t next_size(std::span<const std::uint32_t> sizes, std::uint32_t line
 
 }  // namespace
 
-struct HeapPageSource::Page {
-  explicit Page(std::size_t size) : memory(static_cast<std::byte*>(::operator new[](size, line))) {}
-  Page(const Page&) = delete;
-  Page& operator=(const Page&) = delete;
-  ~Page() { ::operator delete[](memory, line); }
-  std::byte* memory;
-};
-
-HeapPageSource::HeapPageSource(std::size_t page_bytes) : page_bytes_(page_bytes) {}
-
-HeapPageSource::~HeapPageSource() = default;
-
 PalettePage HeapPageSource::add_page() {
-  pages_.push_back(std::make_unique<Page>(page_bytes_));
-  return {pages_.back()->memory, page_bytes_};
+  pages_.push_back(std::make_unique_for_overwrite<Line[]>(whole_lines(page_bytes_)));
+  return {pages_.back()[0].bytes, page_bytes_};
 }
 
 PaletteSlots::PaletteSlots(PalettePageSource& source, const std::vector<std::size_t>& sizes) : source_(&source) {

@@ -26,14 +26,15 @@ class PalettePageSource {
 /// Makes pages of plain memory, for runs without OpenGL.
 class HeapPageSource final : public PalettePageSource {
  public:
-  explicit HeapPageSource(std::size_t page_bytes);
-  ~HeapPageSource() override;
+  explicit HeapPageSource(std::size_t page_bytes) : page_bytes_(page_bytes) {}
   PalettePage add_page() override;
 
  private:
-  struct Page;
+  struct alignas(palette_line_bytes) Line {
+    std::byte bytes[palette_line_bytes];
+  };
   std::size_t page_bytes_;
-  std::vector<std::unique_ptr<Page>> pages_;
+  std::vector<std::unique_ptr<Line[]>> pages_;
 };
 
 /// A run of lines in a page, to which one pose of one agent is written.

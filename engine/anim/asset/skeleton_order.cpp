@@ -108,15 +108,6 @@ std::vector<Element> permute(std::vector<Element>& elements, const std::vector<i
   return result;
 }
 
-/// Returns the order of palette entries, which follow their bones.
-std::vector<int> entry_order(const Skeleton& skeleton, const Places& bone_places) {
-  std::vector<int> order(skeleton.palette.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(
-      order, {}, [&](int entry) { return at(bone_places, skeleton.palette[static_cast<std::size_t>(entry)].bone); });
-  return order;
-}
-
 void reorder_skeleton(Skeleton& skeleton, const BoneOrder& order, const Places& places,
                       const std::vector<int>& entries) {
   skeleton.bones = permute(skeleton.bones, order.bones);
@@ -162,9 +153,20 @@ BoneOrder order_bones(std::span<const int> parents, std::span<const double> impo
   return order;
 }
 
+std::vector<int> bone_places(const BoneOrder& order) { return invert(order.bones); }
+
+std::vector<int> palette_order(const Skeleton& skeleton, const BoneOrder& order) {
+  const Places places = bone_places(order);
+  std::vector<int> entries(skeleton.palette.size());
+  std::iota(entries.begin(), entries.end(), 0);
+  std::ranges::stable_sort(
+      entries, {}, [&](int entry) { return at(places, skeleton.palette[static_cast<std::size_t>(entry)].bone); });
+  return entries;
+}
+
 void reorder_bones(Model& model, const BoneOrder& order) {
-  const Places places = invert(order.bones);
-  const std::vector<int> entries = entry_order(model.skeleton, places);
+  const Places places = bone_places(order);
+  const std::vector<int> entries = palette_order(model.skeleton, order);
   const Places entry_places = invert(entries);
   reorder_skeleton(model.skeleton, order, places, entries);
   for (Skin& skin : model.skins) {

@@ -24,7 +24,8 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
   const auto fonts = find_data(data_folders(options.data), "assets/fonts");
   Tuning tuning = show.stage().tuning();
   FrameReporter reporter(show);
-  reporter.update(show, place_of(show.camera), show.last_update_ms() + show.last_draw_ms(), show.notice);
+  reporter.update(show, place_of(show.camera),
+                  show.figures().times().animation_ms + show.figures().times().drawing_ms(), show.notice);
   if (options.ui_fixed) {
     const auto figures = find_data(data_folders(options.data), "assets/fixed_report.json");
     if (!figures) return figures.error();
@@ -32,37 +33,39 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
   }
   Overlay overlay(fonts ? *fonts : std::filesystem::path(), options.ui_scale, tuning);
   overlay.show_tab(options.ui_tab);
-  if (const anim::Status prepared = show.renderer().prepare_overlay(); !prepared) return prepared;
+  if (const anim::Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;
   constexpr int frames_until_laid_out = 30;  // three would do; the more, the truer the time of one
   for (int frame = 0; frame < frames_until_laid_out; ++frame) {
     const auto start = std::chrono::steady_clock::now();
     overlay.begin_frame(show.width, show.height, 1.0 / 60.0, {});
     overlay.build(reporter.report(), tuning);
-    show.add_overlay_time(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    show.figures().add_overlay(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
-  show.renderer().draw_overlay(*overlay.draw_data());
+  show.painter().renderer().draw_overlay(*overlay.draw_data());
   if (options.ui_map.empty()) return anim::Done{};
   return write_whole_file(options.ui_map, to_json(overlay.ui_map(), tuning, reporter.report()));
 }
 
 int write_results(Show& show, const DemoOptions& options) {
   if (!options.screenshot.empty()) {
-    const anim::Status written = render::write_png(show.renderer().read_image(), options.screenshot);
+    const anim::Status written = render::write_png(show.painter().renderer().read_image(), options.screenshot);
     if (!written) return end_with(exit_job_failed, written.error().message);
   }
   if (!options.stats.empty()) {
-    const anim::Status written = show.statistics().write(options.stats, show.stage(), show.drawn_by());
+    const anim::Status written =
+        show.figures().statistics().write(options.stats, show.stage(), show.painter().drawn_by());
     if (!written) return end_with(exit_job_failed, written.error().message);
   }
-  if (show.timeline()) {
-    const anim::Status written = write_whole_file(options.trace, show.timeline()->to_json());
+  if (show.figures().timeline()) {
+    const anim::Status written = write_whole_file(options.trace, show.figures().timeline()->to_json());
     if (!written) return end_with(exit_job_failed, written.error().message);
   }
   return exit_done;
 }
 
 anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay) {
-  const DrawWhich which = show.draws() ? drawn_frames(options) : DrawWhich::none;
+  const DrawWhich which = show.painter().draws() ? drawn_frames(options) : DrawWhich::none;
   for (int frame = 1; !options.frames_given || frame <= options.frames; ++frame) {
     const anim::Result<bool> repeated = replay.step(show);
     if (!repeated) return repeated.error();
@@ -79,7 +82,7 @@ anim::Status run_frames(Show& show, const DemoOptions& options) {
   for (int frame = 1; frame <= options.frames; ++frame) {
     show.animate(step);
     const bool last = frame == options.frames;
-    if (show.draws() && (which == DrawWhich::all || (which == DrawWhich::last && last))) show.draw();
+    if (show.painter().draws() && (which == DrawWhich::all || (which == DrawWhich::last && last))) show.draw();
   }
   return anim::Done{};
 }
@@ -87,7 +90,8 @@ anim::Status run_frames(Show& show, const DemoOptions& options) {
 anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
   const anim::Status run = replay != nullptr ? run_replay(show, options, *replay) : run_frames(show, options);
   if (!run) return run;
-  if (options.ui && show.draws() && drawn_frames(options) != DrawWhich::none) return draw_overlay(show, options);
+  if (options.ui && show.painter().draws() && drawn_frames(options) != DrawWhich::none)
+    return draw_overlay(show, options);
   return anim::Done{};
 }
 
@@ -98,7 +102,7 @@ anim::Status run_recorded(Show& show, const DemoOptions& options, Replay* replay
   if (replay != nullptr) {
     if (anim::Status begun = replay->begin(show); !begun) return begun;
   }
-  if (options.selected) show.select(static_cast<std::uint32_t>(*options.selected));
+  if (options.selected) show.hands().select(static_cast<std::uint32_t>(*options.selected));
   const bool window = options.context == ContextKind::window;
   const anim::Status run = window ? run_window(show, options, replay) : run_headless(show, options, replay);
   const anim::Status recorded = show.stop_recording();

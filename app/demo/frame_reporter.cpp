@@ -71,7 +71,7 @@ void FrameReporter::describe_characters(const Show& show) {
 }
 
 void FrameReporter::describe_device(const Show& show) {
-  const DrawnBy drawn_by = show.drawn_by();
+  const DrawnBy drawn_by = show.painter().drawn_by();
   report_.context = drawn_by.context;
   report_.gl_version = drawn_by.gl_version;
   report_.gl_renderer = drawn_by.gl_renderer;
@@ -104,22 +104,22 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
   report_.camera = camera;
   report_.frame_ms = static_cast<float>(frame_ms);
-  report_.update_ms = static_cast<float>(show.last_update_ms());
-  report_.draw_ms = static_cast<float>(show.last_draw_ms());
+  report_.update_ms = static_cast<float>(show.figures().times().animation_ms);
+  report_.draw_ms = static_cast<float>(show.figures().times().drawing_ms());
   remember(report_.frame_ms_history, frame_ms);
-  remember(report_.update_ms_history, show.last_update_ms());
+  remember(report_.update_ms_history, show.figures().times().animation_ms);
   report_.agents = static_cast<int>(show.stage().crowd().size());
-  report_.drawn = static_cast<int>(show.picture().instances().size());
+  report_.drawn = static_cast<int>(show.painter().picture().instances().size());
   report_.work = system.figures().report();
   report_.pose_hash = system.figures().pose_hash();
-  report_.draw_counts = show.draw_counts();
+  report_.draw_counts = show.painter().draw_counts();
   add_level_of_detail(show.stage());
-  report_.thresholds = show.thresholds().thresholds();
-  report_.threshold_clip = show.thresholds().clip();
+  report_.thresholds = show.painter().thresholds().thresholds();
+  report_.threshold_clip = show.painter().thresholds().clip();
   add_heads(show.stage());
   add_units(system);
   report_.memory = system.figures().memory();
-  limit_.add(show.frame_times());
+  limit_.add(show.figures().times());
   report_.limit_sentence = limit_.sentence();
   report_.selected = report_selection(show.stage());
   if (report_.selected) selection_log_.update(show.stage(), *report_.selected);

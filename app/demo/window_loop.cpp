@@ -12,6 +12,7 @@
 #include "app/overlay/overlay.h"
 #include "app/report/tuning_sweep.h"
 #include "app/settings/preset.h"
+#include "app/show/kept_choices.h"
 #include "app/view/fly_camera.h"
 
 namespace throng::app {
@@ -36,7 +37,7 @@ class WindowLoop {
         replay_(replay),
         tuning_(show.stage().tuning()),
         accepted_(tuning_),
-        input_(show.context().window()),
+        input_(show.painter().context().window()),
         overlay_(fonts_folder(options), options.ui_scale, tuning_, input_.clipboard()),
         fly_camera_(place_of(show.camera)),
         reporter_(show) {
@@ -47,7 +48,7 @@ class WindowLoop {
   }
 
   anim::Status run() {
-    if (const anim::Status prepared = show_.renderer().prepare_overlay(); !prepared) return prepared;
+    if (const anim::Status prepared = show_.painter().renderer().prepare_overlay(); !prepared) return prepared;
     for (int frame = 1; !done_ && (!options_.frames_given || frame <= options_.frames); ++frame) {
       run_frame();
       if (frame == 1) announce();
@@ -80,7 +81,7 @@ class WindowLoop {
     if (replay_ == nullptr) fly(input, static_cast<float>(seconds));
     reporter_.see_from(fly_camera_.place());
     const OverlayCommands commands = overlay_.build(reporter_.report(), tuning_);
-    show_.add_overlay_time(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
+    show_.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_ != nullptr) {
       repeat();
     } else {
@@ -140,10 +141,10 @@ class WindowLoop {
 
   // A minimised window has no pixels: the crowd goes on, unseen.
   void fit_to_window() {
-    const glm::ivec2 size = show_.context().framebuffer_size();
+    const glm::ivec2 size = show_.painter().context().framebuffer_size();
     minimised_ = size.x <= 0 || size.y <= 0;
     if (minimised_ || size == glm::ivec2(show_.width, show_.height)) return;
-    show_.renderer().set_size(size);
+    show_.painter().renderer().set_size(size);
     show_.width = size.x;
     show_.height = size.y;
   }
@@ -151,8 +152,8 @@ class WindowLoop {
   void present() {
     if (minimised_) return;
     show_.draw();
-    show_.renderer().draw_overlay(*overlay_.draw_data());
-    show_.renderer().present();
+    show_.painter().renderer().draw_overlay(*overlay_.draw_data());
+    show_.painter().renderer().present();
   }
 
   void apply_what_is_wanted(bool exact_crowd) {
@@ -197,17 +198,17 @@ class WindowLoop {
       const float aspect = static_cast<float>(show_.width) / static_cast<float>(show_.height);
       fly_camera_.set_camera(render::frame_sphere(fly_camera_.camera(), crowd.centre, crowd.radius, aspect));
     }
-    if (commands.select_at) show_.select_at(commands.select_at->x, commands.select_at->y);
-    if (commands.deselect) show_.deselect();
+    if (commands.select_at) show_.hands().select_at(commands.select_at->x, commands.select_at->y);
+    if (commands.deselect) show_.hands().select({});
     if (commands.push_over) {
-      if (const anim::Status pushed = show_.push_selected(); !pushed) notice_ = pushed.error().message;
+      if (const anim::Status pushed = show_.hands().push_selected(); !pushed) notice_ = pushed.error().message;
     }
     obey_hands(commands);
     obey_sweep(commands);
     obey_presets(commands);
     const std::size_t character = reporter_.report().character;
     if (commands.roles) show_.set_roles(character, *commands.roles);
-    if (commands.save_roles) say_where(show_.save_roles(character));
+    if (commands.save_roles) say_where(save_roles(show_.stage().characters()[character]));
     obey_bone_lod(commands, character);
     if (commands.record) toggle_recording();
     if (commands.character) reporter_.describe_character(show_, *commands.character);
@@ -216,8 +217,8 @@ class WindowLoop {
   }
 
   void obey_hands(const OverlayCommands& commands) {
-    if (commands.hold_at) show_.hold_selected_clip(*commands.hold_at);
-    if (commands.let_go) show_.let_go_of_clip();
+    if (commands.hold_at) show_.hands().hold_selected_clip(*commands.hold_at);
+    if (commands.let_go) show_.hands().let_go_of_clip();
     if (commands.rewind) {
       if (const anim::Status gone = show_.rewind(); !gone) notice_ = gone.error().message;
     }
@@ -271,8 +272,8 @@ class WindowLoop {
       notice_ = set ? "" : set.error().message;
       reporter_.describe_character(show_, character);
     }
-    if (commands.export_lod) say_where(show_.export_lod(character));
-    if (commands.save_bone_lod) say_where(show_.save_bone_lod(character));
+    if (commands.export_lod) say_where(export_lod(show_, character));
+    if (commands.save_bone_lod) say_where(save_bone_lod(show_.stage().characters()[character]));
   }
 
   void say_where(const anim::Result<std::filesystem::path>& written) {
@@ -281,12 +282,12 @@ class WindowLoop {
 
   void take_screenshot() {
     const std::string file = unused_file(".png", screenshots_);
-    const anim::Status written = render::write_png(show_.renderer().read_image(), file);
+    const anim::Status written = render::write_png(show_.painter().renderer().read_image(), file);
     notice_ = written ? "Wrote " + file : written.error().message;
   }
 
   void reload_shaders() {
-    const anim::Status reloaded = show_.renderer().reload_shaders();
+    const anim::Status reloaded = show_.painter().renderer().reload_shaders();
     notice_ = reloaded ? "Built the shaders again" : reloaded.error().message;
   }
 

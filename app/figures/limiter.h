@@ -11,6 +11,8 @@ struct FrameTimes {
   double upload_ms = 0;      ///< records composed and handed to the device
   double submission_ms = 0;  ///< draw calls
   double wait_ms = 0;        ///< for the device to be done
+
+  double drawing_ms() const { return upload_ms + submission_ms + wait_ms; }
 };
 
 enum class Limiter : std::uint8_t { animation, upload, submission, gpu };

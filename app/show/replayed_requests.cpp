@@ -17,13 +17,13 @@ anim::Status asked(const Tuning& tuning, Show& show) {
 
 anim::Status asked(const RecordedSelection& selection, Show& show) {
   if (selection.agent && !is_there(*selection.agent, show)) return anim::Error{"selects an agent that is not there"};
-  show.select(selection.agent);
+  show.hands().select(selection.agent);
   return anim::Done{};
 }
 
 anim::Status asked(const RecordedPush& push, Show& show) {
   if (!is_there(push.agent, show)) return anim::Error{"pushes an agent that is not there"};
-  return show.push(push.agent, push.direction);
+  return show.hands().push(push.agent, push.direction);
 }
 
 anim::Status asked(const RecordedRoles& roles, Show& show) {
@@ -37,11 +37,11 @@ anim::Status asked(const RecordedRoles& roles, Show& show) {
 
 anim::Status asked(const RecordedHold& hold, Show& show) {
   if (!hold.agent) {
-    show.let_go_of_clip();
+    show.hands().let_go_of_clip();
     return anim::Done{};
   }
   if (!is_there(*hold.agent, show)) return anim::Error{"holds the clip of an agent that is not there"};
-  show.hold_clip(*hold.agent, hold.seconds);
+  show.hands().hold_clip(*hold.agent, hold.seconds);
   return anim::Done{};
 }
 

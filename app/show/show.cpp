@@ -1,120 +1,48 @@
 #include "app/show/show.h"
 
-#include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/character/files.h"
-#include "app/character/role_table.h"
-#include "app/files/data_folder.h"
 #include "app/files/exit_status.h"
+#include "app/view/camera_path.h"
 #include "app/view/fly_camera.h"
 #include "app/view/scenes.h"
 
 namespace throng::app {
 namespace {
 
-constexpr int software_window_agents = 300;
-constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
-
-bool fail(StartError& error, int status, std::string message) {
-  error = {{std::move(message)}, status};
-  return false;
-}
-
-anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
-  if (!options.models.empty()) return load_characters(options.models);
-  auto character = load_built_in(options.data);
-  if (!character) return character.error();
-  std::vector<CharacterSource> characters;
-  characters.push_back(std::move(*character));
-  return characters;
-}
-
-// What the command line says goes for every character that has such a clip.
-bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> characters, StartError& error) {
-  std::string refusal;
-  bool taken = false;
-  for (CharacterSource& character : characters) {
-    RoleClips clips = character.roles.clips;
-    const auto chosen = choose_clips({&choice, 1}, character.clip_names, clips);
-    if (chosen) assign_roles(character, clips);
-    if (!chosen && refusal.empty()) refusal = chosen.error().message;
-    taken |= chosen.has_value();
-  }
-  return taken || fail(error, exit_usage, "--clips " + refusal);
-}
-
-bool choose_roles(const DemoOptions& options, std::span<CharacterSource> characters, StartError& error) {
-  const auto kept = [&](CharacterSource& character) {
-    const anim::Status taken = take_kept_roles(character);
-    return taken || fail(error, exit_job_failed, taken.error().message);
-  };
-  const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, error); };
-  return std::ranges::all_of(characters, kept) && std::ranges::all_of(options.clips, chosen);
-}
-
-// A crowd drawn live; a single last picture can afford its full quality anywhere.
-bool draws_live(const DemoOptions& options) {
-  return options.context == ContextKind::window || options.draw == DrawWhich::all;
+double milliseconds_since(RunFigures::Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(RunFigures::Clock::now() - start).count();
 }
 
 }  // namespace
 
-Show::~Show() {
-  stage_.reset();
-  renderer_.reset();
-}
-
-bool Show::open_context(const DemoOptions& options, StartError& error) {
-  using render::gl::make_egl_context;
-  using render::gl::make_osmesa_context;
-  if (options.context == ContextKind::none) return true;
-  auto context = [&] {
-    switch (options.context) {
-      case ContextKind::osmesa:
-        return make_osmesa_context();
-      case ContextKind::window:
-        return render::gl::make_window_context({.width = options.width, .height = options.height});
-      default:
-        return make_egl_context({.force_software = options.force_software});
-    }
-  }();
-  if (!context && options.context == ContextKind::headless_default) context = make_osmesa_context();
-  if (!context) return fail(error, exit_job_failed, context.error().message);
-  context_ = std::move(*context);
-  return true;
-}
-
-bool Show::open_renderer(const DemoOptions& options, StartError& error) {
-  if (context_ == nullptr) return true;
-  const auto data = find_data(data_folders(options.data), "shaders");
-  if (!data) return fail(error, exit_job_failed, data.error().message);
-  const bool modest = on_software() && draws_live(options);
-  mesh_detail_ = modest ? 0.1F : 1.0F;
-  spared_ = {.multisampling = modest && options.msaa < 0,
-             .shadows = modest && options.shadows && !options.shadows_given,
-             .mesh_detail = modest && options.tuning.mesh_lod < 0};
-  auto renderer = render::Renderer::create(
-      *context_, {.data = data->parent_path(),
-                  .size = {options.width, options.height},
-                  .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
-                  .shadows = options.shadows && !spared_.shadows});
-  if (!renderer) return fail(error, exit_job_failed, renderer.error().message);
-  renderer_ = std::move(*renderer);
-  return true;
+std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error) {
+  std::unique_ptr<Show> show(new Show());
+  show->width = options.width;
+  show->height = options.height;
+  auto characters = load_starting_characters(options, error);
+  if (!characters) return nullptr;
+  if (!options.trace.empty()) show->figures_.keep_timeline();
+  auto painter = Painter::create(options);
+  if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
+  show->painter_ = std::move(*painter);
+  if (!show->open_stage(std::move(*characters), options, error)) return nullptr;
+  if (const anim::Status loaded = show->painter_->load_meshes(*show->stage_); !loaded) {
+    return fail(error, exit_job_failed, loaded.error().message), nullptr;
+  }
+  if (!show->place_camera(options, error)) return nullptr;
+  show->update_notice();
+  return show;
 }
 
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error) {
   Tuning tuning = options.tuning;
-  if (options.context == ContextKind::window && on_software() && !options.agents_given) {
-    tuning.agents = software_window_agents;
-    spared_.agents = software_window_agents;
-  }
-  if (renderer_ == nullptr) heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
-  render::PalettePageSource& pages = renderer_ != nullptr ? renderer_->palette_pages() : *heap_pages_;
-  const auto start = TimelineLog::Clock::now();
-  auto stage = Stage::create(std::move(characters), tuning, pages);
-  statistics_.set_spawn(std::chrono::duration<double, std::milli>(TimelineLog::Clock::now() - start).count());
+  if (painter_->spared().agents > 0) tuning.agents = painter_->spared().agents;
+  const auto start = RunFigures::Clock::now();
+  auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages());
+  figures_.set_spawn(milliseconds_since(start));
   if (!stage) return fail(error, exit_usage, stage.error().message);
   stage_ = std::move(*stage);
   if (options.events) stage_->animated().sum_up_events();
@@ -143,36 +71,113 @@ bool Show::place_camera(const DemoOptions& options, StartError& error) {
   return true;
 }
 
-std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error) {
-  std::unique_ptr<Show> show(new Show());
-  show->width = options.width;
-  show->height = options.height;
-  auto characters = load(options);
-  if (!characters) return fail(error, exit_job_failed, characters.error().message), nullptr;
-  if (!choose_roles(options, *characters, error)) return nullptr;
-  if (!options.trace.empty()) show->timeline_.emplace();
-  if (!show->open_context(options, error) || !show->open_renderer(options, error)) return nullptr;
-  if (!show->open_stage(std::move(*characters), options, error)) return nullptr;
-  if (const anim::Status loaded = show->load_meshes(*show->stage_); !loaded) {
-    return fail(error, exit_job_failed, loaded.error().message), nullptr;
-  }
-  if (!show->place_camera(options, error)) return nullptr;
-  show->update_notice();
-  return show;
-}
-
 anim::Status Show::apply(const Tuning& tuning) {
   const bool another_scene = tuning.scene != stage_->tuning().scene;
-  const anim::Status applied = stage_->apply(tuning);
-  if (applied && another_scene) films = true;
-  if (applied) update_notice();
-  if (applied && recorder_) recorder_->add(tuning);
+  anim::Status applied = stage_->apply(tuning);
+  if (!applied) return applied;
+  if (another_scene) films = true;
+  update_notice();
+  recorder_.add(tuning);
   return applied;
+}
+
+anim::Status Show::replace_models(std::span<const std::string> files) {
+  if (files.size() > most_models) {
+    return anim::Error{std::to_string(files.size()) + " models at once: at most " + std::to_string(most_models) +
+                       " share a crowd"};
+  }
+  auto characters = load_characters(files);
+  if (!characters) return characters.error();
+  for (CharacterSource& character : *characters) {
+    if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();
+  }
+  return replace_characters(std::move(*characters));
+}
+
+anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
+  auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame());
+  if (!stage) return stage.error();
+  if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
+  painter_->reset_palette_pages();  // the new stage has asked for none yet
+  stage_ = std::move(*stage);
+  rewind_.forget();
+  if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
+  update_notice();
+  return anim::Done{};
+}
+
+void Show::set_roles(std::size_t character, const RoleClips& clips) {
+  stage_->set_roles(character, clips);
+  recorder_.add(RecordedRoles{static_cast<std::uint32_t>(character), clips});
+}
+
+anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
+  if (anim::Status set = stage_->set_bone_lod(character, choice); !set) return set;
+  recorder_.add(RecordedBoneOrder{static_cast<std::uint32_t>(character), choice});
+  return painter_->load_meshes(*stage_);
+}
+
+anim::Status Show::rewind() {
+  anim::Status gone = rewind_.go_back(*stage_);
+  if (gone) recorder_.add(RecordedRewind{});
+  return gone;
+}
+
+anim::Status Show::start_recording(const std::filesystem::path& file) {
+  const RecordingHeader header{recorded(stage_->people()), stage_->tuning(), width, height};
+  if (anim::Status started = recorder_.start(file, header); !started) return started;
+  if (stage_->frame() > 0) stage_->restart();
+  rewind_.forget();
+  keep_moments();
+  return anim::Done{};
+}
+
+void Show::animate_as(const RecordedFrame& frame) {
+  camera = frame.view.camera;
+  films = false;
+  update(frame.delta, &frame.view);
+}
+
+void Show::update(anim::Ticks delta, const LodView* as_recorded) {
+  const anim::Ticks step = stage_->tuning().taken_away.animation ? 0 : delta;
+  const std::uint64_t completed = painter_->completed_frame(*stage_);
+  const bool had_memory = !stage_->shown().out_of_memory();
+  const auto start = RunFigures::Clock::now();
+  stage_->move(step);
+  film();
+  freeze_lod_camera();
+  const LodView view = as_recorded != nullptr ? *as_recorded : LodView{frozen_camera_.value_or(camera), width, height};
+  stage_->pose(view.camera, view.width, view.height, step, completed);
+  const double milliseconds = milliseconds_since(start);
+  if (recorder_.is_recording()) {
+    const auto& figures = stage_->system().figures();
+    recorder_.add(RecordedFrame{step, view, figures.pose_hash()}, figures.agent_hashes());
+  }
+  if (keeps_moments_ && !stage_->tuning().paused) rewind_.watch(*stage_);
+  if (had_memory && stage_->shown().out_of_memory()) update_notice();
+  figures_.add_update(*stage_, start, milliseconds);
+}
+
+void Show::film() {
+  if (!films) return;
+  if (path_ != CameraPath::none) {
+    camera = along(path_, path_start_, anim::to_seconds(stage_->system().clock()));
+  } else if (stage_->animated().cut_scene() != nullptr) {
+    camera = stage_->animated().cut_scene()->film(camera);
+  }
+}
+
+void Show::freeze_lod_camera() {
+  if (!stage_->tuning().inspection.freeze_camera) {
+    frozen_camera_.reset();
+  } else if (!frozen_camera_) {
+    frozen_camera_ = camera;
+  }
 }
 
 void Show::update_notice() {
   notice.clear();
-  if (context_ != nullptr) add_line(notice, software_notice(context_->renderer(), spared_));
+  add_line(notice, painter_->notice());
   add_line(notice, local_store_notice(stage_->system()));
   add_line(notice, palette_notice(stage_->shown()));
   add_line(notice, palette_format_notice(stage_->system(), stage_->people()));

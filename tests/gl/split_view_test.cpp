@@ -59,7 +59,7 @@ class SplitView : public testing::Test {
     tuning.inspection.split = split;
     EXPECT_TRUE(show_->apply(tuning));
     show_->draw();
-    return show_->renderer().read_image();
+    return show_->painter().renderer().read_image();
   }
   /// Draws the same moment as `--lod off` does.
   Image exact_picture() {

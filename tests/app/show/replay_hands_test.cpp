@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/show/kept_choices.h"
 #include "app/show/replay.h"
 #include "tests/app/recording/recorded_run.h"
 
@@ -46,12 +47,12 @@ class ReplaysOfHands : public test::RecordedRun {
 
 TEST_F(ReplaysOfHands, HoldAClipAndLetItGo) {
   record(*plaza(), 60, [](Show& show, int frame) {
-    if (frame == 5) show.select(7);
-    if (frame >= 10 && frame < 20) show.hold_selected_clip(0.05F * static_cast<float>(frame));
-    if (frame == 30) show.let_go_of_clip();
-    if (frame == 35) show.hold_selected_clip(0.5F);
-    if (frame == 45) show.select(8);  // lets go
-    if (frame == 50) show.hold_selected_clip(0.25F);
+    if (frame == 5) show.hands().select(7);
+    if (frame >= 10 && frame < 20) show.hands().hold_selected_clip(0.05F * static_cast<float>(frame));
+    if (frame == 30) show.hands().let_go_of_clip();
+    if (frame == 35) show.hands().hold_selected_clip(0.5F);
+    if (frame == 45) show.hands().select(8);  // lets go
+    if (frame == 50) show.hands().hold_selected_clip(0.25F);
   });
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");
 }
@@ -60,8 +61,8 @@ TEST_F(ReplaysOfHands, GoBackInTimeToTheSameMoments) {
   record(*plaza(), 200, [](Show& show, int frame) {
     if (frame == 20) change(show, [](Tuning& tuning) { tuning.paused = true; });
     if (frame == 25) change(show, [](Tuning& tuning) { tuning.paused = false; });
-    if (frame == 40) show.select(7);
-    if (frame == 41) expect_done(show.push_selected());
+    if (frame == 40) show.hands().select(7);
+    if (frame == 41) expect_done(show.hands().push_selected());
     if (frame == 80 || frame == 81 || frame == 120 || frame == 199) expect_done(show.rewind());
     if (frame == 110) change(show, [](Tuning& tuning) { tuning.system.schedule = anim::Schedule::levels; });
   });
@@ -133,7 +134,7 @@ TEST_F(ReplaysOfHands, ChangeNothingWhenAnotherOrderOfBonesIsKeptLater) {
     if (frame == 15) expect_done(recorded.replace_models(std::vector{model}));
   });
   reorder_bones(*show);
-  const auto kept = show->save_bone_lod(0);
+  const auto kept = save_bone_lod(show->stage().characters()[0]);
   ASSERT_TRUE(kept);
   ASSERT_EQ(kept->parent_path(), folder_) << "beside the model, where the replay finds it";
   EXPECT_EQ(repeated_in_any_schedule(), "(as recorded)");

@@ -23,7 +23,7 @@ using test::sixtieth;
 using testing::HasSubstr;
 
 void push_selected(Show& show) {
-  const anim::Status pushed = show.push_selected();
+  const anim::Status pushed = show.hands().push_selected();
   EXPECT_TRUE(pushed) << pushed.error().message;
 }
 
@@ -34,7 +34,7 @@ void act(Show& show, int frame) {
   if (frame == 10) change(show, [](Tuning& tuning) { tuning.lod.full_rate_distance = 3.0F; });
   if (frame == 15) change(show, [](Tuning& tuning) { tuning.lod.rule = anim::LodRule::distance; });
   if (frame == 20) change(show, [](Tuning& tuning) { tuning.lod.largest_interval = 3; });
-  if (frame == 30) show.select(4);
+  if (frame == 30) show.hands().select(4);
   if (frame == 31) push_selected(show);
   if (frame == 40) change(show, [](Tuning& tuning) { tuning.lod.level_distances[0] = 5.0F; });
   if (frame == 50) change(show, [](Tuning& tuning) { tuning.paused = true; });

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+
+#include "app/figures/limiter.h"
+#include "app/figures/statistics.h"
+#include "app/figures/timeline_log.h"
+#include "engine/render/crowd_draw.h"
+
+namespace throng::app {
+
+/// Measures a run: how long its frames take, what they cost, and what each PU does in them.
+class RunFigures {
+ public:
+  using Clock = TimelineLog::Clock;
+
+  /// Keeps from now on what each PU does, for `--trace`.
+  void keep_timeline() { timeline_.emplace(); }
+  /// Takes how long it took to make the crowd.
+  void set_spawn(double milliseconds) { statistics_.set_spawn(milliseconds); }
+  /// Takes how long it took to lay out the overlay in this frame.
+  void add_overlay(double milliseconds) { statistics_.add_overlay(milliseconds); }
+  /// Takes an update that began at `start` and posed the crowd in `milliseconds`.
+  void add_update(const Stage& stage, Clock::time_point start, double milliseconds);
+  /// Takes a drawing that began at `start`; `times` has all of its parts but the animation.
+  void add_drawing(Clock::time_point start, FrameTimes times, const render::DrawCounts& counts);
+
+  const Statistics& statistics() const { return statistics_; }
+  /// Returns nothing unless keep_timeline() was called.
+  const std::optional<TimelineLog>& timeline() const { return timeline_; }
+  /// Returns the times of the last frame.
+  const FrameTimes& times() const { return times_; }
+
+ private:
+  Statistics statistics_;
+  std::optional<TimelineLog> timeline_;
+  FrameTimes times_;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "app/recording/writer.h"
+
+namespace throng::app {
+
+/// Records into a file while one is open, and ignores what it is told while none is.
+class Recorder {
+ public:
+  /// Errors: the file cannot be written; then nothing has changed.
+  anim::Status start(const std::filesystem::path& file, const RecordingHeader& header) {
+    auto writer = RecordingWriter::create(file, header);
+    if (!writer) return writer.error();
+    writer_ = std::move(*writer);
+    return anim::Done{};
+  }
+  /// Errors: the file could not be written; none where nothing is recorded.
+  anim::Status stop() { return writer_ == nullptr ? anim::Done{} : std::exchange(writer_, nullptr)->finish(); }
+  bool is_recording() const { return writer_ != nullptr; }
+
+  /// Takes what RecordingWriter::add takes.
+  template <typename... Item>
+  void add(const Item&... item) {
+    if (writer_ != nullptr) writer_->add(item...);
+  }
+
+ private:
+  std::unique_ptr<RecordingWriter> writer_;
+};
+
+}  // namespace throng::app

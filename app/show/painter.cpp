@@ -1,0 +1,179 @@
+#include "app/show/painter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/files/data_folder.h"
+
+namespace throng::app {
+namespace {
+
+constexpr int software_window_agents = 300;
+constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
+constexpr float frustum_reach = 120.0F;  // metres
+
+// A single last picture can afford its full quality anywhere.
+bool draws_live(const DemoOptions& options) {
+  return options.context == ContextKind::window || options.draw == DrawWhich::all;
+}
+
+double time_of(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// A part of the frame is taken away of the usual picture alone, so that one sees what it costs.
+bool splits(const Tuning& tuning) { return tuning.inspection.split != Split::off && tuning.taken_away == TakenAway{}; }
+
+}  // namespace
+
+anim::Result<std::unique_ptr<Painter>> Painter::create(const DemoOptions& options) {
+  std::unique_ptr<Painter> painter(new Painter());
+  if (const anim::Status opened = painter->open_context(options); !opened) return opened.error();
+  if (const anim::Status opened = painter->open_renderer(options); !opened) return opened.error();
+  return painter;
+}
+
+anim::Status Painter::open_context(const DemoOptions& options) {
+  using render::gl::make_egl_context;
+  using render::gl::make_osmesa_context;
+  if (options.context == ContextKind::none) return anim::Done{};
+  auto context = [&] {
+    switch (options.context) {
+      case ContextKind::osmesa:
+        return make_osmesa_context();
+      case ContextKind::window:
+        return render::gl::make_window_context({.width = options.width, .height = options.height});
+      default:
+        return make_egl_context({.force_software = options.force_software});
+    }
+  }();
+  if (!context && options.context == ContextKind::headless_default) context = make_osmesa_context();
+  if (!context) return anim::Error{context.error().message};
+  context_ = std::move(*context);
+  return anim::Done{};
+}
+
+anim::Status Painter::open_renderer(const DemoOptions& options) {
+  if (context_ == nullptr) {
+    heap_pages_ = std::make_unique<render::HeapPageSource>(heap_page_bytes);
+    return anim::Done{};
+  }
+  const auto data = find_data(data_folders(options.data), "shaders");
+  if (!data) return data.error();
+  const bool modest = is_on_software() && draws_live(options);
+  const bool few = is_on_software() && options.context == ContextKind::window && !options.agents_given;
+  mesh_detail_ = modest ? 0.1F : 1.0F;
+  spared_ = {.agents = few ? software_window_agents : 0,
+             .multisampling = modest && options.msaa < 0,
+             .shadows = modest && options.shadows && !options.shadows_given,
+             .mesh_detail = modest && options.tuning.mesh_lod < 0};
+  auto renderer = render::Renderer::create(
+      *context_, {.data = data->parent_path(),
+                  .size = {options.width, options.height},
+                  .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
+                  .shadows = options.shadows && !spared_.shadows});
+  if (!renderer) return anim::Error{renderer.error().message};
+  renderer_ = std::move(*renderer);
+  return anim::Done{};
+}
+
+DrawnBy Painter::drawn_by() const {
+  if (context_ == nullptr) return {};
+  return {.context = context_->kind(), .gl_version = context_->version(), .gl_renderer = context_->renderer()};
+}
+
+std::string Painter::notice() const {
+  return context_ == nullptr ? std::string() : software_notice(context_->renderer(), spared_);
+}
+
+render::PalettePageSource& Painter::palette_pages() {
+  if (renderer_ != nullptr) return renderer_->palette_pages();
+  return *heap_pages_;
+}
+
+void Painter::reset_palette_pages() {
+  if (renderer_ != nullptr) renderer_->reset_palette_pages();
+}
+
+anim::Status Painter::load_meshes(const Stage& stage) {
+  if (renderer_ == nullptr) return anim::Done{};
+  std::vector<render::CrowdMeshData> meshes;
+  for (const CharacterSource& character : stage.characters()) meshes.push_back(mesh_data(character.model));
+  return renderer_->load_characters(meshes);
+}
+
+std::span<const std::uint32_t> Painter::triangles_by_lod(std::size_t character) const {
+  if (renderer_ == nullptr) return {};
+  return renderer_->meshes()[character].triangles_by_lod();
+}
+
+std::uint64_t Painter::completed_frame(const Stage& stage) {
+  if (renderer_ == nullptr) return stage.frame();
+  const std::uint64_t drawn = renderer_->fences().poll();
+  return renderer_->fences().frames_in_flight() == 0 ? stage.frame() : drawn;
+}
+
+int Painter::pick_mesh_lod(int fixed, std::uint8_t character, float pixels_tall, int at_least) const {
+  const render::CrowdMesh& mesh = renderer_->meshes()[character];
+  if (fixed < 0) return render::pick_mesh_lod(mesh, pixels_tall, at_least, mesh_detail_);
+  return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
+}
+
+render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) const {
+  return {.camera = render::view_of(view.camera, view.aspect()),
+          .instances = picture.instances(),
+          .batches = picture.batches(),
+          .now = stage.now(),
+          .bones_as_lines = stage.tuning().bones_as_lines,
+          .fill_pixels = !stage.tuning().taken_away.pixels,
+          .lines = lines_};
+}
+
+void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
+  lines_.clear();
+  if (view.frozen) add_frustum(lines_, *view.frozen, view.aspect(), frustum_reach);
+  thresholds_.update(stage, view.lod_camera(), view.height);
+  if (!stage.tuning().inspection.thresholds) return;
+  const auto middle = static_cast<float>(stage.characters()[thresholds_.character()].bounds.height / 2);
+  add_threshold_rings(lines_, thresholds_.thresholds(), view.lod_camera(), middle);
+}
+
+void Painter::upload(Stage& stage, const PaintedView& view) {
+  picture_.compose(stage, [&](std::uint8_t character, float pixels, int at_least) {
+    return pick_mesh_lod(stage.tuning().mesh_lod, character, pixels, at_least);
+  });
+  gather_lines(stage, view);
+  if (!splits(stage.tuning())) return renderer_->upload(crowd_frame(stage, view, picture_));
+  constexpr int full_mesh = 0;
+  stage.pose_exactly();
+  exact_picture_.compose(
+      stage, [](std::uint8_t, float, int) { return full_mesh; }, Poses::exact);
+}
+
+render::DrawCounts Painter::draw_pictures(const Stage& stage, const PaintedView& view) {
+  const render::CrowdFrame usual = crowd_frame(stage, view, picture_);
+  if (!splits(stage.tuning())) return renderer_->draw_uploaded(usual);
+  const LodInspection& look = stage.tuning().inspection;
+  return renderer_->draw_split(crowd_frame(stage, view, exact_picture_), usual,
+                               {.divider = look.split_at, .difference = look.split == Split::difference});
+}
+
+void Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
+  const auto start = RunFigures::Clock::now();
+  const TakenAway& taken_away = stage.tuning().taken_away;
+  FrameTimes times;
+  if (!taken_away.upload) times.upload_ms = time_of([&] { upload(stage, view); });
+  if (!taken_away.drawing) {
+    times.submission_ms = time_of([&] {
+      draw_counts_ = draw_pictures(stage, view);
+      renderer_->fences().insert(stage.frame());
+    });
+  }
+  times.wait_ms = time_of([&] { renderer_->finish(); });
+  figures.add_drawing(start, times, draw_counts_);
+}
+
+}  // namespace throng::app

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/figures/notices.h"
+#include "app/figures/run_figures.h"
+#include "app/settings/settings.h"
+#include "app/show/lod_view.h"
+#include "app/show/picture.h"
+#include "app/show/thresholds_in_view.h"
+#include "engine/render/gl/context.h"
+#include "engine/render/renderer.h"
+
+namespace throng::app {
+
+/// Says from where a picture is drawn, and from where level of detail looks in it.
+struct PaintedView {
+  render::Camera camera;
+  std::optional<render::Camera> frozen;  ///< where level of detail looks from instead
+  int width = 0, height = 0;
+
+  const render::Camera& lod_camera() const { return frozen ? *frozen : camera; }
+  float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
+};
+
+/// Draws a stage, with lines over it and the exact crowd beside it where a person asks for them. Without a context it
+/// draws nothing, and palettes live on the heap.
+class Painter {
+ public:
+  /// Errors: there is no such context, or it cannot draw.
+  static anim::Result<std::unique_ptr<Painter>> create(const DemoOptions& options);
+
+  bool draws() const { return renderer_ != nullptr; }
+  bool is_on_software() const { return context_ != nullptr && context_->is_software(); }
+  DrawnBy drawn_by() const;
+  /// Returns what is left out because a processor draws.
+  const Spared& spared() const { return spared_; }
+  /// Says what is left out; empty where that is nothing.
+  std::string notice() const;
+  render::Renderer& renderer() { return *renderer_; }
+  render::gl::Context& context() { return *context_; }
+
+  render::PalettePageSource& palette_pages();
+  /// Takes back every palette page, once the stage that had them goes.
+  void reset_palette_pages();
+  anim::Status load_meshes(const Stage& stage);
+  /// Returns no triangles where nothing is drawn.
+  std::span<const std::uint32_t> triangles_by_lod(std::size_t character) const;
+  /// Returns the newest frame of the stage that nothing reads any more.
+  std::uint64_t completed_frame(const Stage& stage);
+
+  /// Draws the stage into the renderer's picture and waits for it, so that the time is the whole frame's.
+  void draw(Stage& stage, const PaintedView& view, RunFigures& figures);
+  /// These describe the picture drawn last.
+  const Picture& picture() const { return picture_; }
+  const ThresholdsInView& thresholds() const { return thresholds_; }
+  const render::DrawCounts& draw_counts() const { return draw_counts_; }
+
+ private:
+  Painter() = default;
+  anim::Status open_context(const DemoOptions& options);
+  anim::Status open_renderer(const DemoOptions& options);
+  render::CrowdFrame crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) const;
+  void upload(Stage& stage, const PaintedView& view);
+  render::DrawCounts draw_pictures(const Stage& stage, const PaintedView& view);
+  void gather_lines(const Stage& stage, const PaintedView& view);
+  int pick_mesh_lod(int fixed, std::uint8_t character, float pixels_tall, int at_least) const;
+
+  std::unique_ptr<render::gl::Context> context_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::HeapPageSource> heap_pages_;
+  Picture picture_;
+  Picture exact_picture_;  // of a split view
+  SceneLines lines_;
+  ThresholdsInView thresholds_;
+  Spared spared_;
+  render::DrawCounts draw_counts_;
+  float mesh_detail_ = 1.0F;
+};
+
+}  // namespace throng::app

@@ -1,0 +1,59 @@
+#include "app/show/starting_characters.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/character/files.h"
+#include "app/character/role_table.h"
+#include "app/files/exit_status.h"
+
+namespace throng::app {
+namespace {
+
+anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
+  if (!options.models.empty()) return load_characters(options.models);
+  auto character = load_built_in(options.data);
+  if (!character) return character.error();
+  std::vector<CharacterSource> characters;
+  characters.push_back(std::move(*character));
+  return characters;
+}
+
+// The command line chooses for every character that has such a clip.
+bool take_chosen_role(const RoleChoice& choice, std::span<CharacterSource> characters, StartError& error) {
+  std::string refusal;
+  bool taken = false;
+  for (CharacterSource& character : characters) {
+    RoleClips clips = character.roles.clips;
+    const auto chosen = choose_clips({&choice, 1}, character.clip_names, clips);
+    if (chosen) assign_roles(character, clips);
+    if (!chosen && refusal.empty()) refusal = chosen.error().message;
+    taken |= chosen.has_value();
+  }
+  return taken || fail(error, exit_usage, "--clips " + refusal);
+}
+
+bool choose_roles(const DemoOptions& options, std::span<CharacterSource> characters, StartError& error) {
+  const auto kept = [&](CharacterSource& character) {
+    const anim::Status taken = take_kept_roles(character);
+    return taken || fail(error, exit_job_failed, taken.error().message);
+  };
+  const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, error); };
+  return std::ranges::all_of(characters, kept) && std::ranges::all_of(options.clips, chosen);
+}
+
+}  // namespace
+
+bool fail(StartError& error, int status, std::string message) {
+  error = {{std::move(message)}, status};
+  return false;
+}
+
+std::optional<std::vector<CharacterSource>> load_starting_characters(const DemoOptions& options, StartError& error) {
+  auto characters = load(options);
+  if (!characters) return fail(error, exit_job_failed, characters.error().message), std::nullopt;
+  if (!choose_roles(options, *characters, error)) return {};
+  return std::move(*characters);
+}
+
+}  // namespace throng::app

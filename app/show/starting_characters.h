@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/character/source.h"
+#include "app/settings/settings.h"
+
+namespace throng::app {
+
+/// Ends a run before it begins, with this exit status.
+struct StartError : anim::Error {
+  int status = 1;
+};
+/// Sets the error and returns false.
+bool fail(StartError& error, int status, std::string message);
+
+/// Loads the characters that the command line names, or the built-in one, with the roles that were kept and those that
+/// the command line chooses.
+std::optional<std::vector<CharacterSource>> load_starting_characters(const DemoOptions& options, StartError& error);
+
+}  // namespace throng::app

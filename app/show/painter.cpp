@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/files/data_folder.h"
+#include "engine/render/mesh/mesh_lod.h"
 
 namespace throng::app {
 namespace {
@@ -118,7 +119,7 @@ std::uint64_t Painter::completed_frame(const Stage& stage) {
 
 int Painter::pick_mesh_lod(int fixed, std::uint8_t character, float pixels_tall, int at_least) const {
   const render::CrowdMesh& mesh = renderer_->meshes()[character];
-  if (fixed < 0) return render::pick_mesh_lod(mesh, pixels_tall, at_least, mesh_detail_);
+  if (fixed < 0) return render::pick_mesh_lod(mesh.triangles_by_lod(), pixels_tall, at_least, mesh_detail_);
   return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
 }
 

@@ -174,14 +174,15 @@ struct StreamParts {
   std::vector<std::uint16_t> cubic_lanes;
 };
 
-/// `header` has the counts of bones and components, the time shift and the duration.
-AlignedBytes lay_out(KeyframeStream header, const StreamParts& parts, std::uint32_t tracks) {
+/// `counts` has the counts of bones and components, the time shift and the duration.
+AlignedBytes lay_out(const KeyframeStream& counts, const StreamParts& parts, std::uint32_t tracks) {
   const std::uint32_t interval = std::max(least_seek_interval, 2 * tracks);
   std::vector<KeyEvent> events;
   events.reserve(parts.pending.size());
   for (const PendingEvent& p : parts.pending) events.push_back(p.event);
   const std::vector<std::uint32_t> seeks = seek_points(parts.pending, tracks, interval);
 
+  KeyframeStream header = counts;
   BlockLayout layout;
   header.event_count = static_cast<std::uint32_t>(events.size());
   header.track_count = tracks;

@@ -58,6 +58,13 @@ void LevelOfDetail::reset(std::size_t agents, const LodLimits& limits) {
   updates_.reserve(agents);
 }
 
+// Choices are built for the length of the first frame, so they are forgotten too.
+void LevelOfDetail::restart() {
+  number_ = 0;
+  choices_ = {};
+  figures_ = {};
+}
+
 void LevelOfDetail::forget_shown() {
   std::ranges::fill(shown_in_, never_shown);
   std::ranges::fill(bone_steps_, BoneStep{});

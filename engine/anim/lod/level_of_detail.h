@@ -66,8 +66,8 @@ class LevelOfDetail {
 
   /// Forgets every agent and makes room for `agents`. Time and turns go on.
   void reset(std::size_t agents, const LodLimits& limits);
-  /// Turns and figures begin as in the first frame.
-  void restart() { number_ = 0, figures_ = {}; }
+  /// Turns and figures begin as in the first frame; reset() follows. The same frames are then decided the same.
+  void restart();
 
   /// The agent goes over to another clip until `until`.
   void change_clip(std::uint32_t agent, Ticks until) { importance_.fade(agent, until); }

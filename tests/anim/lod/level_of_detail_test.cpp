@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -159,6 +160,24 @@ TEST_F(Row, TheSelectedAgentIsPosedMoreOften) {
   const LodChoice after = lod.choice(60);
   EXPECT_LE(after.interval, before.interval);
   EXPECT_LT(after.interval * 10 + after.bone_level, before.interval * 10 + before.bone_level);
+}
+
+TEST_F(Row, AfterARestartTheSameFramesAreDecidedTheSame) {
+  view.rules.rule = LodRule::budget;
+  const auto run = [&](Ticks first_step) {
+    lod.restart();
+    stand(100);
+    std::vector<std::pair<std::uint32_t, Ticks>> decided;
+    for (int i = 0; i < 30; ++i) {
+      view.frame_step = i == 0 ? first_step : frame_step;
+      pass_frame();
+      for (const AgentUpdate& update : lod.updates()) decided.emplace_back(update.agent, update.look_ahead);
+    }
+    return decided;
+  };
+  const auto first = run(frame_step * 6 / 5);
+  run(frame_step * 9 / 10);
+  EXPECT_EQ(run(frame_step * 6 / 5), first);
 }
 
 TEST_F(Row, WhileTimeStandsStillNoTurnComesAndNoFigureChanges) {

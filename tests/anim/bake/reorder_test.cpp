@@ -78,7 +78,9 @@ void expect_same_as_baked_anew(const Model& given) {
 
 TEST(ReorderedCharacter, IsTheOneThatIsBakedInThatOrder) {
   expect_same_as_baked_anew(synthetic_model(62, 3));
-  for (Model model : {general_model(40), synthetic_model(40, 0)}) {
+  Model without_clips = synthetic_model(40, 1);
+  without_clips.clips.clear();
+  for (Model model : {general_model(40), without_clips}) {
     unsigned seed = 0;
     for (const Interpolation kind : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline}) {
       model.clips.push_back(wild_clip(model.skeleton, kind, 1.5, ++seed));

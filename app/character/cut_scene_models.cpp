@@ -163,12 +163,11 @@ CharacterSource balloon(double size) {
   source.model.clips.push_back(clip_of("rise", rise_seconds, [&](double t) { return rising_at(t, size); }));
   const anim::BakeOptions all_in_the_pose{.take_root_motion = false};
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model, all_in_the_pose));
-  source.bounds = source.character->bounds;
   for (const anim::BakedClip& clip : source.character->clips) source.clip_names.push_back(clip.name);
   source.roles.is_prop = true;
   source.roles.others = {0};
-  source.roles.height = source.bounds.height;
-  source.roles.radius = source.bounds.body_radius;
+  source.roles.height = source.character->bounds.height;
+  source.roles.radius = source.character->bounds.body_radius;
   return source;
 }
 

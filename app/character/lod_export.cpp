@@ -81,10 +81,10 @@ std::string lod_as_json(const CharacterSource& source, std::span<const LodLevel>
                         double pixels_per_unit) {
   const Json all = {{"version", lod_export_version},
                     {"character", source.name},
-                    {"height_metres", source.bounds.height},
+                    {"height_metres", source.character->bounds.height},
                     {"pixels_of_a_metre_at_one_metre", pixels_per_unit},
-                    {"intervals", intervals_of(rules, source.bounds.height, pixels_per_unit)},
-                    {"bone_levels", levels_of(levels, rules, source.bounds.height, pixels_per_unit)},
+                    {"intervals", intervals_of(rules, source.character->bounds.height, pixels_per_unit)},
+                    {"bone_levels", levels_of(levels, rules, source.character->bounds.height, pixels_per_unit)},
                     {"bones", bones_of(*source.character)}};
   return all.dump(2) + "\n";
 }

@@ -30,8 +30,8 @@ void guess_roles(CharacterSource& source) {
   for (const anim::BakedClip& clip : source.character->clips) source.clip_names.push_back(clip.name);
   source.roles = roles_by_name(source.clip_names);
   source.roles.others = loopable(*source.character, source.roles.others);
-  source.roles.height = source.bounds.height;
-  source.roles.radius = source.bounds.body_radius;
+  source.roles.height = source.character->bounds.height;
+  source.roles.radius = source.character->bounds.body_radius;
   source.suggested = source.roles.clips;
   source.passages = {source.roles.sit_down, source.roles.stand_up};
   for (Passage& passage : source.passages) {
@@ -109,7 +109,6 @@ anim::Result<CharacterSource> load_character(const std::string& path, const std:
     if (*choice) anim::reorder_bones(source.model, **choice);
   }
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
-  source.bounds = source.character->bounds;
   anim::keep_surveyed_keys(source.model);
   guess_roles(source);
   source.repairs = std::move(file->repairs);

@@ -10,7 +10,6 @@
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/base/result.h"
-#include "engine/anim/survey/character_bounds.h"
 #include "engine/render/crowd_mesh_data.h"
 
 namespace throng::app {
@@ -25,7 +24,6 @@ struct CharacterSource {
   CharacterRoles roles;
   RoleClips suggested;              ///< the roles' clips, as their names suggest
   std::array<Passage, 2> passages;  ///< into the suggested seat and out of it
-  anim::CharacterBounds bounds;
   std::vector<std::string> repairs;
 
   bool has_surface() const { return !model.meshes.empty(); }

@@ -147,7 +147,7 @@ void FrameReporter::add_heads(const Stage& stage) {
   std::ranges::partial_sort(near, shown, std::ranges::greater(), &anim::VisibleAgent::pixels_tall);
   for (const anim::VisibleAgent& agent : std::span(near.begin(), shown)) {
     const glm::vec3 foot = stage.crowd().positions()[agent.agent];
-    const auto height = static_cast<float>(stage.character_of(agent.agent).bounds.height);
+    const auto height = static_cast<float>(stage.character_of(agent.agent).character->bounds.height);
     report_.heads.push_back({.x = foot.x,
                              .y = foot.y + stage.crowd().scales()[agent.agent] * height + above_head,
                              .z = foot.z,

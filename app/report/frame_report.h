@@ -100,7 +100,7 @@ struct PicturePoint {
   float x = 0, y = 0;
 };
 
-/// What a person asks for in the overlay in a frame, besides the tuning that it edits.
+/// Holds what a person asks the overlay for in a frame. The tuning is not in it: the overlay edits that.
 struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
   std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown

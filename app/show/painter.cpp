@@ -138,7 +138,7 @@ void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
   if (view.frozen) add_frustum(lines_, *view.frozen, view.aspect(), frustum_reach);
   thresholds_.update(stage, view.lod_camera(), view.height);
   if (!stage.tuning().inspection.thresholds) return;
-  const auto middle = static_cast<float>(stage.characters()[thresholds_.character()].bounds.height / 2);
+  const auto middle = static_cast<float>(stage.characters()[thresholds_.character()].character->bounds.height / 2);
   add_threshold_rings(lines_, thresholds_.thresholds(), view.lod_camera(), middle);
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/character/files.h"
 #include "app/files/exit_status.h"
+#include "app/files/joined.h"
 #include "app/view/camera_path.h"
 #include "app/view/fly_camera.h"
 #include "app/view/scenes.h"
@@ -59,10 +60,10 @@ bool Show::place_camera(const DemoOptions& options, StartError& error) {
   const auto cameras = scene_cameras(tuning.scene, agents, stage_->common_roles());
   const NamedCamera* named = find_camera(cameras, options.camera_name);
   if (named == nullptr) {
-    std::string names;
-    for (const NamedCamera& each : cameras) names += (names.empty() ? "" : ", ") + std::string(each.name);
+    std::vector<std::string> names;
+    for (const NamedCamera& each : cameras) names.emplace_back(each.name);
     return fail(error, exit_usage,
-                "--camera " + options.camera_name + ": this scene has no such camera; it has " + names);
+                "--camera " + options.camera_name + ": this scene has no such camera; it has " + joined(names));
   }
   camera = camera_at(options.camera.value_or(named->place));
   path_ = options.camera_path;

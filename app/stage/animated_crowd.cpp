@@ -70,7 +70,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks) {
   ++number_;
   held_clip_.reset();
   fallen_->reset();
-  left_out_.assign(agents, 0);
+  mark_fallen();
   feet_->reset(agents);
   system_->set_agent_count(0);
   if (clocks == Clocks::begin_anew) system_->restart();

@@ -99,6 +99,7 @@ class AnimatedCrowd {
   void change_clip(std::uint32_t agent, int clip, anim::Ticks fade);
   void change_clip(const std::optional<ClipRequest>& request);
   void match_playback();
+  void mark_fallen();
 
   std::span<const CharacterSource> characters_;
   anim::LevelOfDetail* lod_;
@@ -111,7 +112,7 @@ class AnimatedCrowd {
   std::unique_ptr<Crowd> crowd_;
   std::unique_ptr<CutScene> cut_scene_;  // null in the other scenes
   std::vector<float> played_speeds_;     // of each agent's clip, as the system was told
-  std::vector<std::uint8_t> left_out_;   // [agent] 1: has fallen
+  std::vector<std::uint8_t> left_out_;   // [agent] 1: is one of fallen_
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;
 };

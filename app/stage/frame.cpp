@@ -37,7 +37,7 @@ void Stage::move(anim::Ticks delta) {
 
 std::uint32_t Stage::now() const { return microseconds(system().clock()); }
 
-anim::LodView Stage::lod_view(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const {
+anim::LodRequest Stage::lod_request(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const {
   return {.camera = {.position = camera.position,
                      .frustum = render::frustum_planes(render::view_of(camera, size.x / size.y)),
                      .pixels_per_unit = render::pixels_tall(camera, size.y, 1.0F, 1.0F),
@@ -61,7 +61,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
                .character_of = crowd().characters(),
                .clips = crowd().clips(),
                .left_out = animated_->left_out()},
-              lod_view(camera, size, frame_step), animated_->system().executor(), system().options().pus);
+              lod_request(camera, size, frame_step), animated_->system().executor(), system().options().pus);
   shown_.hide_unseen(selection().visible, last_frame);
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
   for (anim::AgentUpdate& update : lod_.updates()) {
@@ -88,7 +88,7 @@ void Stage::pose_exactly() {
   for (const anim::VisibleAgent& each : selection().visible) {
     const ShownPose& shown = shown_.pose(each.agent);
     const bool known = shown.shown() && system().agent(each.agent).can_pose_exactly();
-    exact_.add(each.agent, shown, known ? palette_entries_[crowd().characters()[each.agent]].front() : 0);
+    exact_.add(each.agent, shown, known ? character_of(each.agent).character->level_entries.front() : 0);
   }
   exact_.pose(animated_->system());
 }
@@ -106,7 +106,7 @@ void Stage::show(anim::AgentUpdate& update, std::uint64_t last_frame) {
   const std::uint8_t character = crowd().characters()[update.agent];
   const NewPose pose{.agent = update.agent,
                      .level = update.level,
-                     .entries = palette_entries_[character][update.level],
+                     .entries = characters_[character].character->level_entries[update.level],
                      .time = microseconds(system().clock() + update.look_ahead),
                      .format = system().characters().palette_format(character)};
   const anim::PaletteDestination memory = shown_.show(pose, now(), last_frame);

@@ -1,9 +1,10 @@
-// What a person does to a crowd by hand: holds a clip, pushes an agent over, takes time back.
+// A person holds a clip, pushes an agent over and takes time back.
 #include <algorithm>
 #include <string>
 
 #include <glm/geometric.hpp>
 
+#include "app/files/joined.h"
 #include "app/stage/animated_crowd.h"
 #include "app/stage/moment.h"
 
@@ -14,12 +15,6 @@ constexpr double fade_after_holding = 0.3;  // seconds
 constexpr float push_impulse = 60.0F;       // kg m/s: a hard shove
 constexpr double push_height = 0.75;        // of the character's, where it is met
 constexpr float least_body_radius = 0.2F;   // metres, to click at
-
-std::string joined(std::span<const std::string> sentences) {
-  std::string all;
-  for (const std::string& sentence : sentences) all += (all.empty() ? "" : "; ") + sentence;
-  return all;
-}
 
 }  // namespace
 
@@ -62,7 +57,7 @@ anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& dire
   const CharacterSource& character = character_of(agent);
   if (crowd_->habits()[agent] == Habit::act) return anim::Error{"nobody who acts in the cut scene can be pushed over"};
   if (!can_fall(agent)) {
-    const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing());
+    const std::string missing = joined(rigs_[crowd_->characters()[agent]]->missing(), "; ", "; ");
     return anim::Error{character.name + " cannot be pushed over: " + missing};
   }
   if (holds_clip(agent)) let_go_of_clip();
@@ -72,24 +67,28 @@ anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& dire
   const glm::vec2 impulse = way * (push_impulse / std::max(glm::length(way), 1e-3F));
   const bool stood = !crowd_->holds(agent);
   if (stood) change_clip(crowd_->hold(agent));
-  const auto chest = static_cast<float>(push_height * character.bounds.height);
+  const auto chest = static_cast<float>(push_height * character.character->bounds.height);
   const anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
   if (!pushed && stood) change_clip(crowd_->release(agent));
-  if (pushed) left_out_[agent] = 1;
+  mark_fallen();
   return pushed;
 }
 
 void AnimatedCrowd::let_fallen_get_up() {
-  for (const std::uint32_t agent : fallen_->advance()) {
-    left_out_[agent] = 0;
-    change_clip(crowd_->release(agent));
-  }
+  const std::span<const std::uint32_t> risen = fallen_->advance();
+  for (const std::uint32_t agent : risen) change_clip(crowd_->release(agent));
+  if (!risen.empty()) mark_fallen();
+}
+
+void AnimatedCrowd::mark_fallen() {
+  left_out_.assign(crowd_->size(), 0);
+  for (const FallenAgents::Fallen& fallen : fallen_->fallen()) left_out_[fallen.agent] = 1;
 }
 
 // An agent that lies is as long as it was tall, in any direction.
 UprightBody AnimatedCrowd::body_of(std::uint32_t agent) const {
   const float scale = crowd_->scales()[agent];
-  const anim::CharacterBounds& bounds = character_of(agent).bounds;
+  const anim::CharacterBounds& bounds = character_of(agent).character->bounds;
   const float height = static_cast<float>(bounds.height) * scale;
   const float radius = std::max(static_cast<float>(bounds.body_radius), least_body_radius) * scale;
   UprightBody body{.agent = agent, .foot = crowd_->positions()[agent], .radius = radius, .height = height};
@@ -113,7 +112,6 @@ void AnimatedCrowd::remember(StageMoment& into) const {
   into.fallen = *fallen_;
   into.feet = feet_->moment();
   into.played_speeds = played_speeds_;
-  into.left_out = left_out_;
 }
 
 anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
@@ -124,7 +122,7 @@ anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
   *fallen_ = *moment.fallen;
   feet_->go_back_to(moment.feet);
   played_speeds_ = moment.played_speeds;
-  left_out_ = moment.left_out;
+  mark_fallen();
   held_clip_.reset();
   return anim::Done{};
 }

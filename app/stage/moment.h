@@ -22,7 +22,6 @@ struct StageMoment {
   std::optional<FallenAgents> fallen;
   PlacedFeet::Moment feet;
   std::vector<float> played_speeds;
-  std::vector<std::uint8_t> left_out;
 };
 
 }  // namespace throng::app

@@ -14,22 +14,12 @@ constexpr double nanoseconds_a_millisecond = 1e6;
 constexpr auto cost_of_placed_feet =
     static_cast<std::uint32_t>(anim::foot_placement_work * anim::CostModel{}.post_process);
 
-using EntriesByLevel = std::vector<std::vector<std::uint32_t>>;  // [character][bone level]
-
-EntriesByLevel entries_by_level(std::span<const CharacterSource> characters) {
-  EntriesByLevel entries;
-  for (const CharacterSource& source : characters) {
-    entries.push_back(source.character->level_entries);
-  }
-  return entries;
-}
-
-std::vector<std::size_t> all_sizes(const EntriesByLevel& entries) {
+std::vector<std::size_t> palette_sizes(std::span<const CharacterSource> characters) {
   std::vector<std::size_t> sizes;
-  for (const auto& of_character : entries) {
-    for (const std::uint32_t count : of_character) {
-      sizes.push_back(anim::palette_stride(count, anim::PaletteFormat::matrices));
-      sizes.push_back(anim::palette_stride(count, anim::PaletteFormat::packed));
+  for (const CharacterSource& source : characters) {
+    for (const std::uint32_t entries : source.character->level_entries) {
+      sizes.push_back(anim::palette_stride(entries, anim::PaletteFormat::matrices));
+      sizes.push_back(anim::palette_stride(entries, anim::PaletteFormat::packed));
     }
   }
   return sizes;
@@ -43,8 +33,7 @@ bool same_crowd(const Tuning& a, const Tuning& b) {
 
 Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource& pages)
     : characters_(std::move(characters)),
-      palette_entries_(entries_by_level(characters_)),
-      slots_(pages, all_sizes(palette_entries_)),
+      slots_(pages, palette_sizes(characters_)),
       shown_(slots_),
       exact_(slots_),
       meter_(characters_) {
@@ -102,7 +91,6 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   if (const anim::Status replaced = animated_->reorder_bones(character, reordered); !replaced) return replaced;
   anim::reorder_bones(source.model, choice);
   source.character = reordered.character;
-  palette_entries_ = entries_by_level(characters_);
   learn_level_of_detail();
   meter_.set_character(character, source);
   meter_.reset(crowd().size());

@@ -96,14 +96,13 @@ class Stage {
   void forget_what_is_shown();
   void learn_level_of_detail();
   anim::LodLimits limits() const;
-  anim::LodView lod_view(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const;
+  anim::LodRequest lod_request(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const;
   void place_feet(const anim::AgentUpdate& update, bool visible);
   void show(anim::AgentUpdate& update, std::uint64_t last_frame);
   void pose_fallen(std::uint64_t last_frame);
   void measure(const render::Camera& camera, const glm::vec2& size);
 
   std::vector<CharacterSource> characters_;
-  std::vector<std::vector<std::uint32_t>> palette_entries_;  // [character][bone level]
   Tuning tuning_;
   render::PaletteSlots slots_;
   ShownPoses shown_;

@@ -40,14 +40,14 @@ int main(int argument_count, char** arguments) {
   anim::LevelOfDetail lod;
   lod.set_characters({anim::lod_character(*character)});
   lod.reset(agents, {});
-  anim::LodView view;         // has the camera, the rules and the budget
-  view.rules.smooth = false;  // nothing here blends from pose to pose
-  view.frame_step = anim::ticks_per_second / 60;
+  anim::LodRequest request;      // has the camera, the rules and the budget
+  request.rules.smooth = false;  // nothing here blends from pose to pose
+  request.frame_step = anim::ticks_per_second / 60;
 
   for (int frame = 0; frame < 60; ++frame) {
-    system.advance(view.frame_step);
-    view.now = system.clock();
-    lod.select({.positions = positions, .scales = scales}, view, system.executor(), 2);
+    system.advance(request.frame_step);
+    request.now = system.clock();
+    lod.select({.positions = positions, .scales = scales}, request, system.executor(), 2);
     for (anim::AgentUpdate& update : lod.updates()) {
       update.palette = anim::PaletteDestination(palettes.get() + update.agent * stride);
     }

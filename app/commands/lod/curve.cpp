@@ -25,7 +25,7 @@ constexpr int agents_of_milliseconds = 10'000;
 std::string key_of(std::size_t level) { return "level " + std::to_string(level); }
 
 double pixels_of(const CharacterSource& source, const LodLevel& level, int pixels) {
-  return source.bounds.height > 0.0 ? level.error_metres / source.bounds.height * pixels : 0.0;
+  return source.character->bounds.height > 0.0 ? level.error_metres / source.character->bounds.height * pixels : 0.0;
 }
 
 /// JSON has no infinity.
@@ -35,7 +35,7 @@ double milliseconds_of(const LodLevel& level) { return level.nanoseconds * agent
 
 std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
   std::vector<Json> rows;
-  const std::vector<bool> pays = levels_that_pay(levels, source.bounds.height);
+  const std::vector<bool> pays = levels_that_pay(levels, source.character->bounds.height);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const LodLevel& level = levels[i];
     rows.push_back({{"level", i},
@@ -44,7 +44,7 @@ std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLeve
                     {"ms_10k_agents", milliseconds_of(level)},
                     {"error_mm", level.error_metres * 1000},
                     {"error_px", pixels_of(source, level, pixels)},
-                    {"px_tall_for_1_px", within(pixels_tall_for_one_pixel(level, source.bounds.height))},
+                    {"px_tall_for_1_px", within(pixels_tall_for_one_pixel(level, source.character->bounds.height))},
                     {"triangles", level.triangles},
                     {"pays", pays[i] ? "yes" : "no"}});
   }
@@ -57,7 +57,7 @@ std::vector<std::string> remarks_on(const CharacterSource& source, std::span<con
   if (levels.size() == 1) {
     remarks.push_back("Per-bone level of detail does not pay: no order of these bones has a level worth a switch.");
   }
-  const std::vector<bool> pays = levels_that_pay(levels, source.bounds.height);
+  const std::vector<bool> pays = levels_that_pay(levels, source.character->bounds.height);
   std::size_t last = 0;
   for (std::size_t i = 1; i < levels.size(); ++i) {
     if (pays[i]) {
@@ -69,7 +69,7 @@ std::vector<std::string> remarks_on(const CharacterSource& source, std::span<con
                   "Level %zu does not pay: it takes %.0f%% of the time of level %zu, and is within a pixel only of "
                   "characters below %.2g pixels.",
                   i, 100 * levels[i].nanoseconds / levels[last].nanoseconds, last,
-                  pixels_tall_for_one_pixel(levels[i], source.bounds.height));
+                  pixels_tall_for_one_pixel(levels[i], source.character->bounds.height));
     remarks.emplace_back(text);
   }
   if (source.model.clips.empty()) remarks.push_back("The model has no clips, so nothing shows what its bones are for.");
@@ -126,7 +126,7 @@ std::string curve_as_text(const CharacterSource& source, std::span<const LodLeve
                                   "pays"};
   char title[80];
   std::snprintf(title, sizeof(title), ", %.2f m; errors at p99, in pixels of one %d pixels tall\n",
-                source.bounds.height, pixels);
+                source.character->bounds.height, pixels);
   std::string text = source.name + title + figures_as_text(rows_of(source, levels, pixels), columns);
   for (const std::string& remark : remarks_on(source, levels)) text += remark + "\n";
   return text;
@@ -134,7 +134,7 @@ std::string curve_as_text(const CharacterSource& source, std::span<const LodLeve
 
 std::string curve_as_json(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
   const Json curve = {{"character", source.name},
-                      {"height_metres", source.bounds.height},
+                      {"height_metres", source.character->bounds.height},
                       {"pixels_tall", pixels},
                       {"levels", rows_of(source, levels, pixels)},
                       {"remarks", remarks_on(source, levels)}};

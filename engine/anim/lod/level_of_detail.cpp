@@ -1,6 +1,7 @@
 #include "engine/anim/lod/level_of_detail.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "engine/anim/kernel/kernels.h"
@@ -70,13 +71,13 @@ void LevelOfDetail::forget_shown() {
   std::ranges::fill(bone_steps_, BoneStep{});
 }
 
-void LevelOfDetail::build_choices(const LodView& view) {
-  const double ratio = view.frame_step == 0 ? 1.0 : to_seconds(view.frame_step) / built_seconds_;
+void LevelOfDetail::build_choices(const LodRequest& request) {
+  const double ratio = request.frame_step == 0 ? 1.0 : to_seconds(request.frame_step) / built_seconds_;
   const bool same_frames = ratio <= longer_frame && ratio >= 1.0 / longer_frame;
-  if (!choices_.empty() && same_but_tolerance(view.rules, built_for_) && same_frames) return;
-  built_seconds_ = view.frame_step > 0 ? to_seconds(view.frame_step) : usual_frame_seconds;
-  built_for_ = view.rules;
-  choices_.build(characters_, view.rules, static_cast<float>(built_seconds_));
+  if (!choices_.empty() && same_but_tolerance(request.rules, built_for_) && same_frames) return;
+  built_seconds_ = request.frame_step > 0 ? to_seconds(request.frame_step) : usual_frame_seconds;
+  built_for_ = request.rules;
+  choices_.build(characters_, request.rules, static_cast<float>(built_seconds_));
 }
 
 LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
@@ -88,21 +89,23 @@ LodFrame LevelOfDetail::frame(const LodCrowd& crowd) const {
                  .importance = importance_.of_agents(),
                  .changing = importance_.changing(),
                  .choices = &choices_,
-                 .camera = view_.camera,
-                 .rules = view_.rules,
-                 .force = view_.force,
+                 .camera = request_.camera,
+                 .rules = request_.rules,
+                 .force = request_.force,
                  .number = number_};
   frame.rules.tolerance_pixels = controller_.tolerance_pixels();
-  frame.rules.counts_cost = view_.rules.rule == LodRule::budget;
+  frame.rules.counts_cost = request_.rules.rule == LodRule::budget;
   return frame;
 }
 
-void LevelOfDetail::select(const LodCrowd& crowd, const LodView& view, Executor& executor, int jobs) {
-  view_ = view;
+void LevelOfDetail::select(const LodCrowd& crowd, const LodRequest& request, Executor& executor, int jobs) {
+  assert(crowd.left_out.empty() || crowd.left_out.size() == shown_in_.size());
+  assert(!request.selected || *request.selected < shown_in_.size());
+  request_ = request;
   ++frame_;
-  if (view.frame_step > 0) ++number_;
-  build_choices(view);
-  importance_.weigh(view.now, view.selected);
+  if (request.frame_step > 0) ++number_;
+  build_choices(request);
+  importance_.weigh(request.now, request.selected);
   select_for_update(frame(crowd), state_, selection_, executor, jobs);
   if (find_first_tolerance()) {
     state_.make_all_due();
@@ -116,9 +119,9 @@ void LevelOfDetail::select(const LodCrowd& crowd, const LodView& view, Executor&
 }
 
 bool LevelOfDetail::find_first_tolerance() {
-  const bool has_budget = view_.rules.rule == LodRule::budget && view_.limits.budget_nanoseconds > 0.0;
+  const bool has_budget = request_.rules.rule == LodRule::budget && request_.limits.budget_nanoseconds > 0.0;
   if (!has_budget || !controller_.is_new()) return false;
-  controller_.begin(view_.limits, selection_.cost.by_tolerance);
+  controller_.begin(request_.limits, selection_.cost.by_tolerance);
   return true;
 }
 
@@ -128,10 +131,10 @@ void LevelOfDetail::list_updates(const LodCrowd& crowd) {
     if (!crowd.left_out.empty() && crowd.left_out[due.agent] != 0) continue;
     const BoneStep bones = step_bones(due);
     // An agent that is evaluated in each frame has the pose of now.
-    const bool ahead = view_.rules.smooth && due.look_ahead > 1 && is_shown(due.agent);
+    const bool ahead = request_.rules.smooth && due.look_ahead > 1 && is_shown(due.agent);
     updates_.push_back({.agent = due.agent,
                         .level = bones.level,
-                        .look_ahead = ahead ? due.look_ahead * view_.frame_step : 0,
+                        .look_ahead = ahead ? due.look_ahead * request_.frame_step : 0,
                         .palette = nullptr,
                         .fade_level = bones.fade_level,
                         .fade_halves = bones.fade_halves});
@@ -141,7 +144,7 @@ void LevelOfDetail::list_updates(const LodCrowd& crowd) {
 // An agent that is shown goes from level to level by steps. Another one, and all while time stands still, go at once.
 BoneStep LevelOfDetail::step_bones(const DueAgent& due) {
   BoneStep& step = bone_steps_[due.agent];
-  const bool by_steps = view_.frame_step > 0 && is_shown(due.agent);
+  const bool by_steps = request_.frame_step > 0 && is_shown(due.agent);
   step = by_steps ? next_step(step, due.bone_level) : settled_at(due.bone_level);
   return step;
 }
@@ -160,9 +163,9 @@ void LevelOfDetail::settle(double predicted_nanoseconds, std::optional<float> me
   for (const AgentUpdate& update : updates_) {
     shown_in_[update.agent] = update.palette.memory() != nullptr ? frame_ : never_shown;
   }
-  if (view_.frame_step == 0) return;
-  const bool by_error = view_.rules.rule == LodRule::budget;
-  const LodLimits& limits = view_.limits;
+  if (request_.frame_step == 0) return;
+  const bool by_error = request_.rules.rule == LodRule::budget;
+  const LodLimits& limits = request_.limits;
   const auto exempt = static_cast<double>(selection_.cost.reappeared);
   const double counted = predicted_nanoseconds - exempt;
   figures_ = {.tolerance_px = by_error ? controller_.tolerance_pixels() : 0.0F,

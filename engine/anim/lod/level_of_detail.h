@@ -31,13 +31,13 @@ struct LodCrowd {
   std::span<const std::uint8_t> left_out = {};      ///< 1: update_also() alone poses it; empty: no agent
 };
 
-/// The rest of what one frame is decided from.
-struct LodView {
+/// What a program asks of one frame.
+struct LodRequest {
   LodCamera camera;
   LodRules rules;    ///< the limits set `tolerance_pixels`; `counts_cost` is not read
   LodLimits limits;  ///< of LodRule::budget
   LodForce force = {};
-  std::optional<std::uint32_t> selected = {};  ///< an agent that shows a quarter of the others' error
+  std::optional<std::uint32_t> selected = {};  ///< an agent of the crowd that shows a quarter of the others' error
   Ticks now = 0;
   Ticks frame_step = 0;  ///< the length of a frame; 0: time stands still
 };
@@ -53,9 +53,10 @@ struct LodFigures {
 };
 
 /// Level of detail for a crowd from frame to frame: lists the agents to be posed, with bone level and look-ahead, and
-/// keeps what that needs of each agent. It allocates in set_characters(), reset() and when the rules change.
+/// keeps what that needs of each agent. It allocates in set_characters(), reset() and in the first select() after the
+/// rules, or the length of a frame by more than a quarter, have changed.
 ///
-///     select(crowd, view, executor, jobs)   lists updates()
+///     select(crowd, request, executor, jobs)   lists updates()
 ///     updates()[i].palette = ...            the program says where palettes go; null: the agent is not drawn
 ///     system.update(updates())
 ///     settle(...)                           learns what was shown and what it cost
@@ -79,7 +80,7 @@ class LevelOfDetail {
 
   /// Decides for every agent, in up to `jobs` jobs. With a budget the first frame is decided twice, since only a
   /// decision counts what a tolerance costs.
-  void select(const LodCrowd& crowd, const LodView& view, Executor& executor, int jobs);
+  void select(const LodCrowd& crowd, const LodRequest& request, Executor& executor, int jobs);
   /// Returns the list for AnimationSystem::update. An agent that looks ahead is shown already: its palette blends from
   /// the one shown to the new one, over `look_ahead`.
   std::span<AgentUpdate> updates() { return updates_; }
@@ -93,8 +94,10 @@ class LevelOfDetail {
   void settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels = {});
 
   const LodSelection& selection() const { return selection_; }
-  bool is_visible(std::uint32_t agent) const { return state_.frames_seen[agent] > 0; }  ///< in the last selection
-  bool is_shown(std::uint32_t agent) const { return shown_in_[agent] == frame_; }       ///< it has a palette
+  bool is_visible(std::uint32_t agent) const {
+    return state_.frames_seen[agent] > 0;
+  }  ///< in the last selection, until make_all_due()
+  bool is_shown(std::uint32_t agent) const { return shown_in_[agent] == frame_; }  ///< it has a palette
   /// Returns what was decided at its last update; bone_step() says how far it has come.
   LodChoice choice(std::uint32_t agent) const { return {state_.interval[agent], state_.bone_level[agent]}; }
   const BoneStep& bone_step(std::uint32_t agent) const { return bone_steps_[agent]; }  ///< of its last update
@@ -103,7 +106,7 @@ class LevelOfDetail {
   const LodFigures& figures() const { return figures_; }
 
  private:
-  void build_choices(const LodView& view);
+  void build_choices(const LodRequest& request);
   LodFrame frame(const LodCrowd& crowd) const;
   bool find_first_tolerance();
   void list_updates(const LodCrowd& crowd);
@@ -117,7 +120,7 @@ class LevelOfDetail {
   LodController controller_;
   LodState state_;
   LodSelection selection_;
-  LodView view_;                         // of this frame
+  LodRequest request_;                   // of this frame
   std::uint64_t frame_ = 0;              // selections so far
   std::uint64_t number_ = 0;             // those in which time passed
   std::vector<std::uint64_t> shown_in_;  // [agent] the last frame in which it was shown

@@ -23,15 +23,15 @@ struct Row : testing::Test {
   std::vector<float> scales;
   std::vector<std::uint8_t> left_out;
   LevelOfDetail lod;
-  LodView view;
+  LodRequest request;
   InOrder executor;
   std::array<std::byte, 64> memory{};
 
   Row() {
-    view.camera.frustum.fill(glm::vec4(0.0F, 0.0F, -1.0F, 0.0F));
-    view.camera.pixels_per_unit = 800.0F;
-    view.rules = {.rule = LodRule::distance};
-    view.frame_step = frame_step;
+    request.camera.frustum.fill(glm::vec4(0.0F, 0.0F, -1.0F, 0.0F));
+    request.camera.pixels_per_unit = 800.0F;
+    request.rules = {.rule = LodRule::distance};
+    request.frame_step = frame_step;
     lod.set_characters({{.centre_height = 0.0F,
                          .radius = 1.0F,
                          .level_count = max_bone_levels,
@@ -46,12 +46,12 @@ struct Row : testing::Test {
     for (std::size_t i = 0; i < agents; ++i) positions.push_back({0.0F, 0.0F, -1.0F - static_cast<float>(i)});
     scales.assign(agents, 1.0F);
     left_out.assign(agents, 0);
-    lod.reset(agents, view.limits);
+    lod.reset(agents, request.limits);
   }
 
   std::span<AgentUpdate> select() {
-    view.now += view.frame_step;
-    lod.select({.positions = positions, .scales = scales, .left_out = left_out}, view, executor, 1);
+    request.now += request.frame_step;
+    lod.select({.positions = positions, .scales = scales, .left_out = left_out}, request, executor, 1);
     return lod.updates();
   }
 
@@ -116,14 +116,14 @@ TEST_F(Row, AnUpdateThatCannotBlendIsOfNowAndIsDueAgainInTheNextFrame) {
 }
 
 TEST_F(Row, BoneLevelsChangeByStepsWhereTheAgentIsShownAndAtOnceElsewhere) {
-  view.rules.level_distances = {200.0F, 300.0F, 400.0F};
+  request.rules.level_distances = {200.0F, 300.0F, 400.0F};
   pass_frame();
   EXPECT_EQ(lod.bone_step(50), settled_at(0));
-  view.rules.level_distances = {15.0F, 20.0F, 30.0F};
+  request.rules.level_distances = {15.0F, 20.0F, 30.0F};
   EXPECT_EQ(next_update_of(50).fade_halves, 1);
   EXPECT_EQ(next_update_of(50).fade_halves, 2);
   EXPECT_EQ(next_update_of(50).level, 3);
-  view.rules.level_distances = {200.0F, 300.0F, 400.0F};
+  request.rules.level_distances = {200.0F, 300.0F, 400.0F};
   lod.forget_shown();
   next_update_of(50);
   EXPECT_EQ(lod.bone_step(50), settled_at(0));
@@ -142,8 +142,8 @@ TEST_F(Row, LeftOutAgentsAreUpdatedByHandAlone) {
 }
 
 TEST_F(Row, ABudgetHoldsFromTheFirstFrame) {
-  view.rules.rule = LodRule::budget;
-  view.limits = {.error_pixels = 0.0F, .budget_nanoseconds = 20'000.0};
+  request.rules.rule = LodRule::budget;
+  request.limits = {.error_pixels = 0.0F, .budget_nanoseconds = 20'000.0};
   stand(100);
   pass_frame();
   EXPECT_GT(lod.figures().tolerance_px, least_tolerance_pixels);
@@ -152,10 +152,10 @@ TEST_F(Row, ABudgetHoldsFromTheFirstFrame) {
 }
 
 TEST_F(Row, TheSelectedAgentIsPosedMoreOften) {
-  view.rules.rule = LodRule::budget;
+  request.rules.rule = LodRule::budget;
   for (int i = 0; i < 30; ++i) pass_frame();
   const LodChoice before = lod.choice(60);
-  view.selected = 60;
+  request.selected = 60;
   for (int i = 0; i < 2 * longest_interval; ++i) pass_frame();
   const LodChoice after = lod.choice(60);
   EXPECT_LE(after.interval, before.interval);
@@ -163,13 +163,13 @@ TEST_F(Row, TheSelectedAgentIsPosedMoreOften) {
 }
 
 TEST_F(Row, AfterARestartTheSameFramesAreDecidedTheSame) {
-  view.rules.rule = LodRule::budget;
+  request.rules.rule = LodRule::budget;
   const auto run = [&](Ticks first_step) {
     lod.restart();
     stand(100);
     std::vector<std::pair<std::uint32_t, Ticks>> decided;
     for (int i = 0; i < 30; ++i) {
-      view.frame_step = i == 0 ? first_step : frame_step;
+      request.frame_step = i == 0 ? first_step : frame_step;
       pass_frame();
       for (const AgentUpdate& update : lod.updates()) decided.emplace_back(update.agent, update.look_ahead);
     }
@@ -183,7 +183,7 @@ TEST_F(Row, AfterARestartTheSameFramesAreDecidedTheSame) {
 TEST_F(Row, WhileTimeStandsStillNoTurnComesAndNoFigureChanges) {
   for (int i = 0; i < 20; ++i) pass_frame();
   const double predicted = lod.figures().predicted_ms;
-  view.frame_step = 0;
+  request.frame_step = 0;
   select();
   lod.settle(5e6);
   EXPECT_EQ(lod.figures().predicted_ms, predicted);

@@ -1,6 +1,8 @@
 #include <cstdio>
+#include <exception>
 #include <functional>
 #include <initializer_list>
+#include <new>
 #include <string>
 #include <variant>
 
@@ -68,7 +70,14 @@ struct Run {
 }  // namespace
 }  // namespace throng::app
 
+// NOLINTNEXTLINE(bugprone-exception-escape): end_with() makes one line of text
 int main(int argument_count, char** arguments) {
   using namespace throng::app;
-  return std::visit(Run{}, parse_command_line({arguments + 1, arguments + argument_count}));
+  try {
+    return std::visit(Run{}, parse_command_line({arguments + 1, arguments + argument_count}));
+  } catch (const std::bad_alloc&) {
+    return end_with(exit_job_failed, "the machine has no memory left; ask for fewer agents or smaller models");
+  } catch (const std::exception& error) {
+    return end_with(exit_job_failed, error.what());
+  }
 }

@@ -118,8 +118,8 @@ BoneLodChoice present_bone_lod(std::size_t bones, std::vector<int> level_counts)
 BoneLodChoice with_bone_moved(std::span<const int> parents, BoneLodChoice choice, std::size_t from, std::size_t to) {
   std::vector<int>& bones = choice.bones;
   const int moved = bones[from];
-  const auto is_above = [&](int above, int bone) {
-    for (; bone >= 0; bone = parents[static_cast<std::size_t>(bone)]) {
+  const auto is_above = [&](int above, int below) {
+    for (int bone = below; bone >= 0; bone = parents[static_cast<std::size_t>(bone)]) {
       if (bone == above) return true;
     }
     return false;

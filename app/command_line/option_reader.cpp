@@ -40,7 +40,7 @@ std::string mismatch(const CLI::App& app, const std::string& words) {
 }
 
 /// A check of CLI11 that hands the text on; `joint` stands between name and value.
-auto taken_by(ValueReader reader, const std::string& name, const std::string& joint) {
+auto taken_by(const ValueReader& reader, const std::string& name, const std::string& joint) {
   return [=](const std::string& text) {
     if (const Complaint complaint = reader(text)) {
       throw CLI::ParseError(name + joint + text + ": " + *complaint, CLI::ExitCodes::ValidationError);

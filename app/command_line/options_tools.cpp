@@ -35,7 +35,7 @@ void list(OptionReader& reader, const char* option, std::vector<Value>& target, 
   const std::string hint(row.hint());
   const auto read_one = [&row, get](const std::string& text, Value& value) {
     Tuning tuning;
-    const Complaint complaint = row.read_option(tuning, text);
+    Complaint complaint = row.read_option(tuning, text);
     if (!complaint) value = get(tuning);
     return complaint;
   };

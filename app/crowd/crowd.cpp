@@ -101,7 +101,7 @@ Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<cons
   assert(size() == agents);
 }
 
-Crowd::Crowd(CrowdLayout layout, std::uint32_t seed, std::span<const CharacterRoles> characters)
+Crowd::Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters)
     : cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),

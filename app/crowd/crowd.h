@@ -100,7 +100,7 @@ class Crowd {
   std::size_t marchers() const { return marchers_.size(); }       ///< those after them: rank and file; all others stay
 
  private:
-  Crowd(CrowdLayout layout, std::uint32_t seed, std::span<const CharacterRoles> characters);
+  Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters);
   void place(const CrowdLayout& layout);
   void expect_wave(const CrowdLayout& layout);
   void lead_wave();

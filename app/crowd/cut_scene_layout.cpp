@@ -40,11 +40,11 @@ CrowdLayout cut_scene_layout(std::size_t agents, std::uint32_t seed, const Chara
   const auto a_row = static_cast<std::size_t>(columns);
   for (std::size_t i = 0; i < people; ++i) {
     const double side = i % 2 == 0 ? 1.0 : -1.0;
-    const auto row = static_cast<double>(i / 2 / a_row);
-    const double along =
-        static_cast<double>(i / 2 % a_row) - 0.5 * (columns - 1.0) + (i / 2 / a_row % 2 == 0 ? 0.0 : 0.5);
+    const std::size_t on_this_side = i / 2;
+    const std::size_t row = on_this_side / a_row, in_row = on_this_side % a_row;
+    const double along = static_cast<double>(in_row) - 0.5 * (columns - 1.0) + (row % 2 == 0 ? 0.0 : 0.5);
     const auto jitter = [&] { return unevenness * static_cast<double>(random.between(-1.0F, 1.0F)); };
-    const glm::dvec2 place(side * (street_half_width + place_pitch * row + jitter()),
+    const glm::dvec2 place(side * (street_half_width + place_pitch * static_cast<double>(row) + jitter()),
                            middle + place_pitch * along + jitter());
     layout.standers.push_back({.position = spacing * place,
                                .heading = heading_to(spacing * place, {0.0, 0.5 * spacing}),

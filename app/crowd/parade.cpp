@@ -59,8 +59,8 @@ void line_up(const Formation& formation, const Lane& route, double spacing, Crow
   const double head = quarter_turn * route.corner_radius + 1.5 * route.core.x;  // on the straight at +Z
   for (std::size_t marcher = 0; marcher < formation.marchers; ++marcher) {
     const std::size_t rank = marcher / formation.files, file = marcher % formation.files;
-    const double behind =
-        static_cast<double>(rank) * rank_pitch * spacing + static_cast<double>(rank / ranks_in_company) * gap;
+    const std::size_t company = rank / ranks_in_company;
+    const double behind = static_cast<double>(rank) * rank_pitch * spacing + static_cast<double>(company) * gap;
     const double from_middle = static_cast<double>(file) - 0.5 * static_cast<double>(formation.files - 1);
     layout.marchers.push_back(
         {std::fmod(head - behind + route.length(), route.length()), from_middle * formation.file_pitch});
@@ -75,7 +75,8 @@ struct Stand {
 
 Stand stand_beside(const Lane& route, double half_width, std::size_t row, double spacing) {
   const bool outside = row % 2 == 0;
-  const double away = half_width + (clear_of_route + spectator_row * static_cast<double>(row / 2)) * spacing;
+  const std::size_t rows_before = row / 2;
+  const double away = half_width + (clear_of_route + spectator_row * static_cast<double>(rows_before)) * spacing;
   Lane lane = route;
   lane.corner_radius = outside ? route.corner_radius + away : route.corner_radius - away;
   return {lane, outside ? 1.0 : -1.0};

@@ -8,8 +8,8 @@
 
 namespace throng::app {
 
-/// The channels of an agent, from the first to the one laid over all, then what changes their pose, in the order in
-/// which it does; as its blocks stand after the last update. An entity that several channels read is the first's.
+/// Returns the channels of an agent from the bottom layer to the top one, then its post-processes in order, as their
+/// blocks are after the last update. An entity that several channels read is listed with the first of them.
 std::vector<LayerRow> agent_layers(const anim::AnimationSystem& system, std::uint32_t agent);
 
 }  // namespace throng::app

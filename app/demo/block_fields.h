@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// The header of an entity's block, field by field (paper 2.2.1), and a player's own (2.2.2).
+/// Returns the fields of an entity's header (paper 2.2.1), and a player's own fields (2.2.2).
 std::vector<BlockField> block_fields(const anim::AnimationStateHeader& state);
 
 }  // namespace throng::app

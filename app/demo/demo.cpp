@@ -29,11 +29,11 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
   if (options.ui_fixed) {
     const auto figures = find_data(data_folders(options.data), "assets/fixed_report.json");
     if (!figures) return figures.error();
-    if (const anim::Status fixed = reporter.fix_measured(*figures); !fixed) return fixed;
+    if (anim::Status fixed = reporter.fix_measured(*figures); !fixed) return fixed;
   }
   Overlay overlay(fonts ? *fonts : std::filesystem::path(), options.ui_scale, tuning);
   overlay.show_tab(options.ui_tab);
-  if (const anim::Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;
+  if (anim::Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;
   constexpr int frames_until_laid_out = 30;  // three would do; the more, the truer the time of one
   for (int frame = 0; frame < frames_until_laid_out; ++frame) {
     const auto start = std::chrono::steady_clock::now();
@@ -88,7 +88,7 @@ anim::Status run_frames(Show& show, const DemoOptions& options) {
 }
 
 anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
-  const anim::Status run = replay != nullptr ? run_replay(show, options, *replay) : run_frames(show, options);
+  anim::Status run = replay != nullptr ? run_replay(show, options, *replay) : run_frames(show, options);
   if (!run) return run;
   if (options.ui && show.painter().draws() && drawn_frames(options) != DrawWhich::none)
     return draw_overlay(show, options);
@@ -135,11 +135,11 @@ int run_show(const DemoOptions& options, Replay* replay) {
 
 }  // namespace
 
-int run_demo(const DemoOptions& given) {
-  if (given.replay.empty()) return run_show(given, nullptr);
-  const auto replay = Replay::open(given.replay);
+int run_demo(const DemoOptions& options) {
+  if (options.replay.empty()) return run_show(options, nullptr);
+  const auto replay = Replay::open(options.replay);
   if (!replay) return end_with(exit_job_failed, replay.error().message);
-  return run_show((*replay)->options(given), replay->get());
+  return run_show((*replay)->options(options), replay->get());
 }
 
 }  // namespace throng::app

@@ -4,7 +4,7 @@
 
 namespace throng::app {
 
-/// The interactive crowd, or the same without a display. Returns the program's exit status.
+/// Runs the crowd, in a window or without a display. Returns the program's exit status.
 int run_demo(const DemoOptions& options);
 
 }  // namespace throng::app

@@ -7,8 +7,8 @@
 
 namespace throng::app {
 
-/// Puts the measured figures of a committed report in place of this machine's, so that pictures can be compared.
-/// Errors: it cannot be read, or is no JSON object.
+/// Replaces the figures that this machine measured by those of a committed report, so that pictures can be compared.
+/// Errors: the file cannot be read, or is no JSON object.
 anim::Status fix_measured(const std::filesystem::path& report_file, FrameReport& report);
 
 }  // namespace throng::app

@@ -14,25 +14,25 @@
 
 namespace throng::app {
 
-/// Fills the overlay's view of the show, frame by frame.
+/// Fills the report that the overlay shows, once a frame.
 class FrameReporter {
  public:
   explicit FrameReporter(const Show& show);
 
-  /// The characters of the show, which may be others than before.
+  /// Reports the characters of the show anew; call it when they have changed.
   void describe_characters(const Show& show);
-  /// Whose roles and bones are reported, of the show's characters; the first until told otherwise.
+  /// Chooses the character whose roles and bones are reported; the first one at first.
   void describe_character(const Show& show, std::size_t character);
 
-  /// After a frame was animated and drawn; `frame_ms` from its start to its end.
+  /// Reports a frame that was animated and drawn. `frame_ms` is the time from its start to its end.
   void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
 
   void set_preset_names(std::vector<std::string> names) { report_.preset_names = std::move(names); }
   void show_sweep(const SweepCurve& curve) { report_.sweep = curve; }
-  /// The camera of the frame that begins.
+  /// Reports the camera of the frame that begins.
   void see_from(const CameraPlace& camera) { report_.camera = camera; }
 
-  /// As app::fix_measured.
+  /// Does what app::fix_measured does.
   anim::Status fix_measured(const std::filesystem::path& report_file) {
     return app::fix_measured(report_file, report_);
   }

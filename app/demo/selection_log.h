@@ -10,12 +10,13 @@
 
 namespace throng::app {
 
-/// What became of the selected agent since it was selected: its level of detail of each frame, and what it met.
+/// Logs the selected agent since it was selected: its level of detail in each frame, and its events.
 class SelectionLog {
  public:
   static constexpr std::size_t most_frames = 240, most_events = 32;
 
-  /// Once a frame, after the stage was posed; adds the log to the report of its selected agent. Allocates.
+  /// Adds a frame to the log, and the log to the report of the selected agent. Call it once a frame, after the stage
+  /// was posed. Allocates.
   void update(const Stage& stage, SelectionReport& selected);
 
  private:

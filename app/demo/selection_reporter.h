@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// What there is to say of the selected agent; nothing if nobody is. Allocates.
+/// Returns the report of the selected agent, or nothing where no agent is selected. Allocates.
 std::optional<SelectionReport> report_selection(const Stage& stage);
 
 }  // namespace throng::app

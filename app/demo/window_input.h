@@ -6,8 +6,8 @@ struct GLFWwindow;
 
 namespace throng::app {
 
-/// Listens to a GLFW window through callbacks of our own, so that a key shorter than a slow frame still counts.
-/// Lives on the thread that polls GLFW's events, no longer than the window; takes the window's user pointer.
+/// Listens to a GLFW window through callbacks, so that a key press shorter than a slow frame still counts.
+/// It lives on the thread that polls GLFW's events, and no longer than the window. It takes the window's user pointer.
 class WindowInput {
  public:
   explicit WindowInput(GLFWwindow* window);
@@ -15,13 +15,13 @@ class WindowInput {
   WindowInput(const WindowInput&) = delete;
   WindowInput& operator=(const WindowInput&) = delete;
 
-  /// Polls the window's events and gives what this frame knows; valid until the next call.
+  /// Polls the window's events and returns the input of this frame, which is valid until the next call.
   const InputFrame& next_frame();
 
-  /// The window's close button was pressed.
+  /// Returns whether the window's close button was pressed.
   bool asked_to_close() const;
 
-  /// The text clipboard of the window; usable as long as the window lives.
+  /// Returns the text clipboard of the window, which is usable as long as the window lives.
   Clipboard clipboard() const;
 
   void push(const InputEvent& event) { queue_.push(event); }

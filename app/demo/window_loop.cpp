@@ -48,7 +48,7 @@ class WindowLoop {
   }
 
   anim::Status run() {
-    if (const anim::Status prepared = show_.painter().renderer().prepare_overlay(); !prepared) return prepared;
+    if (anim::Status prepared = show_.painter().renderer().prepare_overlay(); !prepared) return prepared;
     for (int frame = 1; !done_ && (!options_.frames_given || frame <= options_.frames); ++frame) {
       run_frame();
       if (frame == 1) announce();

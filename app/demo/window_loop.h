@@ -6,8 +6,8 @@
 
 namespace throng::app {
 
-/// Runs `show` in its window until it is closed, Esc is pressed, or the frames that were asked for are over.
-/// With a `replay`, which may be null, what happens is what was recorded, to its end.
+/// Runs `show` in its window until a person closes it or presses Esc, or the frames that were asked for are over.
+/// A `replay` that is not null repeats what was recorded, to its end.
 anim::Status run_window(Show& show, const DemoOptions& options, Replay* replay);
 
 }  // namespace throng::app

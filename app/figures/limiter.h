@@ -5,7 +5,7 @@
 
 namespace throng::app {
 
-/// Where the time of a drawn frame goes, milliseconds of the calling thread, one after the other.
+/// The parts of a drawn frame, in milliseconds of the calling thread, one after the other.
 struct FrameTimes {
   double animation_ms = 0;   ///< crowd, level of detail, poses and palettes
   double upload_ms = 0;      ///< records composed and handed to the device
@@ -17,13 +17,14 @@ struct FrameTimes {
 
 enum class Limiter : std::uint8_t { animation, upload, submission, gpu };
 
-/// Which part takes most of the frame; the earlier one where two take the same.
+/// Returns the part that takes most of the frame, the earlier one where two take the same.
 Limiter who_limits(const FrameTimes& times);
 
-/// "Animation limits you: 4.1 of 9.3 ms a frame; upload 0.3, draw submission 0.6, GPU 4.3". Empty before any frame.
+/// Returns "Animation limits you: 4.1 of 9.3 ms a frame; upload 0.3, draw submission 0.6, GPU 4.3", or nothing before
+/// the first frame.
 std::string limit_sentence(const FrameTimes& times);
 
-/// The same over the last half second or so, so that it can be read.
+/// Averages the parts over about half a second, so that a person can read them.
 class LimiterOverFrames {
  public:
   void add(const FrameTimes& times);

@@ -6,15 +6,15 @@
 
 namespace throng::app {
 
-/// What level of detail saves, by the cost model.
+/// The cost that level of detail saves, as the cost model predicts it.
 struct SavedCost {
-  double culling_percent = 0.0;   ///< of the cost of everyone: not spent on those out of view
-  double skipping_percent = 0.0;  ///< of the cost of those in view: not spent on updates that are skipped
-  double bones_percent = 0.0;     ///< of the same: not spent on bones that are dropped
+  double culling_percent = 0.0;   ///< of the cost of all agents; saved on those out of view
+  double skipping_percent = 0.0;  ///< of the cost of those in view; saved by skipped updates
+  double bones_percent = 0.0;     ///< of the cost of those in view; saved by dropped bones
 };
 SavedCost saved_cost(const anim::LodCost& cost, anim::LodRule rule);
 
-/// Level of detail over the frames of a run.
+/// Sums up level of detail over the frames of a run.
 struct LodSums {
   struct Held {
     std::uint64_t frames = 0, held = 0;

@@ -7,26 +7,26 @@
 #include "app/lod/shown_poses.h"
 #include "engine/anim/agent/animation_system.h"
 
-/// What a run does otherwise than a person would expect: a sentence each, empty where there is nothing to say.
+/// Sentences about what a run does otherwise than a person would expect. Each is empty where there is nothing to say.
 namespace throng::app {
 
-/// What is spared where a processor draws live and nobody asked otherwise.
+/// The savings where a processor draws live and the command line does not ask otherwise.
 struct Spared {
-  int agents = 0;  ///< as many as there are instead; 0: as many as asked for
+  int agents = 0;  ///< the number that is animated instead of the one asked for; 0: the one asked for
   bool multisampling = false, shadows = false, mesh_detail = false;
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 
-/// An automatic local store that had to be larger than usual.
+/// Says that an automatic local store had to be larger than usual.
 std::string local_store_notice(const anim::AnimationSystem& system);
 
-/// Agents in view that found no room for their palettes.
+/// Says how many agents in view have no room for their palettes.
 std::string palette_notice(const ShownPoses& shown);
 
-/// Characters whose palettes stay float although packed ones were asked for; the first ones of the system.
+/// Names the characters whose palettes stay float although packed ones were asked for.
 std::string palette_format_notice(const anim::AnimationSystem& system, std::span<const CharacterSource> characters);
 
-/// `sentence` on a line of its own; an empty one adds none.
+/// Adds `sentence` on a line of its own; an empty one adds no line.
 void add_line(std::string& lines, const std::string& sentence);
 
 }  // namespace throng::app

@@ -1,6 +1,7 @@
 #include "app/figures/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/files/atomic_file.h"
@@ -11,7 +12,7 @@ namespace {
 
 double nearest_rank(std::vector<double> values, double part) {
   if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1) + 0.5);
+  const auto rank = static_cast<std::size_t>(std::lround(part * static_cast<double>(values.size() - 1)));
   std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(rank));
   return values[rank];
 }

@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// What drew the frames, as `--stats` names it.
+/// Names what drew the frames, as `--stats` has it.
 struct DrawnBy {
   std::string context = "none";
   std::string gl_version, gl_renderer;  ///< empty without GL
@@ -19,14 +19,14 @@ struct DrawnBy {
 /// Collects a run's figures and writes them as one flat JSON object (app/command_line/README.md).
 class Statistics {
  public:
-  /// What it took to make the crowd: places, agents, clips, blocks.
+  /// Takes the time that making the crowd took: places, agents, clips, blocks.
   void set_spawn(double milliseconds) { spawn_ms_ = milliseconds; }
   void add_update(double milliseconds) { update_ms_.push_back(milliseconds); }
   void add_drawn_frame(double milliseconds) { frame_ms_.push_back(milliseconds); }
-  /// What laying out the overlay took.
+  /// Takes the time that laying out the overlay took.
   void add_overlay(double milliseconds) { overlay_ms_.push_back(milliseconds); }
   void set_draw(std::uint32_t draw_calls, std::uint64_t triangles);
-  /// After each update.
+  /// Takes the figures of an update; call it after each.
   void add_report(const Stage& stage);
 
   anim::Status write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const;
@@ -42,11 +42,11 @@ class Statistics {
   LodSums lod_;
 };
 
-/// The middle of `values`, and the value that 99% do not exceed; 0 for none.
+/// Returns the median of `values`, and the value that 99% of them do not exceed; 0 where there are none.
 double median(std::vector<double> values);
 double percentile_99(std::vector<double> values);
 
-/// 16 hexadecimal digits.
+/// Returns 16 hexadecimal digits.
 std::string hex_string(std::uint64_t bits);
 
 }  // namespace throng::app

@@ -10,20 +10,20 @@
 
 namespace throng::app {
 
-/// What the frames of a run were spent on, one lane for the frame and one a PU, for `--trace`. Keeps the newest frames,
-/// `most_spans` in all.
+/// Keeps what the newest frames of a run were spent on, for `--trace`: one lane for the frame, and one for each PU.
+/// It has at most `most_spans` spans in all.
 class TimelineLog {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t most_spans = 300'000;
 
-  /// After an update: what each PU did, and the whole of which it was a part, from `frame_start` until now.
+  /// Takes what each PU did in an update, and a span around it from `frame_start` until now.
   void add_update(const anim::AnimationSystem& system, Clock::time_point frame_start);
-  /// A part of the newest frame that is no PU's.
+  /// Takes a part of the newest frame that no PU did.
   void add_part(const char* name, Clock::time_point begin, Clock::time_point end);
 
-  /// One JSON object in the trace event format, which ui.perfetto.dev and chrome://tracing open: complete events (`X`)
-  /// in microseconds since the first frame; copies name their bytes and transfers, tasks their agents.
+  /// Returns a JSON object in the trace event format, which ui.perfetto.dev and chrome://tracing open. It has complete
+  /// events (`X`) in microseconds since the first frame; copies have their bytes and transfers, tasks their agents.
   std::string to_json() const;
 
  private:

@@ -142,7 +142,7 @@ Json& Json::operator[](std::string_view key) {
   assert(is_object());
   auto& members = *std::get_if<Object>(&value_);
   const auto found = std::ranges::find(members, key, &Member::key);
-  return found == members.end() ? members.emplace_back(std::string(key), Json()).value : found->value;
+  return found == members.end() ? members.emplace_back(Member{std::string(key), Json()}).value : found->value;
 }
 
 Json& Json::push_back(Json element) {

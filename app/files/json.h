@@ -37,21 +37,20 @@ class Json {
   using Array = std::vector<Json>;
   using Object = std::vector<Member>;
 
+  // The constructors are defined below Member, whose size they need.
   Json() = default;
-  Json(std::nullptr_t) {}
+  Json(std::nullptr_t);
   template <JsonNumber T>
   Json(T value);
-  Json(std::string text) : value_(std::move(text)) {}
-  Json(std::string_view text) : value_(std::string(text)) {}
-  Json(const char* text) : value_(std::string(text)) {}
+  Json(std::string text);
+  Json(std::string_view text);
+  Json(const char* text);
   Json(std::initializer_list<Member> members);
   /// Null where it has no value.
   template <class T>
-  Json(const std::optional<T>& value) {
-    if (value) *this = Json(*value);
-  }
+  Json(const std::optional<T>& value);
   template <JsonList T>
-  Json(const T& list) : value_(Array(list.begin(), list.end())) {}
+  Json(const T& list);
   static Json array(std::initializer_list<Json> elements = {});
   static Json object();
 
@@ -93,7 +92,7 @@ class Json {
   /// On one line without spaces, or on many with `indent` spaces a level. Bytes that are not UTF-8 become U+FFFD.
   std::string dump(int indent = -1) const;
 
-  bool operator==(const Json& other) const = default;
+  bool operator==(const Json& other) const;
 
  private:
   friend struct JsonPrinter;
@@ -112,6 +111,18 @@ struct Json::Member {
   Json value;
   bool operator==(const Member& other) const = default;
 };
+
+inline Json::Json(std::nullptr_t) {}
+inline Json::Json(std::string text) : value_(std::move(text)) {}
+inline Json::Json(std::string_view text) : value_(std::string(text)) {}
+inline Json::Json(const char* text) : value_(std::string(text)) {}
+template <class T>
+Json::Json(const std::optional<T>& value) {
+  if (value) *this = Json(*value);
+}
+template <JsonList T>
+Json::Json(const T& list) : value_(Array(list.begin(), list.end())) {}
+inline bool Json::operator==(const Json& other) const { return value_ == other.value_; }
 
 /// The error says the line and column where `text` stops being JSON. Of members of one key the last counts, in the
 /// place of the first.

@@ -14,7 +14,7 @@ constexpr float beyond_rounding = 1.001F;  // so that a step of what may be allo
 std::vector<IntervalThreshold> interval_thresholds(const Tuning& tuning) {
   std::vector<IntervalThreshold> thresholds;
   for (int interval = 2; interval <= tuning.lod.largest_interval; ++interval) {
-    const float steps = static_cast<float>(interval - 2);
+    const auto steps = static_cast<float>(interval - 2);
     thresholds.push_back({tuning.lod.full_rate_distance + steps * tuning.lod.interval_growth, interval});
   }
   return thresholds;

@@ -147,8 +147,8 @@ std::string hex_line(std::span<const std::uint8_t> block, std::size_t first) {
 void show_bytes(const TabContext& context, const EntityRow& entity) {
   const Theme& theme = context.widgets.theme();
   const std::size_t shown = std::min(entity.block.size(), most_bytes_shown);
-  const auto lines = static_cast<float>((shown + bytes_a_line - 1) / bytes_a_line);
-  const Area area = context.widgets.area("Block bytes", 15 * lines + 8);
+  const std::size_t lines = (shown + bytes_a_line - 1) / bytes_a_line;
+  const Area area = context.widgets.area("Block bytes", 15 * static_cast<float>(lines) + 8);
   draw_well(theme, area);
   ImVec2 at(area.from.x + theme.px(8), area.from.y + theme.px(4));
   for (std::size_t first = 0; first < shown; first += bytes_a_line, at.y += theme.px(15)) {

@@ -206,9 +206,9 @@ void Overlay::State::show_tab_bar(const Area& column) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float width = (column.width() - theme.px(16)) / static_cast<float>(tabs_in_a_row);
   for (std::size_t i = 0; i < tabs.size(); ++i) {
-    const auto row = static_cast<float>(i / tabs_in_a_row), place_in_row = static_cast<float>(i % tabs_in_a_row);
-    const ImVec2 from(column.from.x + theme.px(8) + width * place_in_row,
-                      column.from.y + theme.px(header_height + tab_height * row));
+    const std::size_t row = i / tabs_in_a_row, place_in_row = i % tabs_in_a_row;
+    const ImVec2 from(column.from.x + theme.px(8) + width * static_cast<float>(place_in_row),
+                      column.from.y + theme.px(header_height + tab_height * static_cast<float>(row)));
     const Area place{.from = from, .to = {from.x + width, from.y + theme.px(tab_height)}};
     const std::string name = tabs.at(i).name;
     if (widgets.clickable("tab:" + name, place)) tab = i;

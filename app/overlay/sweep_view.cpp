@@ -34,9 +34,9 @@ double in_force(SweptValue value, const FrameReport& report, const Tuning& tunin
     case SweptValue::pus:
       return tuning.system.pus == 0 ? report.hardware_threads : tuning.system.pus;
     case SweptValue::local_store:
-      return static_cast<double>(
-          (tuning.system.local_store_bytes == 0 ? report.schedule.local_store_bytes : tuning.system.local_store_bytes) /
-          bytes_a_kib);
+      return static_cast<double>(tuning.system.local_store_bytes == 0 ? report.schedule.local_store_bytes
+                                                                      : tuning.system.local_store_bytes) /
+             static_cast<double>(bytes_a_kib);
     case SweptValue::tile:
       return tuning.system.tile == 0 ? report.schedule.plan.width : tuning.system.tile;
     case SweptValue::grain:

@@ -98,7 +98,7 @@ void Widgets::section(const char* title) {
   ImGui::Dummy({0, theme_.strong->FontSize + theme_.px(1)});
 }
 
-void Widgets::caption(const std::string& text) {
+void Widgets::caption(const std::string& text) const {
   ImGui::PushTextWrapPos(0);
   write_paragraph(theme_.small, colour::dim, text);
   ImGui::PopTextWrapPos();

@@ -45,7 +45,7 @@ class Widgets {
   /// A few words, at most 63 bytes; `hint` stands there while it is empty.
   bool text(const char* label, std::string& value, const char* hint, const Help& help);
   void fact(const char* label, const std::string& value, const Help& help);
-  void caption(const std::string& text);
+  void caption(const std::string& text) const;
 
   /// One of several words; the enumerators count from 0 in the order of `words`.
   template <class Choice>

@@ -16,7 +16,7 @@ void append_number(std::string& bytes, Number number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof(number));
 }
 
-/// Reads numbers one after the other. Beyond the end there are none: then `good()` is false, and numbers are 0.
+/// Reads numbers one after the other. Beyond the end, `good()` is false and all numbers are 0.
 class NumberReader {
  public:
   explicit NumberReader(std::string_view bytes) : rest_(bytes) {}

@@ -8,11 +8,11 @@
 
 namespace throng::app {
 
-/// What was asked, of its kind's payload alone; nothing if it cannot be. Not the tuning, which says what changed since
-/// the one before.
+/// Reads a request from its payload; returns nothing where the payload is no such request. It does not read a tuning,
+/// which has only what changed since the one before.
 std::optional<RecordedRequest> read_request(RecordKind kind, std::string_view payload);
 
-/// The fixed beginning of a frame; nothing if it cannot be.
+/// Reads the part of a frame that has a fixed size; returns nothing where the bytes are no such frame.
 std::optional<RecordedFrame> read_frame(NumberReader& numbers);
 
 }  // namespace throng::app

@@ -14,21 +14,21 @@
 
 namespace throng::app {
 
-/// Reads a recording item by item, and believes nothing in it: whatever it returns is within the ranges of its type.
+/// Reads a recording item by item. All values that it returns are checked to be in their ranges.
 class RecordingReader {
  public:
-  /// Reads it once through for its checksum. Errors: the file cannot be read, is no recording, is of another version,
-  /// is damaged, or has a header that is none.
+  /// Opens a recording, and reads all of it once for its checksum. Errors: the file cannot be read, is no recording, is
+  /// of another version, is damaged, or has a malformed header.
   static anim::Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
 
   const RecordingHeader& header() const { return header_; }
-  /// In the order in which it happened, RecordedEnd last; nothing is left after that. Errors: the file is cut short,
-  /// or what comes next cannot be; then nothing is left either.
+  /// Returns the next item, in the order in which it happened. RecordedEnd is the last; after it there is none. Errors:
+  /// the file is cut short, or the next item is malformed; then there is none either.
   anim::Result<RecordedItem> next();
   std::uint64_t frames_read() const { return frames_; }
-  /// [agent] as of the last frame read.
+  /// Returns [agent] the hashes of the last frame that was read.
   std::span<const std::uint16_t> agent_hashes() const { return hashes_; }
-  /// "run.rec: frame 12: " and the end of a sentence.
+  /// Returns "run.rec: frame 12: " and the end of a sentence.
   anim::Error error_at(std::uint64_t frame, const std::string& what) const;
 
  private:

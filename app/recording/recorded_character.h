@@ -11,8 +11,8 @@
 
 namespace throng::app {
 
-/// Who is animated: the file as it was named (empty: the built-in character), what tells it from another, and what a
-/// person may choose of it.
+/// A character of a recording: the name of its file (empty: the built-in character), its fingerprint, and what a person
+/// can choose for it.
 struct RecordedCharacter {
   std::string file;
   std::string fingerprint;  ///< of bones and clips, whatever the bones' order; 16 hexadecimal digits
@@ -26,16 +26,16 @@ struct RecordedCharacter {
 RecordedCharacter recorded(const CharacterSource& character);
 std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> characters);
 
-/// Whether every role plays a clip that the character has, or none.
+/// Returns whether every role plays a clip that the character has, or none.
 bool has_clips(const CharacterSource& character, const RoleClips& roles);
 
-/// Makes a character what was recorded: the same order of bones, levels and roles. Errors: it is another character, or
-/// the recording asks for what it does not have.
+/// Gives a character the recorded order of bones, levels and roles. Errors: it is another character, or it lacks what
+/// the recording asks for.
 anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
 
-/// JSON: a list of objects with "file", "fingerprint", "roles", "bones" and "level_counts".
+/// Returns a list of objects with "file", "fingerprint", "roles", "bones" and "level_counts".
 Json to_json(std::span<const RecordedCharacter> characters);
-/// 1 to most_models of them, or false.
+/// Reads 1 to most_models characters; returns false where the JSON is no such list.
 bool from_json(const Json& json, std::vector<RecordedCharacter>& characters);
 
 }  // namespace throng::app

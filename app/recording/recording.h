@@ -57,11 +57,11 @@ enum class RecordKind : std::uint8_t {
 
 struct RecordingHeader {
   std::vector<RecordedCharacter> characters;  ///< people, 1 to most_models
-  Tuning tuning;                              ///< as the first frame begins, cost coefficients among it
+  Tuning tuning;                              ///< of the first frame, with its cost coefficients
   int width = 0, height = 0;                  ///< pixels
 };
 
-/// From where, and for a picture of which size, level of detail judged.
+/// The camera and the size of the picture that level of detail decided by.
 struct LodView {
   render::Camera camera;
   int width = 0, height = 0;
@@ -79,7 +79,7 @@ struct RecordedRoles {
   RoleClips clips = no_clips();
 };
 struct RecordedHold {
-  std::optional<std::uint32_t> agent;  ///< whose clip is held; nobody: it is let go
+  std::optional<std::uint32_t> agent;  ///< whose clip is held; none: the clip is let go
   float seconds = 0;
 };
 struct RecordedRewind {};
@@ -87,11 +87,11 @@ struct RecordedBoneOrder {
   std::uint32_t character = 0;
   BoneLodChoice choice;
 };
-/// Others for everyone.
+/// Other characters for all agents.
 struct RecordedCharacters {
   std::vector<RecordedCharacter> characters;  ///< 1 to most_models, each from a file
 };
-/// What somebody asked of the show between two frames.
+/// A request that a person made between two frames.
 using RecordedRequest = std::variant<Tuning, RecordedSelection, RecordedPush, RecordedRoles, RecordedHold,
                                      RecordedRewind, RecordedBoneOrder, RecordedCharacters>;
 
@@ -100,20 +100,20 @@ struct RecordedFrame {
   LodView view;
   std::uint64_t pose_hash = 0;
 };
-/// After the last frame. A recording without it was cut short.
+/// Follows the last frame. A recording without it was cut short.
 struct RecordedEnd {
   std::uint64_t frames = 0;
 };
 using RecordedItem = std::variant<RecordedRequest, RecordedFrame, RecordedEnd>;
 
-/// What a recording keeps of an agent's hash.
+/// Returns the part of an agent's hash that a recording keeps.
 constexpr std::uint16_t short_hash(std::uint64_t hash) { return static_cast<std::uint16_t>(hash >> 48U); }
 
-/// The values of `tuning` that `before` does not have, as app/settings/preset.h writes them.
+/// Returns the values of `tuning` that differ from `before`, as app/settings/preset.h writes them.
 std::string changed_values(const Tuning& before, const Tuning& tuning);
 
 std::string header_text(const RecordingHeader& header);
-/// What is wrong, as the end of a sentence; nothing: it was taken.
-std::optional<std::string> read_header(std::string_view json, RecordingHeader& header);
+/// Returns what is wrong, as the end of a sentence; nothing where the header was read.
+std::optional<std::string> read_header(std::string_view text, RecordingHeader& header);
 
 }  // namespace throng::app

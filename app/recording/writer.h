@@ -15,11 +15,11 @@
 
 namespace throng::app {
 
-/// Writes a recording as it happens, beside its place; finish() puts it there. Without finish(), after a crash, what
-/// was written stays beside, FILE.PID.part, and can be replayed as far as it goes.
+/// Writes a recording as it happens, into FILE.PID.part; finish() renames it to FILE. After a crash the part remains,
+/// and can be replayed as far as it goes.
 class RecordingWriter {
  public:
-  /// Errors: the file cannot be written.
+  /// Opens the file. Errors: it cannot be written.
   static anim::Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
                                                                const RecordingHeader& header);
 
@@ -31,10 +31,10 @@ class RecordingWriter {
   void add(const RecordedRewind& rewind);
   void add(const RecordedBoneOrder& order);
   void add(const RecordedCharacters& characters);
-  /// After the frame's update; `agent_hashes` as AnimationSystem has them. Allocates only as the crowd grows.
+  /// Adds a frame after its update. `agent_hashes` are those of AnimationSystem. Allocates only when the crowd grows.
   void add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes);
 
-  /// Errors: something of it could not be written.
+  /// Errors: a part of the file could not be written.
   anim::Status finish();
   const std::filesystem::path& file() const { return file_.file(); }
 

@@ -32,6 +32,7 @@ std::vector<double> stops_of(SweptValue value, int threads) {
 template <typename Figure>
 Figure median_of(const std::vector<UpdateCost>& costs, Figure UpdateCost::*figure) {
   std::vector<Figure> values;
+  values.reserve(costs.size());
   for (const UpdateCost& cost : costs) values.push_back(cost.*figure);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <ranges>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -260,7 +260,11 @@ std::string description(const TuningValue& value) {
 
 void copy_value(const TuningValue& value, const Tuning& from, Tuning& to) { value.read(to, value.text(from)); }
 
-std::string known_preset_keys() { return joined(tuning_values() | std::views::transform(&TuningValue::key)); }
+std::string known_preset_keys() {
+  std::vector<std::string_view> keys;
+  std::ranges::transform(tuning_values(), std::back_inserter(keys), &TuningValue::key);
+  return joined(keys);
+}
 
 std::string presets_as_markdown() {
   std::string table = "| key | meaning |\n|---|---|\n";

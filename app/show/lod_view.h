@@ -9,14 +9,14 @@
 
 namespace throng::app {
 
-/// Lines over the crowd that show what level of detail goes by.
+/// Lines over the crowd that show what level of detail decides by.
 using SceneLines = std::vector<render::SceneLine>;
 
-/// What a camera sees as far as `reach` metres: its edges above the ground, and where they leave it.
+/// Adds the edges of a camera's view that lie above the ground, as far as `reach` metres, and their ends on the ground.
 void add_frustum(SceneLines& lines, const render::Camera& camera, float aspect, float reach);
 
-/// A ring on the ground wherever agents around `camera` get another interval, in the colour of that interval.
-/// `height`: metres above the ground of what distances are taken to.
+/// Adds a ring on the ground at each distance from `camera` where agents get another interval, in that interval's
+/// colour. Distances are measured to points `height` metres above the ground.
 void add_threshold_rings(SceneLines& lines, std::span<const IntervalThreshold> thresholds, const render::Camera& camera,
                          float height);
 

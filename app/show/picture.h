@@ -10,11 +10,11 @@
 
 namespace throng::app {
 
-/// Sorts the visible agents of a stage into runs that one instanced draw each can show: same palette page, character
-/// and mesh LOD, in ascending order of page, then character. Memory is kept from frame to frame.
+/// Sorts the visible agents of a stage into runs of the same palette page, character and mesh LOD, so that one
+/// instanced draw shows a run. The runs ascend by page, then by character. Memory is kept from frame to frame.
 class Picture {
  public:
-  /// `mesh_lod(character, pixels_tall, at_least)` says which mesh LOD an agent of that size gets.
+  /// Sorts the agents. `mesh_lod(character, pixels_tall, at_least)` returns the mesh LOD of an agent of that size.
   using PickMeshLod = std::function<int(std::uint8_t character, float pixels_tall, int at_least)>;
 
   void compose(const Stage& stage, const PickMeshLod& mesh_lod, Poses poses = Poses::shown);

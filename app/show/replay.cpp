@@ -13,7 +13,7 @@
 namespace throng::app {
 namespace {
 
-// The agents whose hashes are not as recorded: the first of them, and how many.
+// Counts the agents whose hashes are not as recorded, and names the first of them.
 struct Difference {
   std::uint32_t first = 0;
   std::size_t agents = 0;
@@ -28,7 +28,7 @@ Difference difference(std::span<const std::uint64_t> hashes, std::span<const std
   return found;
 }
 
-// But for the files, which may have moved.
+// Compares all but the files, which may have moved.
 bool are_equal(std::span<const CharacterSource> people, std::span<const RecordedCharacter> recorded_people) {
   const auto is_equal = [](const CharacterSource& person, RecordedCharacter as_recorded) {
     as_recorded.file = person.file;

@@ -15,22 +15,22 @@ namespace throng::app {
 ///     show = Show::create(replay->options(given)); replay->begin(show); while (replay->step(show)) draw
 class Replay {
  public:
-  /// Errors as RecordingReader::open.
+  /// Opens a recording. Errors: those of RecordingReader::open.
   static anim::Result<std::unique_ptr<Replay>> open(const std::filesystem::path& file);
 
-  /// What the command line says, and for the rest what was recorded. PUs, local store, tile, schedule and double buffer
-  /// that were given are kept throughout; poses do not depend on them.
+  /// Returns the options of the command line, completed by what was recorded. PUs, local store, tile, schedule and
+  /// double buffer keep the values of the command line throughout, because poses do not depend on them.
   DemoOptions options(const DemoOptions& given);
 
-  /// Before the first frame; where roles or orders of bones are not as recorded, the show gets characters with those.
-  /// Errors: the characters are not those that were recorded.
+  /// Prepares the show for the first frame. It gets characters with the recorded roles and orders of bones where its
+  /// own differ. Errors: the characters are not those that were recorded.
   anim::Status begin(Show& show) const;
 
-  /// What was asked for, then a frame; false when there is none left. Errors: the first frame and agent that differ;
-  /// the recording is cut short or damaged.
+  /// Repeats what was asked for, then a frame. Returns false when no frame is left. Errors: the first frame and agent
+  /// that differ; the recording is cut short or damaged.
   anim::Result<bool> step(Show& show);
 
-  /// "run.rec: 120 frames are equal, of 300 agents at the end".
+  /// Returns "run.rec: 120 frames are equal, of 300 agents at the end".
   std::string summary() const;
 
  private:

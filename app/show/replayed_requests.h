@@ -6,7 +6,7 @@
 
 namespace throng::app {
 
-/// Asks a show for what was recorded. Errors, the end of a sentence: the recording asks for what cannot be here.
+/// Asks a show for what was recorded. The error is the end of a sentence: this show cannot do what the recording asks.
 anim::Status repeat(const RecordedRequest& request, Show& show);
 
 }  // namespace throng::app

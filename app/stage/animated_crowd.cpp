@@ -57,7 +57,7 @@ anim::Status AnimatedCrowd::configure(const anim::SystemOptions& options) {
 
 anim::Status AnimatedCrowd::reorder_bones(std::size_t character, const ReorderedCharacter& reordered) {
   const auto number = static_cast<std::uint32_t>(character);
-  const anim::Status replaced = system_->characters().replace(number, reordered.character, reordered.places);
+  anim::Status replaced = system_->characters().replace(number, reordered.character, reordered.places);
   if (!replaced) return replaced;
   rigs_[character]->reorder_bones(reordered.places);
   ++number_;  // moments of it are of other blocks

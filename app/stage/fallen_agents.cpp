@@ -19,7 +19,7 @@ constexpr anim::Ticks most_unrest = 12 * anim::ticks_per_second;  // who never c
 anim::Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place) {
   if (!process_of(agent)) {
     const std::size_t index = system_->agent(agent).post_process_count();
-    const anim::Status added = system_->agent(agent).add_post_process(
+    anim::Status added = system_->agent(agent).add_post_process(
         std::make_unique<RagdollProcess>(*kinds_[system_->agent(agent).character_number()]));
     if (!added) return added;
     processes_.push_back({agent, index});

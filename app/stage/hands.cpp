@@ -116,7 +116,7 @@ void AnimatedCrowd::remember(StageMoment& into) const {
 
 anim::Status AnimatedCrowd::go_back_to(const StageMoment& moment) {
   if (moment.crowd_number != number_) return anim::Error{"that moment is of another crowd"};
-  if (const anim::Status restored = system_->restore(moment.system); !restored) return restored;
+  if (anim::Status restored = system_->restore(moment.system); !restored) return restored;
   crowd_->go_back_to(moment.crowd);
   if (cut_scene_ && moment.cut_scene) cut_scene_->go_back_to(*moment.cut_scene);
   *fallen_ = *moment.fallen;

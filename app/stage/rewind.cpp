@@ -20,7 +20,7 @@ anim::Status Rewind::go_back(Stage& stage) {
   if (moments_.empty() || moments_.back()->crowd_number != stage.animated().number()) {
     return anim::Error{"there is no earlier moment of this crowd to go back to"};
   }
-  if (const anim::Status gone = stage.go_back_to(*moments_.back()); !gone) return gone;
+  if (anim::Status gone = stage.go_back_to(*moments_.back()); !gone) return gone;
   moments_.pop_back();
   return anim::Done{};
 }

@@ -70,7 +70,7 @@ std::span<const CharacterSource> Stage::people() const {
 CharacterRoles Stage::common_roles() const { return app::common_roles(roles_of(characters_)); }
 
 anim::Status Stage::apply(const Tuning& tuning) {
-  if (const anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
+  if (anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
   const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;
   if (!moving_) lod_.make_all_due();  // nobody's turn comes while time stands still, but tuning shows at once
@@ -86,9 +86,9 @@ void Stage::set_roles(std::size_t character, const RoleClips& clips) {
 // Slots keep their sizes: a pose goes to the next larger one.
 anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
   CharacterSource& source = characters_[character];
-  if (const anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
+  if (anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
   const ReorderedCharacter reordered = in_order(source, choice);
-  if (const anim::Status replaced = animated_->reorder_bones(character, reordered); !replaced) return replaced;
+  if (anim::Status replaced = animated_->reorder_bones(character, reordered); !replaced) return replaced;
   anim::reorder_bones(source.model, choice);
   source.character = reordered.character;
   learn_level_of_detail();

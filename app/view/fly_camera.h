@@ -8,14 +8,14 @@
 
 namespace throng::app {
 
-/// Degrees of the command line to radians of the camera and back.
+/// Converts between the degrees of the command line and the radians of the camera.
 render::Camera camera_at(const CameraPlace& place);
 CameraPlace place_of(const render::Camera& camera);
 
-/// "--camera x,y,z,yaw,pitch,fov": what the command line takes to stand there again.
+/// Returns "--camera x,y,z,yaw,pitch,fov", the option that puts a camera at this place.
 std::string camera_option(const CameraPlace& place);
 
-/// What mouse and keyboard mean to the camera in a frame.
+/// Mouse and keyboard of a frame, as far as the camera may use them.
 struct FlyControls {
   bool pointer_free = true;   ///< the overlay does not use it
   bool keyboard_free = true;  ///< nobody types

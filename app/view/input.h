@@ -12,7 +12,7 @@ namespace throng::app {
 
 enum class MouseButton : std::uint8_t { left, right, middle, count };
 
-/// The keys that the demo and text editing know; all others reach the overlay as characters only.
+/// The keys that the demo and text fields use. All others reach the overlay as characters only.
 enum class Key : std::uint8_t {
   tab,
   left,
@@ -68,7 +68,7 @@ struct InputEvent {
   std::string path = {};                   ///< file: dropped on the window; those of one drop are pushed together
 };
 
-/// What a frame knows of mouse and keyboard.
+/// Mouse and keyboard in a frame.
 struct InputFrame {
   float pointer_x = -1, pointer_y = -1;  ///< pixels from the top left; negative: not over the window
   float moved_x = 0, moved_y = 0;        ///< pixels since the frame before
@@ -89,13 +89,13 @@ struct Clipboard {
   std::function<void(const std::string&)> set;
 };
 
-/// Turns events into frames so that nothing shorter than a frame is lost: a key or button changes at most once in a
-/// frame, and what happened after a second change waits for the next one.
+/// Turns events into frames so that nothing shorter than a frame is lost. A key or button changes at most once in a
+/// frame; a second change, and all events after it, wait for the next frame.
 class InputQueue {
  public:
   void push(const InputEvent& event) { events_.push_back(event); }
 
-  /// The state after the events of this frame; reading it starts the next frame.
+  /// Returns the state after the events of this frame, and starts the next frame.
   const InputFrame& next_frame();
 
  private:

@@ -15,11 +15,11 @@ struct NamedCamera {
   CameraPlace place;
 };
 
-/// The cameras of a scene, the default ("front") first: front, above, close, far. They follow the size of the crowd and
-/// of the character.
+/// Returns the cameras of a scene: front, which is the default, above, close, far. They depend on the size of the crowd
+/// and of the character.
 std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const CharacterRoles& roles);
 
-/// The camera called `name`, null where the scene has none; an empty name is the first.
+/// Returns the camera called `name`, or null where the scene has none. The empty name is the first camera's.
 const NamedCamera* find_camera(std::span<const NamedCamera> cameras, std::string_view name);
 
 }  // namespace throng::app

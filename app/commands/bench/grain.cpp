@@ -71,7 +71,7 @@ anim::Status sweep_crowds(const BenchOptions& options, const BenchCharacter& cha
 }
 
 int smallest_tile(const std::vector<Json>& tiles) {
-  double best = tiles.front()["ns_per_bone_median"].get<double>();
+  auto best = tiles.front()["ns_per_bone_median"].get<double>();
   for (const Json& row : tiles) best = std::min(best, row["ns_per_bone_median"].get<double>());
   for (const Json& row : tiles) {
     if (row["ns_per_bone_median"].get<double>() <= counts_as_slower * best) return row["tile"].get<int>();

@@ -63,6 +63,7 @@ std::vector<BenchCase> bench_cases(const BenchOptions& options) {
 std::vector<int> rounds_of_passes(int rounds, std::size_t cases) {
   const int passes = cases == 1 ? 1 : (rounds + rounds_of_a_pass - 1) / rounds_of_a_pass;
   std::vector<int> result;
+  result.reserve(static_cast<std::size_t>(passes));
   for (int pass = 0; pass < passes; ++pass) {
     result.push_back(rounds / passes + (pass < rounds % passes ? 1 : 0));
   }

@@ -35,7 +35,7 @@ anim::Status write_files(const LodOptions& options, const CharacterSource& sourc
     files.emplace_back(options.export_file, lod_as_json(source, levels, Tuning().lod, pixels_per_unit));
   }
   for (const auto& [file, text] : files) {
-    if (const anim::Status written = write_output(file, text); !written) return written;
+    if (anim::Status written = write_output(file, text); !written) return written;
   }
   return anim::Done{};
 }

@@ -55,7 +55,7 @@ std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLeve
 std::vector<std::string> remarks_on(const CharacterSource& source, std::span<const LodLevel> levels) {
   std::vector<std::string> remarks;
   if (levels.size() == 1) {
-    remarks.push_back("Per-bone level of detail does not pay: no order of these bones has a level worth a switch.");
+    remarks.emplace_back("Per-bone level of detail does not pay: no order of these bones has a level worth a switch.");
   }
   const std::vector<bool> pays = levels_that_pay(levels, source.character->bounds.height);
   std::size_t last = 0;
@@ -72,7 +72,8 @@ std::vector<std::string> remarks_on(const CharacterSource& source, std::span<con
                   pixels_tall_for_one_pixel(levels[i], source.character->bounds.height));
     remarks.emplace_back(text);
   }
-  if (source.model.clips.empty()) remarks.push_back("The model has no clips, so nothing shows what its bones are for.");
+  if (source.model.clips.empty())
+    remarks.emplace_back("The model has no clips, so nothing shows what its bones are for.");
   return remarks;
 }
 

@@ -15,8 +15,8 @@ glm::dmat4 to_matrix(const anim::PaletteMatrix& entry) {
 
 /// The state of one bone of a pose [packet][components][16].
 anim::StateTransform state_of_bone(std::span<const float> pose, int components, int bone) {
-  const std::size_t packet = static_cast<std::size_t>(bone / anim::packet_bones);
-  const std::size_t lane = static_cast<std::size_t>(bone % anim::packet_bones);
+  const auto packet = static_cast<std::size_t>(bone / anim::packet_bones);
+  const auto lane = static_cast<std::size_t>(bone % anim::packet_bones);
   const auto value = [&](int component) {
     const std::size_t row = packet * static_cast<std::size_t>(components) + static_cast<std::size_t>(component);
     return static_cast<double>(pose[row * anim::packet_bones + lane]);

@@ -1,6 +1,7 @@
 #include "engine/anim/agent/fitted_scheduler.h"
 
 #include <algorithm>
+#include <string>
 
 #include "engine/anim/run/store/store_choice.h"
 
@@ -43,6 +44,9 @@ LocalStoreDemand FittedScheduler::demand(const Population& population, const Sys
 }
 
 Status FittedScheduler::configure(Population& population, const SystemOptions& options) {
+  if (options.pus < 1 || options.pus > max_pus) {
+    return Error{std::to_string(options.pus) + " PUs: give 1 to " + std::to_string(max_pus)};
+  }
   convert(population, options);
   refresh_contexts(population);
   const LocalStoreDemand needs = demand(population, options);

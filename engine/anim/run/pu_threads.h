@@ -9,8 +9,8 @@
 
 namespace throng::anim {
 
-/// One thread a PU; the calling thread is PU 0, the others are parked between jobs. No thread is created per frame.
-/// Where there is a core for each, who waits does so awake for as long as it would take to be woken, and then sleeps.
+/// Runs each PU on a thread. The calling thread is PU 0; the others are created once and wait between jobs.
+/// Where the machine has a core for each, a thread that waits spins for about as long as a wake-up takes, then sleeps.
 class PuThreads final : public Executor {
  public:
   explicit PuThreads(int pus);
@@ -18,7 +18,7 @@ class PuThreads final : public Executor {
   PuThreads(const PuThreads&) = delete;
   PuThreads& operator=(const PuThreads&) = delete;
 
-  /// `count` is at most the number of PUs; job i runs on PU i.
+  /// Runs job i on PU i. `count` is at most the number of PUs.
   void run(int count, Job job) override;
 
  private:

@@ -6,11 +6,12 @@
 
 namespace throng::anim {
 
-/// The PUs as jobs of oneTBB (target throng::anim_tbb). The arena is the host's: it says how many threads take part,
-/// and it outlives this, which outlives every system that was given it. One frame at a time runs in one executor.
-///
-/// Jobs do not wait for each other, so an arena of fewer threads than PUs is slower and no less right. While it waits,
-/// the calling thread takes no other work of the arena: nothing of the host's runs inside an update.
+/// Runs the PUs as jobs of oneTBB (target throng::anim_tbb), in an arena of the host.
+/// The arena decides how many threads take part. An arena of fewer threads than PUs is slower, and the poses are the
+/// same, because jobs do not wait for each other.
+/// The arena outlives the executor, and the executor outlives every system that uses it.
+/// An executor runs one frame at a time.
+/// The calling thread takes no other work of the arena while it waits, so no work of the host runs inside an update.
 class TbbExecutor final : public Executor {
  public:
   explicit TbbExecutor(tbb::task_arena& arena) : arena_(arena) {}

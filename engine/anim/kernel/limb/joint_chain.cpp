@@ -64,8 +64,4 @@ void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMo
   }
 }
 
-glm::quat parent_rotation(std::span<const JointMotion> motions, int joint) {
-  return joint == 0 ? JointMotion{}.rotation : motions[static_cast<std::size_t>(joint) - 1].rotation;
-}
-
 }  // namespace throng::anim

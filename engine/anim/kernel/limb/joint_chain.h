@@ -66,7 +66,4 @@ inline bool is_within(const JointChain& chain, const PoseView& pose) { return ch
 ///     M = M_p * q',   X = X_p + M_p * (offset + d)
 void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMotion> motions, int first = 0);
 
-/// Rotation of a joint's parent in model space; the identity for the root.
-glm::quat parent_rotation(std::span<const JointMotion> motions, int joint);
-
 }  // namespace throng::anim

@@ -8,6 +8,7 @@
 
 #include "engine/anim/kernel/lanes/rotations.h"
 #include "tests/anim/kernel/limb/foot_lock_reference.h"
+#include "tests/anim/kernel/limb/parent_rotation.h"
 #include "tests/anim/kernel/limb/two_bone_ik_reference.h"
 
 namespace throng::anim {

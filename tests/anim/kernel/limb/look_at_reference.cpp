@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "engine/anim/kernel/lanes/rotations.h"
+#include "tests/anim/kernel/limb/parent_rotation.h"
 
 namespace throng::anim {
 namespace {

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "engine/anim/kernel/lanes/rotations.h"
+#include "tests/anim/kernel/limb/parent_rotation.h"
 
 namespace throng::anim {
 

@@ -118,17 +118,17 @@ BoneLodChoice present_bone_lod(std::size_t bones, std::vector<int> level_counts)
 BoneLodChoice with_bone_moved(std::span<const int> parents, BoneLodChoice choice, std::size_t from, std::size_t to) {
   std::vector<int>& bones = choice.bones;
   const int moved = bones[from];
-  const auto is_above = [&](int above, int below) {
-    for (int bone = below; bone >= 0; bone = parents[static_cast<std::size_t>(bone)]) {
-      if (bone == above) return true;
+  const auto is_above = [&](int upper, int lower) {
+    for (int bone = lower; bone >= 0; bone = parents[static_cast<std::size_t>(bone)]) {
+      if (bone == upper) return true;
     }
     return false;
   };
   const auto at = [&](std::size_t place) { return bones.begin() + static_cast<std::ptrdiff_t>(place); };
   if (to < from) {
-    std::stable_partition(at(to), at(from) + 1, [&](int bone) { return is_above(bone, moved); });
+    std::stable_partition(at(to), at(from) + 1, [&](int each) { return is_above(each, moved); });
   } else {
-    std::stable_partition(at(from), at(to) + 1, [&](int bone) { return !is_above(moved, bone); });
+    std::stable_partition(at(from), at(to) + 1, [&](int each) { return !is_above(moved, each); });
   }
   return choice;
 }

@@ -59,10 +59,8 @@ OptionReader::OptionReader(const std::string& command, const std::string& descri
 }
 
 CLI::Option* OptionReader::value(const std::string& name, const std::string& hint, const std::string& description,
-                                 ValueReader reader) {
-  return add_option(name, description)
-      ->option_text(hint.empty() ? "" : " " + hint)
-      ->each(taken_by(std::move(reader), name, " "));
+                                 const ValueReader& reader) {
+  return add_option(name, description)->option_text(hint.empty() ? "" : " " + hint)->each(taken_by(reader, name, " "));
 }
 
 CLI::Option* OptionReader::model(std::string& target, const std::string& description) {

@@ -19,7 +19,7 @@ class OptionReader : public CLI::App {
   OptionReader(const std::string& command, const std::string& description);
 
   CLI::Option* value(const std::string& name, const std::string& hint, const std::string& description,
-                     ValueReader reader);
+                     const ValueReader& reader);
   CLI::Option* model(std::string& target, const std::string& description);
 
   /// Takes no value.

@@ -142,7 +142,8 @@ void Scheduler::run_palettes(std::span<const UpdateContext> contexts, std::span<
                              double nanoseconds, Executor& executor) {
   cut_shares(
       static_cast<int>(cut_.tiles.size()),
-      [this](int tile) { return double{cut_.tiles[static_cast<std::size_t>(tile)].cost}; }, shares_for(nanoseconds));
+      [this](int tile) { return static_cast<double>(cut_.tiles[static_cast<std::size_t>(tile)].cost); },
+      shares_for(nanoseconds));
   const double task_ns = options_.cost.tile_packet;
   on_units(executor, [&](ProcessingUnit& unit, TaskQueue::Taker queue) {
     PaletteTasks tasks(contexts, work, cut_.tiles, queue, unit.store(),

@@ -238,8 +238,7 @@ std::vector<std::uint32_t> SurfaceSimplifier::neighbours(std::uint32_t point) co
     for (const std::uint32_t vertex : triangles_[triangle]) found.push_back(point_of_vertex_[vertex]);
   }
   std::ranges::sort(found);
-  const auto duplicates = std::ranges::unique(found);
-  found.erase(duplicates.begin(), duplicates.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   std::erase(found, point);
   return found;
 }

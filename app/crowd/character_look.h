@@ -8,7 +8,8 @@
 
 namespace throng::app {
 
-/// One colour a tint region (skin, hair, shirt, trousers, shoes): RGBA8, sRGB, red in the lowest byte, alpha 255.
+/// The colours of the tint regions (skin, hair, shirt, trousers, shoes): RGBA8, sRGB, red in the lowest byte, alpha
+/// 255.
 using Tints = std::array<std::uint32_t, render::tint_regions>;
 
 /// Draws the clothes, hair and skin of one person: muted colours for most, an accent here and there.

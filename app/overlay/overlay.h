@@ -22,7 +22,7 @@ namespace throng::app {
 ///   | frame graph                    |           |
 ///   +--------------------------------+-----------+
 ///
-/// In each frame, on the thread of the window: begin_frame, build, and then draw draw_data(). build also does what the
+/// The window's thread calls begin_frame and build in each frame, and then draws draw_data(). build also does what the
 /// hotkeys ask for. app/demo/window_loop.cpp is the loop.
 ///
 /// It owns the ImGui context and makes it current, so there is one overlay at a time.

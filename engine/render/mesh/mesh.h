@@ -23,7 +23,7 @@ struct CrowdMaterial {
 /// LODs and materials.
 class CrowdMesh {
  public:
-  /// Fails where an image is larger than the device takes.
+  /// Makes a mesh on the device. Errors: an image is larger than the device takes.
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
   std::size_t lod_count() const { return surface_.runs_by_lod.size(); }

@@ -13,7 +13,7 @@ struct ImageDifference {
   Image picture;  ///< the absolute difference, eight times as bright
 };
 
-/// Fails when the sizes differ.
+/// Measures the difference. Errors: the sizes differ.
 Result<ImageDifference> compare(const Image& expected, const Image& actual);
 
 }  // namespace throng::render::test

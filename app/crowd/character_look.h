@@ -21,11 +21,11 @@ struct Variant {
   float build = 0.0F;     ///< slim to stout
   float frame = 0.0F;     ///< broad hips to broad shoulders
   float posture = 0.0F;   ///< upright to stooped
-  float fullness = 0.0F;  ///< of the hair: cropped to full
-  float length = 0.0F;    ///< of the hair: short to long
+  float fullness = 0.0F;  ///< cropped hair to full hair
+  float length = 0.0F;    ///< short hair to long hair
 
-  std::uint32_t shape() const;  ///< as InstanceRecord has it
-  std::uint32_t hair() const;
+  std::uint32_t shape() const;  ///< InstanceRecord::shape
+  std::uint32_t hair() const;   ///< InstanceRecord::hair
 
   friend bool operator==(const Variant&, const Variant&) = default;
 };

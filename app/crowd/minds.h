@@ -70,7 +70,7 @@ class CrowdMinds {
     anim::Ticks at;
     Role role;
     int clip;
-    bool seated;  ///< whether that clip sits down
+    bool seated;  ///< true if that clip sits down
   };
 
   const CrowdCast* cast_;

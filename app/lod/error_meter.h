@@ -20,8 +20,8 @@ struct MeasuredFrame {
   const Crowd& crowd;
   const ShownPoses& shown;
   render::CameraView view;
-  glm::vec2 size{0.0F};   ///< of the picture, pixels
-  std::uint32_t now = 0;  ///< of the shader's clock
+  glm::vec2 size{0.0F};   ///< size of the picture, pixels
+  std::uint32_t now = 0;  ///< time of the shader's clock
   std::uint64_t number = 0;
 };
 

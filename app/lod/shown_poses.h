@@ -40,7 +40,7 @@ enum class Poses : std::uint8_t { shown, exact };
 struct NewPose {
   std::uint32_t agent;
   std::uint8_t level;     ///< bone level
-  std::uint32_t entries;  ///< of the palette at that level
+  std::uint32_t entries;  ///< entries of the palette at that level
   std::uint32_t time;     ///< the moment that it is the pose of; microseconds modulo 2^32
   anim::PaletteFormat format = anim::PaletteFormat::matrices;
 };

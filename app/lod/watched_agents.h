@@ -28,8 +28,8 @@ struct WatchedAgent {
   bool from_known = false;
   bool to_known = false;
   render::PaletteSlot to_slot;
-  std::byte* slot_memory = nullptr;  ///< where `to` goes after the update; null: it is there
-  std::uint32_t entries = 0;         ///< how many entries are written to `to`
+  std::byte* slot_memory = nullptr;  ///< the slot to which `to` goes after the update; null: it is there
+  std::uint32_t entries = 0;         ///< the number of entries that are written to `to`
   anim::SurfaceErrors errors;        ///< the errors in the frame `measured_in`
   std::uint64_t measured_in = never;
   std::uint64_t measured_again_in = never;  ///< the second of a pair of frames

@@ -91,7 +91,7 @@ struct FrameReport {
   CameraPlace camera;
   std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
   int snapshots = 0;                        ///< number of snapshots that the crowd can be taken back to
-  float snapshot_seconds = 0;               ///< how far back the newest of them is
+  float snapshot_seconds = 0;               ///< seconds back to the newest of them
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
 };
 

@@ -42,7 +42,7 @@ struct EntityRow {
 /// A channel of an agent with its entities, or an entity that changes the pose of all channels.
 struct LayerRow {
   std::string name;
-  float weight = 1;        ///< how much it counts against the layers below, 0 to 1
+  float weight = 1;        ///< its weight against the layers below, 0 to 1
   bool is_masked = false;  ///< it changes some bones only
   bool is_channel = true;
   std::vector<std::size_t> entities;  ///< places in SelectionReport::entities, readers after what they read

@@ -90,7 +90,7 @@ inline void set_local_store_kib(Tuning& tuning, int kib) {
   tuning.system.local_store_bytes = static_cast<std::size_t>(kib) * bytes_a_kib;
 }
 
-/// The tuning with which `--lod off` shows the same crowd: everyone is posed in full in every frame.
+/// Returns the tuning with which `--lod off` shows the same crowd: everyone is posed in full in every frame.
 inline Tuning without_level_of_detail(Tuning tuning) {
   tuning.lod.rule = anim::LodRule::off;
   tuning.lod.bone_lod = false;

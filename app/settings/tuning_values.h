@@ -28,7 +28,7 @@ struct TuningValue {
 
   std::string_view key = {};      ///< the key in JSON and of `--set`
   std::string_view group = {};    ///< the heading above the option in the help
-  std::string_view option = {};   ///< as the help has it, "--agents N"; empty: the command line has none
+  std::string_view option = {};   ///< the option in the help, "--agents N"; empty: the command line has none
   std::string_view help = {};     ///< {values} and {default} stand for what is allowed and the default
   double least = 0, most = 0;     ///< the range of a number
   std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take

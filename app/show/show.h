@@ -58,7 +58,7 @@ class Show {
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
   /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.
   anim::Status start_recording(const std::filesystem::path& file);
-  /// Errors: the file could not be written; none where nothing is recorded.
+  /// Ends the recording, if there is one. Errors: the file could not be written.
   anim::Status stop_recording() { return recorder_.stop(); }
   bool is_recording() const { return recorder_.is_recording(); }
 

@@ -17,7 +17,7 @@ namespace throng::app::test {
 /// do not show in it.
 struct PoseMoment {
   anim::Ticks evaluated = 0;
-  anim::Ticks time = 0;  ///< from `evaluated` on
+  anim::Ticks time = 0;  ///< `evaluated` or later
   /// The coarser level on the way. The bones that it lacks have come `faded`, 0 to 1, towards their rest.
   std::size_t fade_level = 0;
   double faded = 0.0;

@@ -21,7 +21,7 @@ struct Machine {
   double dma_gigabytes_per_second = 1;                       ///< the rate of one PU
   int dma_transfers_in_flight = 1;                           ///< the number of transfers whose latencies overlap
   std::optional<double> compute_ns_per_bone = std::nullopt;  ///< nothing: compute_times says how fast the PUs are
-  double compute_times = 1;  ///< how many times as long computing takes as on the PU that was recorded
+  double compute_times = 1;  ///< the factor by which computing takes longer than on the PU that was recorded
   std::string notes = {};
 };
 

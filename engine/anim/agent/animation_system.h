@@ -22,7 +22,7 @@ class SystemSnapshot;
 ///     characters()      what agents are, and what they share; to be told at load time
 ///     agent(number)     one agent: takes requests, and tells how it moves
 ///     figures()         what updates did, and what they took
-/// After the requests comes a frame:
+/// A frame comes after the requests:
 ///     advance(dt)       moves the clock of every agent, updated or not
 ///     update(agents)    poses those that level of detail chose, on all PUs; returns when they are done
 class AnimationSystem {

@@ -26,7 +26,7 @@ struct TwoBoneIkJob;
 
 /// The kernels of one SIMD target.
 struct Kernels {
-  const char* target;  ///< as Highway names it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
+  const char* target;  ///< Highway's name of it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
   bool fused_multiply_add;
   void (*sample)(const SampleJob& job);
   void (*pose_clips)(const PoseClipsJob& job);

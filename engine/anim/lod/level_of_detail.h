@@ -27,8 +27,8 @@ struct LodCrowd {
   std::span<const glm::vec3> positions;  ///< metres, world space, between the feet
   std::span<const float> scales;
   std::span<const std::uint8_t> character_of = {};  ///< index into the characters; empty: every agent is the first
-  std::span<const int> clips = {};                  ///< of the agent's character; below 0: stands still; empty: all 0
-  std::span<const std::uint8_t> left_out = {};      ///< 1: update_also() alone poses it; empty: no agent
+  std::span<const int> clips = {};              ///< index of the character's clips; below 0: stands still; empty: all 0
+  std::span<const std::uint8_t> left_out = {};  ///< 1: update_also() alone poses it; empty: no agent
 };
 
 /// The request of a program for one frame.
@@ -96,9 +96,8 @@ class LevelOfDetail {
   void settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels = {});
 
   const LodSelection& selection() const { return selection_; }
-  bool is_visible(std::uint32_t agent) const {
-    return state_.frames_seen[agent] > 0;
-  }  ///< in the last selection, until make_all_due()
+  /// Returns whether the agent was in view in the last selection. The answer holds until make_all_due().
+  bool is_visible(std::uint32_t agent) const { return state_.frames_seen[agent] > 0; }
   bool is_shown(std::uint32_t agent) const { return shown_in_[agent] == frame_; }  ///< it has a palette
   /// Returns what was decided at its last update; bone_step() says how far it has come.
   LodChoice choice(std::uint32_t agent) const { return {state_.interval[agent], state_.bone_level[agent]}; }

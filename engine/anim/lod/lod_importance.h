@@ -21,8 +21,8 @@ class LodImportance {
   /// Finds the importance of all agents. Call it once a frame.
   void weigh(Ticks now, std::optional<std::uint32_t> selected);
 
-  std::span<const float> of_agents() const { return importance_; }      ///< as LodFrame::importance
-  std::span<const std::uint8_t> changing() const { return changing_; }  ///< as LodFrame::changing
+  std::span<const float> of_agents() const { return importance_; }      ///< LodFrame::importance
+  std::span<const std::uint8_t> changing() const { return changing_; }  ///< LodFrame::changing
 
  private:
   std::vector<float> importance_;       // [agent]

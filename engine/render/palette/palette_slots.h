@@ -96,7 +96,7 @@ class PaletteSlots {
   PaletteSlot take(std::uint32_t page, std::uint32_t lines);
 
   PalettePageSource* source_;
-  std::vector<std::uint32_t> sizes_;  ///< in lines, each once, descending
+  std::vector<std::uint32_t> sizes_;  ///< lines of a slot, each size once, descending
   std::vector<Page> pages_;
   std::vector<Retired> retired_;
   std::size_t in_use_ = 0;

@@ -18,8 +18,9 @@ Model general_model(int bones);
 /// keys at uneven times in `seconds`, none at the clip's ends.
 Clip wild_clip(const Skeleton& skeleton, Interpolation interpolation, double seconds, unsigned seed);
 
-/// These two functions return one bone, bound at the origin, and a clip of it that has only the given tracks.
+/// Returns a model of one bone, bound at the origin.
 Model one_bone_model();
+/// Returns a clip of that bone, which has the given tracks.
 Clip one_bone_clip(const BoneTracks& tracks, double seconds);
 
 /// Returns keys of a function of time at first + n / rate seconds, n from 0 to `steps`.

@@ -30,7 +30,7 @@ struct alignas(16) FootLock {
 
   bool locked() const { return (flags & is_locked) != 0; }
 };
-inline constexpr int foot_lock_rows = 4;  ///< of four floats
+inline constexpr int foot_lock_rows = 4;  ///< rows of four floats
 static_assert(sizeof(FootLock) == 64 && offsetof(FootLock, normal) == 16 && offsetof(FootLock, offset) == 32);
 static_assert(offsetof(FootLock, last_ball) == 48 && offsetof(FootLock, flags) == 60);
 static_assert(std::is_trivially_copyable_v<FootLock>);

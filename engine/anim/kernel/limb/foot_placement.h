@@ -72,9 +72,9 @@ struct FootPlacementOptions {
 ///      0                      28        32        72         80
 ///     [ model in world       | started | options | drop     ]
 struct alignas(16) PlacedBody {
-  JointMotion model_in_world{};    ///< to be set by its owner; turned about the vertical only
+  JointMotion model_in_world{};    ///< its owner sets it; turned about the vertical only
   bool started = false;            ///< was updated
-  FootPlacementOptions options{};  ///< to be set by its owner
+  FootPlacementOptions options{};  ///< its owner sets them
   DampedValue drop{};              ///< metres that the pelvis is to be lowered, of the last update
 };
 inline constexpr int placed_body_rows = 5;
@@ -88,10 +88,10 @@ static_assert(std::is_trivially_copyable_v<PlacedBody>);
 ///      0        24        28          32     96      112
 ///     [ ground | planted | missed_by | lock | ankle ]
 struct alignas(16) PlacedFoot {
-  // To be set by its owner.
+  // The owner sets these two.
   Footing ground{};                 ///< the plane to stand on, world space; too steep or broken, it counts as flat
   float planted = planted_by_pose;  ///< 0 (in the air) to 1 (on the ground), or planted_by_pose
-  // Of the last update.
+  // These are results of the last update.
   float missed_by = 0.0F;  ///< metres that the ankle is from where it should be
   FootLock lock{};
   glm::vec3 ankle{0.0F};  ///< model space, before it was placed: where to look for the ground

@@ -30,7 +30,7 @@ struct LookAtRig {
   std::array<std::int16_t, max_look_joints> joints{};  ///< indices into the chain, ascending; the last is the tip
   std::array<float, max_look_joints> turned{};  ///< share of the turn that this joint and those above it have made,
                                                 ///< 0 to 1; the last is 1
-  glm::vec3 forward{0.0F, 0.0F, 1.0F};          ///< where the head faces in the bind pose, unit, level
+  glm::vec3 forward{0.0F, 0.0F, 1.0F};          ///< direction that the head faces in the bind pose, unit, level
   glm::vec3 eyes{0.0F};                         ///< metres from the head joint, bind pose
 };
 static_assert(std::is_trivially_copyable_v<LookAtRig>);

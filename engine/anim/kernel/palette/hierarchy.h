@@ -28,7 +28,7 @@ struct HierarchyProgram {
   std::vector<HierarchyStep> steps;      ///< one a bone
   std::vector<float> to_model_origin;    ///< rigid: x, y, z from the bone's origin to the model's, a bone
   std::vector<float> offsets;            ///< rigid: x, y, z from the parent's origin to the bone's, a bone
-  float joint_step = 0;                  ///< of packed palettes, see PackingFrame; 0 where they cannot be packed
+  float joint_step = 0;                  ///< step of packed palettes, see PackingFrame; 0 if they cannot be packed
   std::vector<float> prefixes;           ///< general: 3x4 row-major a bone, only where has_prefix
   std::vector<std::uint8_t> has_prefix;  ///< general: one a bone
   std::vector<float> posts;              ///< general: 3x4 row-major a palette entry

@@ -12,46 +12,47 @@
 
 namespace throng::app {
 
-/// Another order of a character's bones, and where its levels end: `bones` are indices as the character has them now,
-/// `level_counts` as in Skeleton::level_bone_counts.
+/// Another order of a character's bones, and the ends of its levels. `bones` are indices as the character has them now;
+/// `level_counts` are those of Skeleton::level_bone_counts.
 using BoneLodChoice = anim::BoneOrder;
 
-/// What files call the bones: by name, and by name#node where several have the same or none; node is the index of the
-/// glTF node.
+/// Returns the names that files use for the bones: the bone's own name, or name#node where several have the same or
+/// none. `node` is the index of the glTF node.
 std::vector<std::string> bone_keys(const anim::Skeleton& skeleton);
 
-/// The indices of bones by their keys. The error names the first that the skeleton does not have.
+/// Returns the indices of bones by their keys. Errors: the skeleton does not have a key; the error names the first.
 anim::Result<std::vector<int>> bones_named(std::span<const std::string> keys, const anim::Skeleton& skeleton);
 
-/// Errors name the first bone or level that cannot be: every bone once, each after its parent; 1 to
-/// anim::max_bone_levels levels, the first with all bones, each further one with fewer, none empty.
+/// Checks that every bone comes once and after its parent, and that there are 1 to anim::max_bone_levels levels: the
+/// first with all bones, each further one with fewer, none empty. Errors name the first bone or level that breaks this.
 anim::Status check_bone_lod(const anim::Skeleton& skeleton, const BoneLodChoice& choice);
 
-/// The order as it is, of a character with so many bones.
+/// Returns the present order of a character with so many bones.
 BoneLodChoice present_bone_lod(std::size_t bones, std::vector<int> level_counts);
 
-/// `choice` with one bone moved to another place: up, and the ancestors that it passes come along before it; down, and
-/// what hangs on it and is passed goes along behind it. So a valid choice stays one. Levels end where they did.
-/// `parents`: of each bone of the skeleton, or -1.
+/// Returns `choice` with one bone moved to another place. If it moves up, the ancestors that it passes come along
+/// before it; if it moves down, the descendants that it passes go along behind it. So a valid choice stays valid.
+/// Levels end where they did. `parents` has the parent of each bone of the skeleton, or -1.
 BoneLodChoice with_bone_moved(std::span<const int> parents, BoneLodChoice choice, std::size_t from, std::size_t to);
 
-/// Nanoseconds that a bone adds to the update of an agent that plays one clip in a full tile, by the cost model; bones
-/// are paid for in packets of 16.
+/// Returns the nanoseconds that a bone adds to the update of an agent that plays one clip in a full tile, by the cost
+/// model. Bones are paid for in packets of 16.
 double nanoseconds_a_bone();
-/// Nanoseconds of the whole update of such an agent at a level.
+/// Returns the nanoseconds of the whole update of such an agent at a level.
 double nanoseconds_at_level(const anim::Skeleton& skeleton, std::size_t level);
 
-/// MODEL.lod.json: the bones in order and how many each level keeps, as a person chose them.
+/// The file MODEL.lod.json: the bones in order and how many each level keeps, as a person chose them.
 ///     {"version": 1, "bones": ["pelvis", "spine", ...], "level_counts": [62, 32, 22, 14]}
-/// Lies where the table of roles does (kept_file.h).
+/// It lies where the table of roles does (kept_file.h).
 class BoneLodFile {
  public:
-  /// `model`: its file; empty for the built-in character.
+  /// `model` is the file of the model; empty for the built-in character.
   explicit BoneLodFile(const std::filesystem::path& model);
 
-  /// Empty if there is no file. The error names the file, what is wrong in it and what to do.
+  /// Returns the choice in the file; nothing if there is no file. The error names the file, what is wrong in it and
+  /// what to do.
   anim::Result<std::optional<BoneLodChoice>> read(const anim::Skeleton& skeleton) const;
-  /// Written whole or not at all. Where it lies, to tell people.
+  /// Writes the file whole or not at all. Returns its path, to tell people.
   anim::Result<std::filesystem::path> write(const anim::Skeleton& skeleton) const;
 
  private:

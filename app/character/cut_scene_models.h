@@ -16,17 +16,17 @@ inline constexpr double cut_scene_seconds = 14.0;
 inline constexpr double walk_on_seconds = 4.0;  ///< the actor comes to the scene's origin, along +Z
 inline constexpr double release_seconds = 4.6;  ///< it lets the balloon go
 
-/// The balloon's clips: in the hand of an actor at the origin, and up from there.
+/// The clips of the balloon: in the hand of an actor at the origin, and up from there.
 enum BalloonClip : int { carried, rise };
 
-/// A balloon on a string; its bone is at the string's end.
+/// Returns a balloon on a string. Its bone is at the string's end.
 CharacterSource balloon(double size);
 
-/// Metres from the scene's origin, `seconds` after the release.
+/// Returns the place of the balloon, `seconds` after the release, in metres from the scene's origin.
 glm::dvec3 balloon_place(double seconds, double size);
 
-/// A bone that looks along -Z, and one clip: before the actor while it comes, then up after the balloon, then down on
-/// the crowd.
+/// Returns the camera: a bone that looks along -Z, and one clip. It films the actor from the front while it comes, then
+/// looks up after the balloon, then down on the crowd.
 std::shared_ptr<const anim::Character> film_camera(double size);
 
 }  // namespace throng::app

@@ -11,23 +11,23 @@
 
 namespace throng::app {
 
-/// Puts `choices` over `clips`. On error, which names the role, the clip and the names that come nearest, nothing has
+/// Puts `choices` over `clips`. Errors name the role, the clip and the names that come nearest; then nothing has
 /// changed.
 anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const std::string> clip_names,
                           RoleClips& clips);
 
-/// Every role with the name of its clip, or "none".
+/// Returns every role with the name of its clip, or "none".
 std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names);
 
-/// MODEL.throng.json, in which a person says which clip of a model plays which role.
+/// The file MODEL.throng.json, in which a person says which clip of a model plays which role.
 ///     {"version": 1, "clips": {"walk": "Walking_A", "cheer": "none"}}
 /// Roles that are not in it keep what the names suggest.
 class RoleFile {
  public:
-  /// `model`: its file; empty for the built-in character.
+  /// `model` is the file of the model; empty for the built-in character.
   explicit RoleFile(const std::filesystem::path& model);
 
-  /// Empty if there is no file. The error names the file and what is wrong in it.
+  /// Returns the choices in the file; none if there is no file. The error names the file and what is wrong in it.
   anim::Result<std::vector<RoleChoice>> read() const;
   /// Writes the file whole or not at all, and returns its path.
   anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;

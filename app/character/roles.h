@@ -46,31 +46,32 @@ struct Passage {
   double seconds = 0.0;
 };
 
-inline constexpr double person_height = 1.8;  ///< metres: what every distance of a scene is meant for
+inline constexpr double person_height = 1.8;  ///< metres; every distance of a scene is meant for this height
 
-/// Which clips of a character the crowd plays for what, and the body that it needs room for.
+/// The clips of a character that the crowd plays for each role, and the body that it needs room for.
 struct CharacterRoles {
   RoleClips clips = no_clips();
-  std::vector<int> others;        ///< what agents play in place, in turns, where there is no clip to stand with
+  std::vector<int> others;        ///< clips that agents play in place, in turns, where there is no clip to stand with
   Passage sit_down, stand_up;     ///< into `sit` and out of it
   double walk_speed = 0.0;        ///< metres a second of the walk clip itself, at scale 1; 0: nobody walks
-  double jog_speed = 0.0;         ///< the same of the jog; 0: those who would jog walk
-  double run_speed = 0.0;         ///< the same of the run; 0: those who would run jog or walk
-  double walk_seconds = 1.0;      ///< of the walk clip: one left and one right step
+  double jog_speed = 0.0;         ///< the same for the jog; 0: agents that would jog walk
+  double run_speed = 0.0;         ///< the same for the run; 0: agents that would run jog or walk
+  double walk_seconds = 1.0;      ///< length of the walk clip: one left and one right step
   double height = person_height;  ///< metres
-  double radius = 0.3;            ///< metres, of the body seen from above, arms down
+  double radius = 0.3;            ///< metres; radius of the body seen from above, arms down
   bool is_prop = false;           ///< a thing: it stands only where a scene asks for one
 
   int clip(Role role) const { return role == Role::other ? no_clip : clips[index_of(role)]; }
-  /// Its height over that of a person.
+  /// Returns the character's height over that of a person.
   double size() const { return height / person_height; }
-  /// How much more room it needs than a person 1.8 metres tall; every distance of a scene is multiplied by it.
+  /// Returns how much more room the character needs than a person 1.8 metres tall. Every distance of a scene is
+  /// multiplied by it.
   double spacing() const { return std::max(size(), radius / 0.5); }
   bool can_walk() const { return clip(Role::walk) != no_clip && walk_speed > 0.0; }
-  /// Metres a second of a gait's clip at scale 1; 0 if there is no such clip, or it stays in place.
+  /// Returns the metres a second of a gait's clip at scale 1; 0 if there is no such clip, or it stays in place.
   double ground_speed(Role gait) const;
-  /// The role that is played for `role`: itself, else the nearest one (run, jog, walk; sit or look_around, stand);
-  /// nothing if that has no clip either.
+  /// Returns the role that is played for `role`: itself, else the nearest one (run, jog, walk; sit or look_around,
+  /// stand); nothing if that has no clip either.
   std::optional<Role> playable(Role role) const;
 };
 

@@ -14,11 +14,11 @@
 
 namespace throng::app {
 
-/// A character as the demo needs it: what import found, its baked clips, and which clip is played for what.
+/// A character as the demo needs it: the imported model, its baked clips, and the clip that is played for each role.
 struct CharacterSource {
   std::string name;   ///< shown to people
-  std::string file;   ///< that it is from; empty: the built-in character
-  anim::Model model;  ///< keeps the surface that drawing reads; of its clips only what anim::reorder_character reads
+  std::string file;   ///< the file that it is from; empty: the built-in character
+  anim::Model model;  ///< has the surface that drawing reads, and the parts of clips that anim::reorder_character reads
   std::shared_ptr<const anim::Character> character;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
@@ -29,7 +29,7 @@ struct CharacterSource {
   bool has_surface() const { return !model.meshes.empty(); }
 };
 
-/// Imports and bakes the largest model of `path`; `kept`: the order of its bones that a person chose, if any.
+/// Imports and bakes the largest model of `path`. `kept` has the order of its bones that a person chose, if any.
 anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
                                              const BoneLodFile* kept = nullptr);
 
@@ -38,19 +38,20 @@ struct ReorderedCharacter {
   std::shared_ptr<const anim::Character> character;
   std::vector<int> places;
 };
-/// Reorders `source` as check_bone_lod() let pass, without baking its clips again; `source` itself is as it was.
+/// Returns `source` in an order that check_bone_lod() let pass, without baking its clips again. `source` stays as it
+/// was.
 ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice);
 
-/// Brings a character that is on no stage into such an order.
+/// Brings a character that is on no stage into an order that check_bone_lod() let pass.
 void take_order(CharacterSource& source, const BoneLodChoice& choice);
 
 /// Plays `clips` for the roles, and measures how far the gaits among them get.
 void assign_roles(CharacterSource& source, const RoleClips& clips);
 
-/// For each bone level and palette entry, the entry that a mesh reads at that level.
+/// Returns, for each bone level and palette entry, the entry that a mesh reads at that level.
 std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton);
 
-/// The surface as drawing takes it; spans point into `source.model`, which must outlive the call that uses them.
+/// Returns the surface as drawing takes it. Its spans point into `model`, which must outlive the call that uses them.
 render::CrowdMeshData mesh_data(const anim::Model& model);
 
 }  // namespace throng::app

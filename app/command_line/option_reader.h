@@ -22,24 +22,25 @@ class OptionReader : public CLI::App {
                      const ValueReader& reader);
   CLI::Option* model(std::string& target, const std::string& description);
 
-  /// Takes no value.
+  /// Adds an option without a value, which sets `target`.
   CLI::Option* flag(const std::string& name, bool& target, const std::string& description);
 
-  /// Takes a value only after `=`; without one, `reader` gets `unsaid`.
+  /// Adds an option that takes a value only after `=`; without one, `reader` gets `unsaid`.
   CLI::Option* optional_value(const std::string& name, const std::string& unsaid, const std::string& hint,
                               const std::string& description, ValueReader reader);
 
-  /// The option of one value of the tuning, and all of a group under its heading.
+  /// Adds the option of one value of the tuning.
   void tuning_value(const TuningValue& value, Tuning& tuning);
+  /// Adds the options of all values of a group, under its heading.
   void tuning(const std::string& group, Tuning& tuning);
 
-  /// Reads the line; nothing when all went well, else what to show and end with.
+  /// Reads the line. Returns nothing when all went well, else what to show and end with.
   std::optional<ParsedCommand> read(const std::vector<std::string>& arguments);
 
-  /// After read().
+  /// Returns whether the line names the option. Call it after read().
   bool given(const std::string& name) const { return count(name) > 0; }
 
-  /// The help as tables, one a heading.
+  /// Returns the help as tables, one a heading.
   std::string markdown() const;
 };
 

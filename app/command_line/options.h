@@ -17,7 +17,8 @@ struct ShowText {
   std::string text;
 };
 
-/// Why a command line cannot be obeyed: one line that names the option and says what is allowed. Exit status 2.
+/// The reason why a command line cannot be obeyed: one line that names the option and says what is allowed. The exit
+/// status is 2.
 struct UsageError {
   std::string message;
 };
@@ -25,8 +26,7 @@ struct UsageError {
 using ParsedCommand =
     std::variant<DemoOptions, PoseOptions, InspectOptions, LodOptions, BenchOptions, ShowText, UsageError>;
 
-/// Reads a command line as README.md beside it documents it; `arguments` are without the program's own name. Of files,
-/// it only looks whether --data is there.
+/// Reads a command line as README.md beside it documents it. `arguments` are without the program's own name.
 ParsedCommand parse_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace throng::app

@@ -7,14 +7,14 @@
 
 namespace throng::app {
 
-/// One function a command; `arguments` are those after its name.
+/// Each function reads the line of one command. `arguments` are those after the command's name.
 ParsedCommand parse_demo(const std::vector<std::string>& arguments);
 ParsedCommand parse_pose(const std::vector<std::string>& arguments);
 ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
 ParsedCommand parse_lod(const std::vector<std::string>& arguments);
 ParsedCommand parse_bench(const std::vector<std::string>& arguments);
 
-/// The demo's help as the tables of app/command_line/README.md.
+/// Returns the demo's help as the tables of app/command_line/README.md.
 std::string demo_options_as_markdown();
 
 }  // namespace throng::app

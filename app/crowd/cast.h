@@ -28,8 +28,8 @@ class CrowdCast {
   double spacing_;
 };
 
-/// The roles that a scene is laid out for: the gait of the first character that can walk, the room of the largest
-/// person.
+/// Returns the roles that a scene is laid out for: the gait of the first character that can walk, and the room of the
+/// largest person.
 CharacterRoles common_roles(std::span<const CharacterRoles> characters);
 
 }  // namespace throng::app

@@ -30,10 +30,10 @@ class CrowdCells {
   /// Sorts as many bodies as were set aside, by counting. Allocates nothing.
   void sort(std::span<const Body> bodies);
 
-  /// All bodies, in the order of cells.
+  /// Returns all bodies, in the order of cells.
   std::span<const Body> bodies() const { return sorted_; }
 
-  /// `visit(const Body&)` for every body within reach of `position`, and for some beyond it.
+  /// Calls `visit(const Body&)` for every body within reach of `position`, and for some beyond it.
   template <typename Visit>
   void visit_near(glm::vec2 position, const Visit& visit) const {
     const std::size_t left = column(position.x - reach_), right = column(position.x + reach_);
@@ -56,8 +56,8 @@ class CrowdCells {
   float reach_ = 0.0F;
   float cells_per_metre_ = 1.0F;
   std::size_t columns_ = 1, rows_ = 1;
-  std::vector<std::uint32_t> first_;  // by cell, and one more: where it begins in sorted_
-  std::vector<std::uint32_t> cells_;  // by body
+  std::vector<std::uint32_t> first_;  // [cell] where it begins in sorted_; one more element marks the end
+  std::vector<std::uint32_t> cells_;  // [body]
   std::vector<Body> sorted_;
 };
 

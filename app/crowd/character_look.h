@@ -8,7 +8,8 @@
 
 namespace throng::app {
 
-/// One colour a tint region (skin, hair, shirt, trousers, shoes): RGBA8, sRGB, red in the lowest byte, alpha 255.
+/// The colours of the tint regions (skin, hair, shirt, trousers, shoes): RGBA8, sRGB, red in the lowest byte, alpha
+/// 255.
 using Tints = std::array<std::uint32_t, render::tint_regions>;
 
 /// Draws the clothes, hair and skin of one person: muted colours for most, an accent here and there.
@@ -20,11 +21,11 @@ struct Variant {
   float build = 0.0F;     ///< slim to stout
   float frame = 0.0F;     ///< broad hips to broad shoulders
   float posture = 0.0F;   ///< upright to stooped
-  float fullness = 0.0F;  ///< of the hair: cropped to full
-  float length = 0.0F;    ///< of the hair: short to long
+  float fullness = 0.0F;  ///< cropped hair to full hair
+  float length = 0.0F;    ///< short hair to long hair
 
-  std::uint32_t shape() const;  ///< as InstanceRecord has it
-  std::uint32_t hair() const;
+  std::uint32_t shape() const;  ///< InstanceRecord::shape
+  std::uint32_t hair() const;   ///< InstanceRecord::hair
 
   friend bool operator==(const Variant&, const Variant&) = default;
 };

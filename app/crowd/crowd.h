@@ -24,7 +24,7 @@ namespace throng::app {
 struct CrowdLooks {
   std::vector<float> scales;        ///< 0.9 to 1.08
   std::vector<float> radii;         ///< metres
-  std::vector<float> paces;         ///< playback of what is done in place; of walkers, speed over that of the clip
+  std::vector<float> paces;         ///< playback speed of what is done in place; of walkers, speed over the clip's
   std::vector<float> start_phases;  ///< 0 to below 1
   std::vector<Tints> tints;
   std::vector<Variant> variants;
@@ -33,8 +33,8 @@ struct CrowdLooks {
 /// Everything in a crowd that changes as time passes.
 struct CrowdState {
   anim::Ticks now = 0;
-  std::vector<anim::Ticks> behind;      ///< by marcher: how late it is at its places
-  std::vector<anim::Ticks> next_waves;  ///< by stander: when the wave is there; empty: there is none
+  std::vector<anim::Ticks> behind;      ///< [marcher] how late it is at its places
+  std::vector<anim::Ticks> next_waves;  ///< [stander] when the wave is there; empty: there is no wave
   CrowdMinds minds;
   CrowdWalkers walkers;
   std::vector<glm::vec3> positions;
@@ -48,7 +48,7 @@ using CrowdMoment = std::optional<CrowdState>;
 /// state after the last `advance`, and live as long as the crowd.
 class Crowd {
  public:
-  /// `characters`: 1 to 256; CrowdCast gives each agent one of them.
+  /// Makes a crowd of 1 to 256 `characters`. CrowdCast gives each agent one of them.
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters);
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& character)
       : Crowd(scene, agents, seed, std::span(&character, 1)) {}
@@ -58,22 +58,22 @@ class Crowd {
   /// Moves everyone by `dt` and returns the changes of clips, which are valid until the next call. Allocates nothing.
   /// `jobs`, 1 or more, run at once on `executor`; the result does not depend on either.
   std::span<const ClipRequest> advance(anim::Ticks dt, anim::Executor& executor, int jobs);
-  /// The same in the calling thread.
+  /// Does the same in the calling thread.
   std::span<const ClipRequest> advance(anim::Ticks dt);
 
   /// Moves an agent that acts.
   void put(std::uint32_t agent, const glm::vec3& position, const Heading& heading);
 
-  /// Keeps an agent where it is, in the way of all others, and lets it do nothing: it stops walking, which is the
-  /// request.
+  /// Keeps an agent where it is, in the way of all others, and lets it do nothing. Returns the request to stop walking,
+  /// if it walks.
   std::optional<ClipRequest> hold(std::uint32_t agent);
-  /// Lets it go on. A marcher catches up with its place in the file.
+  /// Lets an agent go on that was held. A marcher catches up with its place in the file.
   std::optional<ClipRequest> release(std::uint32_t agent);
   bool holds(std::uint32_t agent) const { return state_.minds.holds(agent); }
 
-  /// Copies all that changes, and puts it back: the crowd goes on as it did then, to the bit. The moment must be of
-  /// this crowd.
+  /// Copies all that changes.
   void remember(CrowdMoment& into) const { into = state_; }
+  /// Puts a copy back; the crowd goes on as it did then, to the bit. The moment must be of this crowd.
   void go_back_to(const CrowdMoment& moment);
 
   std::size_t size() const { return state_.positions.size(); }
@@ -82,11 +82,11 @@ class Crowd {
   std::span<const float> scales() const { return looks_.scales; }  ///< 0.9 to 1.08
   std::span<const float> radii() const { return looks_.radii; }    ///< metres, of the body seen from above
   std::span<const float> speeds() const { return state_.speeds; }  ///< metres a second over the ground
-  /// The speed at which the shown clip plays. A gait plays at 0.4 to 1.7, so that feet do not slide; other clips play
-  /// at 0.9 to 1.1. It changes from frame to frame.
+  /// Returns the speeds at which the shown clips play. A gait plays at 0.4 to 1.7, so that feet do not slide; other
+  /// clips play at 0.9 to 1.1. They change from frame to frame.
   std::span<const float> playback_speeds() const { return state_.playback_speeds; }
   std::span<const float> start_phases() const { return looks_.start_phases; }   ///< 0 to below 1, of the first clip
-  std::span<const std::uint8_t> characters() const { return cast_.numbers(); }  ///< index among them
+  std::span<const std::uint8_t> characters() const { return cast_.numbers(); }  ///< index among the characters
   std::span<const Tints> tints() const { return looks_.tints; }
   std::span<const Variant> variants() const { return looks_.variants; }
   std::span<const Role> roles() const { return state_.minds.roles(); }

@@ -20,8 +20,8 @@ struct LaneGround {
 
 /// The ground on which standing agents find places.
 struct GroundPlan {
-  double side;           ///< metres, of the square about the origin
-  double spacing;        ///< as CharacterRoles::spacing
+  double side;           ///< metres; the side of the square about the origin
+  double spacing;        ///< CharacterRoles::spacing
   glm::dvec2 viewpoint;  ///< kept clear, with a few groups set before it
   std::span<const LaneGround> lanes;
 };

@@ -27,19 +27,19 @@ struct Transition {
   float weight;
 };
 
-/// All transitions. Nothing else ever happens.
+/// Returns all transitions. Nothing else ever happens.
 std::span<const Transition> transitions();
 
-/// Seconds that a role is kept.
+/// The seconds that a role is kept.
 struct Stay {
   float least, most;
 };
 Stay stay_in(Role role);
 
-/// The role that an agent of `habit` begins with, as far as the character has a clip for it.
+/// Returns the role that an agent of `habit` begins with, as far as the character has a clip for it.
 Role first_role(Habit habit, const CharacterRoles& character, Random& whim);
 
-/// The role that follows `from`, by a transition whose role the character can play; `from` if there is none.
+/// Returns the role that follows `from`, by a transition whose role the character can play; `from` if there is none.
 Role next_role(Habit habit, Role from, const CharacterRoles& character, Random& whim);
 
 constexpr bool is_gait(Role role) { return role == Role::walk || role == Role::jog || role == Role::run; }

@@ -25,9 +25,9 @@ struct Lane {
   double speed = 0.0;          ///< metres a second
 
   double length() const;
-  /// The place at `distance` metres from the lane's start in the direction of walking; any value, it wraps.
+  /// Returns the place at `distance` metres from the lane's start in the direction of walking. Any distance wraps.
   LanePlace at(double distance) const;
-  /// Metres from `point` (x, z) to the lane: negative inside the loop, positive outside.
+  /// Returns the metres from `point` (x, z) to the lane: negative inside the loop, positive outside.
   double signed_distance(glm::dvec2 point) const;
 };
 

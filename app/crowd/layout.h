@@ -31,33 +31,34 @@ struct StanderPlace {
   Heading heading{};
   double height = 0.0;  ///< metres above the ground
   Habit habit = Habit::stand_about;
-  double round = 0.0;  ///< where there is a wave: 0 to below 1, how far along its way
+  double round = 0.0;  ///< the place along the way of a wave, 0 to below 1
   Part part = Part::bystander;
 };
 
 /// The places of all agents when a scene begins: walkers, marchers and standers.
 struct CrowdLayout {
-  std::vector<Lane> lanes;  ///< with their speeds
+  std::vector<Lane> lanes;  ///< each with its speed
   std::vector<WalkerStart> walkers;
   Habit walkers_habit = Habit::stroll;
-  Lane route;  ///< with its speed; of the marchers
+  Lane route;  ///< the marchers' route, with its speed
   std::vector<MarcherStart> marchers;
   std::vector<StanderPlace> standers;
   double wave_seconds = 0.0;  ///< time that a wave of cheering takes to come round; 0: there is none
   double wave_begins = 2.0;   ///< seconds
 };
 
-/// The side, in metres, of the square about the origin that the plaza of so many agents fills.
+/// Returns the side, in metres, of the square about the origin that the plaza of so many agents fills.
 double plaza_side(std::size_t agents, double spacing);
 
-/// The corner from which the camera looks at the plaza: x and z in metres. The few metres before it stay free.
+/// Returns the corner from which the camera looks at the plaza: x and z in metres. The few metres before it stay free.
 glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing);
 
 /// Fills a plaza of any size evenly with promenades, small loops and loose groups.
 CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
-/// The agents in a row of the grid, and the metres from one to the next.
+/// Returns the number of agents in a row of the grid.
 std::size_t grid_columns(std::size_t agents);
+/// Returns the metres from one agent of the grid to the next.
 double grid_pitch(double spacing);
 
 /// Lays out rows that face +Z; the first is at z 0, the others behind it, x centred on 0.

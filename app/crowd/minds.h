@@ -19,7 +19,7 @@ struct ClipRequest {
   std::uint32_t agent;
   Role role;
   int clip;            ///< index among its character's clips
-  float fade_seconds;  ///< of the crowd's clock
+  float fade_seconds;  ///< seconds of the crowd's clock
 };
 
 /// The state machine of each agent: the role that it has in mind, and the clip that it shows. The two differ where its
@@ -27,7 +27,7 @@ struct ClipRequest {
 /// and clock. Spans have one element an agent.
 class CrowdMinds {
  public:
-  /// `cast` outlives it.
+  /// Gives each agent its first role and clip. `cast` outlives this.
   CrowdMinds(const CrowdCast& cast, std::vector<Habit> habits, std::uint32_t seed);
 
   /// Begins a frame: forgets requests and changes, then lets each agent whose time has come go over to another role.
@@ -37,8 +37,8 @@ class CrowdMinds {
   /// Shows `role` if the character can play it; the agent has the same in mind as before.
   void show(std::size_t agent, Role role);
 
-  /// Keeps the agent at what it does, except that it stops walking. That change, if there is one, is returned and is
-  /// not among the requests.
+  /// Keeps the agent at what it does, except that it stops walking. Returns that change, if there is one; it is not
+  /// among the requests.
   std::optional<ClipRequest> hold(std::size_t agent);
   /// Lets the agent go on as before.
   std::optional<ClipRequest> release(std::size_t agent);
@@ -50,9 +50,9 @@ class CrowdMinds {
   std::span<const int> clips() const { return clips_; }   ///< index, or no_clip for a character that has none
   Random& whim(std::size_t agent) { return whims_[agent]; }
 
-  /// The requests of this frame, at most one an agent.
+  /// Returns the requests of this frame, at most one an agent.
   std::span<const ClipRequest> requests() const { return requests_; }
-  /// Agents that went over to another role in this frame, or chose the one that they have once more.
+  /// Returns the agents that went over to another role in this frame, or chose the one that they have once more.
   std::span<const std::uint32_t> changed() const { return changed_; }
 
  private:
@@ -70,7 +70,7 @@ class CrowdMinds {
     anim::Ticks at;
     Role role;
     int clip;
-    bool seated;  ///< whether that clip sits down
+    bool seated;  ///< true if that clip sits down
   };
 
   const CrowdCast* cast_;

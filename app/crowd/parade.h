@@ -9,17 +9,18 @@ namespace throng::app {
 /// ...) more than the one inside it: on the straights everyone is in step, and nobody's feet slide.
 CrowdLayout parade_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
-/// The place of a marcher after `seconds`.
+/// Returns the place of a marcher after `seconds`.
 LanePlace marcher_place(const Lane& route, const MarcherStart& marcher, double seconds);
 
-/// The phase of the walk clip, 0 to below 1, that a marcher starts with so that all of its file and rank are in step.
+/// Returns the phase of the walk clip, 0 to below 1, that a marcher starts with, so that all of its file and rank are
+/// in step.
 double marcher_phase(const Lane& route, const MarcherStart& marcher, const CharacterRoles& roles);
 
-/// Metres, of the route's straights from its middle line, and of their outermost file from that.
+/// The size of a parade, in metres.
 struct ParadeSize {
-  double half_length;  ///< of a straight
-  double radius;       ///< of the ends
-  double half_width;
+  double half_length;  ///< half the length of the route's straights
+  double radius;       ///< radius of the route's ends
+  double half_width;   ///< from the route to the outermost file
 };
 ParadeSize parade_size(std::size_t agents, const CharacterRoles& roles);
 

@@ -22,10 +22,10 @@ class Random {
     return (shifted >> turn) | (shifted << ((32U - turn) & 31U));
   }
 
-  /// 0 to below 1, in steps of 2^-24.
+  /// Draws a number from 0 to below 1, in steps of 2^-24.
   float unit() { return static_cast<float>(next() >> 8U) * 0x1p-24F; }
   float between(float low, float high) { return low + (high - low) * unit(); }
-  /// 0 to below `count`, which is above 0.
+  /// Draws a number from 0 to below `count`, which is above 0.
   std::uint32_t below(std::uint32_t count) {
     return static_cast<std::uint32_t>((static_cast<std::uint64_t>(next()) * count) >> 32U);
   }

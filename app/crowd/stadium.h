@@ -8,10 +8,10 @@ namespace throng::app {
 /// field. With `wave_seconds`, a wave runs round the tiers.
 CrowdLayout stadium_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
-/// Metres.
+/// The size of a stadium, in metres.
 struct StadiumSize {
-  double half_length, half_width;  ///< of the lowest tier, along x and z
-  double depth, height;            ///< of all tiers
+  double half_length, half_width;  ///< half sizes of the lowest tier, along x and z
+  double depth, height;            ///< sizes of all tiers together
 };
 StadiumSize stadium_size(std::size_t agents, const CharacterRoles& roles);
 

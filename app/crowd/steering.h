@@ -24,23 +24,24 @@ struct Wish {
 /// in any order and on any number of PUs with the same result to the last bit.
 ///
 /// An agent turns away from those it would come too close to (time and place of closest approach; on its right from
-/// those who come head-on), follows no faster than those it walks behind, and accelerates within limits. Whatever that
-/// gives is cut to the half-planes of its buffered Voronoi cell (Zhou et al. 2017), whose origin is always free: of the
-/// gap between two, each may take its half, all of it where the other stands. So nobody meets anybody, even in a dense
-/// crowd.
+/// those who come head-on), follows no faster than those it walks behind, and accelerates within limits. Its velocity
+/// is then cut to the half-planes of its buffered Voronoi cell (Zhou et al. 2017), whose origin is always free. Each of
+/// two agents may take half of the gap between them, or all of it where the other stands. So nobody meets anybody, even
+/// in a dense crowd.
 class Steering {
  public:
   struct Ground {
     glm::vec2 lowest{0.0F}, highest{0.0F};  ///< metres, where agents are as a rule
     float largest_radius = 0.3F;            ///< metres
-    float spacing = 1.0F;                   ///< as CharacterRoles::spacing: lengths and accelerations grow with it
+    float spacing = 1.0F;                   ///< CharacterRoles::spacing; lengths and accelerations grow with it
   };
 
   Steering() = default;
   Steering(std::size_t agents, const Ground& ground);
 
-  /// One step of `seconds`, above 0: new positions and velocities of the bodies that move, into `bodies`; one wish an
-  /// agent, `bodies[i].agent` is i. `jobs`, 1 or more, run at once on `executor`. Allocates nothing.
+  /// Moves the bodies that move by one step of `seconds`, above 0: writes their new positions and velocities into
+  /// `bodies`. There is one wish an agent, and `bodies[i].agent` is i. `jobs`, 1 or more, run at once on `executor`.
+  /// Allocates nothing.
   void step(std::span<Body> bodies, std::span<const Wish> wishes, float seconds, anim::Executor& executor, int jobs);
 
  private:

@@ -6,8 +6,8 @@
 
 namespace throng::app {
 
-/// The cosine and sine of `quarters` quarter turns, within 1e-15. It uses exact operations alone, because the functions
-/// of the C library differ in the last bit from machine to machine.
+/// Returns the cosine and sine of `quarters` quarter turns, within 1e-15. It uses exact operations alone, because the
+/// functions of the C library differ in the last bit from machine to machine.
 inline glm::dvec2 cosine_sine(double quarters) {
   const double whole = std::floor(quarters);
   const double angle = (quarters - whole) * 1.5707963267948966;

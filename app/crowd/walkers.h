@@ -31,9 +31,9 @@ class CrowdWalkers {
 
   std::size_t count() const { return starts_.size(); }
   std::span<const Lane> lanes() const { return lanes_; }
-  std::span<const Body> bodies() const { return bodies_; }         ///< of all agents
-  std::span<const Heading> headings() const { return headings_; }  ///< of the walkers
-  /// Metres a second of the agent in `gait` when nobody is in its way.
+  std::span<const Body> bodies() const { return bodies_; }         ///< [agent]
+  std::span<const Heading> headings() const { return headings_; }  ///< [walker]
+  /// Returns the metres a second of the walker in `gait` when nobody is in its way.
   float speed_of(std::size_t walker, Role gait) const;
 
  private:

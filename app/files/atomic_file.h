@@ -10,15 +10,15 @@
 
 namespace throng::app {
 
-/// Writes `contents` beside `file` under a temporary name and renames it: `file` is whole or as it was, also when two
-/// programs write it at once. A device or pipe is written as it is, a symbolic link is followed.
+/// Writes `contents` beside `file` under a temporary name and renames it. So `file` is whole or as it was, also when
+/// two programs write it at once. A device or pipe is written directly; a symbolic link is followed.
 anim::Status write_whole_file(const std::filesystem::path& file, std::string_view contents);
 
 /// Does the same; `-` means standard output.
 anim::Status write_output(const std::string& file, std::string_view contents);
 
-/// A file that is written as its contents come, beside its place under a temporary name, FILE.PID.part, and renamed
-/// when it is whole. Without commit() the part stays where it is. Not for devices and pipes.
+/// A file that is written as its contents come, beside its place under a temporary name, FILE.PID.part. commit()
+/// renames it when it is whole; without commit() the part stays where it is. It does not write to devices and pipes.
 class FileBeside {
  public:
   static anim::Result<FileBeside> create(const std::filesystem::path& file);
@@ -26,7 +26,7 @@ class FileBeside {
   FileBeside& operator=(FileBeside&&) = delete;
   ~FileBeside();
 
-  /// commit() says what went wrong.
+  /// Writes more of the file. commit() returns the error if one goes wrong.
   void write(std::string_view contents);
   anim::Status commit();
   const std::filesystem::path& file() const { return file_; }
@@ -37,7 +37,7 @@ class FileBeside {
 
   std::filesystem::path file_, beside_;
   std::FILE* stream_;  // null after commit()
-  int error_ = 0;      // of the first write that failed
+  int error_ = 0;      // the error of the first write that failed
 };
 
 /// Checks that write_whole_file() could write there now, so that a long run does not fail at its end. Leaves no file.

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// Hashes many bytes; pieces of any size give the same hash. It chains each eight bytes as a little-endian number, then
+/// Hashes many bytes. Pieces of any size give the same hash. It chains each eight bytes as a little-endian number, then
 /// the rest with zeros behind it, then the count of all.
 class ByteHash {
  public:
@@ -24,7 +24,7 @@ class ByteHash {
 
  private:
   std::uint64_t hash_ = 0;
-  std::uint64_t word_ = 0;  // of up to seven bytes that are not in `hash_` yet
+  std::uint64_t word_ = 0;  // up to seven bytes that are not in `hash_` yet
   std::uint64_t count_ = 0;
 };
 

@@ -8,12 +8,12 @@
 
 namespace throng::app {
 
-/// The folders that may hold `shaders/` and `assets/`, in the order in which they are tried: --data, $THRONG_DATA,
-/// <program>/../share/throng, the source tree recorded when the program was built.
+/// Returns the folders that may hold `shaders/` and `assets/`, in the order in which they are tried: --data,
+/// $THRONG_DATA, <program>/../share/throng, the source tree recorded when the program was built.
 std::vector<std::filesystem::path> data_folders(const std::string& data_option);
 
-/// The first of `folders` that has `name` (a file or folder, such as "assets/mannequin.glb"), with it; else an error
-/// that lists the places tried.
+/// Returns the path of `name` (a file or folder, such as "assets/mannequin.glb") in the first of `folders` that has it.
+/// Errors: none has it; the error lists the places tried.
 anim::Result<std::filesystem::path> find_data(const std::vector<std::filesystem::path>& folders,
                                               const std::filesystem::path& name);
 

@@ -18,7 +18,7 @@
 
 namespace throng::app {
 
-/// Deeper nesting and longer texts are refused by parse_json().
+/// The limits of parse_json(), which refuses deeper nesting and longer texts.
 inline constexpr std::size_t most_json_depth = 64;
 inline constexpr std::size_t most_json_bytes = std::size_t{16} << 20U;
 
@@ -46,7 +46,7 @@ class Json {
   Json(std::string_view text);
   Json(const char* text);
   Json(std::initializer_list<Member> members);
-  /// Null where it has no value.
+  /// Makes a null where `value` has none.
   template <class T>
   Json(const std::optional<T>& value);
   template <JsonList T>
@@ -57,39 +57,43 @@ class Json {
   bool is_null() const { return has<std::nullptr_t>(); }
   bool is_number() const { return is_float() || has<std::int64_t>() || has<std::uint64_t>(); }
   bool is_float() const { return has<double>(); }
-  /// An integer from `least` to `most`.
+  /// Returns whether it is an integer from `least` to `most`.
   bool is_whole(std::int64_t least, std::int64_t most) const;
   bool is_array() const { return has<Array>(); }
   bool is_object() const { return has<Object>(); }
-  bool are_whole(std::int64_t least, std::int64_t most) const;  ///< an array of such integers, or an empty one
+  /// Returns whether it is an array of such integers, or an empty array.
+  bool are_whole(std::int64_t least, std::int64_t most) const;
 
-  /// Whether it is a T: a bool, any type of number that can hold it, a string, or a vector of these.
+  /// Returns whether it is a T: a bool, any type of number that can hold it, a string, or a vector of these.
   template <class T>
   bool is() const;
-  /// The value must be a T.
+  /// Returns the value as a T, which it must be.
   template <class T>
   T get() const;
 
-  /// Empty where it is no array, or no object.
+  /// Returns the elements of an array; none if it is no array.
   std::span<const Json> elements() const;
+  /// Returns the members of an object; none if it is no object.
   std::span<const Member> members() const;
   bool contains(std::string_view key) const { return find(key) != nullptr; }
-  /// Null where there is no such member.
+  /// Returns the member with that key; a null if there is none.
   const Json& operator[](std::string_view key) const;
-  /// The member as a T; `otherwise` where there is none.
+  /// Returns the member as a T; `otherwise` if there is none or it is no T.
   template <class T>
   T value(std::string_view key, T otherwise) const {
     const Json& found = (*this)[key];
     return found.is<T>() ? found.get<T>() : otherwise;
   }
-  /// The first member whose key is none of `known`; null where there is none.
+  /// Returns the first member whose key is none of `known`; null if there is none.
   const Member* member_beside(std::initializer_list<std::string_view> known) const;
 
-  /// Adds the member last if there is none; both return what is in its place. A null becomes an object, or an array.
+  /// Returns the member with that key, after adding it last if there is none. A null becomes an object.
   Json& operator[](std::string_view key);
+  /// Adds an element last and returns it. A null becomes an array.
   Json& push_back(Json element);
 
-  /// On one line without spaces, or on many with `indent` spaces a level. Bytes that are not UTF-8 become U+FFFD.
+  /// Returns the text, on one line without spaces, or on many lines with `indent` spaces a level. Bytes that are not
+  /// UTF-8 become U+FFFD.
   std::string dump(int indent = -1) const;
 
   bool operator==(const Json& other) const;
@@ -124,8 +128,8 @@ template <JsonList T>
 Json::Json(const T& list) : value_(Array(list.begin(), list.end())) {}
 inline bool Json::operator==(const Json& other) const { return value_ == other.value_; }
 
-/// The error says the line and column where `text` stops being JSON. Of members of one key the last counts, in the
-/// place of the first.
+/// Parses `text`. If members have the same key, the last one counts, in the place of the first. The error says the line
+/// and column where `text` stops being JSON.
 anim::Result<Json> parse_json(std::string_view text);
 
 template <JsonNumber T>

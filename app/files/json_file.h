@@ -10,7 +10,8 @@
 
 namespace throng::app {
 
-/// The first `most_bytes` and one of a file, so that a longer one is known; null where it cannot be opened.
+/// Returns the text of a file, up to `most_bytes` and one more, so that a longer file is known. Returns nothing if it
+/// cannot be opened.
 std::optional<std::string> read_text(const std::filesystem::path& file, std::size_t most_bytes);
 
 /// The remedies that complaints end with: for a missing file, for a file that is not JSON, and for wrong contents.
@@ -25,7 +26,7 @@ class JsonFile {
 
   anim::Result<Json> read() const;
   anim::Error wrong(const std::string& what) const;
-  /// Whether `table` is an object that has this "version" and no members but those of `keys`, "version" among them.
+  /// Checks that `table` is an object that has this "version" and no members but those of `keys`, "version" among them.
   anim::Status check_table(const Json& table, int version, std::initializer_list<std::string_view> keys) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace throng::app {
 
-/// The folder of the user's own choices: $XDG_CONFIG_HOME/throng, else ~/.config/throng; empty if the system names
-/// none.
+/// Returns the folder of the user's own choices: $XDG_CONFIG_HOME/throng, else ~/.config/throng; empty if the system
+/// names none.
 std::filesystem::path configuration_folder();
 
 /// A file in which a person's choices for a model are kept from run to run: beside the model, or in
@@ -16,12 +16,11 @@ std::filesystem::path configuration_folder();
 class KeptFile {
  public:
   /// `model` is the file of the model; empty for the built-in character. The kept file has its name and `ending`, such
-  /// as
-  /// ".throng.json". Errors call the choices `what` where there is no file to name.
+  /// as ".throng.json". Errors call the choices `what` where there is no file to name.
   KeptFile(const std::filesystem::path& model, std::string_view ending, std::string_view what);
 
-  /// The file that is to be read; empty if there is none. Where it cannot be kept beside the model, a person's own goes
-  /// before the one that came with the model.
+  /// Returns the file to read; empty if there is none. Where none can be written beside the model, a person's own file
+  /// goes before the one that came with the model.
   std::filesystem::path found() const;
   /// Writes the file whole or not at all, and returns its path.
   anim::Result<std::filesystem::path> write(std::string_view text) const;

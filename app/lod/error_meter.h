@@ -15,45 +15,44 @@
 
 namespace throng::app {
 
-/// What one frame is measured in.
+/// The crowd, poses and view in which one frame is measured.
 struct MeasuredFrame {
   const Crowd& crowd;
   const ShownPoses& shown;
   render::CameraView view;
-  glm::vec2 size{0.0F};   ///< of the picture, pixels
-  std::uint32_t now = 0;  ///< of the shader's clock
+  glm::vec2 size{0.0F};   ///< size of the picture, pixels
+  std::uint32_t now = 0;  ///< time of the shader's clock
   std::uint64_t number = 0;
 };
 
-/// Measures what level of detail costs the eye (app/lod/README.md): the largest distance on
-/// screen, over points of the surface, between what the vertex shader shows and the exact pose of the moment. Changes
-/// no pose.
+/// Measures what level of detail costs the eye (app/lod/README.md): the largest distance on screen, over points of the
+/// surface, between what the vertex shader shows and the exact pose of the moment. Changes no pose.
 class ErrorMeter {
  public:
-  /// Measured in every frame of which the meter may take its share of the update.
+  /// The share of an update's cost that the meter may take to measure some of the agents.
   static constexpr double share_of_pose_cost = 0.05;
 
   explicit ErrorMeter(std::span<const CharacterSource> characters);
 
-  /// The same character with its bones in another order; a reset follows.
+  /// Takes a character again, with its bones in another order. Call reset() after it.
   void set_character(std::size_t character, const CharacterSource& source);
-  /// A crowd starts anew.
+  /// Forgets all that was measured, for a crowd of `agents` that starts anew.
   void reset(std::size_t agents);
 
-  /// Before an update, whenever the crowd has decided who is visible.
+  /// Chooses the agents to watch. Call it before an update, when it is decided who is visible.
   void begin_frame(ErrorSampling sampling, std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);
-  /// Where the PU writes a pose that ShownPoses::show gave `slot_memory`.
+  /// Returns where the PU must write a pose that ShownPoses::show gave `slot_memory`.
   anim::PaletteDestination destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
                                        anim::PaletteDestination slot_memory) {
     return watched_.destination(agent, pose, entries, slot_memory);
   }
-  /// After the update.
+  /// Hands the written poses over to their slots, and measures. Call it after the update.
   void end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame);
 
-  /// Of the last 60 frames, as of the last one.
+  /// Returns the errors of the last 60 frames, as end_frame() found them.
   const anim::ErrorFigures& figures() const { return figures_; }
   anim::ErrorFigures since_start() const { return window_.since_start(); }
-  /// Pixels, as measured last; below 0: not since it came into view.
+  /// Returns the error of an agent as measured last, in pixels; below 0 if it was not measured since reset().
   float error_of(std::uint32_t agent) const { return errors_[agent]; }
   const anim::SurfacePoints& points(std::size_t character) const { return characters_[character].points; }
 
@@ -63,7 +62,7 @@ class ErrorMeter {
     std::vector<std::vector<std::uint16_t>> kept_entries;  // [bone level][entry]
     std::vector<anim::PackingFrame> packing;               // [entry]; empty: never packed
     std::size_t entries = 0;
-    double cost = 0;  // of measuring one agent, in bones evaluated
+    double cost = 0;  // the cost of measuring one agent, in bones evaluated
   };
 
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
@@ -75,7 +74,7 @@ class ErrorMeter {
   ErrorSampling sampling_ = ErrorSampling::off;
   WatchedAgents watched_;
   std::vector<std::uint32_t> chosen_;  // places in watched_
-  std::size_t next_place_ = 0;         // whose turn it is, of those watched
+  std::size_t next_place_ = 0;         // the place in watched_ that was measured last
   double credit_ = 0;                  // in bones evaluated
   std::vector<anim::ExactPose> exact_;
   anim::AlignedBytes exact_palettes_;

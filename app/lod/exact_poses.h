@@ -9,7 +9,7 @@
 
 namespace throng::app {
 
-/// The exact poses of a moment, in palette slots of their own for one frame: what a split view has on its left. In a
+/// The exact poses of a moment, in palette slots of their own for one frame. A split view shows them on its left. In a
 /// frame:
 ///     give_back(the frame that drew them)
 ///     add(...)      everyone drawn
@@ -21,12 +21,12 @@ class ExactPoses {
   void reset(std::size_t agents, std::uint64_t last_frame);
   void give_back(std::uint64_t last_frame);
 
-  /// `entries`: of the palette with all bones; 0: the exact pose is not known, `shown` stands for it. So it does where
-  /// no memory is left.
+  /// Adds an agent whose palette with all bones has `entries`. If `entries` is 0, the exact pose is not known, and
+  /// `shown` stands for it; so it does where no memory is left.
   void add(std::uint32_t agent, const ShownPose& shown, std::uint32_t entries);
   void pose(anim::AnimationSystem& system);
 
-  /// Of an agent that was added.
+  /// Returns the pose of an agent that was added.
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
 
  private:

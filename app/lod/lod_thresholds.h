@@ -8,26 +8,27 @@
 
 namespace throng::app {
 
-/// From `metres` on, agents have this interval.
+/// The interval of agents that are at least `metres` away.
 struct IntervalThreshold {
   float metres = 0;
   int interval = 1;
 };
 
-/// Where the interval changes, the nearest first, by the distance rule of the tuning.
+/// Returns the distances where the interval changes by the distance rule of the tuning, the nearest first.
 std::vector<IntervalThreshold> interval_thresholds(const Tuning& tuning);
 
-/// From where errors are looked at.
+/// The tolerance of a view, and its scale.
 struct ErrorView {
   float tolerance_pixels = 1;  ///< above 0
-  float pixels_per_unit = 1;   ///< of a metre, a metre away
+  float pixels_per_unit = 1;   ///< pixels that one metre covers at a distance of one metre
 };
 
-/// By the tolerance in pixels, as far as 200 metres, for who is as tall as the character, as important as most and not
-/// in the middle of the picture. Mostly it grows; it shrinks where fewer bones, more often, are cheaper.
+/// Returns the distances where the interval changes by the tolerance in pixels, up to 200 metres. They hold for an
+/// agent that is as tall as the character, as important as most, and not in the middle of the picture. The interval
+/// mostly grows with distance; it shrinks where fewer bones, more often, are cheaper.
 std::vector<IntervalThreshold> interval_thresholds(const anim::MotionLod& motion, const ErrorView& view);
 
-/// Frames between two updates of an agent that far away.
+/// Returns the frames from one update to the next of an agent that is `metres` away.
 int interval_at(std::span<const IntervalThreshold> thresholds, float metres);
 
 }  // namespace throng::app

@@ -11,19 +11,20 @@
 
 namespace throng::app {
 
-/// The two slots of an agent that its record names, and how the shader goes from one to the other.
+/// The two slots of an agent that its record names, and the times between which the shader goes from one to the other.
 struct ShownPose {
   render::PaletteSlot from, to;
   std::uint8_t from_level = 0, to_level = 0;
   anim::PaletteFormat from_format{}, to_format{};
-  std::uint32_t from_time = 0;  ///< that `from` is the pose of; microseconds modulo 2^32
-  std::uint32_t to_time = 0;    ///< that `to` is the pose of; equal to from_time: nothing blends
+  std::uint32_t from_time = 0;  ///< the moment that `from` is the pose of; microseconds modulo 2^32
+  std::uint32_t to_time = 0;    ///< the moment that `to` is the pose of; equal to from_time: nothing blends
 
   bool shown() const { return to.valid(); }
-  /// As the instance record names the slots.
+  /// Returns the word by which the instance record names the slot `from`.
   std::uint32_t from_word() const { return slot_word(from, from_format); }
+  /// Returns the word by which the instance record names the slot `to`.
   std::uint32_t to_word() const { return slot_word(to, to_format); }
-  /// Both slots hold at least this level's entries.
+  /// Returns the bone level of which both slots hold all entries.
   std::uint8_t level() const { return from_level > to_level ? from_level : to_level; }
 
  private:
@@ -32,36 +33,37 @@ struct ShownPose {
   }
 };
 
-/// Which poses of a stage a picture is made of.
+/// The poses of a stage that a picture can be made of.
 enum class Poses : std::uint8_t { shown, exact };
 
 /// A pose that is about to be written.
 struct NewPose {
   std::uint32_t agent;
   std::uint8_t level;     ///< bone level
-  std::uint32_t entries;  ///< of the palette at that level
+  std::uint32_t entries;  ///< entries of the palette at that level
   std::uint32_t time;     ///< the moment that it is the pose of; microseconds modulo 2^32
   anim::PaletteFormat format = anim::PaletteFormat::matrices;
 };
 
-/// Which palette slots each agent shows: the contract of engine/render/README.md, kept on the animation's side.
+/// Keeps the palette slots that each agent shows: the animation's side of the contract in engine/render/README.md.
 class ShownPoses {
  public:
   explicit ShownPoses(render::PaletteSlots& slots) : slots_(&slots) {}
 
-  /// Everything shown is given back, as of the last drawn frame.
+  /// Gives back everything shown, as of the last drawn frame, and makes room for `agents`.
   void reset(std::size_t agents, std::uint64_t last_frame);
 
   /// Gives back the slots of agents that went out of view. `visible` is ascending by agent.
   void hide_unseen(std::span<const anim::VisibleAgent> visible, std::uint64_t last_frame);
 
-  /// A slot for a new pose of a visible agent, reached by blending from the pose shown so far; one of `now` is shown at
-  /// once. So is any of an agent that must move to another page: it is then to be the pose of now, as pose().to_time
-  /// says. Null where no memory is left: the agent is posed but not drawn.
+  /// Returns the memory of a slot for a new pose of a visible agent. The shader blends to it from the pose shown so
+  /// far. A pose of `now` is shown at once. So is a pose of an agent that must move to another page; pose().to_time is
+  /// then `now`, and the pose must be that of now. Returns null where no memory is left: the agent is posed but not
+  /// drawn.
   anim::PaletteDestination show(const NewPose& next, std::uint32_t now, std::uint64_t last_frame);
 
   const ShownPose& pose(std::uint32_t agent) const { return poses_[agent]; }
-  /// Whether any agent since the last reset found no slot.
+  /// Returns whether an agent found no slot since the last reset.
   bool out_of_memory() const { return out_of_memory_; }
 
  private:

@@ -13,47 +13,49 @@
 
 namespace throng::app {
 
-/// An agent whose palettes are kept where they can be read: the device's memory is only written (engine/render).
+/// An agent whose palettes are kept where they can be read, because the device's memory is only written
+/// (engine/render).
 struct WatchedAgent {
   static constexpr std::uint32_t nobody = UINT32_MAX;
   static constexpr std::uint64_t never = UINT64_MAX - 1;
 
   std::uint32_t agent = nobody;
   std::uint32_t frames_left = 0;
-  std::byte* from = nullptr;  ///< of the slots that the agent shows, in their format; room for matrices
-  std::byte* to = nullptr;
-  anim::PaletteFormat format{};  ///< of both
+  std::byte* from = nullptr;     ///< the palette of the slot that the agent blends from; room for matrices
+  std::byte* to = nullptr;       ///< the palette of the slot that the agent blends to; room for matrices
+  anim::PaletteFormat format{};  ///< the format of both
   bool blends = false;           ///< false: shows `to` alone
   bool from_known = false;
   bool to_known = false;
   render::PaletteSlot to_slot;
-  std::byte* slot_memory = nullptr;  ///< where `to` goes after the update; null: it is there
-  std::uint32_t entries = 0;         ///< written to `to`
-  anim::SurfaceErrors errors;        ///< of the frame `measured_in`
+  std::byte* slot_memory = nullptr;  ///< the slot to which `to` goes after the update; null: it is there
+  std::uint32_t entries = 0;         ///< the number of entries that are written to `to`
+  anim::SurfaceErrors errors;        ///< the errors in the frame `measured_in`
   std::uint64_t measured_in = never;
   std::uint64_t measured_again_in = never;  ///< the second of a pair of frames
 
   bool can_be_measured() const { return agent != nobody && to_known && (from_known || !blends); }
 };
 
-/// Who is watched: some of those in view, drawn by chance in proportion to their height on screen and for a while, or
-/// all of them.
+/// The agents that are watched: all of those in view, or some of them for a while, drawn by chance in proportion to
+/// their height on screen.
 class WatchedAgents {
  public:
   static constexpr std::size_t few = 64;
   static constexpr std::uint32_t few_frames = 48;
 
-  /// `agents` of the crowd, of palettes of at most `entries`; watches at most `watched` of them.
+  /// Stops watching, and makes room for at most `watched` of the crowd's `agents`, with palettes of at most `entries`.
   void reset(std::size_t agents, std::size_t watched, std::size_t entries);
   std::size_t capacity() const { return watched_.size(); }
 
-  /// Before an update. `visible` as in ShownPoses::hide_unseen, which was called before.
+  /// Chooses the agents to watch. Call it before an update and after ShownPoses::hide_unseen, with the same `visible`.
   void choose(std::span<const anim::VisibleAgent> visible, const ShownPoses& shown);
 
-  /// Where the PU is to write a new pose: `slot_memory`, or where it is kept until hand_over() for a watched agent.
+  /// Returns where the PU must write a new pose: `slot_memory`, or for a watched agent the memory that keeps the pose
+  /// until hand_over().
   anim::PaletteDestination destination(std::uint32_t agent, const ShownPose& pose, std::uint32_t entries,
                                        anim::PaletteDestination slot_memory);
-  /// After an update: slots get what was written for them.
+  /// Copies into the slots what was written for them. Call it after an update.
   void hand_over();
 
   std::span<WatchedAgent> all() { return watched_; }

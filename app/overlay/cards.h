@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// The strip below the crowd: the cost of the last frame, and of the frames before it.
+/// Shows the strip below the crowd: the cost of the last frame, and of the frames before it.
 void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& report);
 
 struct Notice {
@@ -19,15 +19,15 @@ struct Notice {
 /// Shows the notices at the top of the crowd, one below the other. Returns the y below the last of them.
 float show_notices(const Widgets& widgets, const Area& crowd, std::span<const Notice> notices);
 
-/// The keys and the words, in the middle of the crowd.
+/// Shows the keys and the words, in the middle of the crowd.
 void show_help_card(Widgets& widgets, const Area& crowd);
 
-/// The selected agent, in the upper left of `place`, where there is mostly sky: what it does, and the graph of entities
-/// that makes its pose.
+/// Shows what the selected agent does, and the graph of entities that makes its pose. The card is in the upper left of
+/// `place`, where there is mostly sky.
 void show_selection_card(Widgets& widgets, const Area& place, const SelectionReport& selected,
                          OverlayCommands& commands);
 
-/// "0.42 / 1.03": the seconds of a player in its clip; empty for other entities.
+/// Returns the seconds of a player in its clip, such as "0.42 / 1.03"; nothing for other entities.
 std::string place_in_clip(const EntityRow& row);
 
 /// Writes the level of detail of each agent in the report above its head: the interval in frames, and after it the bone

@@ -22,8 +22,8 @@ void apply_hotkeys(const InputFrame& input, bool anybody_selected, OverlaySwitch
 /// Tells a click at the crowd from a drag, and from a click at the overlay.
 class CrowdClick {
  public:
-  /// Call it once a frame. `pointer_free`: the overlay does not use the pointer. Returns the place of a press whose
-  /// button is let go in this frame.
+  /// Returns the place of a press whose button is let go in this frame. `pointer_free` says that the overlay does not
+  /// use the pointer. Call it once a frame.
   std::optional<PicturePoint> update(const InputFrame& input, bool pointer_free);
 
  private:

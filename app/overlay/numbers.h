@@ -24,16 +24,18 @@ struct NumberScale {
   std::span<const int> stops = {};  ///< when not empty, the only numbers accepted
 };
 
-/// The scale of the tuning's value with that key.
+/// Returns the scale of the tuning's value with that key.
 NumberScale scale_of(std::string_view key, std::span<const int> stops = {});
 
-/// The nearest number that the scale accepts.
+/// Returns the nearest number that the scale accepts.
 double accepted(const NumberScale& scale, double value);
-/// The place of a number along its track, 0 to 1, and the number at a place.
+/// Returns the place of a number along its track, 0 to 1.
 double place_of(const NumberScale& scale, double value);
+/// Returns the number at a place of the track.
 double value_at(const NumberScale& scale, double place);
-/// The text of a number, and the number that a text means: nothing if it is no number.
+/// Returns the text of a number.
 std::string written(const NumberScale& scale, double value);
+/// Returns the number that a text means; nothing if it is no number.
 std::optional<double> meant(const NumberScale& scale, const std::string& text);
 
 }  // namespace throng::app

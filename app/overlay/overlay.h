@@ -22,45 +22,46 @@ namespace throng::app {
 ///   | frame graph                    |           |
 ///   +--------------------------------+-----------+
 ///
-/// In each frame, on the thread of the window: begin_frame, build, and then draw draw_data(). build also does what the
+/// The window's thread calls begin_frame and build in each frame, and then draws draw_data(). build also does what the
 /// hotkeys ask for. app/demo/window_loop.cpp is the loop.
 ///
 /// It owns the ImGui context and makes it current, so there is one overlay at a time.
 class Overlay {
  public:
-  /// `fonts`: the folder of the Roboto files. `scale` multiplies every measure. A reset goes back to `standard`.
+  /// `fonts` is the folder of the Roboto files. `scale` multiplies every measure. A reset goes back to `standard`.
   Overlay(const std::filesystem::path& fonts, float scale, const Tuning& standard, const Clipboard& clipboard = {});
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// `width`, `height`: pixels of the picture, above 0; `seconds` since the frame before.
+  /// Begins a frame, `seconds` after the one before. `width` and `height` are pixels of the picture, above 0.
   void begin_frame(int width, int height, double seconds, const InputFrame& input);
 
-  /// Lays the overlay out and ends the frame; once after each begin_frame.
+  /// Lays the overlay out and ends the frame. Call it once after each begin_frame.
   OverlayCommands build(const FrameReport& report, Tuning& tuning);
 
-  /// The triangles of the last build; valid until the next begin_frame.
+  /// Returns the triangles of the last build, which are valid until the next begin_frame.
   ImDrawData* draw_data() const;
 
-  /// The number of vertices of the last build; 0 when hidden.
+  /// Returns the number of vertices of the last build; 0 when hidden.
   int vertex_count() const;
 
-  /// The places of all widgets in the last build.
+  /// Returns the places of all widgets in the last build.
   const UiMap& ui_map() const;
 
-  /// The part of the picture that nothing covers.
+  /// Returns the part of the picture that nothing covers.
   UiRectangle crowd_area() const;
 
-  /// True while the pointer (keyboard) belongs to the overlay, not to the camera.
+  /// Returns whether the pointer belongs to the overlay, not to the camera.
   bool uses_pointer() const;
+  /// Returns whether the keyboard belongs to the overlay, not to the camera.
   bool uses_keyboard() const;
 
   void set_hidden(bool hidden);
   /// Shows one of "Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"; any other name is ignored.
   void show_tab(const std::string& name);
 
-  /// True if the fonts were not found; then ImGui's own is in use.
+  /// Returns whether the fonts were not found; then ImGui's own font is in use.
   bool fonts_missing() const;
 
  private:

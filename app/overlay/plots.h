@@ -41,10 +41,10 @@ void draw_steps(const Theme& theme, const Area& area, const Steps& steps);
 /// Draws a rounded dark ground for a plot.
 void draw_well(const Theme& theme, const Area& area);
 
-/// The value that so many percent of the values do not exceed; 0 of none.
+/// Returns the value that so many percent of the values do not exceed; 0 if there are none.
 float at_percent(std::vector<float> values, std::size_t percent);
 
-/// The next larger of 1, 2, 5, 10, 20, 50...
+/// Returns the next larger of 1, 2, 5, 10, 20, 50...
 float round_up(float value);
 
 }  // namespace throng::app

@@ -18,9 +18,9 @@ class TuningPair {
  public:
   [[nodiscard]] bool shows_b() const { return shows_b_; }
 
-  /// Brings the other one into use; the first time it is the same.
+  /// Brings the other tuning into use. The first time it is a copy of the one in use.
   void change_places(Tuning& tuning);
-  /// The other one becomes a copy of the one in use.
+  /// Makes the other tuning a copy of the one in use.
   void copy_to_other(const Tuning& tuning) { other_ = tuning; }
 
  private:
@@ -28,7 +28,7 @@ class TuningPair {
   bool shows_b_ = false;
 };
 
-/// The list of bones, from frame to frame.
+/// All that the list of bones remembers from frame to frame.
 struct BoneListMemory {
   struct Drag {
     std::size_t from = 0;  ///< place in the list; of a border, the level that ends there
@@ -60,15 +60,15 @@ struct TabContext {
   OverlayCommands& commands;
   TabMemory& memory;
 
-  /// Shows the tuning's value with that key. The table of values gives kind, range, words and default. True: the person
-  /// changed it.
+  /// Shows the tuning's value with that key. The table of values gives kind, range, words and default. Returns whether
+  /// the person changed the value.
   bool row(const char* key, const char* label, const Help& help) const { return row(key, label, scale_of(key), help); }
   bool row(const char* key, const char* label, const NumberScale& scale, const Help& help) const;
 };
 
-/// The bone levels of the character shown: four, unless it has fewer.
+/// Returns the number of bone levels of the character shown: four, unless it has fewer.
 int level_count(const FrameReport& report);
-/// The level that the person forces on agents.
+/// Shows the level that the person forces on agents.
 void show_forced_level(const TabContext& context, const char* label, const char* what);
 
 void show_crowd_tab(const TabContext& context);
@@ -78,10 +78,11 @@ void show_scheduling_tab(const TabContext& context);
 void show_agent_tab(const TabContext& context);
 void show_presets_tab(const TabContext& context);
 
-/// A sweep over the crowd that runs: the value to vary, a button, and the curve. A click on a stop takes its value.
+/// Shows a sweep over the crowd that runs: the value to vary, a button, and the curve. A click on a stop takes its
+/// value.
 void show_sweep(const TabContext& context);
-/// The work of each PU in the last frames, side by side on one axis of milliseconds. The wheel zooms about the pointer,
-/// a drag moves along, and a double click shows all again. A span under the pointer says what it was.
+/// Shows the work of each PU in the last frames, side by side on one axis of milliseconds. The wheel zooms about the
+/// pointer, a drag moves along, and a double click shows all again. A span under the pointer says what it was.
 void show_timeline(const TabContext& context);
 
 }  // namespace throng::app

@@ -18,7 +18,7 @@ struct UiRectangle {
 /// arrow, "Schedule:levels" one of several choices, "tab:Crowd" a tab.
 struct UiMap {
   std::string tab;
-  bool hidden = false;                                       ///< by Tab
+  bool hidden = false;                                       ///< the overlay is hidden, by Tab
   bool help = false;                                         ///< the help card is open, by F1
   bool shows_b = false;                                      ///< the second of two tunings is in use
   bool typing = false;                                       ///< keys go into a text field
@@ -27,9 +27,9 @@ struct UiMap {
   [[nodiscard]] const UiRectangle* find(const std::string& name) const;
 };
 
-/// The map with the figures that tests wait for, as JSON: `tab`, `hidden`, `help`, `shows_b`, `typing`, `frame`,
-/// `tuning` {the keys of presets, `inspection`}, `report` {agents, drawn, pus, tile, selected, ...}, `camera` {x, y, z,
-/// yaw, pitch, field_of_view}, `widgets` {name: {x, y, w, h}}.
+/// Returns the map with the figures that tests wait for, as JSON: `tab`, `hidden`, `help`, `shows_b`, `typing`,
+/// `frame`, `tuning` {the keys of presets, `inspection`}, `report` {agents, drawn, pus, tile, selected, ...}, `camera`
+/// {x, y, z, yaw, pitch, field_of_view}, `widgets` {name: {x, y, w, h}}.
 std::string to_json(const UiMap& map, const Tuning& tuning, const FrameReport& report);
 
 }  // namespace throng::app

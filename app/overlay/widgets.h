@@ -40,14 +40,14 @@ class Widgets {
   bool number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
   bool toggle(const char* label, bool& value, bool standard, const Help& help);
   bool button(const char* label, const Help& help, float width) { return named_button(label, label, help, width); }
-  /// A button that shares its words with others: `name` tells it apart in the map.
+  /// Shows a button that shares its words with others; `name` tells it apart in the map.
   bool named_button(const char* words, const std::string& name, const Help& help, float width);
-  /// A few words, at most 63 bytes; `hint` stands there while it is empty.
+  /// Shows a field for a few words, at most 63 bytes. `hint` stands in it while it is empty.
   bool text(const char* label, std::string& value, const char* hint, const Help& help);
   void fact(const char* label, const std::string& value, const Help& help);
   void caption(const std::string& text) const;
 
-  /// One of several words; the enumerators count from 0 in the order of `words`.
+  /// Offers one of several words. The enumerators count from 0 in the order of `words`.
   template <class Choice>
   bool choice(const char* label, Choice& value, Choice standard, std::span<const char* const> words, const Help& help) {
     int index = static_cast<int>(value);
@@ -57,14 +57,16 @@ class Widgets {
   }
   bool choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help);
 
-  /// One of many words, from a list that opens. `none` is its first entry, index -1; null: the list has no such entry.
+  /// Offers one of many words, from a list that opens. `none` is its first entry, index -1; null: the list has no such
+  /// entry.
   bool pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,
             const Help& help);
 
-  /// All of the width that is left, and `height` pixels of a plain screen, for a picture named `name`.
+  /// Returns an area for a picture named `name`. It takes all of the width that is left, and `height` pixels of a plain
+  /// screen.
   Area area(const char* name, float height);
 
-  /// A tab or another plain clickable word, which the caller draws into the rectangle.
+  /// Returns whether a tab or another plain word was clicked. The caller draws it into the rectangle.
   bool clickable(const std::string& name, const Area& place);
   void tooltip(const char* title, const Help& help, const std::string& standard) const;
   void record(const std::string& name, const Area& place);
@@ -87,7 +89,7 @@ class Widgets {
 
   const Theme& theme_;
   UiMap& map_;
-  std::map<ImGuiID, FieldText> typed_;  ///< text of the fields being typed into; two while one is left for another
+  std::map<ImGuiID, FieldText> typed_;  ///< text of the field that is typed into; two while one is left for another
   ImGuiID held_after_reset_ = 0;        ///< the track that a double click reset, until the button is let go
 };
 
@@ -95,7 +97,7 @@ class Widgets {
 class ButtonRow {
  public:
   ButtonRow(Widgets& widgets, int count);
-  /// The next button to the right.
+  /// Shows the next button to the right. Returns whether it was pressed.
   bool button(const char* label, const Help& help, bool enabled = true);
 
  private:
@@ -104,13 +106,13 @@ class ButtonRow {
   bool begun_ = false;
 };
 
-/// A rectangle that knows whether the pointer is over it.
+/// Returns a rectangle that knows whether the pointer is over it.
 Area rectangle(ImVec2 from, ImVec2 to);
 
 float text_width(ImFont* font, const std::string& text);
 /// Draws text with its left, middle (0.5) or right edge (1) at `at`.
 void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align = 0);
-/// A tooltip at the pointer; empty lines are left out.
+/// Shows a tooltip at the pointer. Empty lines are left out.
 void tell(std::initializer_list<std::string> lines);
 
 }  // namespace throng::app

@@ -79,7 +79,7 @@ struct RecordedRoles {
   RoleClips clips = no_clips();
 };
 struct RecordedHold {
-  std::optional<std::uint32_t> agent;  ///< whose clip is held; none: the clip is let go
+  std::optional<std::uint32_t> agent;  ///< the agent whose clip is held; none: the clip is let go
   float seconds = 0;
 };
 struct RecordedRewind {};

@@ -34,7 +34,7 @@ class RecordingWriter {
   /// Adds a frame after its update. `agent_hashes` are those of AnimationSystem. Allocates only when the crowd grows.
   void add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes);
 
-  /// Errors: a part of the file could not be written.
+  /// Renames the file, which is whole. Errors: a part of it could not be written.
   anim::Status finish();
   const std::filesystem::path& file() const { return file_.file(); }
 

@@ -32,18 +32,18 @@ struct TimelineFrame {
 /// One PU in the last frame.
 struct PuReport {
   anim::PuActivity activity;
-  std::size_t local_store_laid_out_bytes = 0;  ///< by plan: fetch buffers and scratch
+  std::size_t local_store_laid_out_bytes = 0;  ///< fetch buffers and scratch, as planned
 };
 
 /// One bone of the level-of-detail order.
 struct BoneRow {
   std::string name;
-  int depth = 0;    ///< in the hierarchy
+  int depth = 0;    ///< depth in the hierarchy
   int parent = -1;  ///< its parent's place in the list
   anim::BoneLodRow lod;
 };
 
-/// What level of detail gives an agent, to be written above its head.
+/// The interval and the bone level of an agent, to be written above its head.
 struct HeadFigures {
   float x = 0, y = 0, z = 0;  ///< metres, just above the head
   int interval = 1;
@@ -66,20 +66,20 @@ struct FrameReport {
   std::uint64_t pose_hash = 0;
   render::DrawCounts draw_counts;
   // Roles
-  std::vector<std::string> clip_names;          ///< of the character
-  RoleClips role_clips = no_clips();            ///< in use
-  RoleClips suggested_role_clips = no_clips();  ///< as the names suggest
+  std::vector<std::string> clip_names;          ///< the character's clips
+  RoleClips role_clips = no_clips();            ///< the clips in use
+  RoleClips suggested_role_clips = no_clips();  ///< the clips that the names suggest
   // Level of detail
   std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
   std::vector<int> agents_by_bone_level;  ///< [level]
   std::vector<int> level_bone_counts;     ///< [level]
-  anim::ErrorFigures error;               ///< of what is shown, over the last 60 frames
+  anim::ErrorFigures error;               ///< errors of what is shown, over the last 60 frames
   std::vector<BoneRow> bones;             ///< in level-of-detail order
   anim::LodFigures lod;
-  std::vector<IntervalThreshold> thresholds;  ///< where the interval changes, the nearest first
+  std::vector<IntervalThreshold> thresholds;  ///< the distances where the interval changes, the nearest first
   std::string threshold_clip;                 ///< the clip that they hold for; empty: they hold for all
   std::string limit_sentence;                 ///< says what limits the frame rate, with figures
-  std::vector<HeadFigures> heads;             ///< of agents near by, if asked for
+  std::vector<HeadFigures> heads;             ///< figures of agents near by, if asked for
   // Scheduling
   int hardware_threads = 0;
   anim::ScheduleOptions schedule;
@@ -87,11 +87,11 @@ struct FrameReport {
   std::vector<PuReport> pu;
   std::deque<TimelineFrame> timeline;    ///< the last frames, oldest first
   std::vector<anim::KindMemory> memory;  ///< the blocks of all agents
-  SweepCurve sweep;                      ///< the newest; no stops: none was asked for yet
+  SweepCurve sweep;                      ///< the newest sweep; no stops: none was asked for yet
   CameraPlace camera;
-  std::vector<std::string> preset_names;    ///< of presets that can be loaded, sorted
-  int snapshots = 0;                        ///< of the crowd as it was, that it can be taken back to
-  float snapshot_seconds = 0;               ///< how far back the newest of them is
+  std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
+  int snapshots = 0;                        ///< number of snapshots that the crowd can be taken back to
+  float snapshot_seconds = 0;               ///< seconds back to the newest of them
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
 };
 
@@ -100,7 +100,7 @@ struct PicturePoint {
   float x = 0, y = 0;
 };
 
-/// Holds what a person asks the overlay for in a frame. The tuning is not in it: the overlay edits that.
+/// The commands that a person gives the overlay in a frame. The tuning is not among them, because the overlay edits it.
 struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
   std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown

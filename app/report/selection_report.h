@@ -17,7 +17,7 @@ struct BlockField {
   std::string value;
 };
 
-/// What level of detail gave an agent in a frame.
+/// The interval and the bone level that level of detail gave an agent in a frame.
 struct LodOfFrame {
   bool visible = false;
   std::uint8_t interval = 1;
@@ -27,22 +27,22 @@ struct LodOfFrame {
 /// One entity of an agent's graph, as its block stands after the last update.
 struct EntityRow {
   std::string kind;
-  std::string clip;            ///< of a player; else empty
-  float position_seconds = 0;  ///< of a player, in its clip
-  float duration_seconds = 0;  ///< of a player's clip
+  std::string clip;            ///< the clip of a player; else empty
+  float position_seconds = 0;  ///< a player's place in its clip
+  float duration_seconds = 0;  ///< the length of a player's clip
   float weight = 0;            ///< its share of the pose that is shown, 0 to 1
   anim::Handle handle = {};
   int priority = 0;                      ///< 0: players, the highest; below 0: those that read them
   bool resident = false;                 ///< keeps its transforms in main memory
   bool shared = false;                   ///< several agents read it
-  std::vector<BlockField> fields = {};   ///< of the block's header
-  std::vector<std::uint8_t> block = {};  ///< its bytes
+  std::vector<BlockField> fields = {};   ///< the fields of the block's header
+  std::vector<std::uint8_t> block = {};  ///< the bytes of the block
 };
 
 /// A channel of an agent with its entities, or an entity that changes the pose of all channels.
 struct LayerRow {
   std::string name;
-  float weight = 1;        ///< how much it counts against the layers below, 0 to 1
+  float weight = 1;        ///< its weight against the layers below, 0 to 1
   bool is_masked = false;  ///< it changes some bones only
   bool is_channel = true;
   std::vector<std::size_t> entities;  ///< places in SelectionReport::entities, readers after what they read
@@ -61,17 +61,17 @@ struct SelectionReport {
   float speed = 0;            ///< metres a second
   bool visible = false;
   int interval = 0;    ///< frames from one update to the next
-  int bone_level = 0;  ///< of the pose shown
-  int bones = 0;       ///< of that level
+  int bone_level = 0;  ///< the level of the pose shown
+  int bones = 0;       ///< the number of bones at that level
   bool can_fall = false;
   int channels = 0;
   std::vector<EntityRow> entities;       ///< each once, readers after what they read, the pose last
   std::vector<LayerRow> layers = {};     ///< a later one lies over the earlier ones
-  std::uint32_t bytes = 0;               ///< of all blocks
-  std::vector<LodOfFrame> history = {};  ///< of the last frames, oldest first
+  std::uint32_t bytes = 0;               ///< the size of all blocks
+  std::vector<LodOfFrame> history = {};  ///< the last frames, oldest first
   std::vector<std::string> events = {};  ///< data keys that it met and clips that it began, the newest first
   std::optional<float> held_at = {};     ///< seconds: a person holds its clip there
-  float clip_seconds = 0;                ///< of the clip that it plays; 0: none
+  float clip_seconds = 0;                ///< length of the clip that it plays; 0: none
 };
 
 }  // namespace throng::app

@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// Which value of the tuning a sweep goes through, and its unit there.
+/// The value of the tuning that a sweep goes through, and its unit there.
 enum class SweptValue : std::uint8_t {
   pus,          ///< threads
   local_store,  ///< KiB
@@ -18,7 +18,7 @@ enum class SweptValue : std::uint8_t {
   grain,        ///< microseconds
 };
 
-/// Where a sweep stops; sliders stop there too.
+/// The values at which a sweep stops. Sliders stop there too.
 inline constexpr std::array local_store_stops = {16, 32, 64, 128, 256, 512, 1024};
 inline constexpr std::array tile_stops = {1, 2, 4, 8, 16};
 inline constexpr std::array grain_stops = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
@@ -37,7 +37,7 @@ struct SweepStop {
   double value = 0;
   bool refused = false;
   bool known = false;
-  UpdateCost cost = {};  ///< once it is known: the median of its frames, figure by figure
+  UpdateCost cost = {};  ///< the median of its frames, figure by figure, if it is known
 };
 
 /// The results of a sweep so far.
@@ -49,7 +49,7 @@ struct SweepCurve {
   std::string refusal;  ///< the reason why the first of the refused stops was refused
 
   bool complete() const { return visits == all_visits; }
-  /// The stop at which an update takes least; null while nothing is known.
+  /// Returns the stop at which an update takes least; null while nothing is known.
   const SweepStop* lowest() const;
 };
 
@@ -61,17 +61,17 @@ class TuningSweep {
  public:
   static constexpr int rounds = 5, settling_frames = 2, measured_frames = 3;
 
-  /// All other values stay as they are in `tuning`. `threads`: of the machine.
+  /// Starts a sweep of `value`. All other values stay as they are in `tuning`. `threads` is the machine's number.
   void start(SweptValue value, const Tuning& tuning, int threads);
   void stop() { curve_.runs = false; }
   bool runs() const { return curve_.runs; }
   bool began_with(const Tuning& tuning) const { return tuning == start_; }
 
-  /// While it runs: the tuning for the next frame.
+  /// Returns the tuning for the next frame. Call it only while the sweep runs.
   Tuning tuning() const;
-  /// tuning() could not be applied, for this reason. The sweep goes on to another stop, or ends.
+  /// Notes the reason why tuning() could not be applied. The sweep goes on to another stop, or ends.
   void refuse(const std::string& reason);
-  /// A frame was posed with tuning(), at this cost.
+  /// Adds the cost of a frame that was posed with tuning().
   void add(const UpdateCost& cost);
 
   const SweepCurve& curve() const { return curve_; }
@@ -84,7 +84,7 @@ class TuningSweep {
   std::vector<std::vector<UpdateCost>> measured_;  // [stop]
   std::size_t stop_ = 0;
   int round_ = 0;
-  int frames_ = 0;  // of this visit
+  int frames_ = 0;  // frames of this visit
 };
 
 }  // namespace throng::app

@@ -22,7 +22,7 @@ using Complaint = std::optional<std::string>;
 /// Reads the text of an option into a variable, which must outlive the reader.
 using ValueReader = std::function<Complaint(const std::string& text)>;
 
-/// The shortest text that reads back as the same number to the bit.
+/// Returns the shortest text that reads back as the same number to the bit.
 template <typename Number>
 std::string shortest_text(Number number) {
   char text[32];
@@ -49,10 +49,10 @@ Complaint read_number(const std::string& text, double least, double most, Number
 }
 
 ValueReader whole_number(int& target, int least, int most);
-/// Any number, least to most.
+/// Reads any number from `least` to `most`.
 ValueReader number_between(float& target, float least, float most);
 ValueReader seconds_above_zero(std::optional<double>& target);
-/// A number above 0. A complaint names the `unit`: "pixels".
+/// Reads a number above 0. A complaint names the `unit`: "pixels".
 ValueReader number_above_zero(float& target, std::string unit);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative
 ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to 16,384
@@ -63,7 +63,7 @@ ValueReader file_name(std::string& target);  ///< anything but `-`, which elsewh
 ValueReader file_that_ends_in(std::string ending, std::string& target);
 ValueReader role_choices(std::vector<RoleChoice>& target);  ///< ROLE=NAME[,ROLE=NAME...], each role once
 
-/// One of a few words; `Target` is the value's type or an optional of it.
+/// Reads one of a few words. `Target` is the value's type or an optional of it.
 template <typename Value, typename Target>
 ValueReader choice(Target& target, std::vector<std::pair<std::string, Value>> choices) {
   return [&target, choices = std::move(choices)](const std::string& text) -> Complaint {
@@ -79,7 +79,7 @@ ValueReader choice(Target& target, std::vector<std::pair<std::string, Value>> ch
   };
 }
 
-/// The parts of a text between commas.
+/// Returns the parts of a text between commas.
 std::vector<std::string> parts_between_commas(const std::string& text);
 
 inline ValueReader on_or_off(bool& target) { return choice<bool>(target, {{"on", true}, {"off", false}}); }

@@ -19,40 +19,42 @@ struct Preset {
   std::optional<CameraPlace> camera;  ///< none: the camera stays where it is
 };
 
-/// One flat JSON object with the keys of tuning_values() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has them, in a
-/// string). Keys that are missing leave `preset` as it is. A complaint names the key and what to do, and then nothing
-/// has changed.
+/// Returns one flat JSON object with the keys of tuning_values() and "camera" (x,y,z,yaw,pitch,fov as `--camera` has
+/// them, in a string).
 Json to_json(const Preset& preset);
+/// Reads such an object into `preset`. Keys that are missing leave `preset` as it is. A complaint names the key and
+/// what is allowed; then nothing has changed.
 Complaint from_json(const Json& json, Preset& preset);
-/// As from_json(), of a text that may not be JSON.
+/// Does what from_json() does, with a text that may not be JSON.
 Complaint from_json_text(std::string_view text, Preset& preset);
 
-/// Keys that are missing have their defaults. The error is one line that names file, key and what to do.
+/// Reads a preset from a file. Keys that are missing have their defaults. The error is one line that names the file,
+/// the key and what is allowed.
 anim::Result<Preset> read_preset(const std::filesystem::path& file);
 /// Writes the file whole or not at all, and makes its folder.
 anim::Status write_preset(const std::filesystem::path& file, const Preset& preset);
 
-/// The folder of presets with a name: $XDG_CONFIG_HOME/throng/presets, else ~/.config/throng/presets; empty if the
-/// system names neither.
+/// Returns the folder of presets with a name: $XDG_CONFIG_HOME/throng/presets, else ~/.config/throng/presets; empty if
+/// the system names neither.
 std::filesystem::path preset_folder();
-/// NAME.json in that folder. A name with a dot or slash is a file of its own.
+/// Returns NAME.json in that folder. A name with a dot or slash is a file of its own.
 std::filesystem::path preset_file(const std::string& name_or_file);
-/// True for a name that a preset can be kept under: letters, digits, blanks inside, - and _.
+/// Returns whether a preset can be kept under that name: letters, digits, blanks inside, - and _.
 bool can_name_a_preset(const std::string& name);
-/// The names of the presets in the folder, sorted.
+/// Returns the names of the presets in the folder, sorted.
 std::vector<std::string> preset_names();
 
-/// The name or file of a preset, as `--preset` takes it.
+/// Reads the name or file of a preset, as `--preset` takes it.
 ValueReader preset_values(DemoOptions& options);
 
-/// KEY=VALUE,... of tuning_values(), as `--set` takes them.
+/// Reads KEY=VALUE,... of tuning_values(), as `--set` takes them.
 ValueReader set_values(Tuning& tuning);
 
-/// The options that turn `defaults` into `tuning` and place the camera: "--agents 5000 --set full_rate_distance=20
-/// --camera 0,2,9,0,-5,50". Values that do not differ are left out.
+/// Returns the options that turn `defaults` into `tuning` and place the camera: "--agents 5000 --set
+/// full_rate_distance=20 --camera 0,2,9,0,-5,50". Values that do not differ are left out.
 std::string command_line(const Tuning& tuning, const Tuning& defaults, const std::optional<CameraPlace>& camera);
 
-/// The text that `--camera` takes: x,y,z,yaw,pitch,fov.
+/// Returns the text that `--camera` takes: x,y,z,yaw,pitch,fov.
 std::string camera_text(const CameraPlace& place);
 
 }  // namespace throng::app

@@ -46,7 +46,7 @@ struct LodInspection {
   bool thresholds = false;     ///< a ring on the ground wherever the interval grows
   bool figures_above_heads = false;  ///< interval and bone level of agents near by
   Split split = Split::off;
-  float split_at = 0.35F;            ///< of the picture's width, 0 to 1: left of it the crowd is exact
+  float split_at = 0.35F;            ///< share of the picture's width, 0 to 1; left of it the crowd is exact
   int forced_interval = 0;           ///< frames, 1 to 16; 0: the rule decides
   int forced_bone_level = -1;        ///< 0 to 3, or the character's last; -1: the rule decides
   bool force_selected_only = false;  ///< the forced values are for the selected agent, else for everyone
@@ -90,7 +90,7 @@ inline void set_local_store_kib(Tuning& tuning, int kib) {
   tuning.system.local_store_bytes = static_cast<std::size_t>(kib) * bytes_a_kib;
 }
 
-/// The tuning with which `--lod off` shows the same crowd: everyone is posed in full in every frame.
+/// Returns the tuning with which `--lod off` shows the same crowd: everyone is posed in full in every frame.
 inline Tuning without_level_of_detail(Tuning tuning) {
   tuning.lod.rule = anim::LodRule::off;
   tuning.lod.bone_lod = false;
@@ -101,8 +101,8 @@ inline Tuning without_level_of_detail(Tuning tuning) {
   return tuning;
 }
 
-inline constexpr int most_picture_pixels = 16384;  ///< of a picture's width and of its height
-inline constexpr std::size_t most_models = 16;     ///< of people in one crowd
+inline constexpr int most_picture_pixels = 16384;  ///< the largest width and height of a picture
+inline constexpr std::size_t most_models = 16;     ///< the largest number of models of people in one crowd
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
@@ -120,7 +120,7 @@ struct DemoOptions {
   std::string ui_tab = "Crowd";  ///< the overlay starts with it
   std::optional<int> selected;   ///< an agent, from the start
   bool hide_ui = false;
-  float ui_scale = 1;  ///< of every measure of the overlay
+  float ui_scale = 1;  ///< multiplies every measure of the overlay
   int msaa = -1;       ///< 0 or 4; -1: as much as the device affords
   bool shadows = true;
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
@@ -136,7 +136,8 @@ struct DemoOptions {
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 
-/// The frames that a headless run draws: those asked for; else the last, if something of it is written; else none.
+/// Returns the frames that a headless run draws: those asked for; else the last, if something of it is written; else
+/// none.
 inline DrawWhich drawn_frames(const DemoOptions& options) {
   const bool is_seen = !options.screenshot.empty() || !options.ui_map.empty();
   return options.draw.value_or(is_seen ? DrawWhich::last : DrawWhich::none);

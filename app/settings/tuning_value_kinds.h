@@ -34,7 +34,7 @@ TuningValue number(TuningValue value, Member member) {
   return value;
 }
 
-/// A number above 0, and 0 in a preset for no limit.
+/// Makes the row of a number above 0; a preset has 0 for no limit.
 template <typename Member>
 TuningValue limit(TuningValue value, const char* unit, Member member) {
   value = number(std::move(value), member);
@@ -57,8 +57,8 @@ TuningValue on_off(TuningValue value, Member member) {
 template <typename Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-/// One of a few values. Where several words mean the same, the first is written. The option does not take the word of
-/// `zero`.
+/// Makes the row of one of a few values. Where several words mean the same, the first is written. The option does not
+/// take the word of `zero`.
 template <typename Value, typename Member>
 TuningValue one_of(TuningValue value, Member member, const Choices<Value>& choices) {
   const Choices<Value> taken(choices.begin() + (value.zero.empty() ? 0 : 1), choices.end());
@@ -80,7 +80,7 @@ TuningValue one_of(TuningValue value, Member member, const Choices<Value>& choic
   return value;
 }
 
-/// An enumeration, with a word for each enumerator in its order.
+/// Makes the row of an enumeration, with a word for each enumerator in its order.
 template <std::size_t count, typename Member>
 TuningValue word(TuningValue value, Member member, const std::array<const char*, count>& words) {
   using Value = std::remove_reference_t<decltype(member(std::declval<Tuning&>()))>;

@@ -26,19 +26,19 @@ struct Track {
 struct TuningValue {
   enum class Form : std::uint8_t { number, on_off, word };
 
-  std::string_view key = {};      ///< in JSON, and of `--set`
+  std::string_view key = {};      ///< the key in JSON and of `--set`
   std::string_view group = {};    ///< the heading above the option in the help
-  std::string_view option = {};   ///< as the help has it, "--agents N"; empty: the command line has none
+  std::string_view option = {};   ///< the option in the help, "--agents N"; empty: the command line has none
   std::string_view help = {};     ///< {values} and {default} stand for what is allowed and the default
-  double least = 0, most = 0;     ///< of a number
+  double least = 0, most = 0;     ///< the range of a number
   std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take
   bool option_does_more = false;  ///< the option also changes other values
   Track track = {};
   Form form = Form::number;
-  std::span<const char* const> words = {};  ///< of an enumeration, in its order
+  std::span<const char* const> words = {};  ///< the words of an enumeration, in its order
   std::string values = {};                  ///< all that the option takes, as a phrase
-  /// Both take a text into a tuning, or complain: the first reads the text of presets and `--set`, the second that of
-  /// the option.
+  /// Both read a text into a tuning, or complain. `read` reads the text of presets and `--set`; `read_option` reads
+  /// that of the option.
   std::function<Complaint(Tuning&, const std::string&)> read = {}, read_option = {};
   std::function<std::string(const Tuning&)> text = {};  ///< it reads back as the same value to the bit
 
@@ -46,25 +46,26 @@ struct TuningValue {
   [[nodiscard]] std::string_view hint() const { return option.substr(std::min(option.size(), option.find(' ') + 1)); }
 };
 
-/// Every value of Tuning that is worth keeping, in the order of presets. A new member of Tuning gets a row here.
+/// Returns every value of Tuning that is worth keeping, in the order of presets. A new member of Tuning gets a row
+/// here.
 std::span<const TuningValue> tuning_values();
 
-/// The row with that key or option, which must be there.
+/// Returns the row with that key or option, which must be there.
 const TuningValue& tuning_value(std::string_view key_or_option);
 
-/// The row with that key; null where there is none.
+/// Returns the row with that key; null where there is none.
 const TuningValue* find_tuning_value(std::string_view key);
 
-/// The sentence about the option, with range and default.
+/// Returns the sentence about the option, with range and default.
 std::string description(const TuningValue& value);
 
 /// Puts the value in `from` into `to`.
 void copy_value(const TuningValue& value, const Tuning& from, Tuning& to);
 
-/// "scene, agents, seed ...".
+/// Returns the keys of all values: "scene, agents, seed ...".
 std::string known_preset_keys();
 
-/// The table of all keys in app/command_line/README.md.
+/// Returns the table of all keys in app/command_line/README.md.
 std::string presets_as_markdown();
 
 }  // namespace throng::app

@@ -18,13 +18,13 @@ class Hands {
   void select(std::optional<std::uint32_t> agent);
   /// Selects the agent that is seen at a pixel from the top left of the picture; deselects where there is none.
   void select_at(float x, float y);
-  /// Errors as AnimatedCrowd::push_over.
+  /// Pushes an agent over. Errors: those of AnimatedCrowd::push_over.
   anim::Status push(std::uint32_t agent, const glm::vec3& direction);
   /// Pushes the selected agent over, away from the camera; does nothing if none is selected.
   anim::Status push_selected();
-  /// As AnimatedCrowd::hold_clip.
+  /// Does what AnimatedCrowd::hold_clip does.
   void hold_clip(std::uint32_t agent, float seconds);
-  /// Does nothing if no agent is selected.
+  /// Does the same with the selected agent; does nothing if none is selected.
   void hold_selected_clip(float seconds);
   void let_go_of_clip();
 

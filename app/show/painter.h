@@ -21,7 +21,7 @@ namespace throng::app {
 /// Says from where a picture is drawn, and from where level of detail looks in it.
 struct PaintedView {
   render::Camera camera;
-  std::optional<render::Camera> frozen;  ///< where level of detail looks from instead
+  std::optional<render::Camera> frozen;  ///< the camera from which level of detail looks instead
   int width = 0, height = 0;
 
   const render::Camera& lod_camera() const { return frozen ? *frozen : camera; }
@@ -32,7 +32,7 @@ struct PaintedView {
 /// draws nothing, and palettes live on the heap.
 class Painter {
  public:
-  /// Errors: there is no such context, or it cannot draw.
+  /// Makes a painter. Errors: there is no such context, or it cannot draw.
   static anim::Result<std::unique_ptr<Painter>> create(const DemoOptions& options);
 
   bool draws() const { return renderer_ != nullptr; }
@@ -56,7 +56,7 @@ class Painter {
 
   /// Draws the stage into the renderer's picture and waits for it, so that the time is the whole frame's.
   void draw(Stage& stage, const PaintedView& view, RunFigures& figures);
-  /// These describe the picture drawn last.
+  /// These functions describe the picture drawn last.
   const Picture& picture() const { return picture_; }
   const ThresholdsInView& thresholds() const { return thresholds_; }
   const render::DrawCounts& draw_counts() const { return draw_counts_; }
@@ -75,7 +75,7 @@ class Painter {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::HeapPageSource> heap_pages_;
   Picture picture_;
-  Picture exact_picture_;  // of a split view
+  Picture exact_picture_;  // the exact side of a split view
   SceneLines lines_;
   ThresholdsInView thresholds_;
   Spared spared_;

@@ -30,7 +30,7 @@ class Replay {
   /// that differ; the recording is cut short or damaged.
   anim::Result<bool> step(Show& show);
 
-  /// Returns "run.rec: 120 frames are equal, of 300 agents at the end".
+  /// Returns "run.rec: all 120 frames are equal, the last of 300 agents".
   std::string summary() const;
 
  private:

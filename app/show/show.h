@@ -36,7 +36,7 @@ class Show {
 
   /// Gives the roles of a character other clips, at a frame boundary.
   void set_roles(std::size_t character, const RoleClips& clips);
-  /// As Stage::set_bone_lod; changes what is drawn as well.
+  /// Does what Stage::set_bone_lod does, and changes what is drawn as well.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
   /// Returns what a person can do to single agents. Ask for it anew each time.
   Hands hands() { return {*stage_, recorder_, {camera, width, height}}; }
@@ -44,7 +44,7 @@ class Show {
   /// Keeps moments of the crowd from now on, but for frames in which it pauses; that takes memory. A recording and its
   /// replay keep the same ones.
   void keep_moments() { keeps_moments_ = true; }
-  /// Takes the crowd back to the newest moment, each time further. Errors as Rewind::go_back.
+  /// Takes the crowd back to the newest moment, each time further. Errors: those of Rewind::go_back.
   anim::Status rewind();
   const Rewind& moments() const { return rewind_; }
 
@@ -58,7 +58,7 @@ class Show {
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
   /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.
   anim::Status start_recording(const std::filesystem::path& file);
-  /// Errors: the file could not be written; none where nothing is recorded.
+  /// Ends the recording, if there is one. Errors: the file could not be written.
   anim::Status stop_recording() { return recorder_.stop(); }
   bool is_recording() const { return recorder_.is_recording(); }
 

@@ -9,15 +9,16 @@
 
 namespace throng::app {
 
-/// Where the interval changes around the camera that level of detail looks from. By distance that is the same for all;
-/// by the error in pixels it is another one for each clip, so it is told for the clip that most of those in view play.
+/// The distances from the camera of level of detail where the interval changes. By the distance rule they are the same
+/// for all. By the error in pixels they differ from clip to clip, so they hold for the clip that most agents in view
+/// play.
 class ThresholdsInView {
  public:
-  /// After each frame was posed, seen in a picture of `height` pixels.
+  /// Finds the distances for the frame that was posed, seen in a picture of `height` pixels. Call it after each frame.
   void update(const Stage& stage, const render::Camera& lod_camera, int height);
 
   const std::vector<IntervalThreshold>& thresholds() const { return thresholds_; }
-  /// Of which clip; empty: of all alike.
+  /// Returns the clip that the distances hold for; empty if they hold for all.
   const std::string& clip() const { return clip_name_; }
   std::size_t character() const { return character_; }
 

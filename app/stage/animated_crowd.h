@@ -22,39 +22,42 @@ namespace throng::app {
 
 struct StageMoment;
 
-/// A crowd and the animation system that it plays in: who walks where, who plays what, who has fallen, and what a
-/// person does to them by hand. Level of detail is told whenever an agent changes clip.
+/// A crowd and the animation system that it plays in. It knows where agents walk, what they play and which of them have
+/// fallen, and it does to them what a person asks for by hand. It tells level of detail when an agent changes clip.
 class AnimatedCrowd {
  public:
-  /// `characters` and `lod` outlive the crowd. Errors: as AnimationSystem::create and Characters::add.
+  /// Makes a crowd without agents; populate() adds them. `characters` and `lod` outlive the crowd. Errors: those of
+  /// AnimationSystem::create and Characters::add.
   static anim::Result<std::unique_ptr<AnimatedCrowd>> create(std::span<const CharacterSource> characters,
                                                              const anim::SystemOptions& options,
                                                              anim::LevelOfDetail& lod);
 
-  /// Other options of the system, at a frame boundary; on error the old ones go on.
+  /// Changes the options of the system, at a frame boundary. Errors: those of AnimationSystem::configure; then the old
+  /// options go on.
   anim::Status configure(const anim::SystemOptions& options);
-  /// The bones of a character are in another order from now on. Errors: as Characters::replace.
+  /// Changes the order of a character's bones. Errors: those of Characters::replace.
   anim::Status reorder_bones(std::size_t character, const ReorderedCharacter& reordered);
 
   enum class Clocks : std::uint8_t { go_on, begin_anew };
   /// Makes the crowd of the tuning's scene anew.
   void populate(const Tuning& tuning, Clocks clocks);
 
-  /// Every clock advances, the crowd walks on and asks for clips.
+  /// Advances every clock; the crowd walks on and asks for clips.
   void move(anim::Ticks delta);
-  /// Before an update for the pose of now: the feet stand where they came down, or go as the clip has them.
+  /// Lets the feet of an agent stand where they came down, or else go as the clip has them. Call it before an update;
+  /// feet stand only in an update for the pose of now.
   void place_feet(std::uint32_t agent, bool stand, bool is_shown);
-  /// Before an update: takes what placed feet need from agents that need it no more, or that nobody sees.
+  /// Takes foot placement from agents that no longer need it, or that are not visible. Call it before an update.
   void take_back_feet(std::span<const anim::VisibleAgent> visible) { feet_->take_back(visible); }
-  /// After an update: agents that lay long enough stand up and go on.
+  /// Lets agents that lay long enough stand up and go on. Call it after an update.
   void let_fallen_get_up();
 
-  /// Pushes an agent over, in the world's `direction` (its height is ignored). Errors: its character has nothing that
-  /// could fall, or the local store has no room for it.
+  /// Pushes an agent over, in the world's `direction` (its height is ignored). Errors: the agent acts in the cut scene,
+  /// its character has nothing that could fall, or the local store has no room for it.
   anim::Status push_over(std::uint32_t agent, const glm::vec3& direction);
   bool can_fall(std::uint32_t agent) const;
   const FallenAgents& fallen() const { return *fallen_; }
-  /// As LodCrowd::left_out: agents that have fallen.
+  /// Returns the agents that have fallen, as LodCrowd::left_out takes them.
   std::span<const std::uint8_t> left_out() const { return left_out_; }
 
   struct HeldClip {
@@ -62,22 +65,23 @@ class AnimatedCrowd {
     int clip = no_clip;
     float seconds = 0;
   };
-  /// Holds the clip that an agent plays at `seconds` of it, and the agent where it is. Nothing happens to one that acts
-  /// or has fallen.
+  /// Holds an agent where it is, and the clip that it plays at `seconds` of it. Does nothing to an agent that acts in
+  /// the cut scene or has fallen.
   void hold_clip(std::uint32_t agent, float seconds);
   void let_go_of_clip();
   const std::optional<HeldClip>& held_clip() const { return held_clip_; }
-  /// Returns the length of the clip that the agent plays, or is held in; 0 if it plays none.
+  /// Returns the length of the clip that the agent plays or is held in; 0 if it plays none.
   float clip_seconds(std::uint32_t agent) const;
 
-  /// Keeps all that changes as time passes; and puts it back, after which the crowd goes on to the same poses. Errors:
-  /// the moment is of another crowd or schedule; then nothing has changed.
+  /// Stores all that changes as time passes.
   void remember(StageMoment& into) const;
+  /// Puts back what remember() stored; the crowd then goes on to the same poses. Errors: the moment is of another crowd
+  /// or schedule; then nothing has changed.
   anim::Status go_back_to(const StageMoment& moment);
-  /// Differs for each crowd that was made, and after bones changed their order.
+  /// Returns a number that differs for each crowd that was made, and after bones changed their order.
   std::uint64_t number() const { return number_; }
 
-  /// From now on everybody's data keys and places are summed up: takes about as long as the crowd's own logic.
+  /// Sums up everybody's data keys and places from now on. This takes about as long as the crowd's own logic.
   void sum_up_events() { event_sums_.emplace().reset(crowd_->size()); }
   const std::optional<EventSums>& event_sums() const { return event_sums_; }
 
@@ -86,7 +90,7 @@ class AnimatedCrowd {
   const Crowd& crowd() const { return *crowd_; }
   /// Returns the camera of the cut scene; null in the other scenes.
   const CutScene* cut_scene() const { return cut_scene_.get(); }
-  /// Returns what can be clicked at.
+  /// Returns the cylinder at which the agent can be clicked.
   UprightBody body_of(std::uint32_t agent) const;
 
  private:

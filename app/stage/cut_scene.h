@@ -16,16 +16,17 @@ namespace throng::app {
 /// absolute roots of what they play (paper 2.2.1: "useful for cut scenes and pre-canned sequences").
 class CutScene {
  public:
-  /// The crowd's first two agents are the actor and, where there is a second, the balloon (cut_scene_layout); the
-  /// camera, of the character `camera_character`, is one more agent of the system. Both outlive the scene.
+  /// Begins the scene. The crowd's first two agents are the actor and, where there is a second, the balloon
+  /// (cut_scene_layout). The camera, of the character `camera_character`, is one more agent of the system. System,
+  /// crowd and characters outlive the scene.
   CutScene(anim::AnimationSystem& system, Crowd& crowd, std::span<const CharacterSource> characters,
            std::uint32_t camera_character);
 
-  /// After the clocks of system and crowd have advanced: plays what is next in the script, puts actor and balloon where
-  /// their roots are, and poses the camera.
+  /// Plays what is next in the script, puts actor and balloon where their roots are, and poses the camera. Call it when
+  /// the clocks of system and crowd have advanced.
   void advance();
 
-  /// Where the script is.
+  /// A place in the script.
   struct Moment {
     anim::Ticks begun = 0;
     std::uint8_t act = 0;
@@ -33,7 +34,7 @@ class CutScene {
   Moment moment() const { return {begun_, static_cast<std::uint8_t>(act_)}; }
   void go_back_to(const Moment& moment) { begun_ = moment.begun, act_ = static_cast<Act>(moment.act); }
 
-  /// The lens as it stands, with the field of view of `camera`.
+  /// Returns the scene's camera as it stands, with the field of view of `camera`.
   render::Camera film(const render::Camera& camera) const;
 
  private:

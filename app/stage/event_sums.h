@@ -9,22 +9,23 @@
 
 namespace throng::app {
 
-/// What everybody met and where everybody was, as sums over a run: level of detail chooses what is posed, and changes
-/// none of them.
+/// Sums over a run of the data keys that everybody met and the places where everybody was. Level of detail chooses what
+/// is posed, and changes none of these sums.
 class EventSums {
  public:
-  /// All agents were made anew.
+  /// Begins the sums anew, for `agents` that were made anew.
   void reset(std::size_t agents);
 
-  /// After the clock went on from `before`, and before anything else is asked of the agents.
+  /// Adds the data keys that the agents met since `before`. Call it when the clock has gone on from there, and before
+  /// anything else is asked of the agents.
   void add_events(const anim::AnimationSystem& system, anim::Ticks before);
-  /// Once a frame.
+  /// Adds the places of all agents. Call it once a frame.
   void add_places(const Crowd& crowd);
 
   std::uint64_t events() const { return events_; }
-  /// Over each agent's data keys in their order: name, clip and time.
+  /// Returns a hash of each agent's data keys in their order: name, clip and time.
   std::uint64_t event_hash() const;
-  /// Over each frame's positions and headings, bit by bit.
+  /// Returns a hash of each frame's positions and headings, bit by bit.
   std::uint64_t place_hash() const { return place_hash_; }
 
  private:

@@ -14,8 +14,8 @@
 
 namespace throng::app {
 
-/// Agents that were pushed over. They fall as rag-dolls, lie still for two seconds, and fade back to their clips. Who
-/// falls is to stay where it is and to be posed every frame, with all bones and without looking ahead.
+/// Agents that were pushed over. They fall as rag-dolls, lie still for two seconds, and fade back to their clips. An
+/// agent that has fallen must stay where it is and be posed every frame, with all bones and without looking ahead.
 class FallenAgents {
  public:
   using Phase = anim::RagdollProcess::Phase;
@@ -25,22 +25,22 @@ class FallenAgents {
     anim::Ticks rests_since = anim::never;
   };
 
-  /// `kinds`: RigKinds::ragdoll of each character; nothing: nobody of it can fall. `system` outlives it.
+  /// Takes RigKinds::ragdoll of each character; it is empty for a character that cannot fall. `system` outlives this.
   FallenAgents(std::vector<std::optional<anim::EntityPools::Kind>> kinds, anim::AnimationSystem& system)
       : kinds_(std::move(kinds)), system_(&system) {}
 
-  /// The skeleton of the agent's character can be a rag-doll.
+  /// Returns whether the skeleton of the agent's character can be a rag-doll.
   bool possible(std::uint32_t agent) const { return kinds_[system_->agent(agent).character_number()].has_value(); }
 
-  /// `impulse` (kg m/s) and the `place` that it meets, in the agent's model space; one who lies already is pushed
-  /// again. Errors: the local store has no room for a rag-doll.
+  /// Pushes an agent with `impulse` (kg m/s), which meets it at `place`; both are in the agent's model space. An agent
+  /// that lies already is pushed again. Errors: the local store has no room for a rag-doll.
   anim::Status push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place);
 
-  /// After each update of the system: lets those get up who lay long enough. Those who stand again; valid until the
-  /// next call.
+  /// Lets agents get up that lay long enough. Returns the agents that stand again; the span is valid until the next
+  /// call. Call it after each update of the system.
   std::span<const std::uint32_t> advance();
 
-  /// All agents were made anew.
+  /// Forgets all agents; call it when they were made anew.
   void reset() {
     fallen_.clear();
     processes_.clear();
@@ -48,13 +48,13 @@ class FallenAgents {
 
   std::span<const Fallen> fallen() const { return fallen_; }
   Phase phase(std::uint32_t agent) const;
-  /// It lies and does not move.
+  /// Returns whether the agent lies and does not move.
   bool at_rest(std::uint32_t agent) const;
-  /// Where the hips are, model space; nothing before the rag-doll is loose.
+  /// Returns where the hips are, in model space; nothing unless the agent is down or recovering.
   std::optional<glm::vec3> hips(std::uint32_t agent) const;
 
  private:
-  /// A post process that an agent was given when it was pushed first.
+  /// The post process that an agent was given when it was first pushed.
   struct Process {
     std::uint32_t agent;
     std::size_t index;

@@ -14,8 +14,8 @@
 namespace throng::app {
 
 /// Feet that stand where they came down: turns and changes of gait move the body, not the foot that carries it. An
-/// agent has the post process while its feet are placed, and until they have gone back to where the clip has them; then
-/// another one gets it. So the many who are far away are posed without, and a frame allocates nothing.
+/// agent has the post process while its feet are placed and until they have gone back to where the clip has them; then
+/// another agent gets it. So the many agents far away are posed without it, and a frame allocates nothing.
 class PlacedFeet {
  private:
   static constexpr std::size_t none = SIZE_MAX;
@@ -25,24 +25,26 @@ class PlacedFeet {
   };
 
  public:
-  /// All that changes as time passes.
+  /// All of it that changes as time passes.
   struct Moment {
     std::vector<Feet> feet;           // [agent]
     std::vector<std::uint32_t> have;  // agents with the post process
   };
 
-  /// `kinds`: RigKinds::foot_placement of each character; nothing: it has no legs to place. `system` outlives it.
+  /// Takes RigKinds::foot_placement of each character; it is empty for a character without legs to place. `system`
+  /// outlives this.
   PlacedFeet(std::vector<std::optional<anim::EntityPools::Kind>> kinds, anim::AnimationSystem& system);
 
-  /// All agents are made anew.
+  /// Forgets all agents and makes room for `agents`; call it when they are made anew.
   void reset(std::size_t agents);
 
-  /// Before an update of an agent with all bones, for the pose of now: where it stands. Of one that `is_shown` already
-  /// they fade to there.
+  /// Lets the feet of an agent stand where they came down. The feet of an agent that `is_shown` already fade to there.
+  /// Call it before an update of the agent with all bones, for the pose of now.
   void place(const Crowd& crowd, std::uint32_t agent, bool is_shown);
-  /// Before an update in which its feet go as the clip has them.
+  /// Lets the feet of an agent go as the clip has them. Call it before the update.
   void let_go(std::uint32_t agent);
-  /// Before an update: from those who need it no more, or whom nobody sees. `visible`: by rising agent.
+  /// Takes the post process from agents that no longer need it, or that are not in `visible`, which ascends by agent.
+  /// An agent keeps it while another post process comes after it. Call it before an update.
   void take_back(std::span<const anim::VisibleAgent> visible);
 
   const Moment& moment() const { return now_; }

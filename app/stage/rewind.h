@@ -9,25 +9,26 @@
 
 namespace throng::app {
 
-/// The crowd as it was: a few snapshots of the last seconds, to go back to.
+/// A few snapshots of the crowd in the last seconds, to go back to.
 class Rewind {
  public:
   static constexpr std::size_t most_moments = 10;
   static constexpr anim::Ticks time_between = anim::ticks_per_second / 2;
-  static constexpr int most_agents = 20'000;  ///< of more, the snapshots would fill memory
+  static constexpr int most_agents = 20'000;  ///< snapshots of more agents would fill memory
 
-  /// After each frame: remembers it if the last moment is long enough ago.
+  /// Remembers the frame if the last moment is long enough ago and no clip is held. Forgets the moments of another
+  /// crowd. Call it after each frame.
   void watch(const Stage& stage);
 
-  /// Back to the newest moment, which is forgotten, so that the next time it is the one before it. Errors: there is
-  /// none, or the schedule has changed since; then nothing has changed.
+  /// Takes the stage back to the newest moment and forgets that moment, so that the next call goes to the one before.
+  /// Errors: there is no moment of this crowd, or the schedule has changed since; then nothing has changed.
   anim::Status go_back(Stage& stage);
 
-  /// After the crowd started anew.
+  /// Forgets all moments; call it when the crowd has started anew.
   void forget() { moments_.clear(); }
 
   [[nodiscard]] std::size_t count() const { return moments_.size(); }
-  /// From the newest moment to the stage's clock; 0 of none.
+  /// Returns the time from the newest moment to the stage's clock; 0 if there is no moment.
   [[nodiscard]] anim::Ticks age(const Stage& stage) const;
 
  private:

@@ -18,58 +18,60 @@
 
 namespace throng::app {
 
-/// Where the crowd, its level of detail, its animation and its palette slots meet. A frame is
+/// A stage brings the crowd, its level of detail, its animation and its palette slots together. A frame is
 ///     move(dt)            the crowd walks on, asks for clips, every clock advances
 ///     pose(...)           level of detail chooses, slots are taken, the PUs write them
-/// after which selection() and records() say what to draw.
+/// Then selection() and record() say what to draw.
 class Stage {
  public:
-  /// `characters`: 1 to most_models people, then props; every agent is one of them. Asks
-  /// `pages` for none before the first pose. `first_frame`: frames are counted on from it.
+  /// Makes a stage for 1 to most_models people in `characters`, and adds the balloon to them. Every agent is one of
+  /// these characters. Asks `pages` for no page before the first pose. Counts frames on from `first_frame`.
   static anim::Result<std::unique_ptr<Stage>> create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                      render::PalettePageSource& pages, std::uint64_t first_frame = 0);
 
-  /// New tuning, at a frame boundary. A different crowd starts anew; on error the old tuning goes on.
+  /// Takes new tuning, at a frame boundary. A different crowd starts anew. Errors: those of AnimatedCrowd::configure;
+  /// then the old tuning goes on.
   anim::Status apply(const Tuning& tuning);
 
-  /// Other clips for the roles of a character, at a frame boundary; the crowd starts anew.
+  /// Takes other clips for the roles of a character, at a frame boundary. The crowd starts anew.
   void set_roles(std::size_t character, const RoleClips& clips);
 
-  /// Another order of a character's bones, and other levels, at a frame boundary: it is baked anew, the crowd goes on.
-  /// Pictures want its meshes loaded again. Errors, and then nothing has changed: as check_bone_lod and
-  /// anim::Characters::replace.
+  /// Takes another order of a character's bones, and other levels, at a frame boundary. The character is baked anew,
+  /// and the crowd goes on. Pictures need its meshes loaded again. Errors: those of check_bone_lod and
+  /// anim::Characters::replace; then nothing has changed.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
-  /// The crowd and every clock begin anew: from here on, all happens as on a stage just made.
+  /// Starts the crowd and every clock anew. From here on, all happens as on a stage just made.
   void restart();
 
   void move(anim::Ticks delta);
 
-  /// `completed_frame` is the newest that the device has finished reading; `frame_step` what one frame takes, for
-  /// looking ahead.
+  /// Chooses which agents are updated, takes slots for them and poses them. `completed_frame` is the newest frame that
+  /// the device has finished reading. `frame_step` is the time of one frame, for looking ahead.
   void pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step, std::uint64_t completed_frame);
 
-  /// Poses everybody in view once more, exactly and with all bones, into slots of their own until the next pose(): what
-  /// Poses::exact are. Changes nothing that is shown; costs as much as everybody in view at full rate.
+  /// Poses everybody in view once more, exactly and with all bones. These are Poses::exact; they have slots of their
+  /// own until the next pose(). Changes nothing that is shown. Costs as much as everybody in view at full rate.
   void pose_exactly();
 
-  /// The agent that is looked at, marked in the picture; it is forgotten when the crowd starts anew.
+  /// Selects the agent that is looked at and marked in the picture. Lets go of the held clip of another agent. The
+  /// choice is forgotten when the crowd starts anew.
   void select(std::optional<std::uint32_t> agent);
   std::optional<std::uint32_t> selected() const { return selected_; }
 
-  /// As AnimatedCrowd::go_back_to.
+  /// Does what AnimatedCrowd::go_back_to does, and forgets what is shown.
   anim::Status go_back_to(const StageMoment& moment);
 
-  /// What can be clicked at: those in view, in ascending order of agent; allocates.
+  /// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
   std::vector<UprightBody> bodies_in_view() const;
 
-  /// Instance record of a visible agent; false: it has no slot and is not drawn.
+  /// Fills the instance record of a visible agent. Returns false if the agent has no slot; then it is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses = Poses::shown) const;
-  /// Exact ones only after pose_exactly(), of those in view.
+  /// Returns the pose of an agent. Poses::exact exist only after pose_exactly(), for agents in view.
   const ShownPose& pose_of(std::uint32_t agent, Poses poses) const {
     return poses == Poses::exact ? exact_.pose(agent) : shown_.pose(agent);
   }
 
-  /// What level of detail costs the eye, over the last 60 frames; all 0 while nobody is measured.
+  /// Returns the errors on screen that level of detail makes, over the last 60 frames; all 0 while nobody is measured.
   const anim::ErrorFigures& error() const { return meter_.figures(); }
   const ErrorMeter& error_meter() const { return meter_; }
 
@@ -79,12 +81,12 @@ class Stage {
   const anim::AnimationSystem& system() const { return animated_->system(); }
   const Crowd& crowd() const { return animated_->crowd(); }
   const AnimatedCrowd& animated() const { return *animated_; }
-  /// For what a person does by hand.
+  /// Returns the crowd for what a person does to it by hand.
   AnimatedCrowd& animated() { return *animated_; }
-  /// What the scene is laid out for.
+  /// Returns the roles that the scene is laid out for.
   CharacterRoles common_roles() const;
   std::span<const CharacterSource> characters() const { return characters_; }
-  std::span<const CharacterSource> people() const;  ///< those that are no props
+  std::span<const CharacterSource> people() const;  ///< the characters that are no props
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd().characters()[agent]]; }
   const Tuning& tuning() const { return tuning_; }
   std::uint64_t frame() const { return frame_; }

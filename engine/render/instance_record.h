@@ -22,7 +22,7 @@ inline constexpr int tint_regions = 5;  ///< skin, hair, shirt, trousers, shoes
 ///     40  agent                   its index, for read-back and picking
 ///     44  debug color             RGBA8; alpha says how much of it shows (0: none)
 ///     48  tint of each region     RGBA8, sRGB
-///     68  bone level              of the slots: both hold at least the entries of this level
+///     68  bone level              both slots hold at least the entries of this level
 ///     72  shape                   build (stout), frame (broad-shouldered), posture (stooped):
 ///                                 RGB8_SNORM in the low bytes
 ///     76  hair                    fullness and length: RG8_SNORM in the low bytes; 0 in both leaves the

@@ -35,7 +35,7 @@ struct RendererOptions {
   bool shadows = true;
 };
 
-inline constexpr std::size_t most_characters = 256;  ///< in one picture
+inline constexpr std::size_t most_characters = 256;  ///< the most in one picture
 
 /// Draws pictures of a crowd: this is all that app/ calls. It works on the thread on which `context` is current.
 ///
@@ -50,8 +50,8 @@ class Renderer {
   /// `context` must outlive the renderer.
   static Result<std::unique_ptr<Renderer>> create(gl::Context& context, const RendererOptions& options);
 
-  /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. On failure the former
-  /// ones stay.
+  /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. Errors: those of
+  /// CrowdMesh::create; then the former ones stay.
   Status load_characters(std::span<const CrowdMeshData> characters);
 
   /// Gives the meshes of the loaded characters.
@@ -71,7 +71,7 @@ class Renderer {
   /// Draws ground, shadows, crowd and lines. Keeps nothing of `frame`.
   DrawCounts draw(const CrowdFrame& frame);
 
-  /// These two are the parts of draw(), so that each can be timed. The last upload can be drawn again.
+  /// These two functions are the parts of draw(), so that each can be timed. The last upload can be drawn again.
   void upload(const CrowdFrame& frame);
   DrawCounts draw_uploaded(const CrowdFrame& frame);
 
@@ -95,7 +95,7 @@ class Renderer {
   void set_shadows(bool shadows) { shadows_ = shadows; }
   glm::ivec2 size() const { return target_.size(); }
 
-  /// Builds all shaders again from disk. A program that fails keeps its last good build; the first error is returned.
+  /// Builds all shaders again from disk, and returns the first error. A program that fails keeps its last good build.
   Status reload_shaders() { return shaders_.reload(); }
 
   gl::Context& context() { return *context_; }

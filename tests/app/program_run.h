@@ -5,7 +5,7 @@
 
 namespace throng::app {
 
-/// What the real program said and how it ended.
+/// The output of the real program, and its end.
 struct ProgramRun {
   int exit_status = -1;  ///< 128 and more: a signal
   std::string output;

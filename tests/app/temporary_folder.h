@@ -8,7 +8,7 @@
 
 namespace throng::app::test {
 
-/// Where no other test writes, though all may run at once.
+/// Returns a path where no other test writes, though all may run at once.
 inline std::filesystem::path path_of_this_test() {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string("throng_") + test.test_suite_name() + "." + test.name();

@@ -14,7 +14,7 @@
 
 namespace throng::test {
 
-/// A binary glTF file taken apart without the project's importer: what the built-in character needs and no more.
+/// Takes a binary glTF file apart without the project's importer, as far as the built-in character needs it.
 class CharacterFile {
  public:
   explicit CharacterFile(std::vector<std::byte> bytes);
@@ -22,11 +22,11 @@ class CharacterFile {
   static CharacterFile committed();
 
   [[nodiscard]] const nlohmann::json& json() const { return json_; }
-  /// Of mesh 0, the full one, or of those of its LODs, 1 to 3.
+  /// Returns the primitive of mesh 0, which is the full one, or of the meshes of its LODs, 1 to 3.
   [[nodiscard]] const nlohmann::json& primitive(std::size_t mesh = 0) const {
     return json_["meshes"][mesh]["primitives"][0];
   }
-  /// All numbers of an accessor as stored, components in a row.
+  /// Returns all numbers of an accessor as stored, components in a row.
   [[nodiscard]] std::vector<double> values(std::size_t accessor) const;
   [[nodiscard]] std::vector<double> attribute(const std::string& name, std::size_t mesh = 0) const;
   [[nodiscard]] std::vector<std::string> joint_names() const;
@@ -52,7 +52,7 @@ class Playback {
   [[nodiscard]] std::size_t key_count() const { return times_.size(); }
   [[nodiscard]] double key_time(std::size_t key) const { return times_[key]; }
   [[nodiscard]] glm::dvec3 rest(std::size_t joint) const { return places_[joint]; }
-  /// Joints in node order; nodes 0 to 61 of the character are its joints.
+  /// Returns the joints in node order. Nodes 0 to 61 of the character are its joints.
   [[nodiscard]] std::vector<PosedJoint> pose(double time) const;
   [[nodiscard]] std::vector<glm::dvec3> skin(double time) const;
   [[nodiscard]] std::size_t joint(const std::string& name) const;

@@ -17,7 +17,7 @@ inline bool plays_once(const std::string& clip) {
   return clip == "sit down" || clip == "stand up" || clip == "stumble";
 }
 
-/// A test's name may hold letters only.
+/// Returns a test's name for a clip. It has no spaces, because a test's name may not.
 inline std::string spaceless_clip_name(const ::testing::TestParamInfo<const char*>& clip) {
   std::string name = clip.param;
   std::replace(name.begin(), name.end(), ' ', '_');

@@ -29,8 +29,8 @@ class Doll {
   Doll();
   CrowdMeshData mesh_data() const;
 
-  /// Compute the places of the mesh's vertices in model space, at rest and moved by a palette, on the CPU in double.
   std::size_t vertex_count() const { return positions_.size(); }
+  /// These two functions compute a vertex of the mesh in model space, moved by a palette, on the CPU in double.
   glm::dvec3 skinned_position(std::size_t vertex, const DollPalette& palette) const;
   glm::dvec3 skinned_normal(std::size_t vertex, const DollPalette& palette) const;
 

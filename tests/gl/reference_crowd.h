@@ -17,8 +17,8 @@ namespace throng::app::test {
 /// do not show in it.
 struct PoseMoment {
   anim::Ticks evaluated = 0;
-  anim::Ticks time = 0;  ///< from `evaluated` on
-  /// On the way to a coarser level, the bones that it lacks have come this far, 0 to 1, towards their rest.
+  anim::Ticks time = 0;  ///< `evaluated` or later
+  /// The coarser level on the way. The bones that it lacks have come `faded`, 0 to 1, towards their rest.
   std::size_t fade_level = 0;
   double faded = 0.0;
 };
@@ -66,7 +66,7 @@ class ReferenceCrowd {
   std::vector<anim::Clip> clips_;
   Crowd crowd_;
   anim::Ticks clock_ = 0;
-  std::vector<std::vector<Play>> plays_;  // by agent, oldest first
+  std::vector<std::vector<Play>> plays_;  // [agent], oldest first
 };
 
 }  // namespace throng::app::test

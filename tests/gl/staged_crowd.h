@@ -84,7 +84,7 @@ class StagedCrowd {
   render::Camera camera_;
   Picture picture_;
   std::vector<render::InstanceRecord> instances_;
-  std::vector<Slots> moments_;  // by agent
+  std::vector<Slots> moments_;  // [agent]
 };
 
 /// Gives the matrix in the form in which animation writes it.

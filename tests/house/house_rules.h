@@ -6,7 +6,7 @@
 
 namespace throng::house {
 
-/// A text of the project; `path` is from the project's folder, with slashes.
+/// A text of the project. `path` is from the project's folder, with slashes.
 struct SourceFile {
   std::string path;
   std::vector<std::string> lines;
@@ -16,17 +16,18 @@ using Tree = std::vector<SourceFile>;
 
 SourceFile source_file(std::string path, const std::string& text);
 
-/// Every file of ours that a person writes: code, shaders, scripts, build files, pages.
+/// Reads every file of ours that a person writes: code, shaders, scripts, build files, pages.
 Tree read_project(const std::filesystem::path& project);
 
-/// One line each, "path:line: what is wrong"; empty when the rule is kept.
+/// The findings of a rule, one line each, "path:line: what is wrong". There are none when the rule is kept. The
+/// functions below find where their rule is broken.
 using Findings = std::vector<std::string>;
 
 /// A file of engine/anim or of app includes its own room or lower floors; nothing under engine/ includes app/, assets/
 /// or tests/.
 Findings includes_that_climb(const Tree& tree);
 
-/// A room that the plan of the house has and the tree has not.
+/// Every room that the plan of the house has is in the tree.
 Findings rooms_without_files(const Tree& tree);
 
 /// No folder of engine/, app/, assets/ or shaders/ holds more than 60 files of code.
@@ -35,7 +36,7 @@ Findings rooms_too_full(const Tree& tree);
 /// engine/render and engine/anim never meet; app/ joins them.
 Findings includes_across_animation_and_drawing(const Tree& tree);
 
-/// A part that others made is seen by the few files that speak with it.
+/// Only the few files that speak with a part that others made see it.
 Findings parts_seen_elsewhere(const Tree& tree);
 
 /// app/main.cpp parses and dispatches: it includes app/ and the standard library, and has no fractions.
@@ -44,7 +45,7 @@ Findings maths_in_main(const Tree& tree);
 /// No file of code has more than 350 lines.
 Findings files_too_long(const Tree& tree);
 
-/// No path that only one machine has.
+/// No file names a path that only one machine has.
 Findings machine_paths(const Tree& tree);
 
 /// The C++ of the README is, line by line, the program that tests/library builds and runs.

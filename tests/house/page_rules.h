@@ -10,8 +10,8 @@ namespace throng::house {
 /// README.md has at most 180 lines of at most 120 characters.
 Findings first_page_too_large(const Tree& tree);
 
-/// Every link of a page to another file of the project leads to a file, and to a heading where it names one.
-/// `exists`: whether there is a file or folder of that path from the project's folder.
+/// Every link of a page to another file of the project leads to a file, and to a heading where it names one. `exists`
+/// says whether there is a file or folder of that path from the project's folder.
 Findings links_that_lead_nowhere(const Tree& tree, const std::function<bool(const std::string&)>& exists);
 
 }  // namespace throng::house

@@ -10,20 +10,20 @@
 
 namespace throng::import::testing {
 
-/// tests/data/`name`.
+/// Returns the path of tests/data/`name`.
 std::filesystem::path data_path(const std::string& name);
 
 nlohmann::json read_json(const std::filesystem::path& path);
 
 std::vector<char> read_bytes(const std::filesystem::path& path);
 
-/// Names of the .glb and .gltf files of a folder, sorted.
+/// Returns the names of the .glb and .gltf files of a folder, sorted.
 std::vector<std::string> model_files(const std::filesystem::path& folder);
 
-/// The file, which must import; an empty one, with a failure recorded, where it does not.
+/// Imports a file, which must import. Returns an empty one and records a failure if it does not.
 anim::ImportedFile import_good(const std::filesystem::path& path);
 
-/// A test's name may only hold letters and digits.
+/// Returns a test's name for a file. It holds only letters and digits, because a test's name may not hold others.
 std::string as_test_name(const std::string& file);
 
 /// A folder of its own below the system's temporary one, removed at the end.

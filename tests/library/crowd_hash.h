@@ -11,7 +11,8 @@
 
 namespace throng::anim {
 
-/// The pose hash of 200 fading agents after 20 frames on 4 PUs; without an executor, on the system's own threads.
+/// Returns the pose hash of 200 fading agents after 20 frames on 4 PUs. The system's own threads run them if there is
+/// no executor.
 inline std::uint64_t crowd_hash(Schedule schedule, Executor* executor = nullptr) {
   constexpr std::uint32_t agents = 200;
   static const auto character = std::make_shared<const Character>(bake_character(synthetic_model(62, 3)));

@@ -8,8 +8,8 @@
 
 namespace throng::anim {
 
-/// What engine/anim/base/executor.h promises, frame after frame. Counts are plain integers: the caller sees them only
-/// if the executor made the stores of its jobs visible.
+/// Checks the promises of engine/anim/base/executor.h, frame after frame. Counts are plain integers: the caller sees
+/// them only if the executor made the stores of its jobs visible.
 inline void expect_each_job_once(Executor& executor, int jobs) {
   for (int frame = 0; frame < 100; ++frame) {
     std::vector<int> runs(static_cast<std::size_t>(jobs), 0);

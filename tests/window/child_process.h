@@ -11,14 +11,15 @@ namespace throng::app {
 
 using Deadline = std::chrono::steady_clock::time_point;
 
-/// Long enough for a loaded machine that draws in software; every wait ends as soon as what it waits for is there.
+/// Returns a deadline that is late enough for a loaded machine that draws in software. Every wait ends as soon as what
+/// it waits for is there.
 inline Deadline soon() { return std::chrono::steady_clock::now() + std::chrono::seconds(25); }
 
 /// A program that runs beside the test and is ended with it. Its standard output is read line by line.
 class ChildProcess {
  public:
-  /// `environment`: "NAME=value", added to the test's own or in place of what has the same name. `folder`: what it
-  /// works in; empty: the test's own.
+  /// Starts a program. `environment` has elements "NAME=value", which are added to the test's own or replace those of
+  /// the same name. The program works in `folder`, or in the test's own if that is empty.
   ChildProcess(const std::vector<std::string>& command, const std::vector<std::string>& environment,
                const std::string& folder = {});
   ~ChildProcess();
@@ -27,10 +28,11 @@ class ChildProcess {
 
   [[nodiscard]] bool started() const { return process_ > 0; }
 
-  /// Its next whole line; nothing once it has ended or the deadline is past.
+  /// Returns its next whole line; nothing if it has ended or the deadline is past.
   std::optional<std::string> read_line(Deadline deadline);
 
-  /// Waits for its end. Nothing when it still runs at the deadline; -1 when a signal ended it.
+  /// Waits for its end, and returns its exit status. Returns nothing if it still runs at the deadline, and -1 if a
+  /// signal ended it.
   std::optional<int> exit_status(Deadline deadline);
 
  private:

@@ -14,8 +14,8 @@
 
 namespace throng::app {
 
-/// The real program in a real window on a display of its own, driven by mouse and keyboard. What it does is read from
-/// the ui map (app/overlay/ui_map.h) that it writes each frame; every wait is for a state, none for a time.
+/// The real program in a real window on a display of its own, driven by mouse and keyboard. The test reads what it does
+/// from the ui map (app/overlay/ui_map.h) that it writes each frame. Every wait is for a state, none for a time.
 class WindowDriver : public testing::Test {
  protected:
   using Json = nlohmann::json;
@@ -23,9 +23,10 @@ class WindowDriver : public testing::Test {
   void SetUp() override;
   void TearDown() override;
 
-  /// The ui map once `holds` says yes of it; fails the test, naming `what`, if that never happens.
+  /// Waits for a ui map for which `holds` is true, and returns it. Fails the test, naming `what`, if that never
+  /// happens.
   Json wait_for(const std::string& what, const std::function<bool(const Json&)>& holds);
-  /// The map of a frame that begins after now.
+  /// Returns the map of a frame that begins after now.
   Json next_map(int frames = 2);
 
   void click(const std::string& widget);
@@ -37,7 +38,7 @@ class WindowDriver : public testing::Test {
   void scroll_down_at(double x, double y, int steps);
   /// Presses and lets go where the picture shows a point of the world, in metres.
   void click_at(const glm::vec3& point);
-  /// `name` as X11 calls the key: space, Escape, w, F1.
+  /// Presses a key. `name` is what X11 calls it: space, Escape, w, F1.
   void press(const std::string& name);
   void hold(const std::string& name);
   void let_go(const std::string& name);
@@ -50,7 +51,7 @@ class WindowDriver : public testing::Test {
   void xdotool(const std::vector<std::string>& words);
 
   ChildProcess& program() { return *program_; }
-  /// Where the program works; its own, empty at first but for what the driver keeps there.
+  /// Returns the folder in which the program works. At first it has only what the driver keeps there.
   const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -21,7 +21,7 @@ struct BenchCharacter {
 };
 anim::Result<BenchCharacter> bench_character(const std::string& model, int bones, int clips);
 
-/// How a case is scheduled, without hashing.
+/// Returns the options of the system for a case, without hashing.
 anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench);
 
 /// The share of a case that runs before the next case has its turn.

@@ -21,10 +21,10 @@ struct BenchAgent {
   float fraction;
 };
 
-/// A pair of clips, phases and a weight for each agent; deterministic.
+/// Returns a pair of clips, phases and a weight for each agent; the same ones each time.
 std::vector<BenchAgent> bench_agents(const anim::Character& character, int agents);
 
-/// One palette slot an agent, 64-byte aligned, as a renderer would hand them out.
+/// The palette slots of a crowd, one an agent, 64-byte aligned, as a renderer would hand them out.
 class BenchPalettes {
  public:
   BenchPalettes(int agents, int entries, anim::PaletteFormat format = anim::PaletteFormat::matrices);
@@ -48,7 +48,7 @@ class SystemSubject {
                                             const anim::SystemOptions& options, std::span<const BenchAgent> agents,
                                             const BenchPalettes& palettes);
   void run();
-  /// Time that passes from one run to the next; 1/60 s unless set.
+  /// Sets the time that passes from one run to the next; 1/60 s unless set.
   void set_step(anim::Ticks step) { step_ = step; }
   /// Changes to other options, which must fit.
   void configure(const anim::SystemOptions& options);
@@ -89,10 +89,10 @@ class KernelSubject {
   const anim::Kernels* kernels_;
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
-  std::vector<anim::Ticks> clocks_;                             ///< [clip], within it
-  std::array<anim::ClipMoment, anim::widest_strip> from_, to_;  ///< of the strip that is posed
+  std::vector<anim::Ticks> clocks_;                             ///< [clip] the time within it
+  std::array<anim::ClipMoment, anim::widest_strip> from_, to_;  ///< the moments of the strip that is posed
   std::array<anim::ShownClips, anim::widest_strip> shown_;
-  anim::ClipStrip clips_;  ///< of these
+  anim::ClipStrip clips_;  ///< the clips of these moments
   anim::StorePolicy stores_;
   anim::AlignedBytes scratch_;
   float* local_;

@@ -13,7 +13,7 @@ namespace throng::app {
 /// program, where the other subjects have streaming ones.
 class HeldSubject {
  public:
-  /// Null: nothing in the model can look, or its agents do not fit the local store.
+  /// Returns null if nothing in the model can look, or if its agents do not fit the local store.
   static std::unique_ptr<HeldSubject> create(const anim::Model& model, std::shared_ptr<const anim::Character> character,
                                              const anim::SystemOptions& options, std::span<const BenchAgent> agents,
                                              const BenchPalettes& palettes);

@@ -27,7 +27,7 @@ struct BenchOptions {
   int frames = 60;
   Sweep sweep = Sweep::none;
   std::string machine;  ///< a file, or the name of a preset; empty: none
-  std::string data;     ///< where presets are, empty: the usual places
+  std::string data;     ///< folder of presets; empty: the usual places
   std::string json;     ///< a file, "-" for standard output, empty: lines for a person
   std::string plot;     ///< an SVG file; empty: none
   std::string trace;    ///< empty: none

@@ -17,7 +17,7 @@ std::string bars_as_svg(const std::string& title, const std::string& unit, const
 struct PlotLine {
   std::string name;
   std::vector<double> x, y;  ///< of equal length, x ascending and above 0
-  bool dashed = false;       ///< for what is only compared with
+  bool dashed = false;       ///< true for a line that is only compared with
 };
 
 /// Draws lines over an axis of doublings, with a scale from 0 upwards and names at their ends, as a whole SVG file.

@@ -11,7 +11,7 @@ namespace throng::app {
 /// the keys in `columns` with numbers of four digits.
 std::string figures_as_text(std::span<const Json> rows, std::span<const char* const> columns);
 
-/// One object as it is; several as `{"rows": [...]}`.
+/// Returns one object as it is, and several as `{"rows": [...]}`.
 Json figures_as_json(std::span<const Json> rows);
 
 }  // namespace throng::app

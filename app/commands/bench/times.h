@@ -6,7 +6,7 @@
 
 namespace throng::app {
 
-/// How long subjects took, round by round.
+/// The times that subjects took, round by round.
 class BenchTimes {
  public:
   /// Adds the next round's time of one run of `key`.
@@ -15,10 +15,11 @@ class BenchTimes {
   void append(const BenchTimes& later);
 
   bool has(const std::string& key) const { return rounds_.contains(key); }
-  /// Nanoseconds of one run; 0 if there is no such subject.
+  /// Returns the median of the nanoseconds of one run; 0 if there is no such subject.
   double median(const std::string& key) const;
   double fastest(const std::string& key) const;
-  /// The time of one run of `key` over one of `other`, round by round, as far as both were timed; 0 if either was not.
+  /// Returns the median of the time of one run of `key` over one of `other`, round by round, as far as both were timed;
+  /// 0 if either was not.
   double median_ratio(const std::string& key, const std::string& other) const {
     return median_ratio(key, *this, other);
   }

@@ -9,16 +9,16 @@
 
 namespace throng::app {
 
-/// Every combination of the lists, the first list slowest.
+/// Returns every combination of the lists. The first list varies slowest.
 std::vector<BenchCase> bench_cases(const BenchOptions& options);
 
-/// The rounds that each pass over a table of `cases` takes of each of them. Cases take turns, a few rounds at a time,
-/// so that a drift of the machine meets all rows alike. One case alone is one pass.
+/// Returns the rounds that each pass over a table of `cases` takes of each of them. Cases take turns, a few rounds at a
+/// time, so that a drift of the machine meets all rows alike. One case alone is one pass.
 std::vector<int> rounds_of_passes(int rounds, std::size_t cases);
 
-/// Times all combinations and adds a row of figures for each; of several, each row also has its time over that of the
-/// first. `trace` gets some frames of each. Returns nothing when all went well, else the exit status, after one line on
-/// standard error.
+/// Times all combinations and adds a row of figures for each. If there are several, each row also has its time over
+/// that of the first. `trace` gets some frames of each. Returns nothing when all went well, else the exit status, after
+/// one line on standard error.
 std::optional<int> run_cases(const BenchOptions& options, std::vector<Json>& rows, std::optional<TimelineLog>& trace);
 
 }  // namespace throng::app

@@ -14,7 +14,8 @@ namespace throng::app {
 /// agents blend two clips each, the levels in turns. The error is that of the animation system.
 anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels);
 
-/// The height on screen, in pixels, below which the error of a level is at most one pixel; infinite without error.
+/// Returns the height on screen, in pixels, below which the error of a level is at most one pixel; infinite without
+/// error.
 double pixels_tall_for_one_pixel(const LodLevel& level, double height_metres);
 
 /// Says of each level whether it is worth its switch: it takes at most 90% of the time of the last one that pays, and

@@ -17,7 +17,7 @@ struct BonePose {
 /// Describes a skin apart from any time: joints, names, mesh nodes.
 Json describe_skin(const anim::Model& model, const anim::Skin& skin);
 
-/// The joints and the palette of a skin in one pose. A joint that holds a matrix with shear has no t, r, s.
+/// Describes the joints and the palette of a skin in one pose. A joint that holds a matrix with shear has no t, r, s.
 ///
 /// `r` is a unit quaternion; it is left out where the rotation keys of `clip` (null: the rest pose) are not unit, since
 /// programs then differ in what they call the rotation, while all agree on `global` and palette.

@@ -15,7 +15,7 @@ class PosePipe {
  public:
   explicit PosePipe(anim::StreamKind stream) : stream_(stream) {}
 
-  /// `clip` is one of the model's, or null for the rest pose.
+  /// Returns the pose at `seconds`. `clip` is one of the model's, or null for the rest pose.
   anim::Result<BonePose> pose(const anim::Model& model, const anim::Clip* clip, double seconds);
 
  private:

@@ -11,16 +11,16 @@
 
 namespace throng::anim {
 
-/// What can be read of one agent of an AnimationSystem. It is as cheap to copy as a pointer, and valid until the system
-/// has fewer agents.
+/// A view of one agent of an AnimationSystem, to read from. It is as cheap to copy as a pointer, and valid until the
+/// system has fewer agents.
 class AgentView {
  public:
   AgentView(const SystemParts& system, std::uint32_t number)
       : agents_(&system.population.character_of(number)), population_(&system.population), number_(number) {}
 
-  /// The agent's number in the system.
+  /// Returns the agent's number in the system.
   std::uint32_t number() const { return number_; }
-  /// The number of its character, as add_agents was told.
+  /// Returns the number of its character, as add_agents was told.
   std::uint32_t character_number() const { return population_->member(number_).character; }
   const Character& character() const { return *agents_->character; }
 
@@ -35,23 +35,25 @@ class AgentView {
     return static_cast<const Derived&>(graphs().post_process(index(), place));
   }
 
-  /// The entities that its channels and post processes made, and the pools that hold them.
+  /// Returns the graph of the entities that its channels and post processes made.
   const PoseGraph& graph() const { return graphs().graph(index()); }
   const PoseProgram& program() const { return *graph().program; }
+  /// Returns the pools that hold these entities.
   const EntityPools& pools() const { return agents_->pools; }
 
-  /// Root motion, data keys and absolute root, at a frame boundary. After advance(), and before any request, ask for
-  /// the interval from the clock before to the clock now.
+  /// Returns root motion, data keys and absolute root, at a frame boundary. Ask for the interval from the clock before
+  /// advance() to the clock now, and ask before you make any request.
   AgentMotion motion() const { return {pools(), agents_->clips, graph(), population_->posed_at(number_)}; }
 
-  /// False while the agent stands ahead of the clock and its pose of now is not known: the offset of an interrupted
-  /// fade was captured in between, or placed feet are being let go.
+  /// Returns whether the agent's pose of now is known. It is not known while the agent stands ahead of the clock and
+  /// the offset of an interrupted fade was captured in between, or its feet are placed.
   bool can_pose_exactly() const;
-  /// False while the agent stands ahead of the clock and one of its entities remembers more than a time (gazes, limbs
-  /// that reach, held feet, rag-dolls, kinds of a host's own). Then update() leaves the agent where it stands.
+  /// Returns whether update() can take the agent back to the clock. It cannot while the agent stands ahead of the clock
+  /// and one of its entities remembers more than a time (gazes, limbs that reach, held feet, rag-dolls, kinds of a
+  /// host's own) or is shared. Then update() leaves the agent where it stands.
   bool can_wind_back() const;
 
-  /// The last pose, [packet][components][16], in state space. Only the schedule `levels` keeps it.
+  /// Returns the last pose, [packet][components][16], in state space. Only the schedule `levels` keeps it.
   std::span<const float> pose() const;
 
  protected:
@@ -70,17 +72,17 @@ class Agent : public AgentView {
  public:
   Agent(SystemParts& system, std::uint32_t number) : AgentView(system, number), system_(&system) {}
 
-  /// Plays a clip on the first channel, which is a CrossFadeChannel unless another was added first. False: blends that
-  /// stay (masked or held) take all places of the channel's tree; or a local store of a fixed size has no room for the
-  /// fade, and the clip replaced all at once.
+  /// Plays a clip on the first channel, which is a CrossFadeChannel unless another was added first. Returns false if
+  /// blends that stay (masked or held) take all places of the channel's tree. Returns false also if a local store of a
+  /// fixed size has no room for the fade; then the clip has replaced all at once.
   bool play(const PlayRequest& request);
-  /// From now on plays what was asked for last at another speed, without a jump. The first channel is as for play.
+  /// Plays what was asked for last at another speed from now on, without a jump. The first channel is as for play().
   void set_speed(double speed);
 
-  /// Lays a channel over those that the agent has. On error the agent is as it was: its graph would have a cycle, or is
-  /// too large for a local store of a fixed size.
+  /// Lays a channel over those that the agent has. Errors: the agent's graph would have a cycle, or would be too large
+  /// for a local store of a fixed size; then the agent is as it was.
   Status add_channel(std::unique_ptr<Channel> channel, const LayerSettings& settings = {});
-  /// The channels after it move up one place.
+  /// Removes a channel. The channels after it move up one place.
   void remove_channel(std::size_t place);
   /// Sets how much a channel, but not the first, covers those before it.
   void set_channel_weight(std::size_t place, float weight);
@@ -92,14 +94,14 @@ class Agent : public AgentView {
     return channel_changed();
   }
 
-  /// The pose passes through the process, after those that were added before. The errors are those of add_channel.
+  /// Adds a process that the pose passes through, after those that were added before. Errors: those of add_channel.
   Status add_post_process(std::unique_ptr<PostProcess> process);
   void remove_post_processes();
   /// Takes the last of at least one process, without its entities, so that another agent of the same character can have
   /// it.
   std::unique_ptr<PostProcess> take_last_post_process();
   /// Sets parameters of a post process, which alone is then updated: agent.change_process<LookAtProcess>(0, [&](auto&
-  /// look) { look.look_at(target); }). On error the process lets go of its entities.
+  /// look) { look.look_at(target); }). Errors: those of add_channel; then the process lets go of its entities.
   template <typename Derived, typename Change>
   Status change_process(std::size_t place, Change&& change_parameters) {
     std::forward<Change>(change_parameters)(static_cast<Derived&>(graphs().post_process(index(), place)));

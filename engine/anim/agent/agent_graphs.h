@@ -12,10 +12,10 @@
 
 namespace throng::anim {
 
-/// How a channel lies over those before it.
+/// The weight and the mask with which a channel lies over those before it.
 struct LayerSettings {
   float weight = 1.0F;              ///< 0 to 1
-  int mask = EaseBlender::no_mask;  ///< what `Characters::add_mask` returned
+  int mask = EaseBlender::no_mask;  ///< the number that `Characters::add_mask` returned
 };
 
 /// The graphs of the agents of one character. Each agent has channels, which lie one over the other in their order, and
@@ -41,12 +41,13 @@ class AgentGraphs {
   std::size_t channel_count(std::uint32_t agent) const { return agents_[agent].layers.size(); }
   Channel& channel(std::uint32_t agent, std::size_t index) const { return *agents_[agent].layers[index].channel; }
 
-  /// On error the channel stays until remove_channel(), and the agent goes on with the graph that it had.
+  /// Adds a channel. Errors: those of compile_graph; then the channel stays until remove_channel(), and the agent goes
+  /// on with the graph that it had.
   Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
                      const LayerSettings& settings);
   void remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
   Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
-  /// Keeps the first `kept`.
+  /// Removes the post processes after the first `kept`.
   void remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept = 0);
   /// Takes the last one, without its entities, so that another agent can have it.
   std::unique_ptr<PostProcess> take_last_post_process(const EntityBuilder& build, std::uint32_t agent);
@@ -56,12 +57,12 @@ class AgentGraphs {
   Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
   void set_weight(std::uint32_t agent, std::size_t channel, float weight);
 
-  /// Updates every channel and post process, and rebuilds the graph if one of them changed. On error (a channel made a
-  /// graph with a cycle) the agent keeps its graph if all entities of it are still alive; otherwise it has none.
+  /// Updates every channel and post process, and rebuilds the graph if one of them changed. Errors: a channel made a
+  /// graph with a cycle; then the agent keeps its graph if all entities of it are still alive, or else has none.
   Status update(const EntityBuilder& build, std::uint32_t agent);
-  /// Is called after somebody else changed a channel.
+  /// Rebuilds the graph. Call it when somebody else has changed a channel.
   Status rebuild(const EntityBuilder& build, std::uint32_t agent);
-  /// Is called after layouts of entities changed.
+  /// Compiles all graphs anew. Call it when layouts of entities have changed.
   void recompile();
 
   /// Moves every player of an agent to the pool of the builder's stream.
@@ -72,7 +73,7 @@ class AgentGraphs {
   /// Moves transforms that entities keep to the new index of their bone; `places` has it for each bone.
   void reorder_kept_transforms(std::span<const int> places);
 
-  /// The most that any program asks of the local store.
+  /// Returns the most that any program asks of the local store.
   StoreNeeds largest_needs() const;
 
   AgentGraphs clone() const;

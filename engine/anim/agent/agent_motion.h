@@ -17,43 +17,43 @@ namespace throng::anim {
 struct DataKeyEvent {
   std::uint32_t name = 0;  ///< index of Character::data_key_names
   std::uint32_t clip = 0;
-  Ticks time = 0;       ///< of the clock, when it was met
-  float weight = 0.0F;  ///< how much of the clip is in the agent's pose, 0 to 1
+  Ticks time = 0;       ///< the time of the clock at which it was met
+  float weight = 0.0F;  ///< the share of the clip in the agent's pose, 0 to 1
 };
 
-/// Where a cut scene stands in the world: the absolute root (paper 2.2.1).
+/// The place of a cut scene in the world: the absolute root (paper 2.2.1).
 struct AbsoluteRoot {
   glm::dvec3 position{0.0};
   glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
 };
 
-/// Of each step of a program, in its order.
+/// The weights of the steps of a program, in their order.
 using PoseWeights = std::array<float, PoseProgram::max_steps>;
 
-/// What an agent's players do between two times of the clock, as closed forms: the agent need not be posed, and may
-/// stand ahead of the clock. Reads blocks at a frame boundary, any number of agents at a time.
+/// Finds in closed form what an agent's players do between two times of the clock. The agent need not be posed, and may
+/// stand ahead of the clock. It reads blocks at a frame boundary, for any number of agents at a time.
 ///
-/// Root motion is blended as poses are, by the weights at `to`. What is neither player nor blender nor mixer moves as
-/// its first source does.
+/// Root motion is blended as poses are, by the weights at `to`. An entity that is neither player nor blender nor mixer
+/// moves as its first source does.
 class AgentMotion {
  public:
-  /// `posed_at`: where the agent's entities stand.
+  /// `posed_at` is the time at which the agent's entities stand.
   AgentMotion(const EntityPools& pools, std::span<const ClipStreams> clips, const PoseGraph& graph, Ticks posed_at)
       : pools_(&pools), clips_(clips), graph_(&graph), posed_at_(posed_at) {}
 
-  /// How much of each step's state is in the agent's pose at `at`, 0 to 1: all of the root, of the others as blenders
-  /// and mixers share it out. What a mask or an additive layer lays over a pose has no share in it.
+  /// Returns the share of each step's state in the agent's pose at `at`, 0 to 1. The root has all of it, which blenders
+  /// and mixers share out to the others. A state that a mask or an additive layer lays over a pose has no share.
   PoseWeights weights(Ticks at) const;
 
-  /// From where the agent stood at `from`, in its own space.
+  /// Returns how the agent moved from `from` to `to`, in its own space at `from`.
   RootMotion displacement(Ticks from, Ticks to) const;
 
-  /// Every data key met in [from, to), player after player, each in the order of its motion. Adjoining intervals
+  /// Visits every data key met in [from, to), player after player, each in the order of its motion. Adjoining intervals
   /// deliver each key once.
   void for_each_data_key(Ticks from, Ticks to, const std::function<void(const DataKeyEvent&)>& visit) const;
 
-  /// Where the heaviest player of an absolute state stands at `now`, its own root motion included; none if no player of
-  /// weight has one.
+  /// Returns where the heaviest player of an absolute state stands at `now`, its own root motion included. Returns
+  /// nothing if no player of weight has an absolute root.
   std::optional<AbsoluteRoot> absolute_root(Ticks now) const;
 
  private:

@@ -13,7 +13,8 @@
 
 namespace throng::anim {
 
-/// A crowd as it was: the bytes of its blocks, and what its agents remember. See AnimationSystem::snapshot.
+/// The state of a crowd at a moment: the bytes of its blocks, and what its agents remember. See
+/// AnimationSystem::snapshot.
 class SystemSnapshot;
 
 /// A crowd of agents, mostly of one character, of several if they are added (the façade, paper 2.1.2). One thread calls
@@ -21,7 +22,7 @@ class SystemSnapshot;
 ///     characters()      what agents are, and what they share; to be told at load time
 ///     agent(number)     one agent: takes requests, and tells how it moves
 ///     figures()         what updates did, and what they took
-/// After the requests comes a frame:
+/// A frame comes after the requests:
 ///     advance(dt)       moves the clock of every agent, updated or not
 ///     update(agents)    poses those that level of detail chose, on all PUs; returns when they are done
 class AnimationSystem {
@@ -32,22 +33,24 @@ class AnimationSystem {
   AnimationSystem& operator=(const AnimationSystem&) = delete;
 
   /// Takes all options at a frame boundary. Poses do not depend on any of them but the stream; the hash of what is
-  /// written also depends on the format of palettes. On error nothing has changed.
+  /// written also depends on the format of palettes. Errors: the number of PUs is out of range, or a local store of a
+  /// fixed size is too small; then nothing has changed.
   Status configure(const SystemOptions& options);
   const SystemOptions& options() const { return parts_.pus.options(); }
   /// Sets SystemOptions::trace, and makes nothing anew.
   void record_trace(Tracing tracing) { parts_.pus.record_trace(tracing, agent_count()); }
-  /// Runs the PUs. Between updates it is free for the host's own jobs, at most options().pus at once.
+  /// Returns the executor that runs the PUs. Between updates it is free for the host's own jobs, at most options().pus
+  /// at once.
   Executor& executor() const { return parts_.pus.executor(); }
 
   Characters& characters() { return characters_; }
   const Characters& characters() const { return characters_; }
 
-  /// Has so many agents of character 0. New agents play nothing until asked; every agent must play something before it
-  /// is updated.
+  /// Sets the number of agents of character 0. New agents play nothing until asked. Every agent must play something
+  /// before it is updated.
   void set_agent_count(std::uint32_t agents);
-  /// Adds `count` agents of a character. Their numbers follow those that there are; returns the first. Afterwards
-  /// set_agent_count can only be told 0.
+  /// Adds `count` agents of a character, and returns the number of the first. Their numbers follow those that there
+  /// are. If there are agents of several characters, set_agent_count takes only 0.
   std::uint32_t add_agents(std::uint32_t count, std::uint32_t character);
   /// Adds one agent of each of these characters, in this order, and returns the number of the first.
   std::uint32_t add_agents(std::span<const std::uint8_t> characters);
@@ -59,19 +62,21 @@ class AnimationSystem {
   Ticks clock() const { return parts_.population.clock(); }
   void update(std::span<const AgentUpdate> agents) { parts_.frame.update(parts_.population, parts_.pus, agents); }
 
-  /// Writes palettes of the clock, with all bones, of agents that were updated before: what level of detail is measured
-  /// against. However far ahead an agent stands, its players and blends are wound back; what remembers more than a time
-  /// (rag-dolls, gazes, placed feet) is taken as it is. Changes nothing: copies of blocks are updated and dropped.
+  /// Writes palettes of the clock, with all bones, of agents that were updated before. Level of detail is measured
+  /// against them. The players and blends of an agent are wound back, however far ahead it stands; entities that
+  /// remember more than a time (rag-dolls, gazes, placed feet) are taken as they are. Changes nothing: copies of blocks
+  /// are updated and dropped.
   void pose_exactly(std::span<const ExactPose> agents) { parts_.exact.pose(parts_.population, parts_.pus, agents); }
 
-  /// Copies the blocks of everything that changes: a crowd that is restored goes on to the same poses, bit for bit. The
-  /// memory of the snapshot is used again. Restoring is refused, and changes nothing, under a schedule whose blocks
-  /// have other sizes.
+  /// Copies the blocks of everything that changes. The memory of the snapshot is used again.
   void snapshot(SystemSnapshot& into) const;
+  /// Puts a snapshot back; the crowd goes on to the same poses, bit for bit. Errors: the snapshot is of other
+  /// characters, kinds of entities or bone orders, or of a schedule whose blocks have other sizes; then nothing has
+  /// changed.
   Status restore(const SystemSnapshot& from);
   /// Moves living blocks together, in the order in which the scheduler reads them, and gives memory back.
   Compaction compact() { return parts_.population.compact(); }
-  /// Clock, frames and pose hash begin anew, as if the system were new. There must be no agents and no shared graphs.
+  /// Begins clock, frames and pose hash anew, as if the system were new. There must be no agents and no shared graphs.
   void restart();
 
   Figures figures() const { return Figures(parts_); }

@@ -12,31 +12,31 @@ inline constexpr Ticks never = std::numeric_limits<Ticks>::max();
 
 /// Paper 2.1.2: "a channel produces ultimately an animation state. [...] Animation channel is an abstract interface and
 /// can be specialized through derivation." It owns the entities that its state is made of, and stores the parameters
-/// that shape it. Called at frame boundaries, by one thread.
+/// that shape it. One thread calls it, at frame boundaries.
 ///
 /// Derive from it, make entities in update() with the builder, and say by state() which of them is the result.
 class Channel {
  public:
   virtual ~Channel() = default;
 
-  /// The entity whose pose is the channel's; invalid until there is one.
+  /// Returns the entity whose pose is the channel's; invalid until there is one.
   virtual Handle state() const = 0;
 
-  /// Brings the channel's entities up to date with its parameters and the clock. True: state(), or what it reads, is
-  /// another than before. Called when a parameter was set through `Agent::change`, and at or after
-  /// next_update().
+  /// Brings the channel's entities up to date with its parameters and the clock. Returns whether state(), or an entity
+  /// that it reads, is another than before. It is called when a parameter was set through `Agent::change`, and at or
+  /// after next_update().
   virtual bool update(const EntityBuilder& build) = 0;
 
-  /// When update() wants to be called again by itself: a time of the clock, or never.
+  /// Returns the time of the clock at which update() must be called again by itself, or never.
   virtual Ticks next_update() const { return never; }
 
-  /// Calls `visit` with each handle that the channel keeps: entities are renamed when the stream changes.
+  /// Calls `visit` with each handle that the channel keeps, because entities are renamed when the stream changes.
   virtual void visit_handles(const std::function<void(Handle&)>& visit) = 0;
 
-  /// Every entity that the channel made goes back to its pool.
+  /// Gives every entity that the channel made back to its pool.
   virtual void destroy_entities(const EntityBuilder& build) = 0;
 
-  /// A copy that names the same entities: for snapshots.
+  /// Returns a copy that names the same entities, for snapshots.
   virtual std::unique_ptr<Channel> clone() const = 0;
 };
 

@@ -20,7 +20,7 @@ struct KindMemory {
   PoolMemory shared;
 };
 
-/// Blocks and graphs of all agents of a character as they were.
+/// The blocks and graphs of all agents of a character at a moment.
 struct CharacterAgentsSnapshot {
   std::shared_ptr<const Character> character;
   std::vector<PoolSnapshot> pools;  // own and shared of each kind, in turns
@@ -38,17 +38,17 @@ struct CharacterAgents {
   CharacterAgents& operator=(const CharacterAgents&) = delete;
 
   const Skeleton& skeleton() const { return character->skeleton; }
-  /// What PUs read. It is valid until a mask or a selection is added.
+  /// Returns the context that PUs read. It is valid until a mask or a selection is added.
   UpdateContext context(const Kernels& kernels) const;
 
   /// Takes the same character with its bones in another order, and returns the one before.
   std::shared_ptr<const Character> replace_character(std::shared_ptr<const Character> reordered);
-  /// See AgentGraphs::reorder_kept_transforms.
+  /// Does what AgentGraphs::reorder_kept_transforms does, for all graphs.
   void reorder_kept_transforms(std::span<const int> places) {
     agents.reorder_kept_transforms(places);
     shared.reorder_kept_transforms(places);
   }
-  /// Names something that depends on the order of the bones, in words; it is empty if nothing does.
+  /// Returns the name of something that depends on the order of the bones, in words; empty if nothing does.
   std::string bound_to_bone_order() const;
 
   int add_mask(BoneMask mask);
@@ -64,7 +64,7 @@ struct CharacterAgents {
   Compaction compact();
   void add_memory(std::vector<KindMemory>& kinds) const;
   std::size_t bytes_alive() const;
-  /// The bytes of one palette for each agent.
+  /// Returns the bytes of all palettes, one for each agent.
   std::size_t palette_bytes(PaletteFormat format) const {
     return agents.count() * static_cast<std::size_t>(skeleton().palette_count()) * palette_entry_bytes(format);
   }
@@ -81,7 +81,7 @@ struct CharacterAgents {
   AgentGraphs shared;
 };
 
-/// What the agents of all characters together ask of the local stores.
+/// Returns what the agents of all characters together ask of the local stores.
 LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<CharacterAgents>> characters, StreamKind stream);
 
 }  // namespace throng::anim

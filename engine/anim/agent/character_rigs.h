@@ -15,8 +15,8 @@
 
 namespace throng::anim {
 
-/// What post processes are made with: the kinds of entities of one character in one system; empty where the character
-/// has no such rig.
+/// The kinds of entities of one character in one system, with which post processes are made. A kind is empty where the
+/// character has no such rig.
 struct RigKinds {
   std::optional<EntityPools::Kind> look_at;
   std::optional<EntityPools::Kind> foot_placement;
@@ -24,31 +24,31 @@ struct RigKinds {
   std::optional<EntityPools::Kind> ragdoll;
 };
 
-/// What in a character can look, stand, reach and fall, found once at load. Read-only; outlives the systems that it was
-/// added to, which keep pointers into it.
+/// The rigs of a character, with which it can look, stand, reach and fall. They are found once, at load. The object
+/// outlives the systems that it was added to, which keep pointers into it.
 class CharacterRigs {
  public:
   enum class Limb : std::uint8_t { left_arm, right_arm, left_leg, right_leg };
 
-  /// `model` as imported: its skeleton is the character's.
+  /// Finds the rigs of an imported model, whose skeleton is the character's.
   explicit CharacterRigs(const Model& model, const RagdollOptions& ragdoll = {});
   CharacterRigs(const CharacterRigs&) = delete;
   CharacterRigs& operator=(const CharacterRigs&) = delete;
 
-  /// For a character of a system, of which it takes up to four of EntityPools::most_kinds; once, before its agents use
-  /// them.
+  /// Adds the rigs to a character of a system, of which they take up to four of EntityPools::most_kinds. Call it once,
+  /// before its agents use them.
   RigKinds add_to(AnimationSystem& system, std::uint32_t character = 0) const;
 
-  /// The character's bones are in another order from now on: `places` has the new index of each. What systems point at
+  /// Takes another order of the character's bones; `places` has the new index of each. The memory that systems point at
   /// stays where it is; see Characters::replace.
   void reorder_bones(std::span<const int> places);
 
   const std::optional<LookAtRig>& look_at() const { return look_at_; }
   const std::optional<FootPlacementRig>& foot_placement() const { return foot_placement_; }
   const std::optional<RagdollRig>& ragdoll() const { return ragdoll_; }
-  /// For ReachProcess; nothing where the character has no such limb.
+  /// Returns the number of a limb for ReachProcess; nothing where the character has no such limb.
   std::optional<std::uint32_t> limb(Limb limb) const { return limb_places_[static_cast<std::size_t>(limb)]; }
-  /// Why what is not there is not there, one sentence each.
+  /// Returns the reasons why rigs are missing, one sentence each.
   std::span<const std::string> missing() const { return missing_; }
 
  private:

@@ -13,32 +13,32 @@ namespace throng::anim {
 /// AnimationSystem::create is 0. A camera and a prop are characters too. Add things at load time.
 class Characters {
  public:
-  /// The system's inside, which outlives this object.
+  /// Works on the inside of a system, which outlives this object.
   explicit Characters(SystemParts& system) : system_(&system) {}
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(system_->population.characters().size()); }
   const Character& operator[](std::uint32_t character) const { return *of(character).character; }
   const EntityPools& pools(std::uint32_t character) const { return of(character).pools; }
-  /// The format in which palettes of this character's agents are written.
+  /// Returns the format in which palettes of this character's agents are written.
   PaletteFormat palette_format(std::uint32_t character) const {
     return system_->pus.contexts()[character].palette_format;
   }
 
-  /// Adds a character and returns its number. On error (the local store is too small for it, or there are
-  /// most_skeletons already) nothing has changed.
+  /// Adds a character and returns its number. Errors: the local store is too small for it, or there are most_skeletons
+  /// already; then nothing has changed.
   Result<std::uint32_t> add(std::shared_ptr<const Character> character);
 
   /// Takes the same character with its bones in another order (asset/skeleton_order.h) and other levels, at a frame
   /// boundary; agents go on where they are. `places` has the new index of each bone. If kinds of entities point at
-  /// rigs, the host reorders those at once (CharacterRigs::reorder_bones). Older snapshots cannot be restored. On error
-  /// nothing has changed: masks, selections or inertialisers depend on the order, or the local store is too small.
+  /// rigs, the host reorders those at once (CharacterRigs::reorder_bones). Older snapshots cannot be restored. Errors:
+  /// masks, selections or inertialisers depend on the order, or the local store is too small; then nothing has changed.
   Status replace(std::uint32_t character, std::shared_ptr<const Character> reordered, std::span<const int> places);
 
   /// Adds weights of bones for requests and layers, made for this character's skeleton, and returns the index for
   /// `PlayRequest::mask`.
   int add_mask(BoneMask mask, std::uint32_t character = 0);
   /// Adds a choice of bones that a player evaluates while the others stand still (paper 3.2, per-bone priorities), made
-  /// for this character's skeleton, and returns what `PlayRequest::bone_selection` wants.
+  /// for this character's skeleton, and returns the number for `PlayRequest::bone_selection`.
   std::uint32_t add_bone_selection(BoneSelection selection, std::uint32_t character = 0);
 
   /// Adds a kind of entity of the host's own, for channels and post processes that make such entities. `kind` outlives

@@ -13,23 +13,23 @@ namespace throng::anim {
 struct PlayRequest {
   int clip = 0;        ///< index into the character's clips
   Ticks fade = 0;      ///< eases in from what plays now; 0 replaces it at once (on the masked bones)
-  double speed = 1.0;  ///< of the clip's own; negative: backwards
+  double speed = 1.0;  ///< multiple of the clip's own speed; negative: backwards
   Ticks start = 0;     ///< position in the clip, 0 to its duration
   bool loop = true;
   std::optional<float> held_fraction = std::nullopt;  ///< instead of fading: blend for good, this much of the new clip
-  /// What `Characters::add_mask` returned: the clip is laid over what plays now, on the masked bones, and stays
-  /// there until a request without a mask takes the place of all. no_mask: on all bones.
+  /// The number that `Characters::add_mask` returned. The clip is laid over what plays now, on the masked bones, and
+  /// stays there until a request without a mask takes the place of all. no_mask: it plays on all bones.
   int mask = no_mask;
 
-  /// A cut scene: the agent stands here, and moves on from here by the clip's own root motion.
+  /// The place where the agent stands in a cut scene. It moves on from here by the clip's own root motion.
   std::optional<AbsoluteRoot> absolute_root = std::nullopt;
-  std::uint32_t bone_selection = Player::every_bone;  ///< what `Characters::add_bone_selection` returned
+  std::uint32_t bone_selection = Player::every_bone;  ///< the number that `Characters::add_bone_selection` returned
 
   static constexpr int no_mask = EaseBlender::no_mask;
 };
 
-/// The entities of a blend tree that grows to one side: player 0, then for i = 1, 2, ... player i and the blender over
-/// it and all before.
+/// The entities of a blend tree that grows to one side: player 0, then player i and the blender over it and all before,
+/// for i = 1, 2, ...
 struct BlendTree {
   static constexpr int max_players = 4;
   static constexpr int max_entities = 2 * max_players - 1;
@@ -42,17 +42,18 @@ struct BlendTree {
   std::size_t player_count() const { return (count + 1U) / 2U; }
 };
 
-/// Plays a clip, and fades to the next. A fade that is interrupted neither snaps nor waits: what was shown is left
-/// behind through an inertialiser, so that at most two fades are evaluated at once, whatever is asked for.
+/// Plays a clip, and fades to the next. A fade that is interrupted neither snaps nor waits: an inertialiser leaves
+/// behind what was shown, so that at most two fades are evaluated at once, whatever is asked for.
 ///
 ///     player <- ease blender <- player                a fade
 ///     inertialiser <- player                          interrupted; for two updates it reads the old fade too
 class CrossFadeChannel final : public Channel {
  public:
-  /// False: the tree is full of blends that stay (masked or held). All other requests are taken.
+  /// Takes a request. Returns false if the request is to stay (masked or held) and the tree is full; all other requests
+  /// are taken.
   bool play(const EntityBuilder& build, const PlayRequest& request);
 
-  /// Of the clip asked for last, from now on; there must be one.
+  /// Sets the speed of the clip asked for last, from now on. There must be one.
   void set_speed(const EntityBuilder& build, double speed) const;
 
   Handle state() const override { return inertialiser_.valid() ? inertialiser_ : tree_.root(); }
@@ -71,10 +72,10 @@ class CrossFadeChannel final : public Channel {
   bool is_fading(Ticks now) const;
 
   BlendTree tree_;
-  std::array<Ticks, BlendTree::max_players> fade_end_{};  // of the blender over player i; [0] unused
-  BlendTree left_;                                        // what the inertialiser is leaving
+  std::array<Ticks, BlendTree::max_players> fade_end_{};  // [i] the end of the blender over player i; [0] unused
+  BlendTree left_;                                        // the tree that the inertialiser is leaving
   Handle inertialiser_;
-  Ticks settled_at_ = 0;  // of the newest interruption, by the clock: what comes next does not depend on who was posed
+  Ticks settled_at_ = 0;  // when the newest interruption settles, by the clock, so it does not depend on who was posed
 };
 
 }  // namespace throng::anim

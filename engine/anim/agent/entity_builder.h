@@ -12,39 +12,39 @@
 
 namespace throng::anim {
 
-/// How a player begins.
+/// The clip, speed and place with which a player begins.
 struct PlayerStart {
   int clip = 0;        ///< index into the character's clips
-  double speed = 1.0;  ///< of the clip's own; negative: backwards
+  double speed = 1.0;  ///< multiple of the clip's own speed; negative: backwards
   Ticks start = 0;     ///< position in the clip, 0 to its duration
   bool loop = true;
-  std::optional<AbsoluteRoot> absolute_root = std::nullopt;  ///< of a cut scene
-  std::uint32_t bone_selection = Player::every_bone;         ///< what `Characters::add_bone_selection` returned
+  std::optional<AbsoluteRoot> absolute_root = std::nullopt;  ///< the root of a cut scene
+  std::uint32_t bone_selection = Player::every_bone;  ///< the number that `Characters::add_bone_selection` returned
 };
 
-/// What channels and post processes make their entities with, at a frame boundary. An agent's entities may stand ahead
-/// of the clock (smooth skipping) or behind it: what is made now is made so that it stands where they do.
+/// Makes the entities of channels and post processes, at a frame boundary. An agent's entities may stand ahead of the
+/// clock (smooth skipping) or behind it; an entity that is made now stands where they do.
 class EntityBuilder {
  public:
   struct About {
-    std::uint32_t owner = 0;  ///< the agent; with the bit shared_owner what is made may be read by all agents
+    std::uint32_t owner = 0;  ///< the agent; with the bit shared_owner, all agents may read what is made
     Ticks now = 0;            ///< the clock
-    Ticks posed_at = 0;       ///< where the agent's entities stand
+    Ticks posed_at = 0;       ///< the time at which the agent's entities stand
     StreamKind stream = StreamKind::sampled;
   };
   EntityBuilder(EntityPools& pools, std::span<const ClipStreams> clips, const About& about)
       : pools_(&pools), clips_(clips), about_(about) {}
 
   Ticks now() const { return about_.now; }
-  /// From the clock to where the agent's entities stand; negative: they are behind.
+  /// Returns the time from the clock to where the agent's entities stand; negative if they are behind.
   Ticks lead() const { return about_.posed_at - about_.now; }
   const ClipStreams& clip(int index) const { return clips_[static_cast<std::size_t>(index)]; }
   EntityPools& pools() const { return *pools_; }
 
-  /// The kind of player that a clip wants under the current stream.
+  /// Returns the kind of player that a clip wants under the current stream.
   EntityPools::Kind player_kind(std::uint32_t clip) const;
 
-  /// An entity of any kind, its private part zeroed, owned by the agent.
+  /// Makes an entity of any kind, owned by the agent. Its private part is zeroed.
   Handle create(EntityPools::Kind kind) const;
   template <typename Entity>
   Entity& as(Handle entity) const {
@@ -56,16 +56,18 @@ class EntityBuilder {
   }
 
   Handle player(const PlayerStart& start) const;
-  /// Eases from one state to the other in `total` from now on, bones weighed by `mask` (EaseBlender::no_mask: all).
+  /// Makes a blender that eases from one state to the other in `total` from now on. `mask` weighs the bones
+  /// (EaseBlender::no_mask: all).
   Handle ease(Handle from, Handle to, Ticks total, int mask = EaseBlender::no_mask) const;
-  /// The same, standing still at `fraction`.
+  /// Makes such a blender that stands still at `fraction`.
   Handle hold(Handle from, Handle to, float fraction, int mask = EaseBlender::no_mask) const;
 
-  /// Puts a player to `position` at the clock.
+  /// Puts a player where it is at `position` at the clock.
   void seek(Handle player, FineTicks position) const;
-  /// Where a player is at the clock, wherever it stands: may lie outside of the clip, whole loops away.
+  /// Returns the position of a player at the clock, wherever it stands. It may lie outside of the clip, whole loops
+  /// away.
   FineTicks position(Handle player) const;
-  /// From the clock on; position and time go on without a jump.
+  /// Sets the speed of a player from the clock on. Position and time go on without a jump.
   void set_speed(Handle player, double speed) const;
 
   void destroy(Handle entity) const { pools_->destroy(entity); }

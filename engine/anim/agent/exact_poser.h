@@ -15,11 +15,11 @@ struct ExactPose {
   PaletteMatrix* palette = nullptr;  ///< out, room for all entries of its skeleton; 64-byte aligned
 };
 
-/// Poses agents for the clock with all bones, and changes nothing: what level of detail is measured against.
-/// It has a scheduler of its own, so that a look neither fails nor depends on how the crowd is scheduled.
+/// Poses agents for the clock with all bones, and changes nothing. Level of detail is measured against these poses. It
+/// has a scheduler of its own, so that a look neither fails nor depends on how the crowd is scheduled.
 class ExactPoser {
  public:
-  /// See AnimationSystem::pose_exactly.
+  /// Does what AnimationSystem::pose_exactly does.
   void pose(const Population& population, const FittedScheduler& crowd, std::span<const ExactPose> agents);
 
  private:
@@ -30,7 +30,7 @@ class ExactPoser {
   std::unique_ptr<Scheduler> scheduler_;  // null until it is needed
   std::uint64_t made_for_ = 0;            // FittedScheduler::version()
   std::vector<AgentWork> work_;
-  std::vector<WorkRun> runs_;  // in it
+  std::vector<WorkRun> runs_;  // the runs in work_
   std::vector<UpdateContext> contexts_;
 };
 

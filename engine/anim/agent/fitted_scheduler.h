@@ -11,19 +11,21 @@
 
 namespace throng::anim {
 
-/// The scheduler of a system, and the options that it was made by. Its local stores hold what every graph asks of them:
-/// where the graphs grow, automatic stores grow too, and stores of a fixed size refuse the change.
+/// The scheduler of a system, and the options that it was made by. Its local stores hold what every graph asks of them.
+/// When the graphs grow, automatic stores grow too, and stores of a fixed size refuse the change.
 class FittedScheduler {
  public:
-  /// Takes all options, and converts the population to them. On error nothing has changed.
+  /// Takes all options, and converts the population to them. Errors: the number of PUs is out of range, or a local
+  /// store of a fixed size is too small; then nothing has changed.
   Status configure(Population& population, const SystemOptions& options);
   const SystemOptions& options() const { return options_; }
   void record_trace(Tracing tracing, std::uint32_t agents);
 
-  /// [character] what PUs read. It is made anew after a mask, a selection or a character was added.
+  /// Returns [character] the context that PUs read. refresh_contexts() makes them anew when a mask, a selection or a
+  /// character was added.
   std::span<const UpdateContext> contexts() const { return contexts_; }
   void refresh_contexts(const Population& population);
-  /// [agent] PUs write the hashes of palettes there; empty: they hash nothing.
+  /// Sets [agent] where PUs write the hashes of palettes. They hash nothing if it is empty.
   void set_hashes(std::span<std::uint64_t> hashes);
 
   /// Changes the graph of an agent, and fits the stores to what the graph asks of them afterwards.
@@ -33,10 +35,10 @@ class FittedScheduler {
     Status changed = change_graph();
     return !changed || population.graph(agent).program->needs == before ? changed : fit(population, agent);
   }
-  /// What all graphs ask of the stores.
+  /// Returns what all graphs ask of the stores.
   LocalStoreDemand demand(const Population& population) const;
   Status fit(const Population& population, const LocalStoreDemand& needs);
-  /// The cost of an agent of this character, in steps of cost_step.
+  /// Returns the cost of an agent of this character, in steps of cost_step.
   std::uint16_t predicted_cost(const PoseProgram& program, std::uint32_t character, int level) const {
     return cost_in_steps(options_.cost.of_agent(program.parts, contexts_[character].packets(level)));
   }
@@ -45,7 +47,7 @@ class FittedScheduler {
 
   Scheduler& scheduler() { return *scheduler_; }
   const Scheduler& scheduler() const { return *scheduler_; }
-  /// Counts the schedulers that were made: another number means other options or other stores.
+  /// Returns how many schedulers were made. Another number means other options or other stores.
   std::uint64_t version() const { return version_; }
   Executor& executor() const { return threads_ == nullptr ? *options_.executor : *threads_; }
 

@@ -7,35 +7,38 @@
 
 namespace throng::anim {
 
-/// Feet stand on the ground that is there. The host says where the character stands and, for each leg, on which plane;
-/// planes are in world space, so that they stay true while the character walks over them.
+/// Lets feet stand on the ground that is there. The host says where the character stands and, for each leg, on which
+/// plane. Planes are in world space, so that they stay true while the character walks over them.
 ///
 /// On uneven ground, sample it under `ankle(leg)` at each frame boundary: that is where the ankle was at the last
-/// update. The plane is then taken under the ankle as it is posed: exact on flat ground and slopes, and off by
+/// update. The plane is then taken under the ankle as it is posed. This is exact on flat ground and slopes, and off by
 /// what the ground bends in one update elsewhere.
 class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
  public:
-  /// `kind`: RigKinds::foot_placement. Flat ground at height 0 until told otherwise.
+  /// `kind` is RigKinds::foot_placement. The ground is flat at height 0 until told otherwise.
   explicit FootPlacementProcess(EntityPools::Kind kind, const FootPlacementOptions& options = {})
       : WeightedProcess(kind, 1.0F), options_(options) {
     planted_.fill(planted_by_pose);
   }
 
-  /// Where model space is in the world, turned about the vertical only.
+  /// Sets where model space is in the world, turned about the vertical only.
   void set_placement(const JointMotion& model_in_world) { model_in_world_ = model_in_world; }
-  /// A point of the plane and its unit normal (y above 0), world space; of one leg, or of all.
+  /// Sets the plane of one leg: a point of it and its unit normal (y above 0), in world space.
   void set_ground(int leg, const Footing& plane) { ground_[static_cast<std::size_t>(leg)] = plane; }
+  /// Sets the plane of all legs.
   void set_ground(const Footing& plane) { ground_.fill(plane); }
-  /// 0 (in the air) to 1 (on the ground), or planted_by_pose: by how high the pose has the sole.
+  /// Sets how far a foot is planted, 0 (in the air) to 1 (on the ground), or planted_by_pose, which goes by the height
+  /// at which the pose has the sole.
   void set_planted(int leg, float planted) { planted_[static_cast<std::size_t>(leg)] = planted; }
 
-  /// Of a leg at the last update, as the animation has it before it is placed; world space. Once it was added.
+  /// Returns the ankle of a leg at the last update, as the animation has it before it is placed, in world space. Call
+  /// it only when the process was added.
   glm::vec3 ankle(const EntityPools& pools, int leg) const {
     const auto& memory = pools.private_as<FootPlacementMemory>(entity());
     const JointMotion& model = memory.body.model_in_world;
     return model.position + model.rotation * memory.feet[leg].ankle;
   }
-  /// Metres that the pelvis was lowered at the last update.
+  /// Returns the metres by which the pelvis was lowered at the last update.
   float drop(const EntityPools& pools) const { return pools.as<FootPlacementEntity>(entity()).drop; }
   const FootLock& lock(const EntityPools& pools, int leg) const {
     return pools.private_as<FootPlacementMemory>(entity()).feet[leg].lock;

@@ -9,38 +9,38 @@
 
 namespace throng::anim {
 
-/// What the last update did.
+/// The figures of the last update.
 struct UpdateReport {
   std::uint32_t agents_updated = 0;
   std::uint64_t bones_evaluated = 0;
   std::uint64_t palette_bytes = 0;
-  double predicted_nanoseconds = 0;  ///< of one PU, by SystemOptions::cost: agents, and tiles as wide as they come
+  double predicted_nanoseconds = 0;  ///< time of one PU, by SystemOptions::cost: agents, and tiles as wide as they come
   CopyCounts copies;
 };
 
-/// Hashes of the palettes of all updates so far.
+/// The hashes of the palettes of all updates so far.
 struct FrameHashes {
-  std::uint64_t frame = 0;            ///< updates so far
-  std::uint64_t poses = 0;            ///< agents summed up, frames chained
-  std::vector<std::uint64_t> agents;  ///< [agent] of its last update, seeded by agent and frame
+  std::uint64_t frame = 0;            ///< the number of updates so far
+  std::uint64_t poses = 0;            ///< the hashes of agents summed up, and of frames chained
+  std::vector<std::uint64_t> agents;  ///< [agent] the hash of its last update, seeded by agent and frame
 
   std::size_t bytes() const { return agents.size() * sizeof(std::uint64_t); }
 };
 
-/// A frame: asks the channels that are due, lists the work of each agent, has the PUs do it, and sums it up.
+/// Does a frame: asks the channels that are due, lists the work of each agent, has the PUs do it, and sums it up.
 class FrameWork {
  public:
   void update(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents);
   /// Makes room for so many agents, so that an update allocates nothing.
   void reserve(std::uint32_t agents);
-  /// Frames and hashes begin anew.
+  /// Begins the count of frames and the pose hash anew.
   void restart();
 
   const UpdateReport& report() const { return report_; }
   const FrameHashes& hashes() const { return hashes_; }
   /// Takes the hashes of a snapshot.
   void restore(const FrameHashes& hashes) { hashes_ = hashes; }
-  /// See Figures::stream_bytes.
+  /// Returns what Figures::stream_bytes does.
   std::uint64_t stream_bytes(std::span<const UpdateContext> contexts) const;
 
  private:
@@ -51,7 +51,7 @@ class FrameWork {
 
   FrameHashes hashes_;
   std::vector<AgentWork> work_;
-  std::vector<WorkRun> runs_;  // in it
+  std::vector<WorkRun> runs_;  // the runs in work_
   std::vector<AgentWork> shared_work_;
   UpdateReport report_;
 };

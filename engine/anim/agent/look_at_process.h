@@ -5,26 +5,27 @@
 
 namespace throng::anim {
 
-/// Looks at something: spine, neck and head turn towards it, within limits. Looks nowhere until it is told to.
+/// Turns spine, neck and head towards something, within limits. It looks nowhere until it is told to.
 class LookAtProcess final : public WeightedProcess<LookAtEntity> {
  public:
-  /// `kind`: RigKinds::look_at.
+  /// `kind` is RigKinds::look_at.
   explicit LookAtProcess(EntityPools::Kind kind, const LookAtLimits& limits = {})
       : WeightedProcess(kind, 0.0F), limits_(limits) {}
 
-  /// Metres, model space: the character's own. From the next update on; how fast the head turns is in the limits.
+  /// Sets the target from the next update on, in metres in the character's model space. The limits say how fast the
+  /// head turns.
   void set_target(const glm::vec3& target) { target_ = target; }
-  /// The target, and all of the weight.
+  /// Sets the target, and fades to the full weight if it looked away.
   void look_at(const glm::vec3& target, Ticks fade = 0) {
     set_target(target);
     if (!std::exchange(looks_, true)) set_weight(1.0F, fade);
   }
-  /// Back to where the animation looks.
+  /// Fades back to where the animation looks.
   void look_away(Ticks fade) {
     if (std::exchange(looks_, false)) set_weight(0.0F, fade);
   }
 
-  /// Radians between gaze and target at the last update.
+  /// Returns the radians between gaze and target at the last update.
   float remaining(const EntityPools& pools) const {
     return entity().valid() ? pools.private_as<LookAtMemory>(entity()).gaze.remaining : 0.0F;
   }

@@ -5,7 +5,7 @@
 
 namespace throng::anim {
 
-/// Animation noise, the paper's own example of a post process (2.1.2).
+/// Adds animation noise, the paper's own example of a post process (2.1.2).
 class NoiseProcess final : public OneEntityProcess<NoiseMaker> {
  public:
   struct Settings {

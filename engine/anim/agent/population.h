@@ -9,13 +9,13 @@
 
 namespace throng::anim {
 
-/// Tells which character an agent is, and which number it has among the agents of that character.
+/// The character of an agent, and its number among the agents of that character.
 struct Member {
   std::uint32_t character;
   std::uint32_t index;
 };
 
-/// A population as it was.
+/// The state of a population at a moment.
 struct PopulationSnapshot {
   std::vector<CharacterAgentsSnapshot> characters;
   std::vector<Member> members;
@@ -40,18 +40,18 @@ class Population {
   std::uint32_t count() const { return static_cast<std::uint32_t>(members_.size()); }
   std::span<const Member> members() const { return members_; }
   const Member& member(std::uint32_t agent) const { return members_[agent]; }
-  /// See AnimationSystem::set_agent_count.
+  /// Does what AnimationSystem::set_agent_count does.
   void resize(std::uint32_t agents);
-  /// See AnimationSystem::add_agents.
+  /// Does what AnimationSystem::add_agents does.
   std::uint32_t add(std::uint32_t agents, std::uint32_t character);
   std::uint32_t add(std::span<const std::uint8_t> characters);
 
   CharacterAgents& character_of(std::uint32_t agent) { return *characters_[members_[agent].character]; }
   const CharacterAgents& character_of(std::uint32_t agent) const { return *characters_[members_[agent].character]; }
   const PoseGraph& graph(std::uint32_t agent) const { return character_of(agent).agents.graph(members_[agent].index); }
-  /// Makes entities that stand at the time of the agent.
+  /// Returns a builder of entities that stand at the time of the agent.
   EntityBuilder builder(std::uint32_t agent);
-  /// Makes entities of a shared graph of this character.
+  /// Returns a builder of entities of a shared graph of this character.
   EntityBuilder shared_builder(CharacterAgents& character, std::uint32_t graph) const;
 
   Ticks clock() const { return clock_; }
@@ -60,15 +60,16 @@ class Population {
   std::span<Ticks> posed_at() { return posed_at_; }
   Ticks shared_posed_at() const { return shared_posed_at_; }
   void shared_are_posed() { shared_posed_at_ = clock_; }
-  /// The clock begins anew. There must be no agents.
+  /// Begins the clock anew. There must be no agents.
   void restart();
 
   void snapshot(PopulationSnapshot& into) const;
-  /// The error says why the snapshot is of another population: its characters or their kinds of entities differ.
+  /// Checks that the snapshot is of this population. Errors: it is empty, or characters, their kinds of entities or the
+  /// order of their bones differ.
   Status can_restore(const PopulationSnapshot& from) const;
   Status restore(const PopulationSnapshot& from);
   Compaction compact();
-  /// The bytes of all blocks that live, and of what is kept for each agent.
+  /// Returns the bytes of all blocks that live, and of what is kept for each agent.
   std::size_t bytes() const;
 
  private:
@@ -79,7 +80,7 @@ class Population {
   std::vector<Ticks> posed_at_;  // [agent] the time at which its entities stand
   Ticks clock_ = 0;
   Ticks shared_posed_at_ = 0;
-  StreamKind stream_ = StreamKind::sampled;  // of new players
+  StreamKind stream_ = StreamKind::sampled;  // the stream of new players
 };
 
 }  // namespace throng::anim

@@ -5,8 +5,8 @@
 
 namespace throng::anim {
 
-/// Falls over when it is pushed, and comes back to its animation when it is told to. Nothing until then: it has no
-/// entities while it stands.
+/// Lets an agent fall over when it is pushed, and come back to its animation when it is told to. It has no entities
+/// while the agent stands.
 ///
 ///     source ──┬──────────── blender         the source still plays below, so that the agent's time goes on
 ///              └─ rag-doll ──┘               it reads the source until it is let go, two updates after the push
@@ -17,28 +17,28 @@ class RagdollProcess final : public PostProcess {
  public:
   enum class Phase : std::uint8_t { standing, letting_go, down, recovering };
 
-  /// `kind`: RigKinds::ragdoll. `fade`: from the animation to the rag-doll, once it is let go.
+  /// `kind` is RigKinds::ragdoll. `fade` is the time from the animation to the rag-doll, when that is let go.
   explicit RagdollProcess(EntityPools::Kind kind, Ticks fade = ticks_per_second / 10) : kind_(kind), fade_(fade) {}
 
-  /// An impulse (kg m/s) at a place in model space: the nearest body takes it. A second push before the next update
-  /// takes the place of the first.
+  /// Pushes with an impulse (kg m/s) at a place in model space; the nearest body takes it. A second push before the
+  /// next update takes the place of the first.
   void push(const glm::vec3& impulse, const glm::vec3& place) {
     impulse_ = impulse;
     place_ = place;
     pushed_ = true;
   }
-  /// Blends back to the animation, wherever the rag-doll lies: once it is down.
+  /// Blends back to the animation when the rag-doll is down, wherever it lies.
   void recover(Ticks fade) {
     recovery_ = fade;
     recovers_ = true;
   }
-  /// Model space; to be set before it falls: one that sleeps does not notice.
+  /// Sets the ground in model space. It counts for the next fall.
   void set_ground(const GroundPlane& ground) { ground_ = ground; }
 
   Phase phase() const { return phase_; }
-  /// It lies and does not move.
+  /// Returns whether it lies and does not move.
   bool is_asleep(const EntityPools& pools) const;
-  /// Model space: where its first body, the hips, is at the last update. Only where there is a rag-doll.
+  /// Returns the place of its first body, the hips, at the last update, in model space. There must be a rag-doll.
   glm::vec3 hips(const EntityPools& pools) const;
 
   Handle attach(const EntityBuilder& build, Handle source) override;

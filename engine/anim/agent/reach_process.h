@@ -5,21 +5,22 @@
 
 namespace throng::anim {
 
-/// A hand or a foot reaches for a place, by two-bone IK. Its weight is 0 until it is set.
+/// Lets a hand or a foot reach for a place, by two-bone IK. Its weight is 0 until it is set.
 class ReachProcess final : public WeightedProcess<IkEntity> {
  public:
   struct Settings {
     std::uint32_t limb = 0;   ///< CharacterRigs::limb
     float softness = 0.005F;  ///< see TwoBoneIkJob
-    glm::vec3 pole{0.0F};     ///< model space: where the elbow or knee is to point; zero keeps the pose's
+    glm::vec3 pole{0.0F};     ///< model space: where the elbow or knee must point; zero keeps the pose's
   };
-  /// `kind`: RigKinds::limbs.
+  /// `kind` is RigKinds::limbs.
   ReachProcess(EntityPools::Kind kind, const Settings& settings) : WeightedProcess(kind, 0.0F), settings_(settings) {}
 
-  /// Metres, model space. From the next update on, at once: what should come slowly is moved slowly by the caller.
+  /// Sets the target at once, from the next update on, in metres in model space. A caller that wants a slow change
+  /// moves it slowly.
   void set_target(const glm::vec3& target) { target_ = target; }
 
-  /// Metres from the end of the limb to the target at the last update.
+  /// Returns the metres from the end of the limb to the target at the last update.
   float missed_by(const EntityPools& pools) const {
     return entity().valid() ? pools.private_as<IkMemory>(entity()).missed_by : 0.0F;
   }

@@ -5,14 +5,14 @@
 
 namespace throng::anim {
 
-/// Tells where an attachment is: a sword in a hand, a camera on a head. Added after the processes that move the joint.
+/// Tells where an attachment is: a sword in a hand, a camera on a head. Add it after the processes that move the joint.
 class SocketProcess final : public OneEntityProcess<Socket> {
  public:
-  /// `kind`: of socket_kind, added to the system; `place`: index of its SocketPlaces.
+  /// `kind` is that of socket_kind, added to the system. `place` is an index of its SocketPlaces.
   SocketProcess(EntityPools::Kind kind, std::uint32_t place) : OneEntityProcess(kind), place_(place) {}
 
-  /// Model space, of the agent's last update; where its bone level lacked a joint of the chain, of the last that had
-  /// all.
+  /// Returns the motion at the agent's last update, in model space. If its bone level lacked a joint of the chain, it
+  /// is that of the last update that had all.
   JointMotion motion(const EntityPools& pools) const {
     return entity().valid() ? socket_motion(pools.as<Socket>(entity())) : JointMotion{};
   }

@@ -10,8 +10,8 @@ namespace throng::anim {
 
 struct SystemOptions {
   int pus = 1;                        ///< 1 to max_pus
-  std::size_t local_store_bytes = 0;  ///< of each PU; 0: automatic (automatic_local_store), grows with the graphs
-  int tile = 0;                       ///< characters a tile: 1, 2, 4, 8, 16; 0: what fits, up to 32
+  std::size_t local_store_bytes = 0;  ///< size for each PU; 0: automatic (automatic_local_store), grows with the graphs
+  int tile = 0;                       ///< characters a tile: 1, 2, 4, 8, 16; 0: as many as fit, up to 32
   Schedule schedule = Schedule::fused;
   /// Runs the PUs: a host's job system, which outlives the system. Null: the system has threads of its own.
   Executor* executor = nullptr;
@@ -21,7 +21,7 @@ struct SystemOptions {
   Tracing trace = Tracing::on;  ///< record what each PU does, for Figures::units() and update_time()
   bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
   CostModel cost{};             ///< orders tasks and cuts tiles
-  std::optional<StorePolicy> stores{};  ///< how palettes are written; none: by their size (run/store/store_choice.h)
+  std::optional<StorePolicy> stores{};  ///< the policy for palettes; none: by their size (run/store/store_choice.h)
   /// `packed` is for the characters that can be packed (see Characters::palette_format); all others get matrices.
   PaletteFormat palettes = PaletteFormat::matrices;
   const Kernels* kernels = nullptr;  ///< null: the best that this machine runs

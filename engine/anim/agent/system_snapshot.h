@@ -6,7 +6,7 @@
 
 namespace throng::anim {
 
-/// The caller owns it and can use it again and again. Nobody else reads what is in it.
+/// The state of a system at a moment. The caller owns it and can use it again and again. Only AnimationSystem reads it.
 class SystemSnapshot {
  public:
   std::size_t bytes() const { return population_.bytes() + hashes_.bytes(); }

@@ -12,14 +12,16 @@ namespace throng::anim {
 template <typename Entity>
 class WeightedProcess : public OneEntityProcess<Entity> {
  public:
-  /// 0: the pose is left as it is, to the bit; 1: all of it. Fades from where it is.
+  /// Sets the weight, and fades to it from where it is. The pose is left as it is, to the bit, at 0; the process has
+  /// its full effect at 1.
   void set_weight(float weight, Ticks fade = 0) {
     weight_ = weight;
     fade_ = fade;
     fades_ = true;
   }
 
-  /// Where the last update brought it on its way to what was set; once it was added.
+  /// Returns the weight that the last update reached on its way to what was set. Call it only when the process was
+  /// added.
   float weight(const EntityPools& pools) const { return value(pools.as<Entity>(this->entity()).weight); }
 
   bool update(const EntityBuilder& build) final {

@@ -52,12 +52,12 @@ struct Character {
   Skeleton skeleton;
   HierarchyProgram hierarchy;
   std::vector<BakedClip> clips;  ///< never empty: a model without clips gets one, "rest", of its rest pose
-  std::vector<std::string> data_key_names = {};  ///< of all its clips, each once
+  std::vector<std::string> data_key_names = {};  ///< names in all its clips, each once
   double height = 0.0;    ///< metres, of the rest pose's surface, or of its joints where there is no surface
   BoneLod bone_lod = {};  ///< the errors that dropping bones causes
   std::vector<SkipError> skip_errors = {};  ///< the errors that skipping frames causes, one a clip
   CharacterBounds bounds = {};
-  SurfacePoints surface_points = {};              ///< where the errors of drawn poses are measured
+  SurfacePoints surface_points = {};              ///< points where the errors of drawn poses are measured
   std::vector<std::uint32_t> level_entries = {};  ///< palette entries of each level, descending
 };
 

@@ -10,15 +10,15 @@ namespace throng::anim {
 struct BakedClip;
 struct SurfaceProxy;
 
-/// How far a clip's surface is off when only some of its frames are posed, in metres: 99% of the clip's frames stay
-/// below it at their worst point. `spans` are the times between posed frames, in sixtieths of a second.
+/// The error of a clip's surface when only some of its frames are posed, in metres. 99% of the clip's frames stay below
+/// it at their worst point. `spans` are the times between posed frames, in sixtieths of a second.
 struct SkipError {
   static constexpr std::array<int, 4> spans{2, 4, 8, 16};
 
-  /// Skipped frames lie on the straight line between two posed ones (smooth skipping). The error grows about as the
-  /// square of the span. Until it is measured, it is that of a walking person.
+  /// The error if skipped frames lie on the straight line between two posed ones (smooth skipping). It grows about as
+  /// the square of the span. It is that of a walking person until it is measured.
   std::array<float, spans.size()> blended{0.0018F, 0.007F, 0.028F, 0.1F};
-  /// Skipped frames show the last posed one.
+  /// The error if skipped frames show the last posed one.
   std::array<float, spans.size()> held{0.03F, 0.088F, 0.18F, 0.3F};
 
   /// Returns the error at any span, along power laws between the measured ones; 0 at one sixtieth or less.

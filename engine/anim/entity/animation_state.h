@@ -75,7 +75,7 @@ static_assert(offsetof(AnimationStateHeader, delta_time) == identity_bytes);
 static_assert(offsetof(AnimationStateHeader, angular_velocity) == 84);
 static_assert(std::is_trivially_copyable_v<AnimationStateHeader>);
 
-/// The transforms of a block: float [packet][components][16], see pose.h. The block must be resident.
+/// Returns the transforms of a block: float [packet][components][16], see pose.h. The block must be resident.
 inline float* transforms_of(AnimationStateHeader& state) {
   return reinterpret_cast<float*>(reinterpret_cast<std::byte*>(&state) + state.transforms_offset);
 }

@@ -28,10 +28,10 @@ struct EntityLayout {
   std::uint32_t private_offset = 0;     ///< == total_size where there is no private part
 
   bool is_resident() const { return transforms_offset != 0; }
-  /// Bytes that are fetched of a source: its header and transforms, without the private part.
+  /// Returns the bytes that are fetched of a source: its header and transforms, without the private part.
   std::uint32_t source_bytes() const { return private_offset; }
   std::uint32_t private_bytes() const { return total_size - private_offset; }
-  /// Bytes at the start of a block that no function of its kind reads. They are not fetched.
+  /// Returns the bytes at the start of a block that no function of its kind reads. They are not fetched.
   std::size_t unread_bytes() const;
   bool final_once_advanced() const;
 };

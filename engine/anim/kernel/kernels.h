@@ -20,13 +20,13 @@ struct FootPlacementJob;
 struct LookAtJob;
 struct TwoBoneIkJob;
 
-/// Kernels are pure functions over plain arrays. Up to the local pose they run across bones, from there across
-/// characters. They do not allocate, lock or read globals. Pointers are 64-byte aligned unless their job says
-/// otherwise. Each job stands in the header of its kernel, with an `is_valid` that the kernel asserts.
+/// Kernels are pure functions over plain arrays. They run across bones up to the local pose, and across characters from
+/// there. They do not allocate, lock or read globals. Pointers are 64-byte aligned unless their job says otherwise.
+/// Each job stands in the header of its kernel, with an `is_valid` that the kernel asserts.
 
 /// The kernels of one SIMD target.
 struct Kernels {
-  const char* target;  ///< as Highway names it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
+  const char* target;  ///< Highway's name of it: "AVX3", "AVX2", "SSE4", ..., "SCALAR"
   bool fused_multiply_add;
   void (*sample)(const SampleJob& job);
   void (*pose_clips)(const PoseClipsJob& job);
@@ -46,9 +46,11 @@ struct Kernels {
   void (*fence_stores)();  ///< makes all streamed stores visible to other threads
 };
 
-/// The best target of this machine; all that it runs, best first; and the scalar target (same algorithm).
+/// Returns the kernels of the best target of this machine.
 const Kernels& best_kernels();
+/// Returns the kernels of all targets that this machine runs, the best first.
 std::span<const Kernels> runnable_kernels();
+/// Returns the kernels of the scalar target, which has the same algorithm.
 const Kernels& scalar_kernels();
 
 }  // namespace throng::anim

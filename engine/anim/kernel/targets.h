@@ -14,7 +14,7 @@ namespace throng::anim {
 
 struct Kernels;
 
-/// Each sets a room's kernels in the table of one target. `target` is an index into Highway's dispatch tables.
+/// Each function sets a room's kernels in the table of one target. `target` is an index into Highway's dispatch tables.
 void set_pose_kernels(std::size_t target, Kernels& kernels);
 void set_limb_kernels(std::size_t target, Kernels& kernels);
 void set_palette_kernels(std::size_t target, Kernels& kernels);

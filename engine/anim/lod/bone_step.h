@@ -4,15 +4,15 @@
 
 namespace throng::anim {
 
-/// How an update poses an agent that goes from one bone level to another, so that nothing pops: the bones that come or
-/// go pass through where they stand still, where both levels show the same.
+/// The pose of an agent that goes from one bone level to another, so that nothing pops: the bones that come or go pass
+/// through where they stand still, where both levels show the same.
 ///
 ///     to a coarser level:   all of the finer --> half way --> there | the coarser      four updates,
 ///     and back:             the coarser | there --> half way --> all of the finer      the mesh changes at |
 struct BoneStep {
   std::uint8_t level = 0;        ///< the level that is evaluated
   std::uint8_t fade_level = 0;   ///< the bones that this level lacks fade
-  std::uint8_t fade_halves = 0;  ///< so many halves of the way to where they stand still, 0 to 2
+  std::uint8_t fade_halves = 0;  ///< the halves of the way to where they stand still, 0 to 2
 
   friend bool operator==(const BoneStep&, const BoneStep&) = default;
 };

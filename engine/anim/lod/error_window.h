@@ -10,7 +10,7 @@ namespace throng::anim {
 
 /// Errors of the agents that were measured. All figures are 0 where none was.
 struct ErrorFigures {
-  /// With fewer samples than this, chance decides a ninety-ninth percentile.
+  /// The samples below which chance decides a ninety-ninth percentile.
   static constexpr std::uint32_t samples_for_p99 = 1000;
 
   float p50 = 0.0F;

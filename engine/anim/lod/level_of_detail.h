@@ -27,15 +27,15 @@ struct LodCrowd {
   std::span<const glm::vec3> positions;  ///< metres, world space, between the feet
   std::span<const float> scales;
   std::span<const std::uint8_t> character_of = {};  ///< index into the characters; empty: every agent is the first
-  std::span<const int> clips = {};                  ///< of the agent's character; below 0: stands still; empty: all 0
-  std::span<const std::uint8_t> left_out = {};      ///< 1: update_also() alone poses it; empty: no agent
+  std::span<const int> clips = {};              ///< index of the character's clips; below 0: stands still; empty: all 0
+  std::span<const std::uint8_t> left_out = {};  ///< 1: update_also() alone poses it; empty: no agent
 };
 
-/// What a program asks of one frame.
+/// The request of a program for one frame.
 struct LodRequest {
   LodCamera camera;
   LodRules rules;    ///< the limits set `tolerance_pixels`; `counts_cost` is not read
-  LodLimits limits;  ///< of LodRule::budget
+  LodLimits limits;  ///< the limits of LodRule::budget
   LodForce force = {};
   std::optional<std::uint32_t> selected = {};  ///< an agent of the crowd that shows a quarter of the others' error
   Ticks now = 0;
@@ -46,15 +46,15 @@ struct LodRequest {
 struct LodFigures {
   float tolerance_px = 0.0F;  ///< 0 under rules that have none
   BindingLimit binding = BindingLimit::none;
-  double predicted_ms = 0.0;       ///< of all PUs
+  double predicted_ms = 0.0;       ///< time of all PUs
   bool budget_held = true;         ///< agents that come into view are exempt; true without a budget
   std::optional<bool> error_held;  ///< none: no such limit, or nothing measured yet
   LodCost cost;
 };
 
-/// Level of detail for a crowd from frame to frame: lists the agents to be posed, with bone level and look-ahead, and
-/// keeps what that needs of each agent. It allocates in set_characters(), reset() and in the first select() after the
-/// rules, or the length of a frame by more than a quarter, have changed.
+/// Decides level of detail for a crowd from frame to frame. It lists the agents to be posed, with bone level and
+/// look-ahead, and keeps what that needs of each agent. It allocates in set_characters(), reset() and in the first
+/// select() after the rules, or the length of a frame by more than a quarter, have changed.
 ///
 ///     select(crowd, request, executor, jobs)   lists updates()
 ///     updates()[i].palette = ...            the program says where palettes go; null: the agent is not drawn
@@ -62,20 +62,21 @@ struct LodFigures {
 ///     settle(...)                           learns what was shown and what it cost
 class LevelOfDetail {
  public:
-  /// Call it at first, and when one of them has other levels. The agents keep what is known of them.
+  /// Sets the characters. Call it at first, and when one of them has other levels. The agents keep what is known of
+  /// them.
   void set_characters(std::vector<LodCharacter> characters);
 
   /// Forgets every agent and makes room for `agents`. Time and turns go on.
   void reset(std::size_t agents, const LodLimits& limits);
-  /// Turns and figures begin as in the first frame; reset() follows. The same frames are then decided the same.
+  /// Begins turns and figures as in the first frame; call reset() after it. The same frames are then decided the same.
   void restart();
 
-  /// The agent goes over to another clip until `until`.
+  /// Notes that the agent goes over to another clip until `until`.
   void change_clip(std::uint32_t agent, Ticks until) { importance_.fade(agent, until); }
   /// Makes an agent, or all, due when next visible.
   void make_due(std::uint32_t agent) { state_.make_due(agent); }
   void make_all_due() { state_.make_all_due(); }
-  /// No palette is shown any longer, so that no agent blends from one or fades between bone levels.
+  /// Forgets which palettes are shown, so that no agent blends from one or fades between bone levels.
   void forget_shown();
 
   /// Decides for every agent, in up to `jobs` jobs. With a budget the first frame is decided twice, since only a
@@ -86,17 +87,17 @@ class LevelOfDetail {
   std::span<AgentUpdate> updates() { return updates_; }
   /// Adds an agent that LodCrowd::left_out has, with all bones and for the pose of now.
   AgentUpdate& update_also(std::uint32_t agent);
-  /// The palette of an update cannot be blended to: it is shown at once, and the agent is due again in the next frame.
+  /// Changes an update whose palette cannot be blended to: it is shown at once, and the agent is due again in the next
+  /// frame.
   void show_at_once(AgentUpdate& update);
 
   /// Learns from the updates which palettes are shown, and from the limits the tolerance of the next frame.
-  /// `measured_error_pixels`: as LodOutcome has it.
+  /// `measured_error_pixels` is that of LodOutcome.
   void settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels = {});
 
   const LodSelection& selection() const { return selection_; }
-  bool is_visible(std::uint32_t agent) const {
-    return state_.frames_seen[agent] > 0;
-  }  ///< in the last selection, until make_all_due()
+  /// Returns whether the agent was in view in the last selection. The answer holds until make_all_due().
+  bool is_visible(std::uint32_t agent) const { return state_.frames_seen[agent] > 0; }
   bool is_shown(std::uint32_t agent) const { return shown_in_[agent] == frame_; }  ///< it has a palette
   /// Returns what was decided at its last update; bone_step() says how far it has come.
   LodChoice choice(std::uint32_t agent) const { return {state_.interval[agent], state_.bone_level[agent]}; }
@@ -116,15 +117,15 @@ class LevelOfDetail {
   LodImportance importance_;
   LodChoices choices_;
   LodRules built_for_;
-  double built_seconds_ = 0.0;  // a frame
+  double built_seconds_ = 0.0;  // the length of a frame for which choices_ were built
   LodController controller_;
   LodState state_;
   LodSelection selection_;
-  LodRequest request_;                   // of this frame
+  LodRequest request_;                   // the request of this frame
   std::uint64_t frame_ = 0;              // selections so far
-  std::uint64_t number_ = 0;             // those in which time passed
+  std::uint64_t number_ = 0;             // selections in which time passed
   std::vector<std::uint64_t> shown_in_;  // [agent] the last frame in which it was shown
-  std::vector<BoneStep> bone_steps_;     // [agent] of its last update
+  std::vector<BoneStep> bone_steps_;     // [agent] the step of its last update
   std::vector<AgentUpdate> updates_;
   LodFigures figures_;
 };

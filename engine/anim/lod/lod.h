@@ -40,10 +40,10 @@ struct LodRules {
   std::array<float, max_bone_levels - 1> level_distances{15.0F, 30.0F, 60.0F};  ///< metres, ascending
   // LodRule::budget reads what follows, and neither distances nor interval_growth.
   float tolerance_pixels = 1.0F;    ///< the error on screen that an agent of importance 1 may have; above 0
-  float centre_importance = 1.25F;  ///< of agents within centre_degrees of the middle of the picture
+  float centre_importance = 1.25F;  ///< for agents within centre_degrees of the middle of the picture
   float centre_degrees = 8.0F;
   bool smooth = true;        ///< skipped frames blend (smooth skipping)
-  bool counts_cost = false;  ///< whether LodCost::by_tolerance is counted
+  bool counts_cost = false;  ///< true: LodCost::by_tolerance is counted
 
   friend bool operator==(const LodRules&, const LodRules&) = default;
 };
@@ -112,7 +112,7 @@ struct LodState {
   std::vector<std::uint64_t> next_update;  ///< frame number
   std::vector<std::uint8_t> interval;      ///< frames
   std::vector<std::uint8_t> bone_level;
-  std::vector<std::uint8_t> frames_seen;  ///< in a row: 0, 1, or 2 for more
+  std::vector<std::uint8_t> frames_seen;  ///< frames in a row: 0, 1, or 2 for more
   std::vector<std::uint8_t> is_called;    ///< due out of turn
 
   /// Sizes state and `selection` for `agents` and forgets everything, so that each agent is due when next visible.
@@ -131,7 +131,7 @@ struct LodFrame {
   std::span<const float> scales;
   std::span<const LodCharacter> characters;    ///< empty: every agent is a default LodCharacter
   std::span<const std::uint8_t> character_of;  ///< index into `characters`; empty: every agent is the first
-  std::span<const int> clips;                  ///< of the agent's character; below 0: stands still; empty: all 0
+  std::span<const int> clips;                  ///< index of the character's clips; below 0: stands still; empty: all 0
   std::span<const float> importance;           ///< above 0; 1: as the rules say, 2: half the error; empty: all 1
   std::span<const std::uint8_t> changing;  ///< 1: goes over to another clip (LodChoices::changing); empty: none does
   const LodChoices* choices = nullptr;     ///< of `characters`; null: counts no cost, and forbids LodRule::budget

@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// The limits on error and time; 0: no such limit.
+/// The limits on error and time. 0 is no limit.
 struct LodLimits {
   float error_pixels = 1.0F;        ///< 99% of shown errors stay below it
   double budget_nanoseconds = 0.0;  ///< a frame, predicted, summed over PUs; agents that come into view are exempt
@@ -33,20 +33,20 @@ struct LodOutcome {
   std::optional<float> measured_error_pixels = {};  ///< p99 over the last frames; none: too little was measured
 };
 
-/// Sets LodRules::tolerance_pixels, frame by frame, so that the limits hold. Depends on outcomes alone, so a replay
+/// Sets LodRules::tolerance_pixels, frame by frame, so that the limits hold. It depends on outcomes alone, so a replay
 /// decides the same.
 ///
-/// For the limit on the error it learns, slowly, the ratio of tolerance to error at which the measured error stays
-/// below the limit. For the budget it takes the least tolerance at which the predicted cost fits. The tolerance
-/// rises to that in one step and sinks to it slowly; within a band in between it stays. The larger of the two counts.
+/// It learns slowly, for the limit on the error, the ratio of tolerance to error at which the measured error stays
+/// below the limit. It takes, for the budget, the least tolerance at which the predicted cost fits. The tolerance rises
+/// to that in one step and sinks to it slowly; within a band in between it stays. The larger of the two counts.
 class LodController {
  public:
-  /// Call it before the first frame, and when the crowd starts again.
+  /// Forgets all that was learned. Call it before the first frame, and when the crowd starts again.
   void reset(const LodLimits& limits);
 
   /// Returns true until begin() or settle() is called.
   bool is_new() const { return is_new_; }
-  /// With a budget, finds a tolerance before the first frame from the cost of the agents in view.
+  /// Finds a tolerance for a budget before the first frame, from the cost of the agents in view.
   void begin(const LodLimits& limits, const CostByTolerance& cost);
 
   void settle(const LodLimits& limits, const LodOutcome& outcome);

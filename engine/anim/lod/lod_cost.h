@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// Tolerances go in eighths of an octave from an eighth of a pixel to 58.7 pixels.
+/// The steps of tolerances, which are eighths of an octave from an eighth of a pixel to 58.7 pixels.
 inline constexpr int steps_an_octave = 8;
 inline constexpr int tolerance_steps = 72;
 inline constexpr float least_tolerance_pixels = 0.125F;
@@ -16,10 +16,10 @@ inline float tolerance_at(float step) { return least_tolerance_pixels * std::exp
 inline float step_of_tolerance(float pixels) { return steps_an_octave * std::log2(pixels / least_tolerance_pixels); }
 inline const float most_tolerance_pixels = tolerance_at(tolerance_steps - 1);
 
-/// [step]: the nanoseconds a frame that agents in view would cost in the long run at that tolerance; descending.
+/// The nanoseconds a frame, [step], that agents in view would cost in the long run at that tolerance. They descend.
 using CostByTolerance = std::array<std::uint64_t, tolerance_steps>;
 
-/// The cost of one frame by the cost model, in nanoseconds of one PU, and what other choices would cost.
+/// The cost of one frame by the cost model, in nanoseconds of one PU, and the cost of other choices.
 struct LodCost {
   std::uint64_t everyone = 0;       ///< all agents, seen or not, with all bones
   std::uint64_t visible = 0;        ///< agents in view, with all bones

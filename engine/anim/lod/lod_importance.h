@@ -10,19 +10,19 @@
 
 namespace throng::anim {
 
-/// Which agents may show less error than others: four times less the selected one, half of it an agent in a fade,
-/// whose pose moves more than either clip does.
+/// Decides which agents may show less error than others. The selected agent may show a quarter of it. An agent in a
+/// fade may show half of it, because its pose moves more than either clip does.
 class LodImportance {
  public:
   /// Forgets everything and makes room for `agents`.
   void reset(std::size_t agents);
-  /// The agent goes over to another clip until then.
+  /// Notes that the agent goes over to another clip until `until`.
   void fade(std::uint32_t agent, Ticks until);
-  /// Call it once a frame.
+  /// Finds the importance of all agents. Call it once a frame.
   void weigh(Ticks now, std::optional<std::uint32_t> selected);
 
-  std::span<const float> of_agents() const { return importance_; }      ///< as LodFrame::importance
-  std::span<const std::uint8_t> changing() const { return changing_; }  ///< as LodFrame::changing
+  std::span<const float> of_agents() const { return importance_; }      ///< LodFrame::importance
+  std::span<const std::uint8_t> changing() const { return changing_; }  ///< LodFrame::changing
 
  private:
   std::vector<float> importance_;       // [agent]

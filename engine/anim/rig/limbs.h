@@ -27,7 +27,7 @@ struct Limbs {
   std::optional<int> pelvis;  ///< the lowest bone that carries both legs; without legs, the bone of that name
   std::vector<int> spine;     ///< bones between pelvis and head, from below, neck included
   std::optional<int> head;
-  glm::vec3 forward{0.0F, 0.0F, 1.0F};  ///< where the body faces in the bind pose, model space, unit, level
+  glm::vec3 forward{0.0F, 0.0F, 1.0F};  ///< direction that the body faces in the bind pose, model space, unit, level
   bool named = false;                   ///< legs were found by their names, not by the shape of the skeleton
   std::vector<std::string> doubts;      ///< one sentence each
 };

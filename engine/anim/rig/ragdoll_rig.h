@@ -13,8 +13,8 @@ namespace throng::anim {
 /// The most bones that a rag-doll (paper 2.2.6) simulates. The others keep their pose and follow.
 inline constexpr int max_ragdoll_bodies = 16;
 
-/// How far a body may turn against its parent: half ranges in radians around a neutral pose. The x axis of both frames
-/// runs along the body. A turn about it is twist, and a turn that moves it is swing.
+/// The limits of a body's turn against its parent: half ranges in radians around a neutral pose. The x axis of both
+/// frames runs along the body. A turn about it is twist, and a turn that moves it is swing.
 ///
 ///     cone:   the child's x axis stays within `swing` of the parent's
 ///     hinge:  it turns about the parent's z axis by at most `swing`, and leaves the plane by at most `sideways`

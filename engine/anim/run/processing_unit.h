@@ -11,7 +11,7 @@
 
 namespace throng::anim {
 
-/// What one PU did in one update.
+/// The work that one PU did in one update.
 struct PuActivity {
   std::uint32_t tasks = 0;
   std::uint32_t agents = 0;
@@ -19,10 +19,10 @@ struct PuActivity {
   CopyCounts copies;
 };
 
-/// A worker with a local memory of its own: runs tasks of any kind through it.
+/// A worker with a local memory of its own. It runs tasks of any kind through that memory.
 class alignas(block_alignment) ProcessingUnit {
  public:
-  /// `palette_entries`: of the largest skeleton, for palettes that nobody sees.
+  /// Makes a PU. `palette_entries` are those of the largest skeleton, for palettes that nobody sees.
   ProcessingUnit(std::size_t local_store_bytes, std::size_t palette_entries)
       : store_(local_store_bytes),
         unseen_(allocate_aligned(palette_stride(palette_entries, PaletteFormat::matrices))) {}
@@ -34,7 +34,7 @@ class alignas(block_alignment) ProcessingUnit {
                     2 * widest_strip);  // one tile out while one comes in
     tile_lists_.reserve(plan.fetch_bytes);
   }
-  /// Divides the store for tasks that need no more of these lists.
+  /// Divides the store for tasks that need no longer lists.
   void divide_store(const LocalStorePlan& plan) {
     store_.divide(plan.fetch_bytes, plan.fetch_buffers, plan.scratch_bytes);
   }
@@ -42,11 +42,11 @@ class alignas(block_alignment) ProcessingUnit {
   LocalStore& store() { return store_; }
   const LocalStore& store() const { return store_; }
   TileLists& tile_lists() { return tile_lists_; }
-  /// What the tasks of `fused` keep in memory beside the store. It depends on the plan alone.
+  /// Returns the bytes that the tasks of `fused` keep in memory beside the store. They depend on the plan alone.
   std::size_t list_bytes() const { return tile_lists_.bytes(); }
   PaletteMatrix* unseen() const { return reinterpret_cast<PaletteMatrix*>(unseen_.get()); }
 
-  /// Runs tasks until there are no more. `task_ns`: the time that one is predicted to take.
+  /// Runs tasks until there are no more. `task_ns` is the time that one task is predicted to take.
   template <typename Tasks>
   void run(Tasks& tasks, DoubleBuffering mode, double task_ns) {
     trace_.close(TraceSpan::Kind::wait);

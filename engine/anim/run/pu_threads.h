@@ -9,8 +9,8 @@
 
 namespace throng::anim {
 
-/// Runs each PU on a thread. The calling thread is PU 0; the others are created once and wait between jobs.
-/// Where the machine has a core for each, a thread that waits spins for about as long as a wake-up takes, then sleeps.
+/// Runs each PU on a thread. The calling thread is PU 0; the others are created once and wait between jobs. If the
+/// machine has a core for each, a thread that waits spins for about as long as a wake-up takes, then sleeps.
 class PuThreads final : public Executor {
  public:
   explicit PuThreads(int pus);
@@ -27,7 +27,7 @@ class PuThreads final : public Executor {
   void wait_while(const std::atomic<Value>& value, Value is) const;
 
   std::vector<std::thread> threads_;
-  bool has_cores_;  // one for each
+  bool has_cores_;  // the machine has a core for each PU
   Job job_{};
   int count_ = 0;
   std::atomic<std::uint32_t> round_{0};  // a new value wakes the threads

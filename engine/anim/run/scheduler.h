@@ -24,7 +24,7 @@ struct ScheduleOptions {
   CostModel cost{};
   StorePolicy stores = StorePolicy::prefetched;
   Tracing trace = Tracing::on;                              ///< what each PU does is recorded, span by span
-  BlockChanges block_changes = BlockChanges::written_back;  ///< of `fused`; `levels` writes all back
+  BlockChanges block_changes = BlockChanges::written_back;  ///< only for `fused`; `levels` writes all back
 };
 
 /// Poses the agents of a frame (paper 2.2.3, 2.2.5, 3.2). Here is what an update does, in this order, and why.
@@ -58,7 +58,7 @@ struct ScheduleOptions {
 /// Memory is set aside between frames, by reserve() and set_plan().
 class Scheduler {
  public:
-  /// `palette_entries`: of the largest skeleton.
+  /// Makes the PUs. `palette_entries` are those of the largest skeleton.
   Scheduler(const ScheduleOptions& options, std::size_t palette_entries);
 
   /// Makes room for so many agents, so that update() does not allocate.
@@ -78,9 +78,9 @@ class Scheduler {
               Executor& executor);
 
   std::span<const ProcessingUnit> units() const { return units_; }
-  /// The agents of the last update.
+  /// Returns the agents of the last update.
   const WorkOrder& order() const { return order_; }
-  /// The time of the last update; its clocks make milliseconds of the units' traces.
+  /// Returns the time of the last update. Its clocks make milliseconds of the units' traces.
   const UpdateTime& time() const { return time_; }
   const ScheduleOptions& options() const { return options_; }
 
@@ -101,9 +101,9 @@ class Scheduler {
   std::vector<ProcessingUnit> units_;
   WorkOrder order_;
   TileCutter cutter_;
-  CutWork cut_;                                        // of the cutter
+  CutWork cut_;                                        // the result of the cutter
   std::vector<int> shares_;                            // room for a share a PU
-  std::span<int> used_shares_;                         // of the PUs that are worth waking
+  std::span<int> used_shares_;                         // the shares of the PUs that are worth waking
   std::vector<std::vector<EntityUpdate>> priorities_;  // [i] entities of priority highest - i; [0] players
   TaskQueue queue_;
   UpdateTime time_;

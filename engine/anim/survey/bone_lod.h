@@ -19,8 +19,8 @@ struct BoneLodRow {
 /// The errors that dropping bones causes on a character's surface (paper 3.2).
 struct BoneLod {
   std::vector<BoneLodRow> rows;  ///< one a bone, in order
-  /// How far the surface of each level is from that of level 0, in metres. Takes the farthest point of each pose, and
-  /// the 99th percentile over poses of all clips. Never falls from level to level. A level that the character lacks
+  /// The distance of each level's surface from that of level 0, in metres: the farthest point of each pose, and the
+  /// 99th percentile over poses of all clips. It never falls from level to level. A level that the character lacks
   /// repeats the coarsest.
   std::array<float, max_bone_levels> level_error_metres{};
 };

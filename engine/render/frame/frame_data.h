@@ -12,7 +12,7 @@
 
 namespace throng::render {
 
-/// Bindings of the blocks, the same in every program.
+/// The bindings of the blocks, which are the same in every program.
 enum UniformBinding : unsigned { frame_uniforms_binding = 0 };
 enum StorageBinding : unsigned {
   instances_binding = 0,
@@ -21,7 +21,7 @@ enum StorageBinding : unsigned {
   packing_frames_binding = 3
 };
 
-/// Is block 0 of every scene program. `shaders/frame_uniforms.glsl` repeats the layout (std140).
+/// Block 0 of every scene program. `shaders/frame_uniforms.glsl` repeats the layout (std140).
 ///
 ///      0  view projection
 ///     64  camera position x y z, unused

@@ -14,7 +14,7 @@ namespace throng::render {
 ///                                                    overlay --> window | Image
 class ImageTarget {
  public:
-  /// `samples`: 0 or 4.
+  /// Makes a target. `samples` is 0 or 4.
   ImageTarget(glm::ivec2 size, int samples);
 
   glm::ivec2 size() const { return size_; }

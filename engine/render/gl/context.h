@@ -17,7 +17,7 @@ namespace throng::render::gl {
 /// The driver may call from any thread.
 class MessageLog {
  public:
-  /// Messages beyond this many are counted and not kept.
+  /// The number of messages that are kept; more are only counted.
   static constexpr std::size_t kept_messages = 64;
 
   void add(std::string message);
@@ -40,7 +40,7 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  /// "window", "egl" or "osmesa".
+  /// Gives "window", "egl" or "osmesa".
   virtual const char* kind() const = 0;
 
   /// Gives the window that input comes from, or null if there is none.
@@ -89,7 +89,7 @@ struct WindowOptions {
   bool vertical_sync = true;
 };
 
-/// Opens a window. Without a display it fails, and the error names --headless.
+/// Opens a window. Errors: there is no display; the error names --headless.
 Result<std::unique_ptr<Context>> make_window_context(const WindowOptions& options);
 
 struct EglOptions {

@@ -6,7 +6,8 @@
 
 namespace throng::render::gl {
 
-/// Says whether drivers stay loaded. Where leaks are reported, memory that a driver never frees must stay reachable.
+/// Says whether drivers stay loaded. They do if leaks are reported, because memory that a driver never frees must then
+/// stay reachable.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool keeps_drivers_loaded = true;
 #else
@@ -20,8 +21,8 @@ struct CloseLibrary {
 /// A library that was opened by name at run time, or null.
 using SharedLibrary = std::unique_ptr<void, CloseLibrary>;
 
-/// No other library sees the symbols (RTLD_LOCAL), because OSMesa exports gl* functions of its own, which must never
-/// stand in for the system's.
+/// Opens a library. No other library sees its symbols (RTLD_LOCAL), because OSMesa exports gl* functions of its own,
+/// which must never stand in for the system's.
 inline SharedLibrary open_library(const char* name) {
   return SharedLibrary(dlopen(name, RTLD_NOW | RTLD_LOCAL | (keeps_drivers_loaded ? RTLD_NODELETE : 0)));
 }

@@ -21,8 +21,8 @@ struct SkinInfluences {
 /// how differently joints would move it, which keeps a ring of vertices around each elbow and knee.
 class CollapseCost {
  public:
-  /// These two add the share of a triangle, weighted by `area`: its plane, which has a unit normal and goes through
-  /// `point`, and its influences there.
+  /// These two functions add the share of a triangle, weighted by `area`: its plane, which has a unit normal and goes
+  /// through `point`, and its influences there.
   void add_plane(const glm::dvec3& normal, const glm::dvec3& point, double area);
   void add_influences(const SkinInfluences& influences, double area);
   void add(const CollapseCost& other);

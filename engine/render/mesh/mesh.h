@@ -23,7 +23,7 @@ struct CrowdMaterial {
 /// LODs and materials.
 class CrowdMesh {
  public:
-  /// Fails where an image is larger than the device takes.
+  /// Makes a mesh on the device. Errors: an image is larger than the device takes.
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
   std::size_t lod_count() const { return surface_.runs_by_lod.size(); }
@@ -42,7 +42,7 @@ class CrowdMesh {
   /// Counts the vertices of the full surface, which come first in the vertex array; those of baked mesh LODs follow.
   std::uint32_t vertex_count() const { return surface_.vertex_count; }
 
-  /// Name the ends of the bones' lines, two a bone, which come last.
+  /// These two functions name the ends of the bones' lines, two a bone, which come last.
   std::uint32_t first_bone_end() const { return surface_.first_bone_end; }
   std::uint32_t bone_end_count() const { return surface_.bone_end_count; }
 

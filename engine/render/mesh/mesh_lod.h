@@ -9,7 +9,7 @@
 
 namespace throng::render {
 
-/// At most this many mesh LODs, at about 100%, 30%, 10% and 3% of the triangles.
+/// The most mesh LODs, at about 100%, 30%, 10% and 3% of the triangles.
 inline constexpr std::size_t largest_mesh_lod_count = 4;
 
 /// One mesh LOD: triangles over the original vertices, so that weights stay valid.

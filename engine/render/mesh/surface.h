@@ -50,11 +50,11 @@ struct MaterialRun {
 struct Surface {
   std::vector<SurfaceVertex> vertices;
   std::vector<std::vector<PaletteEntries>> entries_by_level;  ///< one element a vertex
-  std::vector<std::uint32_t> indices;                         ///< of all mesh LODs
+  std::vector<std::uint32_t> indices;                         ///< indices of all mesh LODs
   std::vector<std::vector<MaterialRun>> runs_by_lod;          ///< at most one run a material
   std::vector<std::uint32_t> triangles_by_lod;
   std::vector<float> error_by_lod;  ///< metres
-  std::uint32_t vertex_count = 0;   ///< of the full surface, which comes first; those of baked LODs follow
+  std::uint32_t vertex_count = 0;   ///< vertices of the full surface, which come first; those of baked LODs follow
   std::uint32_t first_bone_end = 0;
   std::uint32_t bone_end_count = 0;
 };

@@ -41,8 +41,8 @@ class HeapPageSource final : public PalettePageSource {
 struct PaletteSlot {
   static constexpr std::uint32_t none = UINT32_MAX;
   std::uint32_t page = none;
-  std::uint32_t first_line = 0;  ///< from the page's start
-  std::uint32_t lines = 0;       ///< how many it holds
+  std::uint32_t first_line = 0;  ///< counted from the page's start
+  std::uint32_t lines = 0;       ///< the number of lines that it holds
   bool valid() const { return page != none; }
 };
 
@@ -96,7 +96,7 @@ class PaletteSlots {
   PaletteSlot take(std::uint32_t page, std::uint32_t lines);
 
   PalettePageSource* source_;
-  std::vector<std::uint32_t> sizes_;  ///< in lines, each once, descending
+  std::vector<std::uint32_t> sizes_;  ///< lines of a slot, each size once, descending
   std::vector<Page> pages_;
   std::vector<Retired> retired_;
   std::size_t in_use_ = 0;

@@ -15,7 +15,7 @@ class LinePass {
  public:
   explicit LinePass(ShaderLibrary& shaders);
 
-  /// `picture` is the size of the target, in pixels.
+  /// Draws the lines. `picture` is the size of the target, in pixels.
   DrawCounts draw(std::span<const SceneLine> lines, glm::ivec2 picture);
 
  private:

@@ -24,7 +24,7 @@ class OverlayRenderer {
   /// Builds the font atlas of the current ImGui context and copies it to the device.
   void upload_fonts();
 
-  /// Leaves blending and scissoring off, and no program or vertex array bound.
+  /// Draws the data. Leaves blending and scissoring off, and no program or vertex array bound.
   void draw(const ImDrawData& data) const;
 
  private:

@@ -32,7 +32,7 @@ class ShaderLibrary {
   /// Gives the first error of load().
   const Status& status() const { return status_; }
 
-  /// Builds every program again from disk. One that fails keeps its last good build; the first error is returned.
+  /// Builds every program again from disk, and returns the first error. One that fails keeps its last good build.
   Status reload();
 
  private:
@@ -45,7 +45,7 @@ class ShaderLibrary {
   Result<gl::Shader> compile(GLenum stage, const std::string& file) const;
 
   std::filesystem::path folder_;
-  std::deque<Entry> programs_;  // which never move
+  std::deque<Entry> programs_;  // they never move
   Status status_ = Done{};
 };
 

@@ -14,10 +14,10 @@ namespace throng::anim {
 
 inline constexpr Ticks frame_ticks = ticks_per_second / 60;
 
-/// A synthetic character of 40 bones and 5 clips, whose lengths differ.
+/// Returns a synthetic character of 40 bones and 5 clips, whose lengths differ.
 std::shared_ptr<const Character> test_character();
 
-/// A crowd of one character, all agents updated each frame at full detail.
+/// A crowd of one character. All agents are updated each frame at full detail.
 struct CrowdRig {
   explicit CrowdRig(const SystemOptions& options = {}, std::uint32_t agents = 1);
 
@@ -25,15 +25,15 @@ struct CrowdRig {
   AnimationSystem& operator*() const { return *system; }
   AnimationSystem* operator->() const { return system.get(); }
 
-  /// Of the last update, model space, one a bone.
+  /// Returns the joints of the last update in model space, one a bone.
   std::vector<glm::vec3> joints(std::uint32_t agent = 0) const;
-  /// Of the last update, [bone].
+  /// Returns the palette of the last update, [bone].
   const PaletteMatrix* palette(std::uint32_t agent = 0) const;
-  /// Palette entries whose bits differ, by bone.
+  /// Returns the bones whose palette entries differ in some bit.
   std::vector<int> bones_unlike(const CrowdRig& other, std::uint32_t agent = 0) const;
 
   std::size_t entities(std::uint32_t agent = 0) const { return system->agent(agent).program().steps.size(); }
-  /// From the root to the farthest player.
+  /// Returns the number of steps from the root to the farthest player.
   std::size_t depth(std::uint32_t agent = 0) const;
 
   std::unique_ptr<AnimationSystem> system;

@@ -4,15 +4,16 @@
 
 namespace throng::anim {
 
-/// A crowd with every kind of entity in play: each agent has one of eight graphs, fades that are interrupted, layers
-/// with masks, post processes, kinds of the host's own (packets and whole poses), and sources that all share.
+/// A crowd with every kind of entity in play. Each agent has one of eight graphs. They have fades that are interrupted,
+/// layers with masks, post processes, kinds of the host's own (packets and whole poses), and sources that all share.
 class EveryKind {
  public:
   static constexpr std::uint32_t agents = 48;
 
   explicit EveryKind(const SystemOptions& options = {});
 
-  /// Requests that depend on the frame alone, updates of which some are skipped and some look ahead, at all levels.
+  /// Makes frames with requests that depend on the frame alone. Some updates are skipped and some look ahead, at all
+  /// levels.
   void step(int frames);
 
   AnimationSystem& operator*() const { return *system; }

@@ -11,26 +11,27 @@
 
 namespace throng::anim {
 
-/// A rig on the general path: uneven rest scales, and a sheared prefix between two bones.
+/// Returns a rig on the general path: it has uneven rest scales, and a sheared prefix between two bones.
 Model general_model(int bones);
 
-/// Every bone turns, moves and, on the general path, scales; every track has its own number of keys at uneven times in
-/// `seconds`, none at the clip's ends.
+/// Returns a clip in which every bone turns, moves and, on the general path, scales. Every track has its own number of
+/// keys at uneven times in `seconds`, none at the clip's ends.
 Clip wild_clip(const Skeleton& skeleton, Interpolation interpolation, double seconds, unsigned seed);
 
-/// One bone, bound at the origin, that only the given tracks move.
+/// Returns a model of one bone, bound at the origin.
 Model one_bone_model();
+/// Returns a clip of that bone, which has the given tracks.
 Clip one_bone_clip(const BoneTracks& tracks, double seconds);
 
-/// Keys of a function of time at first + n / rate seconds, n from 0 to `steps`.
+/// Returns keys of a function of time at first + n / rate seconds, n from 0 to `steps`.
 Track<glm::vec3> sampled_track(const std::function<glm::vec3(float)>& value, double rate, int steps,
                                double first = 0.0);
 
-/// A player's bytes, on the heap, so that reading past their end shows.
+/// The bytes of a player. They are on the heap, so that reading past their end shows.
 class TestPlayer {
  public:
   explicit TestPlayer(const KeyframeStream& stream);
-  /// The whole pose, [packet][component][16].
+  /// Returns the whole pose, [packet][component][16].
   std::vector<float> pose_at(Ticks time);
   std::span<const std::byte> interpolations() const { return bytes_; }
 
@@ -40,7 +41,7 @@ class TestPlayer {
   std::vector<std::byte> bytes_;
 };
 
-/// One float of a pose.
+/// Returns one float of a pose.
 float component_of(std::span<const float> pose, int components, int bone, int component);
 
 inline const KeyframeStream& stream_in(const AlignedBytes& block) {

@@ -8,11 +8,11 @@
 /// Rows to encode, and streams of them.
 namespace throng::anim::sampled_rows {
 
-/// Every bone turns and every third one moves (and scales) smoothly, at its own pace; some quaternions jump to the
-/// other hemisphere in between. The rows begin half a step before time 0.
+/// Returns rows in which every bone turns and every third one moves (and scales) smoothly, at its own pace. Some
+/// quaternions jump to the other hemisphere in between. The rows begin half a step before time 0.
 SampledRows wavy_rows(int bones, int components, int row_count);
 
-/// The same pose in every row.
+/// Returns rows that all have the same pose.
 SampledRows still_rows(int bones, int components, int row_count);
 
 float& row_value(SampledRows& rows, int row, int packet, int component, int lane);

@@ -9,8 +9,8 @@
 
 namespace throng::anim {
 
-/// Entities of one skeleton in resident blocks, updated one after the other in plain sight: what any schedule must
-/// give.
+/// Entities of one skeleton in resident blocks, updated one after the other in plain sight. Any schedule must give the
+/// same.
 class EntityRig {
  public:
   static constexpr int bones = 20;  ///< two packets, the second one partly filled
@@ -24,22 +24,23 @@ class EntityRig {
     return pools_.as<Entity>(entity);
   }
 
-  /// A state in which every bone is turned by `radians` about z and `metres` along x.
+  /// Makes a state in which every bone is turned by `radians` about z and moved by `metres` along x.
   Handle held(float radians, float metres = 0.0F);
   void set_pose(Handle held, float radians, float metres = 0.0F);
 
-  /// An ease blender that stands still.
+  /// Makes an ease blender that stands still.
   Handle hold(Handle from, Handle to, float fraction);
 
-  /// Bones at and above `first` weigh 1, those below 0. The index for the entities' masks.
+  /// Makes a mask in which bones at and above `first` weigh 1, and those below 0. Returns the index for the entities'
+  /// masks.
   std::int16_t mask_from(int first);
 
-  /// Every entity that `root` reads, then `root`; the first packets alone at a coarser level of detail.
+  /// Updates every entity that `root` reads, then `root`. A coarser level of detail has only the first `packets`.
   void update(Handle root, Ticks delta, int packets = packets_for(bones));
 
   PoseView pose(Handle entity);
-  float angle(Handle entity, int bone);  ///< about z
-  float place(Handle entity, int bone);  ///< along x
+  float angle(Handle entity, int bone);  ///< the angle about z
+  float place(Handle entity, int bone);  ///< the place along x
   std::vector<float> floats(Handle entity);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace throng::anim {
 
-/// One row of a validity table: a change of a job that is valid, and whether it is valid after that.
+/// One row of a validity table: a change of a valid job, and whether the job is valid after it.
 template <class Job>
 struct ValidityRow {
   bool valid;

@@ -15,10 +15,10 @@ struct NamedJoint {
   glm::vec3 origin;    ///< bind pose, model space
 };
 
-/// A rigid skeleton of these joints, whose bind rotations are anything: its rest pose is its bind pose.
+/// Returns a rigid skeleton of these joints, whose bind rotations are anything. Its rest pose is its bind pose.
 Skeleton named_skeleton(const std::vector<NamedJoint>& joints);
 
-/// A person of 1.7 m facing +Z, standing on the ground with straight arms down and knees a little bent:
+/// Returns a person of 1.7 m facing +Z, standing on the ground with straight arms down and knees a little bent:
 /// root, hips, spine, chest, neck, head, and upper_arm, forearm, hand, thigh, shin, foot, toe of .L and .R.
 std::vector<NamedJoint> person_joints();
 

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-/// The words of a line, as a shell would part them where nothing is quoted.
+/// Returns the words of a line, as a shell would part them where nothing is quoted.
 inline std::vector<std::string> words(const std::string& line) {
   std::istringstream stream(line);
   return {std::istream_iterator<std::string>(stream), {}};

@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// A character with these roles, whose clips are numbered in the order of Role.
+/// Returns a character with these roles, whose clips are numbered in the order of Role.
 inline CharacterRoles character_with(std::initializer_list<Role> roles) {
   CharacterRoles character;
   for (const Role role : roles) character.clips[index_of(role)] = static_cast<int>(index_of(role));
@@ -19,13 +19,13 @@ inline CharacterRoles character_with(std::initializer_list<Role> roles) {
   return character;
 }
 
-/// Somebody who can do everything.
+/// Returns somebody who can do everything.
 inline CharacterRoles person() {
   return character_with({Role::stand, Role::look_around, Role::walk, Role::jog, Role::run, Role::wave, Role::cheer,
                          Role::clap, Role::sit});
 }
 
-/// Some that stand about, all of one character.
+/// Returns the cast of agents that stand about, all of one character.
 inline CrowdCast standing(const CharacterRoles& character, std::size_t agents) {
   CrowdLayout layout;
   layout.standers.resize(agents);

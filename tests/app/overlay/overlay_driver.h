@@ -6,12 +6,12 @@
 
 namespace throng::app {
 
-/// An overlay with a person at it: acts by the names of the ui map, one frame at a time, without a window.
+/// An overlay with a person at it. The person acts by the names of the ui map, one frame at a time, without a window.
 class OverlayDriver {
  public:
   explicit OverlayDriver(const std::string& fonts = std::string(THRONG_SOURCE_DIR) + "/assets/fonts");
 
-  /// Frames pass, as many as it takes to see every event; the commands of all of them are added up.
+  /// Lets frames pass, by default enough to see every event. Returns the commands of all of them added up.
   OverlayCommands frames(int count = 6);
 
   OverlayCommands click(const std::string& widget);
@@ -37,7 +37,7 @@ class OverlayDriver {
   void button(bool down);
 };
 
-/// A report in which everything that the overlay can show is there.
+/// Returns a report that has everything that the overlay can show.
 FrameReport full_report();
 
 }  // namespace throng::app

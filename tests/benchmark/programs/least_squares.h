@@ -5,17 +5,18 @@
 
 namespace throng::app {
 
-/// Coefficients that explain measured values best: for each sample, the sum of part times coefficient is near the
-/// value.
+/// Finds the coefficients that explain measured values best: the sum of part times coefficient is near the value for
+/// each sample.
 class LeastSquares {
  public:
   explicit LeastSquares(std::size_t coefficients)
       : count_(coefficients), products_(coefficients * coefficients, 0.0), values_(coefficients, 0.0) {}
 
-  /// `weight`: 1 / value, where relative errors count.
+  /// Adds a sample. `weight` is 1 / value if relative errors count.
   void add(const std::vector<double>& parts, double value, double weight);
 
-  /// None is below 0: what would be is held at 0, and the others are found anew. What no sample has is 0, too.
+  /// Returns the coefficients, none below 0. One that would be below is held at 0, and the others are found anew. One
+  /// that no sample has is 0, too.
   std::vector<double> solve_without_negatives() const;
 
  private:

@@ -9,15 +9,15 @@
 
 namespace throng::app {
 
-/// The same crowd, clips, times and weights animated by ozz-animation, one thread: two samplings, a blend, model space,
-/// palettes.
+/// Animates the same crowd, clips, times and weights by ozz-animation, on one thread: two samplings, a blend, model
+/// space, palettes.
 class OzzSubject {
  public:
   virtual ~OzzSubject() = default;
   virtual void run() = 0;
 };
 
-/// An error where no ozz was installed when this was built, or where it cannot play the model as it is (matrices,
+/// Makes the subject. Errors: no ozz was installed when this was built, or it cannot play the model as it is (matrices,
 /// scale, keys that are not LINEAR).
 anim::Result<std::unique_ptr<OzzSubject>> make_ozz_subject(const anim::Model& model, std::span<const BenchAgent> agents,
                                                            const BenchPalettes& palettes);

@@ -11,7 +11,7 @@
 
 namespace throng::anim {
 
-/// A game's own job system, in small: some threads, and jobs for whoever is free.
+/// A small job system as a game has it: some threads, and jobs for the one that is free.
 class HostJobs {
  public:
   explicit HostJobs(int threads) {
@@ -51,7 +51,7 @@ class HostJobs {
   std::vector<std::jthread> threads_;  // last: they end before what they use
 };
 
-/// All it takes to put the PUs on it.
+/// Runs the PUs on such a job system. No more than this is needed.
 class HostExecutor final : public Executor {
  public:
   explicit HostExecutor(HostJobs& jobs) : jobs_(jobs) {}

@@ -9,8 +9,8 @@
 
 namespace throng::anim {
 
-/// The paper's interpolation structures (2.2.2), one a bone, in packets of 16 bones: the control keys around the
-/// current time. They are the private part of a keyframe player's block: plain bytes, relocatable, copied with it.
+/// The paper's interpolation structures (2.2.2), one a bone, in packets of 16 bones. They have the control keys around
+/// the current time. They are the private part of a keyframe player's block: plain bytes, relocatable, copied with it.
 ///
 ///      0          64 x 4     64 x 8      64 x 11    64 x 14    64 x 17    64 x 20 = 80 bytes a bone
 ///     | from xyzw | to xyzw  | from xyz  | to xyz   | timing   | timing   |
@@ -23,7 +23,7 @@ namespace throng::anim {
 struct SegmentTiming {
   std::int32_t start[packet_bones];          ///< time units
   float reciprocal_span[packet_bones];       ///< 0: `from` holds
-  std::uint32_t arriving_key[packet_bones];  ///< index of the `to` key in the stream, where CUBICSPLINE tangents stay
+  std::uint32_t arriving_key[packet_bones];  ///< index of the `to` key in the stream, which keeps CUBICSPLINE tangents
 };
 struct RigidInterpolation {
   float rotation_from[4][packet_bones];
@@ -42,7 +42,7 @@ static_assert(sizeof(RigidInterpolation) == 80 * packet_bones,
               "a keyframe player of 62 bones must fit beside its state");
 static_assert(sizeof(ScaleInterpolation) == 36 * packet_bones);
 
-/// Bytes of the interpolation structures: whole packets, at most 80 bytes a bone on rigid skeletons, 116 on others.
+/// Returns the bytes of the interpolation structures of one packet: 80 bytes a bone on rigid skeletons, 116 on others.
 constexpr std::size_t interpolation_packet_bytes(int components) {
   return sizeof(RigidInterpolation) + (components == general_components ? sizeof(ScaleInterpolation) : 0);
 }
@@ -51,19 +51,19 @@ constexpr std::size_t interpolation_bytes(int bone_count, int components) {
 }
 static_assert(interpolation_bytes(62, rigid_components) == 5120);
 
-/// Where a forward-moving player stands in the stream's key order; 0 with zeroed bytes means "not started".
+/// The place of a forward-moving player in the stream's key order. 0 with zeroed bytes means "not started".
 struct KeyframeCursor {
   std::uint32_t next_key = 0;  ///< 1 + index of the first event not yet met
 };
 
-/// Brings the control keys to `time` (0 to stream.duration): forward by reading on, else from the nearest seek point.
-/// `interpolations` is of interpolation_bytes, at least 4-byte aligned. The result depends on stream and time alone,
-/// whatever the path that led there.
+/// Brings the control keys to `time` (0 to stream.duration). Reads on if time goes forward, else begins at the nearest
+/// seek point. `interpolations` has interpolation_bytes, at least 4-byte aligned. The result depends on stream and time
+/// alone, whatever the path that led there.
 void advance_keyframes(const KeyframeStream& stream, Ticks time, KeyframeCursor& cursor,
                        std::span<std::byte> interpolations);
 
-/// Evaluates one packet of 16 bones at the time of the last advance; `pose` is float [components][16]. Additions,
-/// multiplications, divisions and square roots only, so the bits are the same on every machine.
+/// Evaluates one packet of 16 bones at the time of the last advance. `pose` is float [components][16]. It uses
+/// additions, multiplications, divisions and square roots only, so the bits are the same on every machine.
 void evaluate_keyframes(const KeyframeStream& stream, Ticks time, std::span<const std::byte> interpolations, int packet,
                         std::span<float> pose);
 

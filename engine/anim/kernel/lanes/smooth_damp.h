@@ -8,9 +8,9 @@ struct DampedValue {
   float velocity = 0.0F;  ///< per second
 };
 
-/// One step of a critically damped spring, stable for any step (T. Lowe, "Critically Damped Ease-In/Ease-Out
-/// Smoothing", Game Programming Gems 4). It is within 10 % of a new target after about twice `smooth_seconds`; 0 is
-/// there at once. `seconds` is not negative; without any the value keeps its bits.
+/// Makes one step of a critically damped spring, stable for any step (T. Lowe, "Critically Damped Ease-In/Ease-Out
+/// Smoothing", Game Programming Gems 4). The value is within 10 % of a new target after about twice `smooth_seconds`;
+/// it is there at once if these are 0. `seconds` is not negative; the value keeps its bits if it is 0.
 inline DampedValue smooth_damp(const DampedValue& from, float target, float smooth_seconds, float seconds) {
   if (smooth_seconds <= 0.0F) return {target, 0.0F};
   const float stiffness = 2.0F / smooth_seconds;

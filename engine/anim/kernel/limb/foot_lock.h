@@ -8,8 +8,8 @@
 
 namespace throng::anim {
 
-/// Keeps a planted foot where it came down until it is lifted. State from frame to frame, world space, in rows of four
-/// floats:
+/// Keeps a planted foot where it came down until it is lifted. This is its state from frame to frame, in world space,
+/// in rows of four floats:
 ///
 ///      0           12             16            28     32            44                 48               60
 ///     [ place     | released_for | normal      | slid | offset      | standing_seconds | last_ball      | flags ]
@@ -21,7 +21,7 @@ struct alignas(16) FootLock {
 
   glm::vec3 place{0.0F};               ///< locked: point of the ground below the ball of the foot
   float released_for = long_ago;       ///< seconds since its release
-  glm::vec3 normal{0.0F, 1.0F, 0.0F};  ///< of the ground there
+  glm::vec3 normal{0.0F, 1.0F, 0.0F};  ///< normal of the ground there
   float slid = 0.0F;                   ///< metres that the ball went over the ground since the foot came down
   glm::vec3 offset{0.0F};              ///< released: distance of the foot from its pose; fades out
   float standing_seconds = 0.0F;       ///< since the foot came down
@@ -30,13 +30,13 @@ struct alignas(16) FootLock {
 
   bool locked() const { return (flags & is_locked) != 0; }
 };
-inline constexpr int foot_lock_rows = 4;  ///< of four floats
+inline constexpr int foot_lock_rows = 4;  ///< rows of four floats
 static_assert(sizeof(FootLock) == 64 && offsetof(FootLock, normal) == 16 && offsetof(FootLock, offset) == 32);
 static_assert(offsetof(FootLock, last_ball) == 48 && offsetof(FootLock, flags) == 60);
 static_assert(std::is_trivially_copyable_v<FootLock>);
 
 struct FootLockOptions {
-  float release_seconds = 0.2F;  ///< how long a released foot takes to return to its pose
+  float release_seconds = 0.2F;  ///< the time that a released foot takes to return to its pose
   float farthest = 0.4F;         ///< metres from its pose at which a planted foot is released
   bool enabled = true;
 };
@@ -47,7 +47,7 @@ struct Footing {
   glm::vec3 normal{0.0F, 1.0F, 0.0F};
 };
 
-/// Height of the plane through a footing at (x, z).
+/// Returns the height of the plane through a footing at (x, z).
 inline float ground_height(const Footing& footing, float x, float z) {
   return footing.place.y -
          ((x - footing.place.x) * footing.normal.x + (z - footing.place.z) * footing.normal.z) / footing.normal.y;

@@ -19,7 +19,7 @@ namespace throng::anim {
 inline constexpr int max_legs = 8;
 inline constexpr int most_leg_quads = 64;  ///< quads (pose.h) that the bones of all legs may lie in
 
-/// Bones of one leg, by index.
+/// The bones of one leg, by index.
 struct LegBones {
   int hip = -1;
   int knee = -1;
@@ -32,8 +32,8 @@ struct PlacedLeg {
   std::array<glm::vec3, 2> sole{};  ///< heel and ball, metres from the ankle, bind pose; the same point without a toe
 };
 
-/// The legs of a character and the joint that carries them all. Made at load, shared by every character of the
-/// skeleton.
+/// The legs of a character and the joint that carries them all. They are made at load and shared by every character of
+/// the skeleton.
 struct FootPlacementRig {
   int leg_count = 0;
   int pelvis = 0;    ///< index into every leg's chain: the lowest joint above all hips
@@ -44,17 +44,18 @@ struct FootPlacementRig {
 };
 static_assert(std::is_trivially_copyable_v<FootPlacementRig>);
 
-/// `sole_height` is the height of the soles in the bind pose, model space, metres: 0 where the model stands on the
-/// origin; `forward` is where it faces. Refused: no legs or more than max_legs, legs that no joint carries, bones in
-/// more than most_leg_quads, and what make_two_bone_limb refuses.
+/// Makes the rig of these legs. `sole_height` is the height of the soles in the bind pose, in metres in model space: 0
+/// where the model stands on the origin. `forward` is where it faces. Errors: no legs or more than max_legs, legs that
+/// no joint carries, bones in more than most_leg_quads, and those of make_two_bone_limb.
 Result<FootPlacementRig> make_foot_placement_rig(const Skeleton& skeleton, std::span<const LegBones> legs,
                                                  float sole_height = 0.0F,
                                                  const glm::vec3& forward = {0.0F, 0.0F, 1.0F});
 
-/// A foot counts as planted by how high the pose has the lowest point of its sole: see down_below and up_above.
+/// The value with which a foot counts as planted by the height at which the pose has the lowest point of its sole; see
+/// down_below and up_above.
 inline constexpr float planted_by_pose = -1.0F;
 
-/// Metres as for a person of 1.8 m: scale them with the character.
+/// The options of foot placement. Metres are for a person of 1.8 m: scale them with the character.
 struct FootPlacementOptions {
   float down_below = 0.012F;          ///< a sole no higher than this is down for certain,
   float up_above = 0.03F;             ///< one as high as this is up
@@ -66,14 +67,14 @@ struct FootPlacementOptions {
   FootLockOptions lock{};
 };
 
-/// State that the feet of a character share, in rows of four floats. A new one starts without easing.
+/// The state that the feet of a character share, in rows of four floats. A new one starts without easing.
 ///
 ///      0                      28        32        72         80
 ///     [ model in world       | started | options | drop     ]
 struct alignas(16) PlacedBody {
-  JointMotion model_in_world{};    ///< to be set by its owner; turned about the vertical only
+  JointMotion model_in_world{};    ///< its owner sets it; turned about the vertical only
   bool started = false;            ///< was updated
-  FootPlacementOptions options{};  ///< to be set by its owner
+  FootPlacementOptions options{};  ///< its owner sets them
   DampedValue drop{};              ///< metres that the pelvis is to be lowered, of the last update
 };
 inline constexpr int placed_body_rows = 5;
@@ -82,15 +83,15 @@ static_assert(offsetof(PlacedBody, started) == 28 && offsetof(PlacedBody, option
 static_assert(offsetof(FootPlacementOptions, lock) == 28 && offsetof(PlacedBody, drop) == 72);
 static_assert(std::is_trivially_copyable_v<PlacedBody>);
 
-/// State of one foot, in rows of four floats.
+/// The state of one foot, in rows of four floats.
 ///
 ///      0        24        28          32     96      112
 ///     [ ground | planted | missed_by | lock | ankle ]
 struct alignas(16) PlacedFoot {
-  // To be set by its owner.
+  // The owner sets these two.
   Footing ground{};                 ///< the plane to stand on, world space; too steep or broken, it counts as flat
   float planted = planted_by_pose;  ///< 0 (in the air) to 1 (on the ground), or planted_by_pose
-  // Of the last update.
+  // These are results of the last update.
   float missed_by = 0.0F;  ///< metres that the ankle is from where it should be
   FootLock lock{};
   glm::vec3 ankle{0.0F};  ///< model space, before it was placed: where to look for the ground
@@ -99,19 +100,19 @@ static_assert(sizeof(PlacedFoot) == 112 && offsetof(PlacedFoot, missed_by) == 28
 static_assert(offsetof(PlacedFoot, ankle) == 96);
 static_assert(std::is_trivially_copyable_v<PlacedFoot>);
 
-/// Puts feet on uneven ground. The pose is made for flat ground at height 0 and moves to the ground given. Feet
-/// keep their height above it, tilted with it; planted ones touch it with the lowest point of the sole and stay where
-/// they came down; the pelvis is lowered for the legs to reach. Levels of detail without all legs are left alone.
+/// Puts feet on uneven ground. The pose is made for flat ground at height 0 and moves to the ground given. Feet keep
+/// their height above it and tilt with it. Planted feet touch it with the lowest point of the sole and stay where they
+/// came down. The pelvis is lowered for the legs to reach. Levels of detail without all legs are left alone.
 struct FootPlacementJob {
   const FootPlacementRig* rig = nullptr;
   PlacedBody* body = nullptr;
   PlacedFoot* feet = nullptr;  ///< [rig->leg_count]
-  PoseView pose;               ///< that may displace rig->pelvis_bone()
+  PoseView pose;               ///< it may displace rig->pelvis_bone()
   float seconds = 0.0F;        ///< since the last frame, not negative
   float weight = 1.0F;         ///< 0 leaves the pose to the bit and forgets all state except the ankles
 };
 bool is_valid(const FootPlacementJob& job);
-/// All valid and of one rig.
+/// Returns whether all jobs are valid and of one rig.
 bool is_valid(std::span<const FootPlacementJob> jobs);
 
 inline bool has_all_legs(const FootPlacementRig& rig, const PoseView& pose) { return rig.bone_end <= pose.bone_count; }

@@ -15,16 +15,16 @@
 
 namespace throng::anim {
 
-/// The joints from a root bone down to a tip, which are enough to pose the tip without any other bone.
-/// Made at load, shared by every character of the skeleton.
+/// The joints from a root bone down to a tip, which are enough to pose the tip without any other bone. They are made at
+/// load and shared by every character of the skeleton.
 struct JointChain {
   static constexpr int max_joints = 24;
   int count = 0;                                 ///< 1 to max_joints once made
   std::array<std::int16_t, max_joints> bones{};  ///< root first, tip last, ascending
-  std::array<glm::vec3, max_joints> offsets{};   ///< metres, bind pose: from the joint before; of the root, its origin
+  std::array<glm::vec3, max_joints> offsets{};   ///< metres, bind pose: from the joint before; the root has its origin
 
   int tip() const { return count - 1; }
-  /// One above the chain's highest bone.
+  /// Returns one above the chain's highest bone.
   int bone_end() const { return bones.data()[tip()] + 1; }
   /// Returns the index of a bone in the chain, or -1.
   int find(int bone) const;
@@ -53,16 +53,16 @@ class ChainMotion {
   alignas(JointMotion) std::byte room_[JointChain::max_joints * sizeof(JointMotion)];
 };
 
-/// The chain that ends at `bone`. Refused, in one sentence: a bone that the skeleton lacks, more than max_joints, and
-/// skeletons on the general path, whose scales and sheared prefixes rotations alone do not describe.
+/// Returns the chain that ends at `bone`. Errors: a bone that the skeleton lacks, more than max_joints, and skeletons
+/// on the general path, because rotations alone do not describe their scales and sheared prefixes.
 Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone);
 
-/// Whether the pose has all bones of the chain. Levels of detail drop the ends of limbs.
+/// Returns whether the pose has all bones of the chain. Levels of detail drop the ends of limbs.
 inline bool is_within(const JointChain& chain, const PoseView& pose) { return chain.bone_end() <= pose.bone_count; }
 
-/// Poses the joints from `first` on; those before it are as posed before. `motions` has at least chain.count elements;
-/// the pose's rotations are unit to a thousandth.
-/// With M rotations from the bind pose, X positions, q' and d the state (ReferenceFrame) and p the parent:
+/// Poses the joints from `first` on; those before it stay as they were posed before. `motions` has at least chain.count
+/// elements. The pose's rotations are unit to a thousandth.
+/// M are rotations from the bind pose, X positions, q' and d the state (ReferenceFrame), and p is the parent:
 ///     M = M_p * q',   X = X_p + M_p * (offset + d)
 void pose_chain(const JointChain& chain, const PoseView& pose, std::span<JointMotion> motions, int first = 0);
 

@@ -17,31 +17,33 @@ namespace throng::anim {
 
 inline constexpr int max_look_joints = 8;
 
-/// A bone that takes part in looking, and how much of the whole turn it makes.
+/// A bone that takes part in looking, and its weight in the whole turn.
 struct LookBone {
   int bone = -1;
   float weight = 1.0F;  ///< above 0; shares are relative to the sum
 };
 
-/// The joints that turn towards the target: spine, neck, head. Made at load, shared by all characters.
+/// The joints that turn towards the target: spine, neck, head. They are made at load and shared by all characters.
 struct LookAtRig {
   JointChain chain;  ///< its tip is the head
   int joint_count = 0;
   std::array<std::int16_t, max_look_joints> joints{};  ///< indices into the chain, ascending; the last is the tip
   std::array<float, max_look_joints> turned{};  ///< share of the turn that this joint and those above it have made,
                                                 ///< 0 to 1; the last is 1
-  glm::vec3 forward{0.0F, 0.0F, 1.0F};          ///< where the head faces in the bind pose, unit, level
+  glm::vec3 forward{0.0F, 0.0F, 1.0F};          ///< direction that the head faces in the bind pose, unit, level
   glm::vec3 eyes{0.0F};                         ///< metres from the head joint, bind pose
 };
 static_assert(std::is_trivially_copyable_v<LookAtRig>);
 
-/// `bones` from the root side to the head, each below the one before. Refused: none or more than max_look_joints,
-/// weights that are not above 0, bones out of order, a forward that is not level, and what make_joint_chain refuses.
+/// Makes the rig of `bones` from the root side to the head, each below the one before. Errors: no bones or more than
+/// max_look_joints, weights that are not above 0, bones out of order, a forward that is not level, and those of
+/// make_joint_chain.
 Result<LookAtRig> make_look_at_rig(const Skeleton& skeleton, std::span<const LookBone> bones,
                                    const glm::vec3& forward = {0.0F, 0.0F, 1.0F},
                                    const glm::vec3& eyes_from_head = glm::vec3(0.0F));
 
-/// Radians, seen from what carries the first joint; each from 0 to below pi/2 for pitch, below pi for yaw.
+/// The limits of looking in radians, seen from what carries the first joint. Pitch is from 0 to below pi/2, yaw from 0
+/// to below pi.
 struct alignas(16) LookAtLimits {
   float yaw = 1.3F;
   float pitch_up = 0.7F;
@@ -49,7 +51,7 @@ struct alignas(16) LookAtLimits {
   float smooth_seconds = 0.15F;  ///< see smooth_damp; 0 turns at once
 };
 
-/// The direction of look that an entity keeps, radians. A new one starts with that of the pose.
+/// The direction of look that an entity keeps, in radians. A new one starts with that of the pose.
 ///
 ///      0      8       16         28          32
 ///     [ yaw | pitch | eyes x y z | remaining | started, padding ]
@@ -64,9 +66,9 @@ static_assert(offsetof(LookAtState, pitch) == 8 && offsetof(LookAtState, eyes) =
 static_assert(offsetof(LookAtState, remaining) == 28);
 static_assert(std::is_trivially_copyable_v<LookAtState>);
 
-/// Turns the joints so that the head faces the target, or as near to it as the limits allow. A target behind is looked
-/// at over the shoulder that is already turned: the head never swings through the front because of it. A level of
-/// detail without the head, and a target that is not finite (is_place), leave the pose alone.
+/// Turns the joints so that the head faces the target, or as near to it as the limits allow. The head looks at a target
+/// behind over the shoulder that is already turned, and never swings through the front because of it. A level of detail
+/// without the head, and a target that is not finite (is_place), leave the pose alone.
 struct LookAtJob {
   const LookAtRig* rig = nullptr;
   LookAtState* state = nullptr;
@@ -78,7 +80,7 @@ struct LookAtJob {
 };
 bool is_valid(const LookAtJob& job);
 static_assert(offsetof(LookAtJob, seconds) == offsetof(LookAtJob, target) + 12, "read together");
-/// A strip: at most widest_strip, all valid and of one rig.
+/// Returns whether the jobs are a strip: at most widest_strip, all valid and of one rig.
 bool is_valid(std::span<const LookAtJob> jobs);
 
 }  // namespace throng::anim

@@ -9,7 +9,7 @@
 namespace throng::anim {
 
 /// The work of the model-palette kernel for one bone. Depth-first chains stay in registers: a bone whose parent is the
-/// previous bone takes its transform from there; only branch points are saved to a slot.
+/// previous bone takes its transform from there. Only branch points are saved to a slot.
 struct HierarchyStep {
   static constexpr std::int16_t from_previous = -1;  ///< the parent is the bone before
   static constexpr std::int16_t from_root = -2;      ///< no parent: identity
@@ -28,7 +28,7 @@ struct HierarchyProgram {
   std::vector<HierarchyStep> steps;      ///< one a bone
   std::vector<float> to_model_origin;    ///< rigid: x, y, z from the bone's origin to the model's, a bone
   std::vector<float> offsets;            ///< rigid: x, y, z from the parent's origin to the bone's, a bone
-  float joint_step = 0;                  ///< of packed palettes, see PackingFrame; 0 where they cannot be packed
+  float joint_step = 0;                  ///< step of packed palettes, see PackingFrame; 0 if they cannot be packed
   std::vector<float> prefixes;           ///< general: 3x4 row-major a bone, only where has_prefix
   std::vector<std::uint8_t> has_prefix;  ///< general: one a bone
   std::vector<float> posts;              ///< general: 3x4 row-major a palette entry
@@ -38,14 +38,14 @@ struct HierarchyProgram {
   bool packs() const { return joint_step > 0.0F; }
 };
 
-/// What unpacks the palette's entries, one each, if palettes of this skeleton can be packed, else none. They can where
-/// it is rigid and its joints have some extent at rest, which gives the box that positions are packed in: 16 to 32
-/// times as far as the farthest coordinate, 32 m to each side for a person. What moves farther is packed at the box's
-/// side.
+/// Returns the frames that unpack the palette's entries, one each; none if palettes of this skeleton cannot be packed.
+/// They can if it is rigid and its joints have some extent at rest. The extent gives the box that positions are packed
+/// in: 16 to 32 times as far as the farthest coordinate, 32 m to each side for a person. A joint that moves farther is
+/// packed at the box's side.
 std::vector<PackingFrame> packing_frames(const Skeleton& skeleton);
 
-/// Branch slots are given back after their last reader, so that a slot is live only where the depth-first walk needs
-/// it.
+/// Compiles a skeleton. Branch slots are given back after their last reader, so that a slot is live only where the
+/// depth-first walk needs it.
 HierarchyProgram compile_hierarchy(const Skeleton& skeleton);
 
 }  // namespace throng::anim

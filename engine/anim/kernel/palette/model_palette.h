@@ -9,13 +9,13 @@
 
 namespace throng::anim {
 
-/// Model space and palette of one packet of `width` characters of one skeleton. Packets are done in order, 0 first;
-/// between them `carry` holds the last bone's transform.
+/// Computes model space and palette of one packet of `width` characters of one skeleton. Packets are done in order, 0
+/// first. `carry` holds the last bone's transform between them.
 inline constexpr int branch_slot_floats = 12;  ///< a lane's floats in `carry` and in each branch slot, at most
 struct ModelPaletteJob {
   const HierarchyProgram* hierarchy = nullptr;
   int packet = 0;
-  int bone_count = 0;              ///< of the level: bones at and above it are not touched
+  int bone_count = 0;              ///< bones of the level; those at and above it are not touched
   int width = widest_strip;        ///< 1, 2, 4, 8 or 16
   int characters = widest_strip;   ///< 1 to width; further lanes are computed from garbage-free input, not written
   const float* local = nullptr;    ///< [width][components][16]

@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// How an entry of a palette is written.
+/// The form in which an entry of a palette is written.
 enum class PaletteFormat : std::uint8_t {
   matrices,  ///< PaletteMatrix, 48 bytes
   packed     ///< PackedPaletteEntry, 16 bytes; rigid skeletons alone
@@ -20,14 +20,15 @@ enum class PaletteFormat : std::uint8_t {
 ///     word 2   joint x, low 11 of y     21 bits each, signed, in units of PackingFrame::step
 ///     word 3   high 10 of y, joint z    z takes the upper 22
 ///
-/// A joint and not the origin of model space, so that an error of the rotation is seen at the length of a limb and not
-/// at the height of a person. Its twin on the device is shaders/skinning.glsl.
+/// It has the joint's place and not that of model space's origin, so that an error of the rotation is seen at the
+/// length of a limb and not at the height of a person. Its twin on the device is shaders/skinning.glsl.
 struct PackedPaletteEntry {
   std::uint32_t words[4];
 };
 static_assert(sizeof(PackedPaletteEntry) == 16);
 
-/// A little less than 2^15: a product along a chain of bones is not quite unit. Length does not matter in unpacking.
+/// The number for 1 in a packed rotation. It is a little less than 2^15, because a product along a chain of bones is
+/// not quite unit. Length does not matter in unpacking.
 inline constexpr float packed_rotation_one = 32700.0F;
 inline constexpr int packed_joint_bits = 21;
 inline constexpr float packed_joint_limit = static_cast<float>((1 << (packed_joint_bits - 1)) - 1);
@@ -42,7 +43,8 @@ static_assert(sizeof(PackingFrame) == 16, "a vec4 of the device");
 /// Returns the matrix of an entry, as the vertex shader computes it.
 PaletteMatrix unpack(const PackedPaletteEntry& entry, const PackingFrame& frame);
 
-/// The same between two entries: rotations the shortest way and joints straight, by `blend` from 0 (`from`) to 1.
+/// Returns the matrix between two entries: rotations the shortest way and joints straight, by `blend` from 0 (`from`)
+/// to 1.
 PaletteMatrix unpack_between(const PackedPaletteEntry& from, const PackedPaletteEntry& to, const PackingFrame& frame,
                              float blend);
 
@@ -50,9 +52,9 @@ constexpr std::size_t palette_entry_bytes(PaletteFormat format) {
   return format == PaletteFormat::packed ? sizeof(PackedPaletteEntry) : sizeof(PaletteMatrix);
 }
 
-/// Bytes from one palette to the next where many lie in a row: whole cache lines, and an odd number of them. The
-/// palettes of a strip are written side by side; an even number of lines apart, several of them would meet in the same
-/// few sets of L1 and evict each other.
+/// Returns the bytes from one palette to the next where many lie in a row: whole cache lines, and an odd number of
+/// them. The palettes of a strip are written side by side. If they were an even number of lines apart, several of them
+/// would meet in the same few sets of L1 and evict each other.
 constexpr std::size_t palette_stride(std::size_t entries, PaletteFormat format) {
   constexpr std::size_t line_bytes = 64;
   return ((entries * palette_entry_bytes(format) + line_bytes - 1) / line_bytes | 1U) * line_bytes;

@@ -22,7 +22,7 @@ inline bool on_whole_lines(const PaletteDestination* palettes, int characters) {
   return addresses % 64 == 0;
 }
 
-/// How one vector of characters writes a packet.
+/// The way in which one vector of characters writes a packet.
 struct AnyPacket {
   int characters;
   StorePolicy stores;
@@ -50,7 +50,7 @@ struct UsualPacket {
   static constexpr bool hashed = false;
 };
 
-/// Calls write(a UsualPacket that is the same), or write(packet).
+/// Calls write() with a UsualPacket that is the same, or with `packet`.
 template <int lanes, class Write>
 HWY_INLINE void write_as_usual(const AnyPacket& packet, Write&& write) {
   const bool usual = packet.characters == lanes && !packet.hashed;
@@ -126,7 +126,7 @@ class PaletteStage {
     }
   }
 
-  /// Call when the group is complete. It is written from now on, and the next one is put.
+  /// Ends a group that is complete. It is written from now on, and the next one is put.
   HWY_INLINE void turn() {
     float* const written = written_;
     written_ = put_;
@@ -174,7 +174,7 @@ class PaletteStage {
   static constexpr int group_stride = entries * entry_floats;
   static constexpr int lines = group_stride / line_floats;
 
-  /// palette_entry_hash of a row of every fourth character at a time.
+  /// Computes palette_entry_hash of a row of every fourth character at a time.
   void add_hashes_by_fours(const std::int16_t* joints, int count, std::uint64_t* hashes) const {
     const hn::RebindToUnsigned<D> words;
     const hn::RepartitionToWide<decltype(words)> sums;
@@ -214,7 +214,7 @@ class PaletteStage {
     }
   }
 
-  /// Whether there are 16 characters, whose lines one transposition gives.
+  /// Returns whether there are 16 characters, whose lines one transposition gives.
   bool all_together() const { return lanes == 16 && packet_.characters == lanes; }
 
   /// The destination of the previous group.

@@ -5,12 +5,12 @@
 
 namespace throng::anim {
 
-/// How palettes are written; the values are the same. Which is fastest depends on how much is written in all, and on
-/// the machine.
+/// The ways in which palettes are written; the values are the same. The fastest way depends on how much is written in
+/// all, and on the machine.
 enum class StorePolicy : std::uint8_t {
   plain,
   prefetched,  ///< lines are fetched for writing while they are computed
-  streaming    ///< past the caches, where palettes are 64-byte aligned; not visible to others before fence_stores()
+  streaming    ///< past the caches if palettes are 64-byte aligned; not visible to others before fence_stores()
 };
 
 /// Writes whole cache lines of one value, in order. It is the lower bound for every kernel that writes palettes, and

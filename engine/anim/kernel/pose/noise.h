@@ -15,12 +15,13 @@ struct NoisePoint {
   float fraction = 0.0F;  ///< 0 to 1
 };
 
-/// `frequency` lattice points a second, 0 or more; above half a point a tick it is taken for that. Whole seconds and
-/// the rest are kept apart, so the fraction is as exact after years as it is at first. Negative times are as good as
-/// others.
+/// Returns the point at a time. `frequency` is lattice points a second, 0 or more; above half a point a tick it is
+/// taken for that. Whole seconds and the rest are kept apart, so the fraction is as exact after years as it is at
+/// first. Negative times are as good as others.
 NoisePoint noise_at(Ticks time, float frequency);
 
-/// The upper half of the bits mixed into the lower one; of an exclusive or it is that of both.
+/// Returns the bits with their upper half mixed into the lower one. The result for an exclusive or is that of both
+/// results.
 constexpr std::uint32_t folded(std::uint32_t bits) { return bits ^ (bits >> 16); }
 
 /// Data that all bones of a character share at one time: three lattice points, and the share of each in a uniform
@@ -39,13 +40,13 @@ NoiseMoment noise_moment(std::uint64_t seed, const NoisePoint& point, float ampl
 struct ShakenBones {
   const float* from;          ///< [components][16]
   float* out;                 ///< [components][16]
-  const NoiseMoment* moment;  ///< of the character
+  const NoiseMoment* moment;  ///< the character's moment
   const float* bone_weights;  ///< [16], 0 to 1, each bone's share of the amplitude, or null: all 1
 };
 struct NoiseJob {
   std::span<const ShakenBones> characters;
-  int packet = 0;      ///< which 16 bones these are
-  int bone_count = 0;  ///< of the whole pose; bones at and above it keep their bits
+  int packet = 0;      ///< number of the packet that these 16 bones are
+  int bone_count = 0;  ///< bones of the whole pose; those at and above it keep their bits
   int components = rigid_components;
 };
 bool is_valid(const NoiseJob& job);

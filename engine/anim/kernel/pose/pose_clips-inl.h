@@ -48,7 +48,7 @@ struct Blends {
   }
 };
 
-/// Whether all rotations move in all clips, which is the usual case.
+/// Returns whether all rotations move in all clips, which is the usual case.
 template <std::size_t count>
 HWY_INLINE bool all_move(const PoseClipsJob& job, const Blends<count>& blends) {
   std::int32_t offsets = 0;

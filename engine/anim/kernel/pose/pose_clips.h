@@ -7,16 +7,16 @@
 
 namespace throng::anim {
 
-/// Pose clips: one packet of characters of a strip straight from their clips, one or a blend of two, to the bit what
-/// SampleJob and then BlendJob give.
+/// Pose clips: makes one packet of characters of a strip straight from their clips, one or a blend of two. The result
+/// is to the bit what SampleJob and then BlendJob give.
 struct ClipMoment {
   const SampledStream* stream = nullptr;
   SamplePoint point;
 };
 struct ShownClips {
   const ClipMoment* clip = nullptr;     ///< null: the character shows no clip
-  const ClipMoment* blended = nullptr;  ///< onto it; or null
-  float fraction = 0.0F;                ///< of `blended`, above 0 and below 1
+  const ClipMoment* blended = nullptr;  ///< the clip that is blended onto it; or null
+  float fraction = 0.0F;                ///< share of `blended`, above 0 and below 1
 };
 struct PoseClipsJob {
   std::span<const ShownClips> characters;  ///< at most widest_strip; those without a clip keep their bits

@@ -70,7 +70,7 @@ class PoseLanes {
     parts[3 * quad_bones].store(d, rotation.w);
     quads_[bone / quad_bones].turned = true;
   }
-  /// For a quad that may be displaced.
+  /// Sets the position of a bone whose quad may be displaced.
   void move(D d, BonePlace bone, const Vectors<V>& position) {
     assert(quads_[bone / quad_bones].displaced);
     Lane<D>* const parts = parts_of(bone) + first_position;

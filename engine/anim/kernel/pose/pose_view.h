@@ -9,8 +9,8 @@
 
 namespace throng::anim {
 
-/// A whole local pose in the local store, for code that reads or changes single bones: packets as in pose.h, each
-/// [components][16], `packet_stride` floats from one to the next. Owns nothing.
+/// A whole local pose in the local store, for code that reads or changes single bones. It has packets as in pose.h,
+/// each [components][16], with `packet_stride` floats from one to the next. It owns nothing.
 struct PoseView {
   float* first = nullptr;
   std::size_t packet_stride = 0;  ///< floats, at least components * 16

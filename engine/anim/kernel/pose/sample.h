@@ -5,7 +5,7 @@
 
 namespace throng::anim {
 
-/// Sample: 16 bones of one character at one time. Rotations come out unit.
+/// Sample: reads 16 bones of one character at one time. Rotations come out unit.
 struct SampleJob {
   const SampledStream* stream = nullptr;
   SamplePoint point;

@@ -19,17 +19,17 @@ namespace throng::anim {
 ///
 /// All functions are pure and allocate nothing. They give the same bits on every machine.
 
-/// Time goes on by these steps alone, whatever the frames are: 120 a second.
+/// The step by which time goes on, whatever the frames are: 120 a second.
 inline constexpr Ticks ragdoll_step_ticks = ticks_per_second / 120;
 
 struct RagdollBodyState {
-  glm::vec3 position{0.0F};                    ///< of the centre of mass
+  glm::vec3 position{0.0F};                    ///< place of the centre of mass
   glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< model-space motion from the bind pose
   glm::vec3 velocity{0.0F};
   glm::vec3 angular_velocity{0.0F};  ///< model space, radians a second
 };
 
-/// All there is to know between two frames; plain bytes, free to be copied and moved.
+/// The whole state between two frames, in plain bytes that may be copied and moved.
 struct RagdollState {
   RagdollBodyState bodies[max_ragdoll_bodies];  ///< those at and above the rig's count are not used
   Ticks unspent = 0;                            ///< time given but not yet simulated, below a step
@@ -44,26 +44,26 @@ struct GroundPlane {
   float height = 0.0F;
 };
 
-/// How a character moved when it became a rag-doll.
+/// The movement of a character when it became a rag-doll.
 struct RagdollStart {
   PoseView before{};  ///< the pose `elapsed` ago; may be the same as `now`
   PoseView now{};
   Ticks elapsed = 0;         ///< 0: it starts without movement of its own
-  glm::vec3 velocity{0.0F};  ///< of the character as a whole, beside what its poses do
+  glm::vec3 velocity{0.0F};  ///< velocity of the character as a whole, beside what its poses do
 };
 
 /// Takes over pose and movement. Bones between two bodies go to the bind pose, and so do bones that the view lacks.
 void ragdoll_from_pose(const RagdollRig& rig, const RagdollStart& start, RagdollState& state);
 
-/// `ground` is one plane for all, or one for each body. `elapsed` is at least 0; however it is split over calls, the
-/// bits are the same. A sleeping rag-doll does not notice when the ground changes.
+/// Moves the rag-doll on. `ground` is one plane for all, or one for each body. `elapsed` is at least 0; however it is
+/// split over calls, the bits are the same. A sleeping rag-doll does not notice when the ground changes.
 void ragdoll_step(const RagdollRig& rig, std::span<const GroundPlane> ground, Ticks elapsed, RagdollState& state);
 
 /// Writes the bones that have bodies and those between them; others keep their pose. Positions are those of the bind
 /// pose, except for the first body, so bones keep their lengths.
 void ragdoll_to_pose(const RagdollRig& rig, const RagdollState& state, const PoseView& pose);
 
-/// An impulse (kg m/s, finite) at a point in model space. Speeds are held below 30 m/s and 40 rad/s.
+/// Pushes a body with an impulse (kg m/s, finite) at a point in model space. Speeds are held below 30 m/s and 40 rad/s.
 void push_ragdoll(const RagdollRig& rig, int body, const glm::vec3& impulse, const glm::vec3& point,
                   RagdollState& state);
 

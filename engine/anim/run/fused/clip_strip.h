@@ -12,7 +12,7 @@ namespace throng::anim {
 /// The clips that the characters of a strip show, for the kernel that poses all of them, packet by packet.
 class ClipStrip {
  public:
-  /// `shown`: [character], where callers write what each shows before they add it.
+  /// Begins a strip. `shown` is [character], where callers write what each shows before they add it.
   void begin(std::span<ShownClips> shown) {
     shown_ = shown;
     clip_count_ = 0;
@@ -25,7 +25,7 @@ class ClipStrip {
   }
   void add(std::size_t first, std::size_t end) {
     std::size_t count = 0;
-    std::uint64_t displaced = 0;  // not added up in memory
+    std::uint64_t displaced = 0;  // added up in a register, not in memory
     for (const ShownClips& shown : shown_.subspan(first, end - first)) {
       if (shown.clip == nullptr) continue;
       ++count;
@@ -36,10 +36,10 @@ class ClipStrip {
     displaced_quads_ |= displaced;
   }
   bool empty() const { return clip_count_ == 0; }
-  /// The quads in which some position is not 0, as quads_of_packet reads them.
+  /// Returns the quads in which some position is not 0, as quads_of_packet reads them.
   std::uint64_t displaced_quads() const { return displaced_quads_; }
 
-  /// Everything but the packet and its displaced quads.
+  /// Returns the job of the kernel, without the packet and its displaced quads.
   PoseClipsJob job(int components, float* local) const {
     return {.characters = shown_, .components = components, .local = local};
   }

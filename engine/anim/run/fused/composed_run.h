@@ -8,12 +8,12 @@
 
 namespace throng::anim {
 
-/// Characters of a strip who follow each other and run one program, and whose poses are more than clips. A composed
-/// pose may begin with clips: then the kernel for clips poses the step `base`, and the steps over it change that pose.
+/// Characters of a strip that follow each other, run one program, and have poses that are more than clips. A composed
+/// pose may begin with clips; then the kernel for clips poses the step `base`, and the steps over it change that pose.
 struct ComposedRun {
   static constexpr std::size_t no_base = PoseProgram::max_steps;
 
-  AgentRun characters;           ///< counted from the first of the strip
+  AgentRun characters;           ///< they count from the first of the strip
   StepCursor head;               ///< the first step of the first character
   StepCursor tail;               ///< the first step of its tail that no round has yet
   std::size_t base = no_base;    ///< the step that the kernel for clips poses, or no_base

@@ -6,8 +6,8 @@
 
 namespace throng::anim {
 
-/// Poses the packets of a strip that are held: first all of them, for the entities that need bones of several packets,
-/// then what these entities do, then the palettes. pose_streaming() takes the other packets afterwards.
+/// Poses the packets of a strip that are held. It first poses all of them, then lets the entities that need bones of
+/// several packets change them, then makes the palettes. pose_streaming() takes the other packets afterwards.
 void pose_held(const Strip& strip, const StripPoses& poses, StripPalettes& palettes, CopyEngine& engine);
 
 /// Takes the packets of a strip that are not held from rows of clips to palettes, 16 bones of all characters at a time,

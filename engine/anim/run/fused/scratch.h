@@ -31,12 +31,12 @@ struct FusedScratch {
 };
 
 struct FusedFit {
-  int width = 0;       ///< of a strip
-  int characters = 0;  ///< of a tile, one strip or several
+  int width = 0;       ///< characters of a strip
+  int characters = 0;  ///< characters of a tile of one strip or several
 };
 
-/// The widest strip and the largest tile whose blocks and scratch fit the plan, of characters of these needs who read
-/// `shared_bytes` together; none: not even one character fits.
+/// Returns the widest strip and the largest tile whose blocks and scratch fit the plan, for characters of these needs
+/// that read `shared_bytes` together. Returns zeros if not even one character fits.
 FusedFit fused_fit(const UpdateContext& context, const StoreNeeds& needs, std::size_t shared_bytes,
                    const LocalStorePlan& plan);
 

@@ -13,12 +13,13 @@
 
 namespace throng::anim {
 
-/// What the poses of a strip are made of, found once before its first packet. Most characters show clips, which one
-/// kernel poses for all of them. Other poses are composed: first the head of the program, entity by entity, then its
-/// tail, side by side with others (TailRounds).
+/// The parts that the poses of a strip are made of, found once before its first packet. Most characters show clips,
+/// which one kernel poses for all of them. Other poses are composed: first the head of the program, entity by entity,
+/// then its tail, side by side with others (TailRounds).
 class StripPoses {
  public:
-  /// `first`: the first step of the first character; it is left at the first step behind the last one.
+  /// Finds the parts. `first` is the first step of the first character; it is left at the first step behind the last
+  /// character.
   void find(const Strip& strip, TileLists& lists, StepCursor& first);
 
   const ClipStrip& clips() const { return clips_; }
@@ -27,10 +28,10 @@ class StripPoses {
   bool any_heads() const {
     return std::ranges::any_of(composed(), [](const ComposedRun& run) { return !run.tail_over_clips; });
   }
-  /// The quads whose bones may have positions other than 0.
+  /// Returns the quads whose bones may have positions other than 0.
   std::uint64_t displaced_quads() const { return composed_displaces_ | clips_.displaced_quads(); }
 
-  /// The packets of a character, as far as they are held.
+  /// Returns the packets of a character, as far as they are held.
   PoseView pose(const Strip& strip, std::size_t character) const {
     const UpdateContext& context = strip.context();
     return {strip.pose(character), strip.held_stride(), context.assets.components,

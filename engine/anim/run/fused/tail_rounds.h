@@ -12,7 +12,7 @@
 namespace throng::anim {
 
 /// The tails of the programs of a strip, in rounds. The steps of a tail read the step before and nothing else, and
-/// change the pose where it lies. A round is entities of one layout, each of another character, which one call poses.
+/// change the pose where it lies. A round has entities of one layout, each of another character; one call poses them.
 class TailRounds {
  public:
   /// Makes room for as many entities as a tile has blocks. Allocates.
@@ -29,12 +29,12 @@ class TailRounds {
     return std::span(entities_).subspan(first, rounds_[round].end - first);
   }
   const EntityLayout& layout(std::size_t round) const { return *rounds_[round].layout; }
-  /// The quads whose bones the tails may move.
+  /// Returns the quads whose bones the tails may move.
   std::uint64_t displaced_quads() const { return displaced_quads_; }
 
-  /// Poses the rounds of whole poses, on the packets that are held. `first`: the pose of the first character.
+  /// Poses the rounds of whole poses, on the packets that are held. `first` is the pose of the first character.
   void pose_whole(const Strip& strip, const PoseView& first) const;
-  /// Poses one packet: all rounds where it is streamed, those after the whole poses where it is held.
+  /// Poses one packet: in all rounds if it is streamed, and in those after the whole poses if it is held.
   void pose_packet(const Strip& strip, const PoseView& first, int packet) const;
 
  private:

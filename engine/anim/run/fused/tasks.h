@@ -98,8 +98,8 @@ class FusedTasks {
   TileCopies copies_;
   Divided divided_;
   FusedScratch scratch_;
-  SharedSources shared_;  // of the tile that is computed, where it reads any
-  StripPoses poses_;      // of the strip that is posed
+  SharedSources shared_;  // the shared sources of the tile that is computed, if it reads any
+  StripPoses poses_;      // the poses of the strip that is posed
   std::uint32_t tiles_done_ = 0;
   std::uint32_t agents_done_ = 0;
 };

@@ -10,10 +10,10 @@
 
 namespace throng::anim {
 
-/// What becomes of the blocks that an update has changed in the local store.
+/// The fate of the blocks that an update has changed in the local store.
 enum class BlockChanges : std::uint8_t {
   written_back,
-  dropped,  ///< the update was a look at what would be: entities stay where they stand
+  dropped,  ///< the update was only a look, and entities stay where they stand
 };
 
 /// Copies the blocks of a tile into a fetch buffer and back. It finds the address of a block once, when it fetches it,
@@ -28,7 +28,7 @@ class TileCopies {
   static void fetch_shared(const TileInStore& tile, const SharedSources& shared, CopyEngine& engine);
   /// Writes back at once the blocks that posing does not change.
   void write_back_final(const TileInStore& tile, int buffer, CopyEngine& engine);
-  /// Queues the others.
+  /// Queues the write-back of the blocks that posing changes.
   void write_back(const TileInStore& tile, int buffer, CopyEngine& engine) const;
 
  private:
@@ -37,9 +37,9 @@ class TileCopies {
 
   TileLists* lists_;
   BlockChanges changes_;
-  std::array<std::size_t, 2> list_of_{};  // [fetch buffer] which list of origins is that of its tile
+  std::array<std::size_t, 2> list_of_{};  // [fetch buffer] the list of origins of its tile
   std::size_t next_list_ = 0;
-  std::array<bool, 2> rows_left_{};  // [fetch buffer] some are written back when its tile is done
+  std::array<bool, 2> rows_left_{};  // [fetch buffer] some rows are written back when its tile is done
 };
 
 }  // namespace throng::anim

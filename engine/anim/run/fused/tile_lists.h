@@ -11,7 +11,7 @@
 
 namespace throng::anim {
 
-/// Which clips each entity of a tile shows.
+/// The clips that each entity of a tile shows.
 struct ShownBySteps {
   std::span<ShownClips> entities;  ///< [own step][character]; what the last step shows is in `last` instead
   std::span<ShownClips> last;      ///< [character]
@@ -33,7 +33,7 @@ struct TileLists {
   std::vector<ShownClips> shown;                       ///< see shown_by
   std::array<ShownClips, most_characters> shown_last;  ///< [character]
   std::array<Ticks, most_characters> deltas;           ///< [character]
-  TailRounds tails;                                    ///< of the strip that is posed
+  TailRounds tails;                                    ///< the tails of the strip that is posed
 
   /// Makes the lists long enough for fetch buffers of this size. Allocates.
   void reserve(std::size_t fetch_bytes);

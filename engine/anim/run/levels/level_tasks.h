@@ -15,9 +15,9 @@ namespace throng::anim {
 
 /// One entity to be updated in the `levels` schedule.
 struct EntityUpdate {
-  const AgentWork* agent = nullptr;  ///< whose it is
+  const AgentWork* agent = nullptr;  ///< the agent that owns it
   std::uint16_t cost = 1;            ///< predicted, in steps of cost_step
-  std::uint8_t step = 0;             ///< of the program
+  std::uint8_t step = 0;             ///< its step of the program
 
   const PoseProgram& program() const { return *agent->program; }
   Handle entity() const { return agent->entities[step]; }
@@ -26,7 +26,7 @@ struct EntityUpdate {
 };
 static_assert(sizeof(EntityUpdate) == 16);
 
-/// The paper's schedule, one priority of it (2.2.3, 2.2.5): entities in any order, each copied in whole, updated,
+/// One priority of the paper's schedule (2.2.3, 2.2.5): entities in any order, each copied in whole, updated, and
 /// copied back whole. Its sources come along, header and transforms, and are not written back.
 ///
 ///     fetch buffer   [the entity | source 0, without its private part | source 1 | ...]

@@ -13,13 +13,13 @@
 
 namespace throng::anim {
 
-inline constexpr std::size_t most_skeletons = 32;  ///< in one update
+inline constexpr std::size_t most_skeletons = 32;  ///< the most in one update
 
-/// One agent to be posed in this frame. Read-only while PUs run; small, since it is sorted, and without bit fields,
-/// whose bytes would have to be read back before they can be copied.
+/// One agent to be posed in this frame. It is read-only while PUs run. It is small, since it is sorted. It has no bit
+/// fields, because their bytes would have to be read back before they can be copied.
 struct AgentWork {
   const PoseProgram* program = nullptr;
-  const Handle* entities = nullptr;  ///< [step of the program], stay where they are until the update is over
+  const Handle* entities = nullptr;  ///< [step of the program]; they stay where they are until the update is over
   Ticks delta = 0;                   ///< since its last update
   PaletteDestination palette = {};   ///< written once; null: posed, but nobody draws it
   std::uint32_t agent = 0;
@@ -28,20 +28,20 @@ struct AgentWork {
   std::uint8_t level = 0;        ///< bone level
   std::uint8_t fade_level = 0;   ///< bones that this level lacks ...
   std::uint8_t fade_halves = 0;  ///< ... are so far on their way to where they stand still, 0 to 2
-  bool held = false;             ///< of the program
+  bool held = false;             ///< StoreNeeds::held of the program
 };
 static_assert(sizeof(AgentWork) == 48);
 
-/// All that PUs share for the length of an update about one skeleton: read-only, but for the pools' blocks, which only
-/// copies reach.
+/// All that PUs share about one skeleton for the length of an update. It is read-only, except for the pools' blocks,
+/// which only copies reach.
 struct UpdateContext {
   const HierarchyProgram* hierarchy = nullptr;
-  PaletteFormat palette_format = PaletteFormat::matrices;  ///< of all palettes of this skeleton
+  PaletteFormat palette_format = PaletteFormat::matrices;  ///< the format of all palettes of this skeleton
   EntityAssets assets;
   std::span<const int> level_bone_counts;
   const EntityPools* pools = nullptr;
   std::span<const float> still_pose{};  ///< asset/still_pose.h
-  std::span<std::uint64_t> hashes{};    ///< [agent] out: sum of its palette's entry hashes; or empty
+  std::span<std::uint64_t> hashes{};    ///< [agent] out: the sum of its palette's entry hashes; or empty
 
   int bones(int level) const { return level_bone_counts[static_cast<std::size_t>(level)]; }
   int packets(int level) const { return packets_for(bones(level)); }

@@ -8,8 +8,8 @@
 
 namespace throng::anim {
 
-/// The programs of one skeleton, each once, however many agents run it: a crowd has few graphs that look different. So
-/// two graphs look alike if they have the same program, and a frame finds programs in L1. Programs stay until the table
+/// The programs of one skeleton, each once, however many agents run it. A crowd has few graphs that look different, so
+/// a frame finds programs in L1. Two graphs look alike if they have the same program. Programs stay until the table
 /// goes. A new one seldom allocates, since graphs change in the frame.
 class ProgramTable {
  public:
@@ -26,7 +26,7 @@ class ProgramTable {
 
   PoseProgram draft_;
   std::vector<std::uint64_t> hashes_;                   // [program], beside each other since all are looked through
-  std::vector<std::unique_ptr<PoseProgram>> programs_;  // which stay where they are; the last ones are not used yet
+  std::vector<std::unique_ptr<PoseProgram>> programs_;  // they stay where they are; the last ones are not used yet
 };
 
 }  // namespace throng::anim

@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// The sources that characters of a tile read and none owns, each once, in the order in which they are met.
+/// The sources that characters of a tile read and none of them owns, each once, in the order in which they are met.
 class SharedSources {
  public:
   static constexpr std::size_t most = PoseProgram::max_steps;
@@ -19,7 +19,7 @@ class SharedSources {
     for (const AgentRun& run : tile) add(*run.program);
   }
 
-  /// Adds what the program reads. False: the list has no room for all of it, and is of no use then.
+  /// Adds what the program reads. Returns false if the list has no room for all of it; then the list is of no use.
   bool add(const PoseProgram& program) {
     if (program.needs.shared == 0) return true;
     for (const PoseStep& step : program.steps) {

@@ -12,7 +12,7 @@
 
 namespace throng::anim {
 
-/// What each step of a program left behind, for the steps that read it.
+/// The results that the steps of a program left behind, for the steps that read them.
 template <typename Left>
 struct LeftBySteps {
   std::array<Left, PoseProgram::max_steps> left;
@@ -45,13 +45,13 @@ struct StepCursor {
     block += layout.total_size;
     prepared += layout.kind->prepared_bytes;
   }
-  /// The same step of a character further on in the tile, after so many who run this program.
+  /// Returns the same step of a character further on in the tile, after so many that run this program.
   StepCursor of_next(const PoseProgram& program, std::size_t characters = 1) const {
     return {.step = step,
             .block = block + characters * program.needs.fetch_bytes,
             .prepared = prepared + characters * program.needs.prepared_bytes};
   }
-  /// The first step of the tail, from the first step of all.
+  /// Returns the first step of the tail; this cursor is at the first step of all.
   StepCursor at_tail(const PoseProgram& program) const {
     return {.step = program.tail,
             .block = block + program.blocks_before_tail,
@@ -59,7 +59,7 @@ struct StepCursor {
   }
 };
 
-/// The number of steps before `step` whose entities the character owns.
+/// Returns the number of steps before `step` whose entities the character owns.
 inline std::size_t own_steps_before(const PoseProgram& program, std::size_t step) {
   if (program.needs.shared == 0) return step;
   const auto is_own = [](const PoseStep& one) { return !one.is_shared(); };

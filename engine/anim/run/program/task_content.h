@@ -15,8 +15,8 @@ struct TaskContent {
 
   std::uint32_t first_agent = 0;  ///< the lowest of their numbers
   std::uint32_t last_agent = 0;   ///< the highest
-  std::uint16_t agents = 0;       ///< 0: nobody's work, or that of shared graphs
-  std::uint8_t bone_level = 0;    ///< of all, or several_levels
+  std::uint16_t agents = 0;       ///< their number; 0: nobody's work, or that of shared graphs
+  std::uint8_t bone_level = 0;    ///< the level of all, or several_levels
 
   friend bool operator==(const TaskContent&, const TaskContent&) = default;
 };

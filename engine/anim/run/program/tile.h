@@ -9,28 +9,28 @@
 
 namespace throng::anim {
 
-/// Of one tile; each is as wide as kernels work side by side.
+/// The most strips of one tile. Each is as wide as kernels work side by side.
 inline constexpr int most_strips = 2;
 inline constexpr int most_characters = most_strips * widest_strip;
 
-/// Agents of a tile who follow each other and run one program.
+/// Agents of a tile that follow each other and run one program.
 struct AgentRun {
   const PoseProgram* program = nullptr;
-  std::uint32_t first = 0;  ///< in the tile
+  std::uint32_t first = 0;  ///< number in the tile
   std::uint32_t count = 0;
 
   std::uint32_t end() const { return first + count; }
 };
 
-/// A PU is handed a tile: agents of one skeleton and bone level, all held or all streaming. They come into its store
-/// together, and are posed strip by strip.
+/// The agents that a PU is handed together, of one skeleton and bone level, all held or all streaming. They come into
+/// its store together, and are posed strip by strip.
 struct Tile {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   std::uint32_t width = widest_strip;  ///< characters of a strip
   float cost = 0;                      ///< predicted, nanoseconds
-  std::uint32_t first_run = 0;         ///< of CutWork::runs
-  std::uint32_t run_count = 0;         ///< none can be made longer
+  std::uint32_t first_run = 0;         ///< place in CutWork::runs
+  std::uint32_t run_count = 0;         ///< no run can be made longer
   StoreNeeds needs = {};               ///< the widest of its agents
 
   std::uint32_t strips() const { return (count + width - 1) / width; }

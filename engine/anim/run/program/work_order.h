@@ -8,13 +8,13 @@
 
 namespace throng::anim {
 
-/// Agents that follow each other, of one skeleton, bone level and program, who cost the same.
+/// Agents that follow each other, have one skeleton, bone level and program, and cost the same.
 struct WorkRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 };
 
-/// Finds the runs of all of `work`, in its order; none can be made longer.
+/// Finds the runs of all of `work`, in its order. No run can be made longer.
 void find_runs(std::span<const AgentWork> work, std::vector<WorkRun>& runs);
 
 /// The work of a frame, and the runs in it.
@@ -24,8 +24,8 @@ struct WorkInRuns {
 };
 
 /// The work of a frame in the order in which tiles are cut from it (paper 3.2). A group is of one skeleton and bone
-/// level, held or streaming. Groups whose agents cost most are first, and within a group the dearest agents. Agents who
-/// cost the same stay in their order.
+/// level, held or streaming. Groups whose agents cost most are first, and within a group the dearest agents. Agents
+/// that cost the same stay in their order.
 class WorkOrder {
  public:
   /// Makes room for so many agents, so that sort() does not allocate.
@@ -48,7 +48,7 @@ class WorkOrder {
   std::vector<WorkRun> sorted_runs_;
 };
 
-/// Returns true if both may be in one tile.
+/// Returns whether both may be in one tile.
 inline bool share_a_tile(const AgentWork& a, const AgentWork& b) {
   return a.skeleton == b.skeleton && a.level == b.level && a.held == b.held;
 }

@@ -13,18 +13,18 @@
 
 namespace throng::anim {
 
-/// Blocks of one size, one of each of some characters: anywhere in main memory, evenly spaced in the local store.
-/// Addresses and sizes are multiples of 64 bytes.
+/// Blocks of one size, one of each of some characters. They are anywhere in main memory, and evenly spaced in the local
+/// store. Addresses and sizes are multiples of 64 bytes.
 struct BlockRow {
-  std::span<std::byte* const> blocks{};  ///< in main memory; the list stays as it is until it is moved
-  std::byte* local = nullptr;            ///< of the first
+  std::span<std::byte* const> blocks{};  ///< addresses in main memory; the list stays as it is until it is moved
+  std::byte* local = nullptr;            ///< the first block in the local store
   std::size_t stride = 0;                ///< from one to the next in the local store
   std::size_t size = 0;
 };
 
 /// The DMA controller's part (paper footnote 7), played by the PU's own thread: a list of transfers between main memory
 /// and the local store, moved at once by finish() or, some at a time, by advance(), which kernels call between packets
-/// of bones. The only code that touches guarded pool memory (see base/guard.h).
+/// of bones. It is the only code that touches guarded pool memory (see base/guard.h).
 class CopyEngine {
  public:
   /// Makes room for `transfers` queued at once, so that queueing never allocates in the frame.
@@ -32,13 +32,13 @@ class CopyEngine {
   /// Sets the kernels that move rows; the best that this machine runs unless this is called.
   void use(const Kernels& kernels) { kernels_ = &kernels; }
 
-  /// Queue, each block a transfer of all but its first `skipped` bytes, which stay as they are. A fetch closes its
-  /// destinations until their bytes have arrived; where none arrive, for as long as the block is there.
+  /// Queues a row, each block a transfer of all but its first `skipped` bytes, which stay as they are. A fetch closes
+  /// its destinations until their bytes have arrived. Bytes that never arrive stay closed.
   void fetch(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped, .inward = true}); }
   void write_back(const BlockRow& row, std::size_t skipped) { push({.row = row, .skipped = skipped}); }
   /// Moves a row at once, while it lies in a near cache. It is counted with what is queued.
   void write_back_now(const BlockRow& row, std::size_t skipped);
-  /// Queue one block.
+  /// Queues one block.
   void fetch(const std::byte* main_memory, std::byte* local, std::size_t size) {
     push({.row = {.local = local, .size = size}, .only = const_cast<std::byte*>(main_memory), .inward = true});
   }
@@ -47,8 +47,8 @@ class CopyEngine {
   }
 
   /// Cuts what is queued into `slices` about equal parts of whole rows, one for each advance(). A part is asked for one
-  /// advance() before its own, so that it comes near while kernels compute. What goes out is moved part by part, what
-  /// comes in with the last one. Of some tasks the trace is told of each.
+  /// advance() before its own, so that it comes near while kernels compute. Blocks that go out are moved part by part,
+  /// and blocks that come in with the last part. `trace` gets each part of some tasks.
   void spread_over(int slices, Trace* trace = nullptr);
   void advance();
   /// Moves all that is left, and returns what was queued since the last finish().
@@ -96,13 +96,13 @@ class CopyEngine {
   std::vector<Entry> queue_;
   std::size_t moved_rows_ = 0;
   std::size_t moved_bytes_ = 0;
-  std::size_t asked_rows_ = 0;  // that are on their way to a near cache, or were not worth it
+  std::size_t asked_rows_ = 0;  // rows that are on their way to a near cache, or were not worth it
   std::size_t asked_bytes_ = 0;
-  std::size_t due_bytes_ = 0;  // that are to be moved, or near, by the end of this slice
+  std::size_t due_bytes_ = 0;  // bytes that must be moved, or near, by the end of this slice
   std::size_t slice_bytes_ = 0;
   int slices_left_ = 0;
-  CopyCounts queued_;  // since the last finish()
-  CopyCounts counts_;  // of what is finished
+  CopyCounts queued_;  // queued since the last finish()
+  CopyCounts counts_;  // finished since the last take_counts()
   Trace* slices_to_ = nullptr;
 };
 

@@ -12,8 +12,8 @@ namespace throng::anim {
 /// in/out".
 ///   off          one fetch buffer: fetch, compute, write back
 ///   inline_copy  two: the previous task goes out and the next comes in before this one is computed
-///   interleaved  two: the same bytes, from inside the kernels' loop over packets of bones: asked for in slices, as a
-///                controller would have them under way, and here with the last one
+///   interleaved  two: the same bytes move from inside the kernels' loop over packets of bones. They are asked for in
+///                slices, as a controller would have them under way, and are here with the last slice
 enum class DoubleBuffering : std::uint8_t { off, inline_copy, interleaved };
 
 template <typename Tasks, typename Task>
@@ -21,13 +21,13 @@ TaskContent recorded_content(const Tasks& tasks, const Task& task, const Trace& 
   return trace.records() ? tasks.content(task) : TaskContent{};
 }
 
-/// What a kind of task must offer to be run through the local store.
+/// Runs tasks through the local store. A kind of task must offer:
 ///   next()                          the next task of this PU, if any
 ///   fetch(task, buffer, engine)     queues what it reads
 ///   copy_points(task)               how often compute() calls engine.advance()
 ///   compute(task, buffer, engine)
 ///   write_back(task, buffer, engine) queues what it changed and compute() has not written back
-///   content(task)                   for whom it is
+///   content(task)                   the agents that it is for
 template <typename Tasks>
 void run_single_buffered(Tasks& tasks, CopyEngine& engine, Trace& trace) {
   while (auto task = tasks.next()) {

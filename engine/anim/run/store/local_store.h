@@ -7,16 +7,16 @@
 
 namespace throng::anim {
 
-/// How a local store is divided for one schedule.
+/// The sizes into which a local store is divided for one schedule.
 struct LocalStorePlan {
   int width = 1;                ///< characters a strip, which kernels pose side by side
-  int strips = 1;               ///< of a tile, where that many fit
-  std::size_t fetch_bytes = 0;  ///< of each fetch buffer
+  int strips = 1;               ///< strips a tile, where that many fit
+  std::size_t fetch_bytes = 0;  ///< size of each fetch buffer
   int fetch_buffers = 2;        ///< 1 without double buffering
   std::size_t scratch_bytes = 0;
-  std::size_t shared_bytes = 0;  ///< of a fetch buffer, for what others own
+  std::size_t shared_bytes = 0;  ///< part of a fetch buffer for blocks that others own
 
-  /// The room of the rare entity of `levels` that one buffer cannot hold.
+  /// Returns the room for the rare entity of `levels` that one buffer cannot hold.
   std::size_t all_fetch_bytes() const { return fetch_bytes * static_cast<std::size_t>(fetch_buffers); }
 };
 
@@ -27,19 +27,19 @@ struct LocalStorePlan {
 ///     | fetch buffer 0  | fetch buffer 1    | scratch                      |
 ///     +-----------------+-------------------+------------------------------+
 ///
-/// Blocks are copied to a fetch buffer, updated there and copied back; kernels touch nothing but this and read-only
-/// assets. Without double buffering the second fetch buffer has no bytes.
+/// Blocks are copied to a fetch buffer, updated there and copied back. Kernels touch nothing but this memory and
+/// read-only assets. The second fetch buffer has no bytes without double buffering.
 class LocalStore {
  public:
   explicit LocalStore(std::size_t size);
 
-  /// Splits the store anew; the sizes are multiples of 64 and fit.
+  /// Splits the store anew. The sizes are multiples of 64 and must fit.
   void divide(std::size_t fetch_bytes, int fetch_buffers, std::size_t scratch_bytes);
 
   std::span<std::byte> fetch_buffer(int index) const;
   std::span<std::byte> scratch() const;
   std::size_t size() const { return size_; }
-  /// The bytes that divide() laid out: the most that a task can use.
+  /// Returns the bytes that divide() laid out, which are the most that a task can use.
   std::size_t bytes_used() const { return fetch_bytes_ * static_cast<std::size_t>(fetch_buffers_) + scratch_bytes_; }
 
  private:

@@ -20,7 +20,7 @@ inline constexpr std::size_t least_cached_bytes = std::size_t{8} << 20U;
 inline constexpr std::size_t most_measured_bytes = std::size_t{128} << 20U;
 inline constexpr std::size_t any_bytes = SIZE_MAX;  ///< even most_measured_bytes are written fastest where they lie
 
-/// The same, with a measurement of the caller's.
+/// Does the same with a measurement of the caller's.
 std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie);
 
 /// Returns the bytes that go through the caches until a palette is written again. Blocks and streams take a quarter of

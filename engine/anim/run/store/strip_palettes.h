@@ -7,7 +7,7 @@
 
 namespace throng::anim {
 
-/// How palettes are written; the same for all strips of an update.
+/// The way in which palettes are written. It is the same for all strips of an update.
 struct PaletteStores {
   PaletteMatrix* unseen = nullptr;  ///< the PU's own, for characters that nobody draws
   StorePolicy policy = StorePolicy::prefetched;
@@ -25,12 +25,12 @@ struct StripPacket {
 class StripPalettes {
  public:
   StripPalettes() = default;
-  /// `width`: lanes. Everything that is pointed to stays where it is until the strip is done.
+  /// `width` is the number of lanes. Everything that is pointed to stays where it is until the strip is done.
   StripPalettes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> strip, int width,
                 const PaletteStores& stores);
 
   void write(const StripPacket& about);
-  /// Hands the hashes of the whole strip to its agents, where they are wanted.
+  /// Hands the hashes of the whole strip to its agents, if they are wanted.
   void store_hashes() const;
 
  private:

@@ -25,8 +25,8 @@ class TaskQueue {
 
   explicit TaskQueue(int pus) : pus_(pus), shares_(std::make_unique<Share[]>(static_cast<std::size_t>(pus))) {}
 
-  /// Fills the queue before the PUs run. `firsts`: the first task of each share and, last, how many tasks there are.
-  /// PUs without a share of their own only help.
+  /// Fills the queue before the PUs run. `firsts` has the first task of each share and, last, the number of tasks. PUs
+  /// without a share of their own only help.
   void open(std::span<const int> firsts) {
     for (std::size_t pu = 0; pu < static_cast<std::size_t>(pus_); ++pu) {
       const bool has_share = pu + 1 < firsts.size();
@@ -35,7 +35,7 @@ class TaskQueue {
     }
   }
 
-  /// The queue as one PU sees it, with what it has taken and not yet begun.
+  /// The queue as one PU sees it, with the tasks that it has taken and not yet begun.
   class Taker {
    public:
     Taker(TaskQueue& queue, int pu) : queue_(&queue), pu_(pu) {}
@@ -57,7 +57,7 @@ class TaskQueue {
     int end = 0;
   };
 
-  /// Takes no more than half of what is left for each PU; none: there are no more.
+  /// Takes no more than half of what is left for each PU. Returns no tasks if there are no more.
   Tasks take_some(int pu) {
     int of = pu;
     for (int asked = 0; asked < pus_; ++asked, of = of + 1 < pus_ ? of + 1 : 0) {

@@ -27,12 +27,13 @@ class ScratchCarver {
   std::size_t used_ = 0;
 };
 
-/// The scratch of the last step of a strip of `width` characters. Hierarchy and palettes run across them.
+/// The scratch of the last step of a strip of `width` characters. The kernels of hierarchy and palettes run across
+/// them.
 ///
 ///     local     float [width][components][16]              one packet of each character's local pose
 ///     carry     float [branch_slot_floats][width]          the last bone's transform
 ///     branches  float [slots][branch_slot_floats][width]   transforms of branch points
-///     palettes, hashes                                     where each character's go
+///     palettes, hashes                                     the destinations of each character
 struct ModelScratch {
   std::span<float> local;
   std::span<float> carry;
@@ -40,7 +41,7 @@ struct ModelScratch {
   std::span<PaletteDestination> palettes;
   std::span<std::uint64_t> hashes;
 
-  /// `with_local`: false where the local poses lie in a fetch buffer.
+  /// Carves the scratch. `with_local` is false if the local poses lie in a fetch buffer.
   static ModelScratch carve(ScratchCarver& carver, int width, int components, int slots, bool with_local);
 };
 

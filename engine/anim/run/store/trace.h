@@ -12,9 +12,9 @@
 
 namespace throng::anim {
 
-/// Counts up at an even rate, the same on all cores: the processor's time stamp where there is one, because a span
-/// takes microseconds and the system's clock a fiftieth of one. Its rate is found by comparing both over a whole
-/// update.
+/// A clock that counts up at an even rate, the same on all cores. It is the processor's time stamp if there is one,
+/// because a span takes microseconds and the system's clock a fiftieth of one. UpdateTime finds its rate by comparing
+/// both clocks over a whole update.
 struct TraceClock {
   static std::uint64_t now() {
 #if defined(__x86_64__)
@@ -28,14 +28,14 @@ struct TraceClock {
 /// One stretch of a PU's time within an update; 48 bytes.
 struct TraceSpan {
   enum class Kind : std::uint8_t {
-    fetch,       ///< copies, of the next task in and, with double buffering, of the previous one out
-    compute,     ///< with interleaved double buffering the same copies, asked for in slices
+    fetch,       ///< copies of the next task in and, with double buffering, of the previous one out
+    compute,     ///< computing; with interleaved double buffering the same copies, asked for in slices, too
     write_back,  ///< copies of the last task out
-    wait,        ///< for the other PUs, or to be woken
+    wait,        ///< waiting for the other PUs, or to be woken
     schedule,    ///< PU 0 sorts and cuts tiles
-    copy_slice,  ///< within a compute span; recorded of one task in many
+    copy_slice,  ///< a slice of copies within a compute span; recorded for one task in many
   };
-  std::uint64_t begin;  ///< of TraceClock
+  std::uint64_t begin;  ///< tick of TraceClock
   std::uint64_t end;
   std::uint32_t bytes_in;  ///< copied within the span
   std::uint32_t bytes_out;
@@ -62,7 +62,7 @@ struct CopyCounts {
   }
 };
 
-/// When an update began and ended, on both clocks.
+/// The times when an update began and ended, on both clocks.
 struct UpdateTime {
   std::chrono::steady_clock::time_point start{};
   double milliseconds = 0;
@@ -90,15 +90,15 @@ enum class Tracing : std::uint8_t {
   every_task,  ///< a span for each part of each task, whatever that costs
 };
 
-/// What one PU did in an update, without gaps: each span begins where the one before it ended. In memory set aside
-/// beforehand; what does not fit is counted and not kept.
+/// The spans of one PU in an update, without gaps: each begins where the one before it ended. They lie in memory set
+/// aside beforehand; spans that do not fit are counted and not kept.
 class Trace {
  public:
   static constexpr std::uint32_t slices_of_one_task_in = 64;
   static constexpr double shortest_span_ns =
       4000;  ///< by prediction: a hundred times what reading the clock takes, thrice
 
-  /// Makes room for so many spans; 0: records nothing.
+  /// Makes room for so many spans. The trace records nothing if they are 0.
   void reserve(std::size_t spans, Tracing tracing) {
     spans_.clear();
     spans_.reserve(spans);
@@ -113,7 +113,7 @@ class Trace {
     tasks_ = 0;
   }
 
-  /// The tasks between these two take about so many nanoseconds each.
+  /// Begins tasks that take about so many nanoseconds each, up to end_tasks().
   void begin_tasks(double task_ns) {
     tasks_in_span_ = every_task_ ? 1 : static_cast<std::uint32_t>(1 + shortest_span_ns / std::max(task_ns, 10.0));
     if (task_ns >= shortest_span_ns) tasks_in_span_ = 1;
@@ -125,7 +125,7 @@ class Trace {
 
   bool records() const { return room_ > 0; }
 
-  /// Ends a span: the time since the last one was spent so, for these agents.
+  /// Ends a span. The time since the last one was spent in this way, for these agents.
   void close(TraceSpan::Kind kind, const CopyCounts& copied = {}, const TaskContent& content = {}) {
     if (!records()) return;
     if (tasks_in_span_ > 1) {
@@ -140,7 +140,7 @@ class Trace {
     last_ = now;
   }
 
-  /// The same, never joined with others, for what happens once for many tasks.
+  /// Ends a span that is never joined with others, for what happens once for many tasks.
   void close_alone(TraceSpan::Kind kind, const CopyCounts& copied, const TaskContent& content) {
     const std::uint32_t joining = std::exchange(tasks_in_span_, 1U);
     if (joined_tasks_ > 0) close_joined();
@@ -148,7 +148,7 @@ class Trace {
     tasks_in_span_ = joining;
   }
 
-  /// Returns true for one task in many: the slices of its copies are recorded, too.
+  /// Returns true for one task in many. The slices of its copies are recorded, too.
   bool wants_slices() { return room_ > 0 && tasks_in_span_ == 1 && tasks_++ % slices_of_one_task_in == 0; }
   void add_slice(std::uint64_t begin) { add(TraceSpan::Kind::copy_slice, begin, TraceClock::now(), {}, {}); }
 
@@ -187,10 +187,10 @@ class Trace {
   std::uint32_t tasks_ = 0;
   bool every_task_ = false;
   std::uint32_t tasks_in_span_ = 1;
-  std::uint32_t joined_tasks_ = 0;  // of the span that is open
+  std::uint32_t joined_tasks_ = 0;  // the tasks of the span that is open
   CopyCounts joined_copies_;
   JoinedContent joined_content_;
-  TaskContent copied_content_;  // of the task that was copied, or computed, last
+  TaskContent copied_content_;  // the content of the task that was copied, or computed, last
 };
 
 }  // namespace throng::anim

@@ -4,13 +4,15 @@
 
 namespace throng::anim {
 
-/// One step of the lock of one foot, without vectors: what the kernels are held to. `posed` is the footing where the
-/// pose has the foot, `planted` 0 to 1: from a half on it locks. Returns the footing to use, all in world space. Never
-/// jumps: a foot locks where it is, and what it is away from the pose when it is let go fades out.
+/// Makes one step of the lock of one foot, without vectors. The kernels are held to it. `posed` is the footing where
+/// the pose has the foot. `planted` is 0 to 1; the foot locks from a half on. Returns the footing to use. All is in
+/// world space. The footing never jumps: a foot locks where it is, and its distance from the pose fades out when it is
+/// let go.
 Footing step_foot_lock(FootLock& lock, const Footing& posed, float planted, const FootLockOptions& options,
                        float seconds);
 
-/// Adds to `slid` how far the ball of the foot got since the last frame, if it was planted all the while. World space.
+/// Adds to `slid` how far the ball of the foot got since the last frame, in world space, if it was planted all the
+/// while.
 void measure_slide(FootLock& lock, const glm::vec3& ball, float planted, float seconds);
 
 }  // namespace throng::anim

@@ -4,8 +4,8 @@
 
 namespace throng::anim {
 
-/// foot_placement.h for one character, without vectors and posing anew what it changed: what the kernels are held to.
-/// Returns how far the pelvis was lowered.
+/// Does what foot_placement.h says for one character, without vectors and posing anew what it changed. The kernels are
+/// held to it. Returns how far the pelvis was lowered.
 float place_feet_by_definition(const FootPlacementJob& job);
 
 }  // namespace throng::anim

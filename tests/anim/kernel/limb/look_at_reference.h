@@ -4,8 +4,8 @@
 
 namespace throng::anim {
 
-/// look_at.h for one character in model space throughout, without vectors: what the kernels are held to. Returns what
-/// remains.
+/// Does what look_at.h says for one character in model space throughout, without vectors. The kernels are held to it.
+/// Returns what remains.
 float look_at_by_definition(const LookAtJob& job);
 
 }  // namespace throng::anim

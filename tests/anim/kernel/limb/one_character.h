@@ -6,7 +6,7 @@
 
 namespace throng::anim {
 
-/// Each runs one job alone on the best kernels, which take up to a strip of them and give the same bits.
+/// Each function runs one job alone on the best kernels, which take up to a strip of jobs and give the same bits.
 
 /// Returns how far the pelvis was lowered, in metres.
 float place_feet(const FootPlacementJob& job);

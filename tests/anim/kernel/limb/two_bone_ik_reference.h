@@ -6,18 +6,19 @@
 
 namespace throng::anim {
 
-/// two_bone_ik.h for one limb, without vectors: what the kernels are held to. Returns how far the end is from the
-/// target.
+/// Does what two_bone_ik.h says for one limb, without vectors. The kernels are held to it. Returns how far the end is
+/// from the target.
 float two_bone_ik_by_definition(const TwoBoneIkJob& job);
 
-/// The same where the limb's chain is posed already: `motions` [chain.count] are the pose's, and follow it.
+/// Does the same where the limb's chain is posed already: `motions` [chain.count] are the pose's, and follow it.
 float two_bone_ik_by_definition(const TwoBoneIkJob& job, std::span<JointMotion> motions);
 
-/// How far rotations may be from the definition's. The lengths of a limb that is all but straight say its angle only to
-/// the root of what a float tells apart, however it is computed; where its end comes to lie hardly depends on it.
+/// The largest distance of rotations from the definition's. The lengths of a limb that is all but straight say its
+/// angle only to the root of what a float tells apart, however it is computed. The place of its end hardly depends on
+/// it.
 inline constexpr float limb_rotation_tolerance = 1e-3F;
 
-/// Posed length of the limb when straight, metres.
+/// Returns the posed length of the limb when straight, in metres.
 float limb_length(const TwoBoneLimb& limb, std::span<const JointMotion> motions);
 
 }  // namespace throng::anim

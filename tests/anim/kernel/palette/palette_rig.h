@@ -9,7 +9,7 @@
 /// Palettes of those skeletons by the kernels.
 namespace throng::anim::kernel_rig {
 
-/// What else is said of the palettes that are computed.
+/// The request for the palettes that are computed.
 struct PaletteRequest {
   StorePolicy stores = StorePolicy::prefetched;
   QuadMask displaced = all_quads;
@@ -17,7 +17,7 @@ struct PaletteRequest {
   bool whole_lines = false;  ///< true: all palettes begin a cache line; false: every second one is only 16-byte aligned
 };
 
-/// What frames ask of rigid skeletons, few of whose bones are displaced.
+/// The requests of frames for rigid skeletons, few of whose bones are displaced.
 inline constexpr PaletteRequest usual_requests[] = {
     {.stores = StorePolicy::plain, .displaced = 0, .hashed = false, .whole_lines = true},
     {.stores = StorePolicy::prefetched, .displaced = 0, .hashed = false, .whole_lines = true},
@@ -26,8 +26,8 @@ inline constexpr PaletteRequest usual_requests[] = {
     {.stores = StorePolicy::streaming, .displaced = 0b1010, .hashed = false, .whole_lines = true},
     {.stores = StorePolicy::prefetched, .displaced = 0b0100, .hashed = true, .whole_lines = true}};
 
-/// Palettes and hashes of characters, computed in strips of `width`; a last strip may be partly filled. Every palette
-/// lies between guard bytes, and so do entries of bones above `bone_count`.
+/// The palettes and hashes of characters, computed in strips of `width`. The last strip may be partly filled. Every
+/// palette lies between guard bytes, and so do entries of bones above `bone_count`.
 template <typename Entry>
 struct CrowdResultOf {
   std::vector<std::vector<Entry>> palettes;  ///< [character][entry below the bone count]

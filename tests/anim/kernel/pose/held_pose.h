@@ -10,7 +10,7 @@
 
 namespace throng::anim {
 
-/// A whole pose in memory of its own; the bind pose at first. The packets lie apart, as they do in a local store.
+/// A whole pose in memory of its own. It is the bind pose at first. The packets lie apart, as they do in a local store.
 class HeldPose {
  public:
   explicit HeldPose(const Skeleton& skeleton);
@@ -27,20 +27,21 @@ class HeldPose {
   std::vector<float> floats_;
 };
 
-/// The pose as 4x4 matrices in double see it, from the definition of a state: rotation from the bind pose and position.
+/// Returns a joint of the pose by 4x4 matrices in double, from the definition of a state: rotation from the bind pose
+/// and position.
 JointMotion joint_by_definition(const Skeleton& skeleton, const PoseView& pose, int bone);
 
-/// The same by the name of the bone.
+/// Does the same by the name of the bone.
 JointMotion joint_by_definition(const Skeleton& skeleton, const PoseView& pose, std::string_view bone);
 
-/// Between floats at the same places of two poses.
+/// Returns the largest difference between floats at the same places of two poses.
 float largest_difference(const std::vector<float>& a, const std::vector<float>& b);
 
-/// The same numbers on every machine.
+/// These two functions draw the same numbers on every machine.
 float random_between(std::mt19937& random, float low, float high);
 glm::vec3 random_direction(std::mt19937& random);
 
-/// Radians between two rotations.
+/// Returns the radians between two rotations.
 float angle_between(const glm::quat& a, const glm::quat& b);
 
 }  // namespace throng::anim

@@ -21,7 +21,7 @@ struct alignas(64) Packet {
 using PacketBits = std::array<std::uint32_t, sizeof(Packet) / 4>;
 PacketBits bits(const Packet& packet);
 
-/// The bits of one bone alone.
+/// Returns the bits of one bone alone.
 std::array<std::uint32_t, general_components> bone_bits(const Packet& packet, int bone);
 
 glm::dquat rotation_of(const Packet& packet, int bone);
@@ -29,17 +29,18 @@ glm::dvec3 position_of(const Packet& packet, int bone);
 glm::dvec3 scale_of(const Packet& packet, int bone);
 void set_rotation(Packet& packet, int bone, const glm::dquat& rotation);
 
-/// Any rotations, unit as floats can be; positions and scales from -1 to 1.
+/// Returns random rotations, as unit as floats can be, and positions and scales from -1 to 1.
 Packet random_packet(unsigned seed);
 
-/// The lanes that no bone has: identity everywhere, and zeros that are negative.
+/// Returns the lanes that no bone has: identity everywhere, and zeros that are negative.
 Packet identity_packet();
 
-/// The angle of the rotation between two, rad: 0 for q and -q.
+/// Returns the angle of the rotation between two, in radians: 0 for q and -q.
 double angle_between(const glm::dquat& a, const glm::dquat& b);
 
-/// As rotation vectors, the short way round, and back.
+/// Returns a rotation as a rotation vector, the short way round.
 glm::dvec3 rotation_vector(const glm::dquat& q);
+/// Returns the rotation of a rotation vector.
 glm::dquat rotation_by(const glm::dvec3& rotation_vector);
 
 }  // namespace throng::anim

@@ -24,7 +24,7 @@ anim::Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, c
     if (!added) return added;
     processes_.push_back({agent, index});
   }
-  const anim::Status pushed = system_->agent(agent).change_process<RagdollProcess>(
+  anim::Status pushed = system_->agent(agent).change_process<RagdollProcess>(
       *process_of(agent), [&](RagdollProcess& ragdoll) { ragdoll.push(impulse, place); });
   if (!pushed) return pushed;
   const auto found = std::ranges::find(fallen_, agent, &Fallen::agent);

@@ -68,7 +68,7 @@ anim::Status AnimatedCrowd::push_over(std::uint32_t agent, const glm::vec3& dire
   const bool stood = !crowd_->holds(agent);
   if (stood) change_clip(crowd_->hold(agent));
   const auto chest = static_cast<float>(push_height * character.character->bounds.height);
-  const anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
+  anim::Status pushed = fallen_->push(agent, {impulse.x, 0.0F, impulse.y}, {0.0F, chest, 0.0F});
   if (!pushed && stood) change_clip(crowd_->release(agent));
   mark_fallen();
   return pushed;

@@ -132,7 +132,7 @@ void Stage::select(std::optional<std::uint32_t> agent) {
 }
 
 anim::Status Stage::go_back_to(const StageMoment& moment) {
-  const anim::Status gone = animated_->go_back_to(moment);
+  anim::Status gone = animated_->go_back_to(moment);
   if (gone) forget_what_is_shown();  // those are poses of the future
   return gone;
 }

@@ -99,7 +99,7 @@ class Stage {
   void learn_level_of_detail();
   anim::LodLimits limits() const;
   anim::LodRequest lod_request(const render::Camera& camera, const glm::vec2& size, anim::Ticks frame_step) const;
-  void place_feet(const anim::AgentUpdate& update, bool visible);
+  void place_feet(const anim::AgentUpdate& update, bool near_by);
   void show(anim::AgentUpdate& update, std::uint64_t last_frame);
   void pose_fallen(std::uint64_t last_frame);
   void measure(const render::Camera& camera, const glm::vec2& size);

@@ -28,7 +28,7 @@ Span find_span(const std::vector<float>& times, double seconds) {
   if (after == times.begin()) return {};
   const auto from = static_cast<std::size_t>(after - times.begin()) - 1;
   if (after == times.end()) return {.from = from, .to = from};
-  const double start = static_cast<double>(times[from]);
+  const auto start = static_cast<double>(times[from]);
   const double length = static_cast<double>(*after) - start;
   return {.from = from, .to = from + 1, .fraction = (seconds - start) / length, .seconds = length};
 }

@@ -100,6 +100,7 @@ std::vector<NamedDataKey> find_footsteps(const Skeleton& skeleton, const Keyfram
   std::ranges::sort(steps, {}, &Footstep::instant);
   if (!take_turns(steps)) return {};
   std::vector<NamedDataKey> keys;
+  keys.reserve(steps.size());
   for (const auto& [instant, left] : steps) {
     keys.push_back(
         {.time = stride.step * static_cast<double>(instant), .name = left ? "footstep_left" : "footstep_right"});

@@ -41,7 +41,7 @@ AlignedBytes allocate_aligned(std::size_t size) {
 
 void give_back_pages(std::byte* bytes, std::size_t size) {
   constexpr std::uintptr_t page = 4096;
-  const std::uintptr_t start = reinterpret_cast<std::uintptr_t>(bytes);
+  const auto start = reinterpret_cast<std::uintptr_t>(bytes);
   const std::uintptr_t first = round_up(start, page);
   const std::uintptr_t end = (start + size) / page * page;
   if (first < end) forget_pages(bytes + (first - start), end - first);

@@ -38,7 +38,7 @@ constexpr std::array tabs = std::to_array<Tab>({{"Crowd", show_crowd_tab},
                                                 {"Presets", show_presets_tab}});
 constexpr std::size_t tabs_in_a_row = 3;
 
-/// The keys that text editing knows, in ImGui's words and in ours.
+/// Maps our keys to those of ImGui that its text fields use.
 constexpr std::array edit_keys = std::to_array<std::pair<int, Key>>({{ImGuiKey_LeftArrow, Key::left},
                                                                      {ImGuiKey_RightArrow, Key::right},
                                                                      {ImGuiKey_UpArrow, Key::up},
@@ -160,7 +160,7 @@ void Overlay::begin_frame(int width, int height, double seconds, const InputFram
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
-  // A double click takes at least four frames, however slow they are.
+  // Slow frames must not turn a double click into two clicks, so it may last four frames.
   io.MouseDoubleClickTime = std::max(0.3F, 4 * io.DeltaTime);
   feed(io, input);
   ImGui::NewFrame();

@@ -49,7 +49,7 @@ TuningValue cost(std::string_view key, double CostModel::*member, std::string_vi
                 at(&Tuning::system, &SystemOptions::cost, member));
 }
 
-// The order of these functions and of the values in them is that of presets.
+// Presets have their values in the order of these functions.
 std::vector<TuningValue> crowd_values() {
   return {
       word({.key = "scene", .option = "--scene NAME", .help = "{values} ({default})"}, at(&Tuning::scene), scene_words),

@@ -8,7 +8,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// It takes about as long to put a thread to sleep and to wake it, where cores are virtual.
+/// About the time that putting a thread to sleep and waking it takes on virtual cores.
 constexpr std::chrono::microseconds waits_awake(50);
 
 void pause() {
@@ -50,7 +50,7 @@ void PuThreads::run(int count, Job job) {
 
 template <typename Value>
 void PuThreads::wait_while(const std::atomic<Value>& value, Value is) const {
-  constexpr int looks_at_a_time = 32;  // the clock takes longer
+  constexpr int looks_at_a_time = 32;  // reading the clock takes longer than a look
   const Clock::time_point end = Clock::now() + waits_awake;
   while (has_cores_ && Clock::now() < end) {
     for (int look = 0; look < looks_at_a_time; ++look) {

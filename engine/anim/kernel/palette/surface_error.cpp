@@ -12,7 +12,7 @@ namespace {
 constexpr float nearest_to_divide = 1e-3F;  // of clip w: metres in front of the camera
 
 glm::vec4 skinned(std::span<const PointInfluence> influences, std::span<const PaletteMatrix> palette) {
-  // Column by column in four lanes; their sum comes last.
+  // Four lanes multiply one column after the other, and are added at the end.
   float sums[3][4] = {};
   for (const PointInfluence& influence : influences) {
     const PaletteMatrix& matrix = palette[influence.entry];

@@ -19,7 +19,7 @@ HWY_INLINE void subtract_lanes(D d, const SubtractJob& job, int bone) {
   const auto reference = load_quaternions(d, job.reference + bone, packet_bones);
   const auto between = product(conjugate(reference), pose);
   const V to_unit = inverse_square_root(d, dot(between, between));
-  // On the hemisphere of the identity, so that deltas can be blended.
+  // Deltas are turned to the hemisphere of the identity, so that they can be blended.
   store(d, scaled(between, hn::CopySignToAbs(to_unit, between.w)), job.out + bone, packet_bones);
   for (int component = 4; component < job.components; ++component) {
     const int at = component * packet_bones + bone;

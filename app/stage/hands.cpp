@@ -1,4 +1,4 @@
-// A person holds a clip, pushes an agent over and takes time back.
+// These members of AnimatedCrowd hold a clip, push an agent over and take time back, as a person asks.
 #include <algorithm>
 #include <string>
 

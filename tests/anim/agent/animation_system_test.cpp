@@ -1,8 +1,9 @@
-// What a system is made with.
+// A system refuses options that it cannot run, and keeps those that it has.
 
 #include "engine/anim/agent/animation_system.h"
 
 #include <memory>
+#include <string>
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 
 #include "app/character/source.h"
 #include "app/crowd/crowd.h"
+#include "app/lod/mesh_lods.h"
 #include "app/lod/watched_agents.h"
 #include "app/settings/settings.h"
 #include "engine/anim/agent/animation_system.h"
@@ -15,9 +16,12 @@
 
 namespace throng::app {
 
-/// What one frame is measured in.
+/// A frame whose errors are measured.
 struct MeasuredFrame {
+  const Tuning& tuning;
   const Crowd& crowd;
+  std::span<const anim::VisibleAgent> visible;  ///< by ascending agent
+  const MeshLods& mesh_lods;
   const ShownPoses& shown;
   render::CameraView view;
   glm::vec2 size{0.0F};   ///< of the picture, pixels
@@ -50,10 +54,12 @@ class ErrorMeter {
   /// After the update.
   void end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame);
 
-  /// Of the last 60 frames, as of the last one.
+  /// Returns the errors of poses and meshes together, over the last 60 frames. All are 0 while nobody is measured.
   const anim::ErrorFigures& figures() const { return figures_; }
   anim::ErrorFigures since_start() const { return window_.since_start(); }
-  /// Pixels, as measured last; below 0: not since it came into view.
+  /// Returns the errors of poses alone, which level of detail decides by.
+  anim::ErrorFigures pose_figures() const { return pose_window_.figures(); }
+  /// Returns pixels, of pose and mesh together, as measured last; below 0: not since the agent came into view.
   float error_of(std::uint32_t agent) const { return errors_[agent]; }
   const anim::SurfacePoints& points(std::size_t character) const { return characters_[character].points; }
 
@@ -69,6 +75,7 @@ class ErrorMeter {
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
   void take(WatchedAgent& watched);
   void measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame);
+  static float mesh_error(std::uint32_t agent, const MeasuredFrame& frame);
 
   std::vector<MeasuredCharacter> characters_;
   std::size_t most_entries_ = 0;
@@ -81,7 +88,8 @@ class ErrorMeter {
   anim::AlignedBytes exact_palettes_;
   std::vector<anim::PaletteMatrix> blended_;
   std::vector<float> errors_;  // [agent]
-  anim::ErrorWindow window_;
+  anim::ErrorWindow window_;   // of poses and meshes together
+  anim::ErrorWindow pose_window_;
   anim::ErrorFigures figures_;
 };
 

@@ -8,7 +8,7 @@
 namespace throng::app {
 namespace {
 
-constexpr int lod_export_version = 1;
+constexpr int lod_export_version = 2;
 
 Json intervals_of(const anim::LodRules& rules, double height, double pixels_per_unit) {
   Json intervals = Json::array();
@@ -37,9 +37,19 @@ Json levels_of(std::span<const LodLevel> levels, const anim::LodRules& rules, do
          {"error_metres", level.error_metres},
          {"error_pixels_there", from > 0.0 ? Json(level.error_metres * pixels_per_unit / from) : Json(0.0)},
          {"one_pixel_below_pixels_tall", level.error_metres > 0.0 ? Json(height / level.error_metres) : Json()},
-         {"nanoseconds", level.nanoseconds},
-         {"mesh_triangles", level.triangles},
-         {"mesh_ratio", level.mesh_ratio}});
+         {"nanoseconds", level.nanoseconds}});
+  }
+  return rows;
+}
+
+Json meshes_of(std::span<const MeshLevel> meshes, double height) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const auto error = static_cast<double>(meshes[i].error_metres);
+    rows.push_back({{"level", i},
+                    {"triangles", meshes[i].triangles},
+                    {"error_metres", error},
+                    {"one_pixel_below_pixels_tall", error > 0.0 ? Json(height / error) : Json()}});
   }
   return rows;
 }
@@ -60,31 +70,33 @@ Json bones_of(const anim::Character& character) {
 
 }  // namespace
 
-std::vector<LodLevel> lod_levels(const CharacterSource& source, std::span<const std::uint32_t> triangles_by_lod) {
+std::vector<LodLevel> lod_levels(const CharacterSource& source) {
   const anim::Skeleton& skeleton = source.character->skeleton;
   std::vector<LodLevel> levels;
   for (std::size_t i = 0; i < skeleton.level_bone_counts.size(); ++i) {
-    LodLevel level{.bones = skeleton.level_bone_counts[i],
-                   .palette_entries = anim::palette_count_for_bones(skeleton, skeleton.level_bone_counts[i]),
-                   .error_metres = static_cast<double>(source.character->bone_lod.level_error_metres[i]),
-                   .nanoseconds = nanoseconds_at_level(skeleton, i)};
-    if (!triangles_by_lod.empty()) {
-      level.triangles = triangles_by_lod[std::min(i, triangles_by_lod.size() - 1)];
-      level.mesh_ratio = static_cast<double>(level.triangles) / std::max(triangles_by_lod.front(), 1U);
-    }
-    levels.push_back(level);
+    levels.push_back({.bones = skeleton.level_bone_counts[i],
+                      .palette_entries = anim::palette_count_for_bones(skeleton, skeleton.level_bone_counts[i]),
+                      .error_metres = static_cast<double>(source.character->bone_lod.level_error_metres[i]),
+                      .nanoseconds = nanoseconds_at_level(skeleton, i)});
   }
   return levels;
 }
 
-std::string lod_as_json(const CharacterSource& source, std::span<const LodLevel> levels, const anim::LodRules& rules,
-                        double pixels_per_unit) {
+std::vector<MeshLevel> mesh_levels(std::span<const std::uint32_t> triangles, std::span<const float> errors) {
+  std::vector<MeshLevel> levels;
+  for (std::size_t i = 0; i < triangles.size(); ++i) levels.push_back({triangles[i], errors[i]});
+  return levels;
+}
+
+std::string lod_as_json(const CharacterSource& source, std::span<const LodLevel> levels,
+                        std::span<const MeshLevel> meshes, const anim::LodRules& rules, double pixels_per_unit) {
   const Json all = {{"version", lod_export_version},
                     {"character", source.name},
                     {"height_metres", source.character->bounds.height},
                     {"pixels_of_a_metre_at_one_metre", pixels_per_unit},
                     {"intervals", intervals_of(rules, source.character->bounds.height, pixels_per_unit)},
                     {"bone_levels", levels_of(levels, rules, source.character->bounds.height, pixels_per_unit)},
+                    {"mesh_levels", meshes_of(meshes, source.character->bounds.height)},
                     {"bones", bones_of(*source.character)}};
   return all.dump(2) + "\n";
 }

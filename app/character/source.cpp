@@ -5,13 +5,15 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/survey/lod_survey.h"
 
 namespace throng::app {
 namespace {
 
-constexpr double least_gain = 1.15;  // of a gait over the one before it, to be worth changing to
+constexpr std::size_t most_measured_poses = 48;  // of mesh LODs
+constexpr double least_gain = 1.15;              // of a gait over the one before it, to be worth changing to
 
 // Clips that end where they began can be repeated in place; where there are none, any.
 std::vector<int> loopable(const anim::Character& character, const std::vector<int>& clips) {
@@ -77,6 +79,20 @@ std::vector<std::uint16_t> entries_at_level(const anim::Skeleton& skeleton, int 
   std::vector<std::uint16_t> entries;
   for (const int entry : anim::kept_entries(skeleton, bone_count)) entries.push_back(static_cast<std::uint16_t>(entry));
   return entries;
+}
+
+// Returns the rest pose, and some poses of all clips.
+render::PosedPalettes posed_palettes(const anim::Model& model) {
+  render::PosedPalettes palettes;
+  const std::vector<glm::dmat4> rest = anim::reference_pose(model.skeleton, nullptr, 0.0).palette;
+  palettes.emplace_back(rest.begin(), rest.end());
+  anim::visit_surveyed_poses(
+      model, [&](std::span<const glm::dmat4> palette) { palettes.emplace_back(palette.begin(), palette.end()); });
+  const std::size_t stride = palettes.size() / most_measured_poses + 1;
+  for (std::size_t i = 1; stride > 1 && i * stride < palettes.size(); ++i)
+    palettes[i] = std::move(palettes[i * stride]);
+  palettes.resize((palettes.size() + stride - 1) / stride);
+  return palettes;
 }
 
 std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
@@ -168,6 +184,7 @@ render::CrowdMeshData mesh_data(const anim::Model& model) {
   for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
     data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
   }
+  data.poses = posed_palettes(model);
   data.bone_ends = bone_ends(model.skeleton);
   return data;
 }

@@ -131,7 +131,7 @@ void FrameReporter::add_level_of_detail(const Stage& stage) {
   report_.visible = static_cast<int>(stage.selection().visible.size());
   report_.agents_by_interval.assign(static_cast<std::size_t>(stage.tuning().lod.largest_interval), 0);
   report_.agents_by_bone_level.assign(report_.level_bone_counts.size(), 0);
-  report_.error = stage.error();
+  report_.error = stage.error_meter().figures();
   report_.lod = stage.level_of_detail().figures();
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     count(report_.agents_by_interval, agent.interval - 1U);

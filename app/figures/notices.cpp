@@ -10,7 +10,7 @@ std::string software_notice(const std::string& renderer, const Spared& spared) {
   add(spared.agents > 0, std::to_string(spared.agents) + " agents");
   add(spared.multisampling, "no multisampling");
   add(spared.shadows, "no shadows");
-  add(spared.mesh_detail, "coarse meshes");
+  add(spared.mesh_lods, "coarser meshes");
   if (list.empty()) return {};
   return "Drawn on the processor (" + renderer + "): " + list + " unless asked otherwise.";
 }

@@ -13,7 +13,7 @@ namespace throng::app {
 /// The savings where a processor draws live and the command line does not ask otherwise.
 struct Spared {
   int agents = 0;  ///< the number that is animated instead of the one asked for; 0: the one asked for
-  bool multisampling = false, shadows = false, mesh_detail = false;
+  bool multisampling = false, shadows = false, mesh_lods = false;
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 

@@ -47,6 +47,7 @@ void ErrorMeter::reset(std::size_t agents) {
   watched_.reset(agents, 0, most_entries_);
   credit_ = 0;
   window_ = {};
+  pose_window_ = {};
   figures_ = {};
 }
 
@@ -61,7 +62,10 @@ void ErrorMeter::begin_frame(ErrorSampling sampling, std::span<const anim::Visib
         anim::allocate_aligned(watched * anim::palette_stride(most_entries_, anim::PaletteFormat::matrices));
     chosen_.reserve(watched);
     exact_.reserve(watched);
-    if (sampling == ErrorSampling::some) window_.reserve(most_measured_of_few);
+    if (sampling == ErrorSampling::some) {
+      window_.reserve(most_measured_of_few);
+      pose_window_.reserve(most_measured_of_few);
+    }
   }
   watched_.choose(visible, shown);
 }
@@ -106,6 +110,7 @@ void ErrorMeter::end_frame(anim::AnimationSystem& system, const MeasuredFrame& f
   watched_.hand_over();
   if (sampling_ == ErrorSampling::off) return;
   window_.begin_frame();
+  pose_window_.begin_frame();
   choose_whom_to_measure(system, frame);
   if (!exact_.empty()) system.pose_exactly(exact_);
   for (std::size_t i = 0; i < chosen_.size(); ++i) {
@@ -134,8 +139,18 @@ void ErrorMeter::measure(WatchedAgent& watched, const anim::PaletteMatrix* exact
   if (watched.measured_in + 1 == frame.number) sample.pop = anim::largest_change(watched.errors, errors);
   watched.errors = errors;
   watched.measured_in = frame.number;
-  errors_[watched.agent] = errors.largest;
+  pose_window_.add(sample);
+  sample.error += mesh_error(watched.agent, frame);
+  errors_[watched.agent] = sample.error;
   window_.add(sample);
+}
+
+float ErrorMeter::mesh_error(std::uint32_t agent, const MeasuredFrame& frame) {
+  const auto found = std::ranges::lower_bound(frame.visible, agent, {}, &anim::VisibleAgent::agent);
+  if (found == frame.visible.end() || found->agent != agent) return 0.0F;
+  const std::uint8_t character = frame.crowd.characters()[agent];
+  const int lod = frame.mesh_lods.choose(frame.tuning, character, found->pixels_tall);
+  return frame.mesh_lods.error_px(character, lod, found->pixels_tall);
 }
 
 }  // namespace throng::app

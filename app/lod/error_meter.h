@@ -6,6 +6,7 @@
 
 #include "app/character/source.h"
 #include "app/crowd/crowd.h"
+#include "app/lod/mesh_lods.h"
 #include "app/lod/watched_agents.h"
 #include "app/settings/settings.h"
 #include "engine/anim/agent/animation_system.h"
@@ -15,9 +16,12 @@
 
 namespace throng::app {
 
-/// The crowd, poses and view in which one frame is measured.
+/// The crowd, poses, mesh LODs and view in which one frame is measured.
 struct MeasuredFrame {
+  const Tuning& tuning;
   const Crowd& crowd;
+  std::span<const anim::VisibleAgent> visible;  ///< by ascending agent
+  const MeshLods& mesh_lods;
   const ShownPoses& shown;
   render::CameraView view;
   glm::vec2 size{0.0F};   ///< size of the picture, pixels
@@ -49,10 +53,13 @@ class ErrorMeter {
   /// Hands the written poses over to their slots, and measures. Call it after the update.
   void end_frame(anim::AnimationSystem& system, const MeasuredFrame& frame);
 
-  /// Returns the errors of the last 60 frames, as end_frame() found them.
+  /// Returns the errors of poses and meshes together, over the last 60 frames. All are 0 while nobody is measured.
   const anim::ErrorFigures& figures() const { return figures_; }
   anim::ErrorFigures since_start() const { return window_.since_start(); }
-  /// Returns the error of an agent as measured last, in pixels; below 0 if it was not measured since reset().
+  /// Returns the errors of poses alone, which level of detail decides by.
+  anim::ErrorFigures pose_figures() const { return pose_window_.figures(); }
+  /// Returns the error of an agent's pose and mesh together as measured last, in pixels; below 0 if it was not measured
+  /// since reset().
   float error_of(std::uint32_t agent) const { return errors_[agent]; }
   const anim::SurfacePoints& points(std::size_t character) const { return characters_[character].points; }
 
@@ -68,6 +75,7 @@ class ErrorMeter {
   void choose_whom_to_measure(const anim::AnimationSystem& system, const MeasuredFrame& frame);
   void take(WatchedAgent& watched);
   void measure(WatchedAgent& watched, const anim::PaletteMatrix* exact, const MeasuredFrame& frame);
+  static float mesh_error(std::uint32_t agent, const MeasuredFrame& frame);
 
   std::vector<MeasuredCharacter> characters_;
   std::size_t most_entries_ = 0;
@@ -80,7 +88,8 @@ class ErrorMeter {
   anim::AlignedBytes exact_palettes_;
   std::vector<anim::PaletteMatrix> blended_;
   std::vector<float> errors_;  // [agent]
-  anim::ErrorWindow window_;
+  anim::ErrorWindow window_;   // of poses and meshes together
+  anim::ErrorWindow pose_window_;
   anim::ErrorFigures figures_;
 };
 

@@ -17,11 +17,12 @@ anim::Result<std::filesystem::path> save_bone_lod(const CharacterSource& charact
 
 anim::Result<std::filesystem::path> export_lod(const Show& show, std::size_t index) {
   const CharacterSource& character = show.stage().characters()[index];
-  const auto levels = lod_levels(character, show.painter().triangles_by_lod(index));
+  const auto levels = lod_levels(character);
   const auto height = static_cast<float>(show.height);
   const double pixels_per_unit = static_cast<double>(render::pixels_tall(show.camera, height, 1, 1));
   return KeptFile(character.file, ".lod.export.json", "The level of detail")
-      .write(lod_as_json(character, levels, show.stage().tuning().lod, pixels_per_unit));
+      .write(lod_as_json(character, levels, show.painter().mesh_levels(index), show.stage().tuning().lod,
+                         pixels_per_unit));
 }
 
 }  // namespace throng::app

@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "app/files/data_folder.h"
-#include "engine/render/mesh/mesh_lod.h"
 
 namespace throng::app {
 namespace {
 
 constexpr int software_window_agents = 300;
+constexpr float software_mesh_error = 3.0F;  // of the usual one
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
+constexpr float least_height = 1e-6F;    // metres, of a character
 constexpr float frustum_reach = 120.0F;  // metres
 
 // A single last picture can afford its full quality anywhere.
@@ -66,11 +67,10 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
   if (!data) return data.error();
   const bool modest = is_on_software() && draws_live(options);
   const bool few = is_on_software() && options.context == ContextKind::window && !options.agents_given;
-  mesh_detail_ = modest ? 0.1F : 1.0F;
   spared_ = {.agents = few ? software_window_agents : 0,
              .multisampling = modest && options.msaa < 0,
              .shadows = modest && options.shadows && !options.shadows_given,
-             .mesh_detail = modest && options.tuning.mesh_lod < 0};
+             .mesh_lods = modest && options.tuning.mesh_lod < 0};
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
@@ -99,28 +99,31 @@ void Painter::reset_palette_pages() {
   if (renderer_ != nullptr) renderer_->reset_palette_pages();
 }
 
-anim::Status Painter::load_meshes(const Stage& stage) {
+anim::Status Painter::load_meshes(Stage& stage) {
   if (renderer_ == nullptr) return anim::Done{};
   std::vector<render::CrowdMeshData> meshes;
   for (const CharacterSource& character : stage.characters()) meshes.push_back(mesh_data(character.model));
-  return renderer_->load_characters(meshes);
+  if (anim::Status loaded = renderer_->load_characters(meshes); !loaded) return loaded;
+  if (spared_.mesh_lods) stage.mesh_lods().allow_more(software_mesh_error);
+  for (std::size_t i = 0; i < stage.characters().size(); ++i) {
+    const auto height = static_cast<float>(stage.characters()[i].character->bounds.height);
+    std::vector<float> shares;
+    for (const MeshLevel& level : mesh_levels(i)) shares.push_back(level.error_metres / std::max(height, least_height));
+    stage.mesh_lods().set(i, std::move(shares));
+  }
+  return anim::Done{};
 }
 
-std::span<const std::uint32_t> Painter::triangles_by_lod(std::size_t character) const {
+std::vector<MeshLevel> Painter::mesh_levels(std::size_t character) const {
   if (renderer_ == nullptr) return {};
-  return renderer_->meshes()[character].triangles_by_lod();
+  const render::CrowdMesh& mesh = renderer_->meshes()[character];
+  return app::mesh_levels(mesh.triangles_by_lod(), mesh.error_by_lod());
 }
 
 std::uint64_t Painter::completed_frame(const Stage& stage) {
   if (renderer_ == nullptr) return stage.frame();
   const std::uint64_t drawn = renderer_->fences().poll();
   return renderer_->fences().frames_in_flight() == 0 ? stage.frame() : drawn;
-}
-
-int Painter::pick_mesh_lod(int fixed, std::uint8_t character, float pixels_tall, int at_least) const {
-  const render::CrowdMesh& mesh = renderer_->meshes()[character];
-  if (fixed < 0) return render::pick_mesh_lod(mesh.triangles_by_lod(), pixels_tall, at_least, mesh_detail_);
-  return std::min(fixed, static_cast<int>(mesh.lod_count()) - 1);
 }
 
 render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& view, const Picture& picture) const {
@@ -143,15 +146,11 @@ void Painter::gather_lines(const Stage& stage, const PaintedView& view) {
 }
 
 void Painter::upload(Stage& stage, const PaintedView& view) {
-  picture_.compose(stage, [&](std::uint8_t character, float pixels, int at_least) {
-    return pick_mesh_lod(stage.tuning().mesh_lod, character, pixels, at_least);
-  });
+  picture_.compose(stage);
   gather_lines(stage, view);
   if (!splits(stage.tuning())) return renderer_->upload(crowd_frame(stage, view, picture_));
-  constexpr int full_mesh = 0;
   stage.pose_exactly();
-  exact_picture_.compose(
-      stage, [](std::uint8_t, float, int) { return full_mesh; }, Poses::exact);
+  exact_picture_.compose(stage, Poses::exact);
 }
 
 render::DrawCounts Painter::draw_pictures(const Stage& stage, const PaintedView& view) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "app/character/lod_export.h"
 #include "app/figures/notices.h"
 #include "app/figures/run_figures.h"
 #include "app/settings/settings.h"
@@ -48,9 +49,10 @@ class Painter {
   render::PalettePageSource& palette_pages();
   /// Takes back every palette page, once the stage that had them goes.
   void reset_palette_pages();
-  anim::Status load_meshes(const Stage& stage);
-  /// Returns no triangles where nothing is drawn.
-  std::span<const std::uint32_t> triangles_by_lod(std::size_t character) const;
+  /// Loads the meshes of the stage's characters, and tells the stage the errors of their LODs.
+  anim::Status load_meshes(Stage& stage);
+  /// Returns nothing where nothing is drawn.
+  std::vector<MeshLevel> mesh_levels(std::size_t character) const;
   /// Returns the newest frame of the stage that nothing reads any more.
   std::uint64_t completed_frame(const Stage& stage);
 
@@ -69,7 +71,6 @@ class Painter {
   void upload(Stage& stage, const PaintedView& view);
   render::DrawCounts draw_pictures(const Stage& stage, const PaintedView& view);
   void gather_lines(const Stage& stage, const PaintedView& view);
-  int pick_mesh_lod(int fixed, std::uint8_t character, float pixels_tall, int at_least) const;
 
   std::unique_ptr<render::gl::Context> context_;
   std::unique_ptr<render::Renderer> renderer_;
@@ -80,7 +81,6 @@ class Painter {
   ThresholdsInView thresholds_;
   Spared spared_;
   render::DrawCounts draw_counts_;
-  float mesh_detail_ = 1.0F;
 };
 
 }  // namespace throng::app

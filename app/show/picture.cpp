@@ -11,7 +11,7 @@ constexpr std::uint32_t lods = 4;
 
 }  // namespace
 
-void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod, Poses poses) {
+void Picture::compose(const Stage& stage, Poses poses) {
   entries_.clear();
   const auto characters = static_cast<std::uint32_t>(stage.characters().size());
   const bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
@@ -20,7 +20,7 @@ void Picture::compose(const Stage& stage, const PickMeshLod& mesh_lod, Poses pos
     if (!stage.record(agent, entry.record, poses)) continue;
     const ShownPose& pose = stage.pose_of(agent.agent, poses);
     const std::uint8_t character = stage.crowd().characters()[agent.agent];
-    const int lod = mesh_lod(character, agent.pixels_tall, pose.level());
+    const int lod = poses == Poses::exact ? 0 : stage.mesh_lod(agent);
     entry.run = (pose.to.page * characters + character) * lods + static_cast<std::uint32_t>(lod);
     if (lod_as_color && agent.agent != stage.selected())
       entry.record.debug_color = step_color(lod, static_cast<int>(lods));

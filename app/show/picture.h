@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,10 +13,8 @@ namespace throng::app {
 /// instanced draw shows a run. The runs ascend by page, then by character. Memory is kept from frame to frame.
 class Picture {
  public:
-  /// Sorts the agents. `mesh_lod(character, pixels_tall, at_least)` returns the mesh LOD of an agent of that size.
-  using PickMeshLod = std::function<int(std::uint8_t character, float pixels_tall, int at_least)>;
-
-  void compose(const Stage& stage, const PickMeshLod& mesh_lod, Poses poses = Poses::shown);
+  /// Sorts the agents. Exact poses are drawn with their full meshes.
+  void compose(const Stage& stage, Poses poses = Poses::shown);
 
   std::span<const render::InstanceRecord> instances() const { return instances_; }
   std::span<const render::CrowdBatch> batches() const { return batches_; }

@@ -77,7 +77,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   pose_fallen(last_frame);
   animated_->system().update(lod_.updates());
   measure(camera, size);
-  const anim::ErrorFigures& error = meter_.figures();
+  const anim::ErrorFigures error = meter_.pose_figures();
   lod_.settle(system().figures().report().predicted_nanoseconds,
               error.p99_is_known() ? std::optional(error.p99) : std::nullopt);
   animated_->let_fallen_get_up();
@@ -94,7 +94,10 @@ void Stage::pose_exactly() {
 }
 
 void Stage::measure(const render::Camera& camera, const glm::vec2& size) {
-  meter_.end_frame(animated_->system(), {.crowd = crowd(),
+  meter_.end_frame(animated_->system(), {.tuning = tuning_,
+                                         .crowd = crowd(),
+                                         .visible = selection().visible,
+                                         .mesh_lods = mesh_lods_,
                                          .shown = shown_,
                                          .view = render::view_of(camera, size.x / size.y),
                                          .size = size,

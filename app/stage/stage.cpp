@@ -36,7 +36,8 @@ Stage::Stage(std::vector<CharacterSource> characters, render::PalettePageSource&
       slots_(pages, palette_sizes(characters_)),
       shown_(slots_),
       exact_(slots_),
-      meter_(characters_) {
+      meter_(characters_),
+      mesh_lods_(characters_) {
   learn_level_of_detail();
 }
 
@@ -115,7 +116,7 @@ void Stage::populate(AnimatedCrowd::Clocks clocks) {
 }
 
 anim::LodLimits Stage::limits() const {
-  return {.error_pixels = tuning_.error_px,
+  return {.error_pixels = pose_error_limit(tuning_),
           .budget_nanoseconds = static_cast<double>(tuning_.budget_ms) * nanoseconds_a_millisecond};
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/lod/error_meter.h"
 #include "app/lod/exact_poses.h"
+#include "app/lod/mesh_lods.h"
 #include "app/lod/shown_poses.h"
 #include "app/settings/settings.h"
 #include "app/stage/animated_crowd.h"
@@ -71,9 +72,12 @@ class Stage {
     return poses == Poses::exact ? exact_.pose(agent) : shown_.pose(agent);
   }
 
-  /// Returns the errors on screen that level of detail makes, over the last 60 frames; all 0 while nobody is measured.
-  const anim::ErrorFigures& error() const { return meter_.figures(); }
   const ErrorMeter& error_meter() const { return meter_; }
+  /// Returns the mesh LOD that a visible agent is drawn with.
+  int mesh_lod(const anim::VisibleAgent& agent) const {
+    return mesh_lods_.choose(tuning_, crowd().characters()[agent.agent], agent.pixels_tall);
+  }
+  MeshLods& mesh_lods() { return mesh_lods_; }
 
   const anim::LodSelection& selection() const { return lod_.selection(); }
   const anim::LevelOfDetail& level_of_detail() const { return lod_; }
@@ -110,6 +114,7 @@ class Stage {
   ShownPoses shown_;
   ExactPoses exact_;
   ErrorMeter meter_;
+  MeshLods mesh_lods_;
   anim::LevelOfDetail lod_;
   std::unique_ptr<AnimatedCrowd> animated_;
   std::optional<std::uint32_t> selected_;

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/mat4x3.hpp>
+
 namespace throng::render {
 
 /// Hands a part of a character's surface from app/ to drawing, as plain data. All spans except `indices` describe the
@@ -55,6 +57,9 @@ struct BakedLodData {
   float error = 0.0F;  ///< metres
 };
 
+/// Palettes of poses that stand for all that a character does: [pose][entry].
+using PosedPalettes = std::vector<std::vector<glm::mat4x3>>;
+
 struct CrowdMeshData {
   std::vector<MeshPartData> parts;
   std::vector<BakedLodData> baked_lods;  ///< finest first; if empty, `parts` are simplified
@@ -64,6 +69,7 @@ struct CrowdMeshData {
   /// where the bone is kept, else that of its nearest kept ancestor. [0] is the identity.
   std::vector<std::vector<std::uint16_t>> entry_at_level;
   std::vector<PackingFrameData> packing_frames;  ///< one a palette entry; empty if no slot is ever packed
+  PosedPalettes poses;                           ///< the rest pose first; mesh LODs are measured in them
   std::vector<BoneEndData> bone_ends;  ///< joint and parent of each bone, for CrowdFrame::bones_as_lines; or empty
 };
 

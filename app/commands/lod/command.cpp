@@ -25,14 +25,14 @@ anim::Result<CharacterSource> character_of(const LodOptions& options) {
   return load_character(options.model, options.model, &kept);
 }
 
-anim::Status write_files(const LodOptions& options, const CharacterSource& source,
-                         const std::vector<LodLevel>& levels) {
+anim::Status write_files(const LodOptions& options, const CharacterSource& source, const LodCurve& curve) {
   std::vector<std::pair<std::string, std::string>> files;
-  if (!options.json.empty()) files.emplace_back(options.json, curve_as_json(source, levels, options.pixels));
-  if (!options.plot.empty()) files.emplace_back(options.plot, curve_as_svg(source, levels, options.pixels));
+  if (!options.json.empty()) files.emplace_back(options.json, curve_as_json(source, curve, options.pixels));
+  if (!options.plot.empty()) files.emplace_back(options.plot, curve_as_svg(source, curve, options.pixels));
   const double pixels_per_unit = static_cast<double>(render::pixels_tall({}, exported_height, 1.0F, 1.0F));
   if (!options.export_file.empty()) {
-    files.emplace_back(options.export_file, lod_as_json(source, levels, Tuning().lod, pixels_per_unit));
+    files.emplace_back(options.export_file,
+                       lod_as_json(source, curve.bones, curve.meshes, Tuning().lod, pixels_per_unit));
   }
   for (const auto& [file, text] : files) {
     if (anim::Status written = write_output(file, text); !written) return written;
@@ -45,12 +45,15 @@ anim::Status write_files(const LodOptions& options, const CharacterSource& sourc
 int run_lod(const LodOptions& options) {
   const auto source = character_of(options);
   if (!source) return end_with(exit_job_failed, source.error().message);
-  std::vector<std::uint32_t> triangles;
-  if (source->has_surface()) triangles = render::build_surface(mesh_data(source->model)).triangles_by_lod;
-  std::vector<LodLevel> levels = lod_levels(*source, triangles);
-  if (const auto timed = time_levels(*source, levels); !timed) return end_with(exit_job_failed, timed.error().message);
-  if (options.json != "-") std::fputs(curve_as_text(*source, levels, options.pixels).c_str(), stdout);
-  const anim::Status written = write_files(options, *source, levels);
+  LodCurve curve{.bones = lod_levels(*source), .meshes = {}};
+  if (source->has_surface()) {
+    const render::Surface surface = render::build_surface(mesh_data(source->model));
+    curve.meshes = mesh_levels(surface.triangles_by_lod, surface.error_by_lod);
+  }
+  const auto timed = time_levels(*source, curve.bones);
+  if (!timed) return end_with(exit_job_failed, timed.error().message);
+  if (options.json != "-") std::fputs(curve_as_text(*source, curve, options.pixels).c_str(), stdout);
+  const anim::Status written = write_files(options, *source, curve);
   return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
 }
 

@@ -45,8 +45,21 @@ std::vector<Json> rows_of(const CharacterSource& source, std::span<const LodLeve
                     {"error_mm", level.error_metres * 1000},
                     {"error_px", pixels_of(source, level, pixels)},
                     {"px_tall_for_1_px", within(pixels_tall_for_one_pixel(level, source.character->bounds.height))},
-                    {"triangles", level.triangles},
                     {"pays", pays[i] ? "yes" : "no"}});
+  }
+  return rows;
+}
+
+std::vector<Json> mesh_rows_of(const CharacterSource& source, std::span<const MeshLevel> meshes, int pixels) {
+  const double height = source.character->bounds.height;
+  std::vector<Json> rows;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const auto error = static_cast<double>(meshes[i].error_metres);
+    rows.push_back({{"mesh_level", i},
+                    {"triangles", meshes[i].triangles},
+                    {"error_mm", error * 1000},
+                    {"error_px", height > 0.0 ? error / height * pixels : 0.0},
+                    {"px_tall_for_1_px", error > 0.0 ? Json(height / error) : Json()}});
   }
   return rows;
 }
@@ -121,40 +134,41 @@ std::vector<bool> levels_that_pay(std::span<const LodLevel> levels, double heigh
   return pays;
 }
 
-std::string curve_as_text(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
+std::string curve_as_text(const CharacterSource& source, const LodCurve& curve, int pixels) {
   constexpr std::array columns = {"level",    "bones",    "ns_per_agent",     "ms_10k_agents",
-                                  "error_mm", "error_px", "px_tall_for_1_px", "triangles",
-                                  "pays"};
+                                  "error_mm", "error_px", "px_tall_for_1_px", "pays"};
+  constexpr std::array mesh_columns = {"mesh_level", "triangles", "error_mm", "error_px", "px_tall_for_1_px"};
   char title[80];
   std::snprintf(title, sizeof(title), ", %.2f m; errors at p99, in pixels of one %d pixels tall\n",
                 source.character->bounds.height, pixels);
-  std::string text = source.name + title + figures_as_text(rows_of(source, levels, pixels), columns);
-  for (const std::string& remark : remarks_on(source, levels)) text += remark + "\n";
+  std::string text = source.name + title + figures_as_text(rows_of(source, curve.bones, pixels), columns);
+  text += figures_as_text(mesh_rows_of(source, curve.meshes, pixels), mesh_columns);
+  for (const std::string& remark : remarks_on(source, curve.bones)) text += remark + "\n";
   return text;
 }
 
-std::string curve_as_json(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
-  const Json curve = {{"character", source.name},
-                      {"height_metres", source.character->bounds.height},
-                      {"pixels_tall", pixels},
-                      {"levels", rows_of(source, levels, pixels)},
-                      {"remarks", remarks_on(source, levels)}};
-  return curve.dump(2) + "\n";
+std::string curve_as_json(const CharacterSource& source, const LodCurve& curve, int pixels) {
+  const Json all = {{"character", source.name},
+                    {"height_metres", source.character->bounds.height},
+                    {"pixels_tall", pixels},
+                    {"levels", rows_of(source, curve.bones, pixels)},
+                    {"mesh_levels", mesh_rows_of(source, curve.meshes, pixels)},
+                    {"remarks", remarks_on(source, curve.bones)}};
+  return all.dump(2) + "\n";
 }
 
-std::string curve_as_svg(const CharacterSource& source, std::span<const LodLevel> levels, int pixels) {
-  PlotLine time, triangles, error;
+std::string curve_as_svg(const CharacterSource& source, const LodCurve& curve, int pixels) {
+  const std::vector<LodLevel>& levels = curve.bones;
+  PlotLine time, error;
   time.name = "time, % of all bones";
-  triangles.name = "triangles, % of the full mesh";
   error.name = "error, tenths of a pixel";
   for (std::size_t i = levels.size(); i-- > 0;) {
-    for (PlotLine* line : {&time, &triangles, &error}) line->x.push_back(levels[i].bones);
+    for (PlotLine* line : {&time, &error}) line->x.push_back(levels[i].bones);
     time.y.push_back(100 * levels[i].nanoseconds / levels.front().nanoseconds);
-    triangles.y.push_back(100 * levels[i].mesh_ratio);
     error.y.push_back(10 * pixels_of(source, levels[i], pixels));
   }
   return lines_as_svg(source.name + ": what a bone level saves and shows, " + std::to_string(pixels) + " pixels tall",
-                      "bones kept", "", {time, triangles, error});
+                      "bones kept", "", {time, error});
 }
 
 }  // namespace throng::app

@@ -10,6 +10,12 @@
 
 namespace throng::app {
 
+/// What levels of detail of a character take and show.
+struct LodCurve {
+  std::vector<LodLevel> bones;
+  std::vector<MeshLevel> meshes;
+};
+
 /// Sets LodLevel::nanoseconds to what an agent's update takes at each level on this machine: one PU, a crowd whose
 /// agents blend two clips each, the levels in turns. The error is that of the animation system.
 anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& levels);
@@ -22,14 +28,14 @@ double pixels_tall_for_one_pixel(const LodLevel& level, double height_metres);
 /// is within a pixel of the truth for characters that are still 10 pixels tall. Level 0 always is.
 std::vector<bool> levels_that_pay(std::span<const LodLevel> levels, double height_metres);
 
-/// Writes the curve of bones, time and error as a table for a person, with errors in pixels of a character `pixels`
-/// tall, and a sentence for each level that does not pay.
-std::string curve_as_text(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
+/// Returns a table of bones, time and error and one of triangles and error, for a person. Errors are in pixels of a
+/// character `pixels` tall. A sentence follows for each level that does not pay.
+std::string curve_as_text(const CharacterSource& source, const LodCurve& curve, int pixels);
 
-/// Writes the same as a JSON object.
-std::string curve_as_json(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
+/// Returns the same as a JSON object.
+std::string curve_as_json(const CharacterSource& source, const LodCurve& curve, int pixels);
 
-/// Draws the same as a whole SVG: time and triangles in percent of level 0, and pixels, over the bones kept.
-std::string curve_as_svg(const CharacterSource& source, std::span<const LodLevel> levels, int pixels);
+/// Returns an SVG of the bone levels: time in percent of level 0, and pixels, over the bones kept.
+std::string curve_as_svg(const CharacterSource& source, const LodCurve& curve, int pixels);
 
 }  // namespace throng::app

@@ -108,6 +108,10 @@ std::vector<float> texture_coords_of(std::span<const SurfaceVertex> vertices) {
   return coords;
 }
 
+SkinnedSurfaceView view_of(const Merged& merged) {
+  return {merged.positions, merged.influences, merged.belongs_to, merged.indices, merged.texture_coords};
+}
+
 /// Appends one mesh LOD to the indices of the surface, sorted by the material of each triangle's first vertex. Parts
 /// share no vertices, so only clustering can mix materials in a triangle.
 void append_lod(std::span<const std::uint32_t> lod, std::span<const int> materials, int material_count,
@@ -131,21 +135,25 @@ void append_lod(std::span<const std::uint32_t> lod, std::span<const int> materia
   surface.triangles_by_lod.push_back(static_cast<std::uint32_t>(lod.size() / 3));
 }
 
-void append_baked_lod(const BakedLodData& baked, int material_count, Surface& surface, Merged& merged) {
-  const std::size_t first_index = merged.indices.size();
-  for (const MeshPartData& part : baked.parts) append_part(part, surface, merged);
-  const std::span<const std::uint32_t> indices(merged.indices);
-  append_lod(indices.subspan(first_index), merged.materials, material_count, surface);
-  surface.error_by_lod.push_back(baked.error);
+/// Appends the vertices of baked LODs, and returns the mesh LODs with their errors.
+std::vector<MeshLod> baked_lods(const CrowdMeshData& data, Surface& surface, Merged& merged) {
+  std::vector<MeshLod> lods;
+  const std::size_t full_count = merged.indices.size();
+  lods.push_back({.indices = merged.indices});
+  for (const BakedLodData& baked : data.baked_lods) {
+    const auto first = static_cast<std::ptrdiff_t>(merged.indices.size());
+    for (const MeshPartData& part : baked.parts) append_part(part, surface, merged);
+    lods.push_back({.indices = {merged.indices.begin() + first, merged.indices.end()}});
+  }
+  merged.indices.resize(full_count);
+  const SurfacePaint paint(surface.vertices, merged.materials, data);
+  measure_mesh_lods(lods, MeshErrorMeter(view_of(merged), &paint, data.poses));
+  return lods;
 }
 
-void append_simplified_lods(const Merged& merged, int material_count, Surface& surface) {
-  const SkinnedSurfaceView view{merged.positions, merged.influences, merged.belongs_to, merged.indices,
-                                merged.texture_coords};
-  for (const MeshLod& lod : build_mesh_lods(view)) {
-    append_lod(lod.indices, merged.materials, material_count, surface);
-    surface.error_by_lod.push_back(lod.error);
-  }
+std::vector<MeshLod> simplified_lods(const CrowdMeshData& data, const Surface& surface, const Merged& merged) {
+  const SurfacePaint paint(surface.vertices, merged.materials, data);
+  return build_mesh_lods(view_of(merged), MeshErrorMeter(view_of(merged), &paint, data.poses));
 }
 
 std::vector<PaletteEntries> entries_at(std::span<const PaletteEntries> entries,
@@ -167,17 +175,16 @@ Surface build_surface(const CrowdMeshData& data) {
   Merged merged;
   for (const MeshPartData& part : data.parts) append_part(part, surface, merged);
   surface.vertex_count = static_cast<std::uint32_t>(surface.vertices.size());
-  const auto material_count = static_cast<int>(data.materials.size());
-  if (!data.baked_lods.empty()) {
-    append_lod(merged.indices, merged.materials, material_count, surface);
-    surface.error_by_lod.push_back(0.0F);
-  }
-  for (const BakedLodData& baked : data.baked_lods) append_baked_lod(baked, material_count, surface, merged);
-  append_bone_ends(data.bone_ends, surface, merged);
   if (std::ranges::any_of(data.materials, [](const MaterialData& material) { return material.image >= 0; })) {
     merged.texture_coords = texture_coords_of(surface.vertices);
   }
-  if (data.baked_lods.empty()) append_simplified_lods(merged, material_count, surface);
+  const std::vector<MeshLod> lods =
+      data.baked_lods.empty() ? simplified_lods(data, surface, merged) : baked_lods(data, surface, merged);
+  for (const MeshLod& lod : lods) {
+    append_lod(lod.indices, merged.materials, static_cast<int>(data.materials.size()), surface);
+    surface.error_by_lod.push_back(lod.error);
+  }
+  append_bone_ends(data.bone_ends, surface, merged);
   for (const std::vector<std::uint16_t>& entry_at_level : data.entry_at_level) {
     surface.entries_by_level.push_back(entries_at(merged.palette_entries, entry_at_level));
   }

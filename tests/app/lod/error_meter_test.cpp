@@ -55,9 +55,9 @@ TEST_F(MeasuredStage, SeesNoErrorWithoutLevelOfDetail) {
   tuning.lod.rule = anim::LodRule::off;
   tuning.lod.bone_lod = tuning.lod.smooth = false;
   pass(tuning, 90);
-  EXPECT_GT(stage_->error().samples, 1000U);
-  EXPECT_EQ(stage_->error().max, 0.0F);
-  EXPECT_EQ(stage_->error().pop_max, 0.0F);
+  EXPECT_GT(stage_->error_meter().figures().samples, 1000U);
+  EXPECT_EQ(stage_->error_meter().figures().max, 0.0F);
+  EXPECT_EQ(stage_->error_meter().figures().pop_max, 0.0F);
 }
 
 TEST_F(MeasuredStage, SeesMoreTheLongerUpdatesAreSkipped) {
@@ -69,8 +69,8 @@ TEST_F(MeasuredStage, SeesMoreTheLongerUpdatesAreSkipped) {
   for (const int interval : {2, 4, 8}) {
     tuning.lod.largest_interval = interval;
     pass(tuning, 90);
-    EXPECT_GT(stage_->error().p99, 1.5F * before) << interval;
-    before = stage_->error().p99;
+    EXPECT_GT(stage_->error_meter().figures().p99, 1.5F * before) << interval;
+    before = stage_->error_meter().figures().p99;
   }
 }
 
@@ -79,11 +79,11 @@ TEST_F(MeasuredStage, SeesMoreWherePosesAreHeldThanWhereTheyBlend) {
   tuning.lod.full_rate_distance = tuning.lod.interval_growth = 1.0F;
   tuning.lod.bone_lod = false;
   pass(tuning, 90);
-  const anim::ErrorFigures smooth = stage_->error();
+  const anim::ErrorFigures smooth = stage_->error_meter().figures();
   tuning.lod.smooth = false;
   pass(tuning, 90);
-  EXPECT_GT(stage_->error().p99, 3.0F * smooth.p99);
-  EXPECT_GT(stage_->error().pop_max, 3.0F * smooth.pop_max);
+  EXPECT_GT(stage_->error_meter().figures().p99, 3.0F * smooth.p99);
+  EXPECT_GT(stage_->error_meter().figures().pop_max, 3.0F * smooth.pop_max);
 }
 
 TEST_F(MeasuredStage, SeesBonesThatAreLeftOut) {
@@ -92,7 +92,7 @@ TEST_F(MeasuredStage, SeesBonesThatAreLeftOut) {
   tuning.placed_feet = false;
   std::ranges::fill(tuning.lod.level_distances, 0.1F);
   pass(tuning, 30);
-  EXPECT_GT(stage_->error().p50, 0.5F);
+  EXPECT_GT(stage_->error_meter().figures().p50, 0.5F);
 }
 
 TEST_F(MeasuredStage, PosesAlikeWhoeverIsMeasured) {
@@ -111,7 +111,7 @@ TEST_F(MeasuredStage, MeasuresNobodyWhereItIsOff) {
   Tuning tuning = measured();
   tuning.error_sample = ErrorSampling::off;
   pass(tuning, 30);
-  EXPECT_EQ(stage_->error().samples, 0U);
+  EXPECT_EQ(stage_->error_meter().figures().samples, 0U);
 }
 
 TEST_F(MeasuredStage, MeasuresEverybodyWhereErrorsAreColours) {
@@ -129,9 +129,9 @@ TEST_F(MeasuredStage, TakesFewOfManyForAsLittleAsTheyCost) {
   tuning.agents = 600;
   tuning.error_sample = ErrorSampling::some;
   pass(tuning, 120);
-  EXPECT_GT(stage_->error().samples, 40U);
-  EXPECT_LT(stage_->error().samples, 60U * WatchedAgents::few);
-  EXPECT_GT(stage_->error().pop_max, 0.0F);
+  EXPECT_GT(stage_->error_meter().figures().samples, 40U);
+  EXPECT_LT(stage_->error_meter().figures().samples, 60U * WatchedAgents::few);
+  EXPECT_GT(stage_->error_meter().figures().pop_max, 0.0F);
 }
 
 /// One agent of which the meter is shown a palette that is wrong.

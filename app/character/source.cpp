@@ -173,7 +173,6 @@ render::CrowdMeshData mesh_data(const anim::Model& model) {
   for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_data(mesh));
   for (const anim::BakedMeshLod& lod : model.mesh_lods) {
     render::BakedLodData& baked = data.baked_lods.emplace_back();
-    baked.error = static_cast<float>(lod.error);
     for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_data(mesh));
   }
   for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));

@@ -57,7 +57,7 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
 bool Show::place_camera(const DemoOptions& options, StartError& error) {
   const Tuning& tuning = stage_->tuning();
   const auto agents = static_cast<std::size_t>(tuning.agents);
-  const auto cameras = scene_cameras(tuning.scene, agents, stage_->common_roles());
+  const auto cameras = scene_cameras(tuning.scene, agents, common_roles(roles_of(stage_->characters())));
   const NamedCamera* named = find_camera(cameras, options.camera_name);
   if (named == nullptr) {
     std::vector<std::string> names;

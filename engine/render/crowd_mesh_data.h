@@ -54,7 +54,6 @@ struct PackingFrameData {
 /// A coarser surface that comes with the character.
 struct BakedLodData {
   std::vector<MeshPartData> parts;
-  float error = 0.0F;  ///< metres
 };
 
 /// Palettes of poses that stand for all that a character does: [pose][entry].

@@ -19,6 +19,12 @@ glm::vec4 as_seen(const glm::vec4& linear) {
   return {glm::sqrt(glm::max(glm::vec3(linear), glm::vec3(0.0F))), linear.a};
 }
 
+/// Returns the texel of a repeated texture; the first for a coordinate that is no number.
+int texel_at(float coordinate, int size) {
+  const float wrapped = coordinate - std::floor(coordinate);
+  return wrapped >= 0.0F ? std::min(static_cast<int>(wrapped * static_cast<float>(size)), size - 1) : 0;
+}
+
 }  // namespace
 
 bool look_alike(const PointLook& a, const PointLook& b) {
@@ -68,11 +74,8 @@ PointLook SurfacePaint::look(const SurfacePoint& point) const {
   color = as_seen(color);
   if (material.image >= 0) {
     const Texture& texture = textures_[static_cast<std::size_t>(material.image)];
-    const glm::vec2 wrapped = place - glm::floor(place);
-    const auto x = std::min(static_cast<int>(wrapped.x * static_cast<float>(texture.width)), texture.width - 1);
-    const auto y = std::min(static_cast<int>(wrapped.y * static_cast<float>(texture.height)), texture.height - 1);
-    const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width);
-    color *= glm::vec4(texture.texels[index + static_cast<std::size_t>(x)]) / 255.0F;
+    const int index = texel_at(place.y, texture.height) * texture.width + texel_at(place.x, texture.width);
+    color *= glm::vec4(texture.texels[static_cast<std::size_t>(index)]) / 255.0F;
   }
   return {.color = glm::vec3(color),
           .region = vertices_[point.vertices[0]].region,

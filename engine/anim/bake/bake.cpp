@@ -87,9 +87,9 @@ void bake_sampled_stream(BakedClip& baked, const SampleSource& source, const Sta
 
 BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const Clip& clip, const BakeOptions& options) {
   const double size = proxy.height / tall_person;
-  StateClip state = to_state_space(skeleton, clip);
+  StateClip state = to_state_space(skeleton, clip, options.as_in_the_file ? 0.0 : clip.start);
   const std::vector<Ticks> keys = key_times(state);
-  const std::optional<KeyGrid> grid = keys.empty() ? std::nullopt : find_grid(keys);
+  const std::optional<KeyGrid> grid = keys.empty() ? std::nullopt : find_grid(keys, state.start);
 
   BakedClip baked;
   baked.name = clip.name;
@@ -116,10 +116,15 @@ std::uint32_t intern(std::vector<std::string>& names, const std::string& name) {
   return index;
 }
 
-/// Returns the file's data keys, or footsteps for a loop that has none.
-std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked) {
-  if (!clip.data_keys.empty() || !baked.loops) return clip.data_keys;
-  return find_footsteps(character.skeleton, baked.keyframe(), character.height);
+/// Returns the file's data keys in the time of the baked clip, or footsteps for a loop that has none.
+std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked,
+                                       const BakeOptions& options) {
+  if (clip.data_keys.empty() && baked.loops) {
+    return find_footsteps(character.skeleton, baked.keyframe(), character.height);
+  }
+  std::vector<NamedDataKey> keys = clip.data_keys;
+  for (NamedDataKey& key : keys) key.time -= options.as_in_the_file ? 0.0 : clip.start;
+  return keys;
 }
 
 /// Data keys get the numbers of their names one clip after the other, so that no thread decides them.
@@ -147,7 +152,7 @@ Character bake_character(const Model& model, const BakeOptions& options) {
   const auto bake = [&](std::size_t clip) {
     BakedClip& baked = character.clips[clip];
     baked = bake_clip(character.skeleton, proxy, clips[clip], options);
-    data_keys[clip] = data_keys_of(character, clips[clip], baked);
+    data_keys[clip] = data_keys_of(character, clips[clip], baked, options);
     character.skip_errors[clip] = measure_skip_error(character.skeleton, proxy, baked, clips.size());
   };
   const std::function<void()> surveys[] = {[&] { character.bone_lod = measure_bone_lod(model); },

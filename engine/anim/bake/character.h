@@ -45,6 +45,8 @@ struct BakedClip {
 
 struct BakeOptions {
   bool take_root_motion = true;  ///< remove the ground-plane travel of the root from the pose (off for `pose`)
+  /// Time 0 is the file's, not that of the clip's first key (for `pose`).
+  bool as_in_the_file = false;
 };
 
 /// A baked skeleton with its clips, and all that is measured on them. Read-only while agents play it.

@@ -97,7 +97,8 @@ void bake_sampled_stream(BakedClip& baked, const SampleSource& source, const Sta
   if (!clip.tracks.empty() && !grid) return play_from_keys("its keys lie on no grid of up to 120 Hz");
   SampledBake bake = clip.tracks.empty() ? bake_still(source) : bake_sampled(source, *grid, last_key);
   if (!bake.block && std::isinf(bake.error)) return play_from_keys("it is too long, or turns too fast, to be sampled");
-  if (!bake.block) return play_from_keys("sampled at up to 240 Hz it would be " + in_millimetres(bake.error) + " off");
+  if (!bake.block)
+    return play_from_keys("sampled at up to 240 Hz it would be at least " + in_millimetres(bake.error) + " off");
   baked.sampled_block = std::move(bake.block);
   baked.sampled_rate = bake.rate;
   baked.sampled_rounding = bake.rounding;

@@ -187,6 +187,7 @@ double measure_error(const SampleSource& source, const SampledStream& stream) {
     double& of_row = of_rows[static_cast<std::size_t>(row)];
     for (const double probe : probes) of_row = std::max(of_row, meter.behind(row, probe));
     largest = std::max(largest, of_row);
+    if (largest > hopeless * source.error_bound) return largest;
   }
   double error = largest;
   for (int row = 0; row < stream.row_count; ++row) {

@@ -25,7 +25,7 @@ struct SampleSource {
 struct SampledBake {
   AlignedBytes block;  ///< null if no rate keeps to the bound, or the clip is too long for any
   double rate = 0.0;   ///< Hz
-  double error = 0.0;  ///< metres; without a block the least of all rates, infinite if none was tried
+  double error = 0.0;  ///< metres; without a block at most that of the best rate, infinite if none was tried
   Rounding rounding = Rounding::nearest;
 };
 
@@ -43,7 +43,8 @@ SampledBake bake_still(const SampleSource& source);
 AlignedBytes sample_as(const SampleSource& source, const SampledStream& stream, Rounding rounding);
 
 /// Returns the largest distance on the proxy between the two streams: on every row, at several times between rows, many
-/// around the worst, and on both sides of every step. It counts what the rounding of times between rows may add.
+/// around the worst, and on both sides of every step. It counts what the rounding of times between rows may add. Stops
+/// early, with what it has found, where that is many times the bound.
 double measure_error(const SampleSource& source, const SampledStream& stream);
 
 }  // namespace throng::anim

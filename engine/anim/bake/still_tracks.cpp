@@ -14,6 +14,35 @@ namespace {
 /// Of the height. Every bone carries something so long: a hand without a vertex of its own may hold a sword.
 constexpr double least_reach = 0.1;
 
+/// Returns how far a track leads from its first key at most, in its own units. A CUBICSPLINE segment lies inside of its
+/// Bezier points, which are its keys and a third of each tangent beyond them.
+double farthest_from_first(const StateTrack& track) {
+  const glm::dvec4 first = track.keys.front().value;
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < track.keys.size(); ++k) {
+    const StateKey& key = track.keys[k];
+    const auto seconds_to = [&](std::size_t other) { return std::abs(to_seconds(track.keys[other].time - key.time)); };
+    const glm::dvec4 before = k > 0 ? key.in_tangent * seconds_to(k - 1) / 3.0 : glm::dvec4(0.0);
+    const glm::dvec4 after = k + 1 < track.keys.size() ? key.out_tangent * seconds_to(k + 1) / 3.0 : glm::dvec4(0.0);
+    for (const glm::dvec4& point : {key.value, key.value - before, key.value + after}) {
+      farthest = std::max(farthest, glm::distance(point, first));
+    }
+  }
+  return farthest;
+}
+
+/// Returns the pose of the first keys, but with every bone as large as it ever is: what a small scale hides at first
+/// may turn when it is large.
+StateClip at_its_largest(const StateClip& clip) {
+  StateClip large{.duration = 0, .components = clip.components, .constants = clip.constants, .tracks = {}};
+  for (const StateTrack& track : clip.tracks) {
+    if (track.channel != KeyChannel::scale) continue;
+    glm::dvec3& scale = large.constants[static_cast<std::size_t>(track.bone)].scale;
+    for (const StateKey& key : track.keys) scale = glm::max(glm::abs(scale), glm::abs(glm::dvec3(key.value)));
+  }
+  return large;
+}
+
 /// How far tracks move what their bones carry. Limbs count as stretched out, so that it holds for every pose.
 class Levers {
  public:
@@ -22,19 +51,20 @@ class Levers {
         clip_(clip),
         frames_(skeleton.bones.size()),
         reach_(skeleton.bones.size(), least_reach * proxy.height) {
-    const AlignedBytes stream =
-        pack_keyframe_stream({.duration = 0, .components = clip.components, .constants = clip.constants, .tracks = {}});
+    const AlignedBytes stream = pack_keyframe_stream(at_its_largest(clip));
     ExactPoses poses(*reinterpret_cast<const KeyframeStream*>(stream.get()));
     compute_frames(skeleton, poses.at(0), frames_);
     for (const SurfacePoint& point : proxy.points) {
       double& reach = reach_[static_cast<std::size_t>(point.bone)];
       reach = std::max(reach, glm::length(frame(point.bone).axes * point.offset));
     }
+    const std::vector<double> travel = travel_of_bones();
     for (int bone = skeleton.bone_count() - 1; bone >= 0; --bone) {
       const int parent = parent_of(bone);
       if (parent < 0) continue;
       double& reach = reach_[static_cast<std::size_t>(parent)];
-      reach = std::max(reach, glm::distance(frame(bone).origin, frame(parent).origin) + reach_of(bone));
+      const double lever = glm::distance(frame(bone).origin, frame(parent).origin);
+      reach = std::max(reach, lever + travel[static_cast<std::size_t>(bone)] + reach_of(bone));
     }
   }
 
@@ -69,23 +99,14 @@ class Levers {
     return std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
   }
 
-  /// A CUBICSPLINE segment lies inside of its Bezier points, which are its keys and a third of each tangent beyond
-  /// them.
-  static double farthest_from_first(const StateTrack& track) {
-    const glm::dvec4 first = track.keys.front().value;
-    double farthest = 0.0;
-    for (std::size_t k = 0; k < track.keys.size(); ++k) {
-      const StateKey& key = track.keys[k];
-      const auto seconds_to = [&](std::size_t other) {
-        return std::abs(to_seconds(track.keys[other].time - key.time));
-      };
-      const glm::dvec4 before = k > 0 ? key.in_tangent * seconds_to(k - 1) / 3.0 : glm::dvec4(0.0);
-      const glm::dvec4 after = k + 1 < track.keys.size() ? key.out_tangent * seconds_to(k + 1) / 3.0 : glm::dvec4(0.0);
-      for (const glm::dvec4& point : {key.value, key.value - before, key.value + after}) {
-        farthest = std::max(farthest, glm::distance(point, first));
-      }
+  /// Returns how far each bone moves from where its first key puts it.
+  std::vector<double> travel_of_bones() const {
+    std::vector<double> travel(skeleton_.bones.size(), 0.0);
+    for (const StateTrack& track : clip_.tracks) {
+      if (track.channel != KeyChannel::position) continue;
+      travel[static_cast<std::size_t>(track.bone)] = farthest_from_first(track) * carrying_scale(track.bone);
     }
-    return farthest;
+    return travel;
   }
 
   const Skeleton& skeleton_;

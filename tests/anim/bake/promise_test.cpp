@@ -102,7 +102,7 @@ TEST(Promise, IsKeptFromKeysWhereNoRateDoes) {
   const Character character = bake_character(model);
   const BakedClip& clip = character.clips.front();
   EXPECT_EQ(clip.sampled(), nullptr);
-  EXPECT_THAT(clip.note, HasSubstr("sampled at up to 240 Hz it would be"));
+  EXPECT_THAT(clip.note, HasSubstr("sampled at up to 240 Hz it would be at least"));
   EXPECT_LE(error_by_definition(model, model.clips.front(), clip, 4000), 0.01 * clip.error_bound);
 }
 

@@ -141,7 +141,10 @@ double hold_still_tracks(const Skeleton& skeleton, const SurfaceProxy& proxy, do
   const Levers levers(skeleton, proxy, clip);
   std::vector<double> motions;
   motions.reserve(clip.tracks.size());
-  for (const StateTrack& track : clip.tracks) motions.push_back(levers.motion(track));
+  for (const StateTrack& track : clip.tracks) {
+    const double motion = levers.motion(track);
+    motions.push_back(std::isnan(motion) ? std::numeric_limits<double>::infinity() : motion);  // scales may overflow
+  }
   std::vector<std::size_t> by_motion(motions.size());
   std::iota(by_motion.begin(), by_motion.end(), std::size_t{0});
   std::ranges::stable_sort(by_motion, {}, [&](std::size_t track) { return motions[track]; });

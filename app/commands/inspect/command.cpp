@@ -54,7 +54,7 @@ void write_model(std::ostream& out, const anim::Model& model) {
   }
   for (std::size_t i = 0; i < model.clips.size(); ++i) {
     const anim::Clip& clip = model.clips[i];
-    out << "  clip " << clip.animation << " \"" << clip.name << "\": " << clip.duration << " s, " << clip.tracks.size()
+    out << "  clip " << clip.animation << " \"" << clip.name << "\": " << clip.length() << " s, " << clip.tracks.size()
         << " bones animated\n";
     write_streams(out, baked.clips[i]);
   }

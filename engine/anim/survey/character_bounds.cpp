@@ -66,7 +66,8 @@ CharacterBounds measure_bounds(const Model& model) {
   bounds.reach = reach_of(positions_in(rest, points), glm::dvec3(0.0), bounds.height);
   for (const Clip& clip : model.clips) {
     for (int i = 0; i <= samples_per_clip; ++i) {
-      const ReferencePose pose = reference_pose(model.skeleton, &clip, clip.duration * i / samples_per_clip);
+      const double seconds = clip.start + clip.length() * i / samples_per_clip;
+      const ReferencePose pose = reference_pose(model.skeleton, &clip, seconds);
       glm::dvec3 travel = glm::dvec3(pose.globals[0][3] - rest.globals[0][3]);
       travel.y = 0.0;
       bounds.reach = std::max(bounds.reach, reach_of(positions_in(pose, points), travel, bounds.height));

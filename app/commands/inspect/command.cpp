@@ -129,7 +129,7 @@ Json materials_json(const anim::Model& model) {
     const auto& color = material.base_color;
     materials.push_back({{"base_color", Json::array({color.r, color.g, color.b, color.a})},
                          {"double_sided", material.double_sided},
-                         {"image", material.image},
+                         {"image", material.base_color_texture.image},
                          {"name", material.name}});
   }
   return materials;

@@ -14,7 +14,8 @@ namespace {
 constexpr int largest_texture = 512;  // texels a side: 3 mm of a person's skin
 constexpr float alike = 0.2F;         // of a color's channel
 constexpr float full_color = 65535.0F;
-constexpr float least_seen = 0.1F;  // alpha of what is blended; less is as good as nothing
+constexpr float least_seen = 0.1F;    // alpha of what is blended; less is as good as nothing
+constexpr float least_hiding = 0.9F;  // alpha of what is blended; more hides what is behind it
 
 // A square root is near enough to the curve of sRGB, whose values textures have.
 glm::vec4 as_seen(const glm::vec4& linear) {
@@ -103,7 +104,8 @@ PointLook SurfacePaint::look(const SurfacePoint& point) const {
   return {.color = glm::sqrt(glm::vec3(color) * glm::vec3(color) + shining * shining),
           .region = surface_.vertices[point.vertices[0]].region,
           .double_sided = material.double_sided,
-          .cut_out = color.a < (material.blended ? least_seen : material.alpha_cutoff)};
+          .cut_out = color.a < (material.blended ? least_seen : material.alpha_cutoff),
+          .seen_through = color.a < (material.blended ? least_hiding : material.alpha_cutoff)};
 }
 
 }  // namespace throng::render

@@ -25,7 +25,8 @@ struct PointLook {
   glm::vec3 color{1.0F};  ///< square roots of linear values, about as bright as they look
   std::uint8_t region = untinted_region;
   bool double_sided = false;
-  bool cut_out = false;  ///< nothing is seen
+  bool cut_out = false;       ///< nothing is seen
+  bool seen_through = false;  ///< what is behind is seen, too
 };
 
 /// Returns whether a person can hardly tell the points apart by their colours.

@@ -29,7 +29,7 @@ struct Skin {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;  ///< width * height * 4, sRGB, top row first
+  std::vector<std::uint8_t> rgba;  ///< width * height * 4, top row first; sRGB where it is a colour
 };
 
 /// What a texture shows beyond 0..1. The numbers are those of glTF 2.0, 5.26, and of OpenGL.

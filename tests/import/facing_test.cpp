@@ -102,7 +102,7 @@ double drawn_volume(const anim::Model& model) {
 json mirrored_document() {
   json document = read_json(data_path("features/data-uri.gltf"));
   document["nodes"].push_back({{"scale", {-1, 1, 1}}, {"children", document["scenes"][0]["nodes"]}});
-  document["scenes"][0]["nodes"] = {document["nodes"].size() - 1};
+  document["scenes"][0]["nodes"] = json::array({document["nodes"].size() - 1});
   return document;
 }
 

@@ -39,8 +39,8 @@ json document_with(const json& material, const std::string& image = png) {
   primitive["attributes"]["TEXCOORD_1"] = accessor + 1;
   primitive["material"] = 0;
   document["materials"] = json::array({material});
-  document["textures"] = json::array({{{"source", 0}}});
-  document["images"] = json::array({{{"uri", image}}});
+  document["textures"] = json::array({json::object({{"source", 0}})});
+  document["images"] = json::array({json::object({{"uri", image}})});
   return document;
 }
 
@@ -142,7 +142,7 @@ TEST(Textures, WithoutTheirCoordinatesAreReported) {
 
 TEST(Textures, WrapAndFilterAsTheirSamplerSays) {
   json document = document_with(with_base_texture({{"index", 0}}));
-  document["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9984}}};
+  document["samplers"] = json::array({{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9984}}});
   document["textures"][0]["sampler"] = 0;
   const anim::Texture texture = material_of(document).base_color_texture;
   EXPECT_EQ(texture.wrap_u, anim::Wrap::clamp);
@@ -153,7 +153,7 @@ TEST(Textures, WrapAndFilterAsTheirSamplerSays) {
 
 TEST(Textures, WhoseSamplerHasAnUnknownNumberRepeatAndSaySo) {
   json document = document_with(with_base_texture({{"index", 0}}));
-  document["samplers"] = {{{"wrapS", 7}}};
+  document["samplers"] = json::array({json::object({{"wrapS", 7}})});
   document["textures"][0]["sampler"] = 0;
   const anim::ImportedFile file = imported(document);
   EXPECT_THAT(file.repairs, ElementsAre(HasSubstr("sampler 0: a filter or wrap of it is unknown")));
@@ -171,14 +171,14 @@ TEST(Images, AreDecodedByWhatTheyAre) {
 
 TEST(Images, InWebPMayBeRequired) {
   json document = document_with(with_base_texture({{"index", 0}}), webp);
-  document["extensionsRequired"] = {"EXT_texture_webp"};
+  document["extensionsRequired"] = json::array({"EXT_texture_webp"});
   document["textures"][0] = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
   EXPECT_THAT(imported(document).models.at(0).images, SizeIs(1));
 }
 
 TEST(Images, BesideABrokenOneAreShownInItsPlace) {
   json document = document_with(with_base_texture({{"index", 0}}), "missing.webp");
-  document["images"].push_back({{"uri", png}});
+  document["images"].push_back(json::object({{"uri", png}}));
   document["textures"][0] = {{"source", 1}, {"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
   const anim::ImportedFile file = imported(document);
   EXPECT_THAT(file.models.at(0).images, SizeIs(1));
@@ -188,8 +188,8 @@ TEST(Images, BesideABrokenOneAreShownInItsPlace) {
 
 TEST(Images, InKtx2AreReplacedByThePngBesideThem) {
   json document = document_with(with_base_texture({{"index", 0}}));
-  document["images"].push_back({{"uri", ktx2}});
-  document["extensionsRequired"] = {"KHR_texture_basisu"};
+  document["images"].push_back(json::object({{"uri", ktx2}}));
+  document["extensionsRequired"] = json::array({"KHR_texture_basisu"});
   document["textures"][0]["extensions"] = {{"KHR_texture_basisu", {{"source", 1}}}};
   const anim::ImportedFile file = imported(document);
   EXPECT_THAT(file.repairs, IsEmpty());
@@ -202,7 +202,7 @@ TEST(Images, InKtx2AloneLeaveTheBaseColorAndSaySo) {
   const anim::ImportedFile file = imported(document);
   EXPECT_THAT(file.repairs, ElementsAre(HasSubstr("texture 0: has KTX2, which is not decoded, and no PNG or JPEG")));
   EXPECT_EQ(file.models.at(0).materials.at(0).base_color_texture.image, -1);
-  document["textures"][0] = {{"source", 0}};
+  document["textures"][0] = json::object({{"source", 0}});
   EXPECT_THAT(imported(document).repairs, ElementsAre(HasSubstr("it is KTX2, which is not decoded")));
 }
 

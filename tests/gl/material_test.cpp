@@ -39,6 +39,7 @@ class Material : public SoftwareGlTest {
     CrowdMeshData doll = crowd_->doll().mesh_data();
     doll.parts[0].regions = {};  // no tints
     doll.parts[0].texture_coords = coords_;
+    doll.parts[0].emission_coords = emission_coords_;
     doll.images = {{2, 1, red_and_blue}};
     doll.materials = {material};
     const std::vector<CrowdMeshData> dolls(2, doll);
@@ -54,14 +55,21 @@ class Material : public SoftwareGlTest {
   DollCrowd& crowd() { return *crowd_; }
 
   /// Lets every vertex read the texture at `u`.
-  void read_texture_at(float u) {
-    coords_.clear();
-    for (std::size_t i = 0; i < crowd_->doll().vertex_count(); ++i) coords_.insert(coords_.end(), {u, 0.5F});
-  }
+  void read_texture_at(float u) { coords_ = coords_at(u); }
+
+  /// Lets every vertex read the emission's texture at a place of its own.
+  void read_emission_at(float u) { emission_coords_ = coords_at(u); }
 
  private:
+  std::vector<float> coords_at(float u) const {
+    std::vector<float> coords;
+    for (std::size_t i = 0; i < crowd_->doll().vertex_count(); ++i) coords.insert(coords.end(), {u, 0.5F});
+    return coords;
+  }
+
   std::unique_ptr<DollCrowd> crowd_;
   std::vector<float> coords_;
+  std::vector<float> emission_coords_;
 };
 
 /// The colour of the picture's middle.
@@ -134,6 +142,8 @@ TEST_F(Material, ThatShinesShowsItsEmissionOnBlack) {
   EXPECT_LT(red[2], 90) << "no more than the light of the sky on black";
   read_texture_at(0.75F);
   EXPECT_LT(middle(picture(material))[0], 90) << "the texture is blue there";
+  read_emission_at(0.25F);
+  EXPECT_EQ(middle(picture(material)), red) << "which the emission need not share with the base colour";
 }
 
 TEST_F(Material, WrapsItsTextureAsItsSamplerSays) {

@@ -53,10 +53,23 @@ std::span<const Float> flat(const std::vector<Vector>& vectors) {
   return {reinterpret_cast<const Float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(Float)};
 }
 
-render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
+std::span<const float> coords_of(const anim::SkinnedMesh& mesh, const anim::Texture& texture) {
+  if (texture.image < 0) return {};
+  return flat<float>(mesh.texture_coords[static_cast<std::size_t>(texture.coords)]);
+}
+
+// Returns none where the base colour has the same.
+std::span<const float> emission_coords_of(const anim::SkinnedMesh& mesh, const anim::Material& material) {
+  const anim::Texture& base_color = material.base_color_texture;
+  if (base_color.image >= 0 && base_color.coords == material.emission_texture.coords) return {};
+  return coords_of(mesh, material.emission_texture);
+}
+
+render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material) {
   return {.positions = flat<float>(mesh.positions),
           .normals = flat<float>(mesh.normals),
-          .texture_coords = flat<float>(mesh.texture_coords),
+          .texture_coords = coords_of(mesh, material.base_color_texture),
+          .emission_coords = emission_coords_of(mesh, material),
           .colors = flat<float>(mesh.colors),
           .regions = mesh.regions,
           .shapes = flat<float>(mesh.shapes),
@@ -67,11 +80,25 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
           .material = mesh.material};
 }
 
+render::TextureData texture_data(const anim::Texture& texture) {
+  return {.image = texture.image,
+          .wrap_u = static_cast<int>(texture.wrap_u),
+          .wrap_v = static_cast<int>(texture.wrap_v),
+          .magnified = static_cast<int>(texture.magnified),
+          .minified = static_cast<int>(texture.minified)};
+}
+
 render::MaterialData material_data(const anim::Material& material) {
-  render::MaterialData data{
-      .image = material.image, .double_sided = material.double_sided, .alpha_cutoff = material.alpha_cutoff};
-  for (int i = 0; i < 4; ++i) data.base_color[i] = material.base_color[i];
-  return data;
+  const glm::vec4& color = material.base_color;
+  const glm::vec3& emission = material.emission;
+  return {.base_color = {color.r, color.g, color.b, color.a},
+          .base_color_texture = texture_data(material.base_color_texture),
+          .emission = {emission.r, emission.g, emission.b},
+          .emission_texture = texture_data(material.emission_texture),
+          .unlit = material.unlit,
+          .double_sided = material.double_sided,
+          .blended = material.blended,
+          .alpha_cutoff = material.alpha_cutoff};
 }
 
 // What a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.
@@ -170,10 +197,13 @@ std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& 
 
 render::CrowdMeshData mesh_data(const anim::Model& model) {
   render::CrowdMeshData data;
-  for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_data(mesh));
+  const auto part_of = [&model](const anim::SkinnedMesh& mesh) {
+    return part_data(mesh, model.materials[static_cast<std::size_t>(mesh.material)]);
+  };
+  for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_of(mesh));
   for (const anim::BakedMeshLod& lod : model.mesh_lods) {
     render::BakedLodData& baked = data.baked_lods.emplace_back();
-    for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_data(mesh));
+    for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_of(mesh));
   }
   for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));
   for (const anim::Image& image : model.images) {

@@ -62,7 +62,9 @@ struct Scene {
     const std::vector<int> materials(vertices.size(), 0);
     CrowdMeshData data;
     data.materials.resize(1);
-    const SurfacePaint paint(vertices, materials, data);
+    Surface surface;
+    surface.vertices = vertices;
+    const SurfacePaint paint(surface, materials, data);
     const SkinnedSurfaceView view{positions, influences, belongs_to, fine, {}};
     return MeshErrorMeter(view, &paint, poses).error_of(other);
   }

@@ -127,10 +127,16 @@ Json materials_json(const anim::Model& model) {
   Json materials = Json::array();
   for (const anim::Material& material : model.materials) {
     const auto& color = material.base_color;
-    materials.push_back({{"base_color", Json::array({color.r, color.g, color.b, color.a})},
+    const auto& emission = material.emission;
+    materials.push_back({{"alpha_cutoff", material.alpha_cutoff},
+                         {"base_color", Json::array({color.r, color.g, color.b, color.a})},
+                         {"blended", material.blended},
                          {"double_sided", material.double_sided},
-                         {"image", material.image},
-                         {"name", material.name}});
+                         {"emission", Json::array({emission.r, emission.g, emission.b})},
+                         {"emission_image", material.emission_texture.image},
+                         {"image", material.base_color_texture.image},
+                         {"name", material.name},
+                         {"unlit", material.unlit}});
   }
   return materials;
 }

@@ -87,7 +87,7 @@ Document load_document(const std::filesystem::path& path) {
   document.data_keys = take_data_keys(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
   document.buffer_views = load_buffer_views(json_document, parts.binary, document.folder);
-  for (const char* key : {"buffers", "cameras", "samplers", "extensions", "extensionsUsed", "extensionsRequired"}) {
+  for (const char* key : {"buffers", "cameras", "extensions", "extensionsUsed", "extensionsRequired"}) {
     json_document.erase(key);
   }
   document.gltf = map_document(json_document);

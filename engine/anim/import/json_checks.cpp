@@ -60,6 +60,7 @@ constexpr auto properties = std::to_array<Property>({
     {"document", "materials", Kind::objects, "material"},
     {"document", "textures", Kind::objects, "texture"},
     {"document", "images", Kind::objects, "image"},
+    {"document", "samplers", Kind::objects, "texture sampler"},
     {"document", "extensionsRequired", Kind::texts},
 
     {"asset", "version", Kind::text, {}, 0, required},
@@ -151,19 +152,59 @@ constexpr auto properties = std::to_array<Property>({
     {"material", "doubleSided", Kind::flag},
     {"material", "alphaMode", Kind::choice, "OPAQUE|MASK|BLEND"},
     {"material", "alphaCutoff", Kind::number},
+    {"material", "emissiveFactor", Kind::numbers, {}, 3},
+    {"material", "emissiveTexture", Kind::object, "texture reference"},
+    {"material", "normalTexture", Kind::object, "texture reference"},
+    {"material", "occlusionTexture", Kind::object, "texture reference"},
+    {"material", "extensions", Kind::object, "material extensions"},
     {"metallic roughness", "baseColorFactor", Kind::numbers, {}, 4},
     {"metallic roughness", "baseColorTexture", Kind::object, "texture reference"},
+    {"metallic roughness", "metallicFactor", Kind::number},
+    {"metallic roughness", "roughnessFactor", Kind::number},
+    {"metallic roughness", "metallicRoughnessTexture", Kind::object, "texture reference"},
+
+    {"material extensions", "KHR_materials_emissive_strength", Kind::object, "emissive strength"},
+    {"material extensions", "KHR_materials_pbrSpecularGlossiness", Kind::object, "specular glossiness"},
+    {"material extensions", "KHR_materials_unlit", Kind::object, "unlit"},
+    {"emissive strength", "emissiveStrength", Kind::number},
+    {"specular glossiness", "diffuseFactor", Kind::numbers, {}, 4},
+    {"specular glossiness", "diffuseTexture", Kind::object, "texture reference"},
+    {"specular glossiness", "specularFactor", Kind::numbers, {}, 3},
+    {"specular glossiness", "glossinessFactor", Kind::number},
+    {"specular glossiness", "specularGlossinessTexture", Kind::object, "texture reference"},
+
     {"texture reference", "index", Kind::index, "textures", 0, required},
+    {"texture reference", "texCoord", Kind::integer},
+    {"texture reference", "scale", Kind::number},
+    {"texture reference", "strength", Kind::number},
+    {"texture reference", "extensions", Kind::object, "texture reference extensions"},
+    {"texture reference extensions", "KHR_texture_transform", Kind::object, "texture transform"},
+    {"texture transform", "offset", Kind::numbers, {}, 2},
+    {"texture transform", "scale", Kind::numbers, {}, 2},
+    {"texture transform", "rotation", Kind::number},
+    {"texture transform", "texCoord", Kind::integer},
+
     {"texture", "source", Kind::index, "images"},
+    {"texture", "sampler", Kind::index, "samplers"},
+    {"texture", "extensions", Kind::object, "texture extensions"},
+    {"texture extensions", "EXT_texture_webp", Kind::object, "image reference"},
+    {"texture extensions", "KHR_texture_basisu", Kind::object, "image reference"},
+    {"image reference", "source", Kind::index, "images"},
+    {"texture sampler", "name", Kind::text},
+    {"texture sampler", "magFilter", Kind::integer},
+    {"texture sampler", "minFilter", Kind::integer},
+    {"texture sampler", "wrapS", Kind::integer},
+    {"texture sampler", "wrapT", Kind::integer},
 
     {"image", "uri", Kind::text},
     {"image", "bufferView", Kind::index, "bufferViews"},
 });
 
 // Extensions that a file may require because they do not change what we draw, or because we decode them.
-constexpr std::array<std::string_view, 7> known_extensions{
-    "KHR_texture_transform",  "KHR_mesh_quantization",           "EXT_meshopt_compression", "KHR_materials_unlit",
-    "KHR_materials_specular", "KHR_materials_emissive_strength", "KHR_lights_punctual"};
+constexpr auto known_extensions = std::to_array<std::string_view>(
+    {"KHR_texture_transform", "KHR_mesh_quantization", "EXT_meshopt_compression", "EXT_texture_webp",
+     "KHR_texture_basisu", "KHR_materials_unlit", "KHR_materials_specular", "KHR_materials_emissive_strength",
+     "KHR_materials_pbrSpecularGlossiness", "KHR_lights_punctual"});
 
 /// A place in the document, as a frame of the descent, so that names are built only where something is wrong.
 struct Place {

@@ -37,7 +37,13 @@ void check_depth(std::string_view text) {
 }
 
 /// Extensions whose content import reads.
-constexpr std::array read_extensions{"EXT_meshopt_compression", "KHR_texture_transform"};
+constexpr std::array read_extensions{"EXT_meshopt_compression",
+                                     "EXT_texture_webp",
+                                     "KHR_materials_emissive_strength",
+                                     "KHR_materials_pbrSpecularGlossiness",
+                                     "KHR_materials_unlit",
+                                     "KHR_texture_basisu",
+                                     "KHR_texture_transform"};
 
 void keep_read_extensions(json& object) {
   const auto extensions = object.find("extensions");

@@ -10,6 +10,7 @@
 
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/facing.h"
 #include "engine/anim/import/reference_frames.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/surface.h"
@@ -150,7 +151,11 @@ Influences rigid_influences(int palette_entry, std::size_t vertex_count) {
 class MeshReader {
  public:
   MeshReader(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton, MaterialCollector& materials)
-      : document_(document), tree_(tree), built_(skeleton), materials_(materials) {}
+      : document_(document),
+        tree_(tree),
+        built_(skeleton),
+        materials_(materials),
+        mirrored_entries_(mirrored_entries(skeleton.skeleton)) {}
 
   Surfaces read() {
     std::vector<int> skinned;
@@ -246,6 +251,9 @@ class MeshReader {
     result.name = document_.gltf.meshes[static_cast<std::size_t>(mesh)].name;
     result.palette_entries = std::move(influences.palette_entries);
     result.weights = std::move(influences.weights);
+    if (result.normals.empty()) shade_flat(result);
+    turn_mirrored_triangles(result, mirrored_entries_);
+    if (result.tangents.empty()) add_tangents(result, materials_.at(result.material));
     meshes_.push_back(std::move(result));
   }
 
@@ -253,6 +261,7 @@ class MeshReader {
   const NodeTree& tree_;
   const BuiltSkeleton& built_;
   MaterialCollector& materials_;
+  std::vector<bool> mirrored_entries_;
   std::set<std::pair<int, int>> drawn_;
   std::vector<anim::SkinnedMesh> meshes_;
 };

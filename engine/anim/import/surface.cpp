@@ -100,7 +100,11 @@ class SurfaceReader {
     mesh_.positions = read_attribute<glm::vec3>("POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true);
     mesh_.indices = read_triangles(document_, primitive_, mesh_.positions.size(), name_);
     mend_positions();
+    mesh_.material = materials.material(primitive_.material);
     mesh_.normals = read_attribute<glm::vec3>("NORMAL", TINYGLTF_TYPE_VEC3, float_or_small);
+    if (materials.at(mesh_.material).normal_texture.image >= 0 && !mesh_.normals.empty()) {
+      mesh_.tangents = read_attribute<glm::vec4>("TANGENT", TINYGLTF_TYPE_VEC4, float_or_small);
+    }
     read_texture_coords(materials);
     read_colors();
     read_regions();
@@ -108,20 +112,20 @@ class SurfaceReader {
     if (!primitive_.targets.empty()) document_.repairs.push_back(name_ + ": its morph targets are ignored");
     place(placement);
     mend_normals();
-    mesh_.material = materials.material(primitive_.material);
     return std::move(mesh_);
   }
 
  private:
   /// Returns one vector a position; none where the primitive lacks the attribute.
   template <typename Vector>
-  std::vector<Vector> read_attribute(const char* attribute, int type, Components components, bool raw = false) const {
+  std::vector<Vector> read_attribute(const std::string& attribute, int type, Components components,
+                                     bool raw = false) const {
     const auto found = primitive_.attributes.find(attribute);
     if (found == primitive_.attributes.end()) return {};
     auto values =
         grouped<Vector>(read_floats(document_, found->second, {name_ + ": " + attribute, {type}, components, raw}));
     if (!mesh_.positions.empty() && values.size() != mesh_.positions.size()) {
-      refuse(name_, std::string("has another number of ") + attribute + " than of POSITION");
+      refuse(name_, "has another number of " + attribute + " than of POSITION");
     }
     return values;
   }
@@ -155,9 +159,15 @@ class SurfaceReader {
 
   // KHR_mesh_quantization allows small integers for positions, normals and texture coordinates.
   void read_texture_coords(const MaterialCollector& materials) {
-    mesh_.texture_coords = read_attribute<glm::vec2>("TEXCOORD_0", TINYGLTF_TYPE_VEC2, float_or_small, true);
-    const glm::mat3 transform = materials.texture_transform(primitive_.material);
-    for (glm::vec2& place : mesh_.texture_coords) place = glm::vec2(transform * glm::vec3(place, 1.0F));
+    for (const CoordsSource& source : materials.coords(mesh_.material)) {
+      const std::string attribute = "TEXCOORD_" + std::to_string(source.set);
+      if (!primitive_.attributes.contains(attribute)) {
+        document_.repairs.push_back(name_ + ": has no " + attribute + ", so its texture shows one colour");
+      }
+      auto places = read_attribute<glm::vec2>(attribute, TINYGLTF_TYPE_VEC2, float_or_small, true);
+      for (glm::vec2& place : places) place = glm::vec2(source.transform * glm::vec3(place, 1.0F));
+      mesh_.texture_coords.push_back(std::move(places));
+    }
   }
 
   void read_colors() {
@@ -201,18 +211,19 @@ class SurfaceReader {
       const double length = glm::length(turned);
       normal = length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0F);
     }
+    for (glm::vec4& tangent : mesh_.tangents) {
+      const glm::dvec3 turned = linear * glm::dvec3(tangent);
+      const double length = glm::length(turned);
+      if (length > 0.0) tangent = glm::vec4(turned / length, tangent.w * static_cast<float>(side));
+    }
     if (side > 0.0) return;
     for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) std::swap(mesh_.indices[i + 1], mesh_.indices[i + 2]);
   }
 
   void mend_normals() {
     const auto is_unit = [](const glm::vec3& normal) { return std::abs(glm::length(normal) - 1.0F) < 1e-3F; };
-    if (!mesh_.normals.empty() && std::ranges::all_of(mesh_.normals, is_unit)) return;
+    if (std::ranges::all_of(mesh_.normals, is_unit)) return;
     const auto computed = compute_normals(mesh_.positions, mesh_.indices);
-    if (mesh_.normals.empty()) {
-      mesh_.normals = computed;
-      return;
-    }
     std::size_t mended = 0;
     for (std::size_t vertex = 0; vertex < computed.size(); ++vertex) {
       if (is_unit(mesh_.normals[vertex])) continue;

@@ -10,9 +10,9 @@
 
 namespace throng::import {
 
-/// Reads positions, normals, colours, texture coordinates, tint regions, triangles and material of a primitive, and
-/// moves them by `placement`. Leaves influences empty. Mends and reports NaN positions. Throws Refusal, for infinite
-/// positions too.
+/// Reads positions, normals, tangents, colours, texture coordinates, tint regions, triangles and material of a
+/// primitive, and moves them by `placement`. Leaves influences empty, and normals where the file has none. Mends and
+/// reports NaN positions. Throws Refusal, for infinite positions too.
 anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive, const glm::dmat4& placement,
                                MaterialCollector& materials, const std::string& name);
 

@@ -106,8 +106,10 @@ float MeshErrorMeter::error_in_pose(std::span<const Pair> pairs, std::size_t pos
 
 MeshErrorMeter::Side MeshErrorMeter::side_of(std::span<const std::uint32_t> indices) const {
   const float longest_edge = std::max(extent_ / cells_of_extent, 1e-9F);
-  Side side{
-      .indices = indices, .tree = CellTree(cut_into_cells(positions_.front(), indices, longest_edge)), .looks = {}};
+  Side side{.indices = indices, .tree = CellTree({}), .looks = {}};
+  std::vector<SurfaceCell> cells = cut_into_cells(positions_.front(), indices, longest_edge);
+  for (SurfaceCell& cell : cells) cell.hides = !look_of(point_of(side, cell, middle)).seen_through;
+  side.tree = CellTree(std::move(cells));
   for (const SurfaceCell& cell : side.tree.cells()) side.looks.push_back(look_of(point_of(side, cell, middle)));
   return side;
 }

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "engine/anim/import/refusal.h"
-#include "engine/anim/import/source_file.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -49,13 +48,12 @@ glm::vec2 read_pair(const tinygltf::Value& transform, const char* key, glm::vec2
   return {pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble()};
 }
 
-std::vector<std::byte> read_image_bytes(const Document& document, const ImageSource& source) {
+std::vector<std::byte> read_image_bytes(Document& document, const ImageSource& source, const std::string& name) {
   if (source.buffer_view >= 0) {
     const auto bytes = document.buffer_views.views[static_cast<std::size_t>(source.buffer_view)];
     return {bytes.begin(), bytes.end()};
   }
-  if (auto data = decode_data_uri(source.uri)) return std::move(*data);
-  return read_file(resolve_uri(document.folder, source.uri));
+  return document.files.read(source.uri, name, document.repairs);
 }
 
 }  // namespace
@@ -92,11 +90,13 @@ int MaterialCollector::image(int texture) {
   }
   const auto [found, is_new] = image_of_.try_emplace(source, -1);
   if (!is_new) return found->second;
+  const std::string name = "image " + std::to_string(source);
   try {
-    images_.push_back(decode_image(read_image_bytes(document_, document_.images[static_cast<std::size_t>(source)])));
+    const ImageSource& place = document_.images[static_cast<std::size_t>(source)];
+    images_.push_back(decode_image(read_image_bytes(document_, place, name)));
     found->second = static_cast<int>(images_.size()) - 1;
   } catch (const Refusal& refusal) {
-    document_.repairs.push_back("image " + std::to_string(source) + ": left out, because " + refusal.what());
+    document_.repairs.push_back(name + ": left out, because " + refusal.what());
   }
   return found->second;
 }

@@ -174,7 +174,7 @@ std::string inspection_json(const anim::ImportedFile& file) {
 }  // namespace
 
 int run_inspect(const InspectOptions& options) {
-  const auto file = import::import_file(options.model);
+  const auto file = import::import_file(options.model, {.strict = options.strict});
   if (!file) return end_with(exit_job_failed, file.error().message);
   const std::string text = options.json ? inspection_json(*file) : inspection_text(*file);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {

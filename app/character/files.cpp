@@ -29,7 +29,7 @@ anim::Result<std::vector<std::string>> each_character(std::span<const std::strin
 
 anim::Status check_can_be_seen(const CharacterSource& character, const std::string& path) {
   if (!character.has_surface()) {
-    const std::size_t clips = character.clip_names.size();
+    const std::size_t clips = character.model.clips.size();
     return anim::Error{path + ": it has a skeleton of " + std::to_string(character.model.skeleton.bone_count()) +
                        " bones" + (clips > 0 ? " and " + std::to_string(clips) + " clips" : "") +
                        ", but no mesh to draw; open the file that has the mesh, or export both into one"};

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace throng::app {
+
+/// Lines of cells, whose columns stand below each other.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> headings) : lines_{std::move(headings)} {}
+
+  void add(std::vector<std::string> cells) { lines_.push_back(std::move(cells)); }
+  bool is_empty() const { return lines_.size() == 1; }
+
+  /// Returns the lines, each after `indent` spaces. The first column stands left, cells that begin with a digit right.
+  std::string text(std::size_t indent) const;
+
+ private:
+  std::vector<std::vector<std::string>> lines_;  ///< headings first
+};
+
+/// Returns a number with so many digits after the point.
+std::string decimal(double number, int digits);
+
+}  // namespace throng::app

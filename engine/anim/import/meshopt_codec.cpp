@@ -2,6 +2,7 @@
 
 #include <meshoptimizer.h>
 
+#include "engine/anim/import/meshopt_attributes.h"
 #include "engine/anim/import/refusal.h"
 
 namespace throng::import {
@@ -11,6 +12,7 @@ namespace {
 // The densest packing of each codec: an attribute takes at least 2 bits for 16 elements of a byte, a triangle or an
 // index at least a byte.
 constexpr std::uint64_t attribute_bytes_a_byte = 64;
+constexpr std::uint64_t new_attribute_bytes_a_byte = 1024;  // of version 1: 2 bits for 256 elements of a byte
 constexpr std::uint64_t indices_a_byte = 3;
 
 void check_element(const MeshoptView& view) {
@@ -25,8 +27,11 @@ void check_element(const MeshoptView& view) {
 }
 
 void check_count(const MeshoptView& view) {
-  const std::uint64_t most = view.mode == "ATTRIBUTES" ? view.bytes.size() * attribute_bytes_a_byte / view.stride
-                                                       : view.bytes.size() * indices_a_byte;
+  const bool is_new = is_attribute_stream_v1(view.bytes);
+  const std::uint64_t attribute_bytes =
+      view.bytes.size() * (is_new ? new_attribute_bytes_a_byte : attribute_bytes_a_byte);
+  const std::uint64_t most =
+      view.mode == "ATTRIBUTES" ? attribute_bytes / view.stride : view.bytes.size() * indices_a_byte;
   if (view.count == 0 || view.count > most) {
     throw Refusal(std::to_string(view.bytes.size()) + " bytes cannot hold " + std::to_string(view.count) + " elements");
   }
@@ -42,6 +47,8 @@ void apply_filter(const MeshoptView& view, std::vector<std::byte>& elements) {
     meshopt_decodeFilterQuat(elements.data(), count, stride);
   } else if (view.filter == "EXPONENTIAL") {
     meshopt_decodeFilterExp(elements.data(), count, stride);
+  } else if (view.filter == "COLOR" && (stride == 4 || stride == 8)) {
+    decode_color_filter(elements, stride);
   } else {
     throw Refusal("filter " + view.filter + " with a stride of " + std::to_string(stride) + " bytes is impossible");
   }
@@ -51,6 +58,10 @@ int decode_elements(const MeshoptView& view, std::vector<std::byte>& elements) {
   const auto count = static_cast<std::size_t>(view.count);
   const auto stride = static_cast<std::size_t>(view.stride);
   const auto* bytes = reinterpret_cast<const unsigned char*>(view.bytes.data());
+  if (view.mode == "ATTRIBUTES" && is_attribute_stream_v1(view.bytes)) {
+    decode_attributes_v1(view.bytes, stride, elements);
+    return 0;
+  }
   if (view.mode == "ATTRIBUTES") {
     return meshopt_decodeVertexBuffer(elements.data(), count, stride, bytes, view.bytes.size());
   }

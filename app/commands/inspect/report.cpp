@@ -131,7 +131,7 @@ std::string baked_lods_text(const anim::Model& model) {
   return text + " triangles\n";
 }
 
-/// Says what names suggest and a person may choose otherwise, and why a clip is slow to play.
+/// Says what names suggest and a person may choose otherwise, and what baking notes of clips.
 std::vector<std::string> guesses(const anim::Model& model, const anim::Character& character) {
   std::vector<std::string> lines;
   std::vector<std::string> names;
@@ -144,9 +144,9 @@ std::vector<std::string> guesses(const anim::Model& model, const anim::Character
     played +=
         (played.empty() ? "" : ", ") + std::string(role_names[role]) + " " + names[static_cast<std::size_t>(clip)];
   }
-  if (!played.empty()) lines.push_back("roles by the names of clips: " + played);
+  if (!played.empty()) lines.push_back("guessed: roles by the names of clips: " + played);
   for (const anim::BakedClip& clip : character.clips) {
-    if (!clip.note.empty()) lines.push_back("clip " + clip.name + " plays from its keys: " + clip.note);
+    if (!clip.note.empty()) lines.push_back("noted: clip " + name_text(clip.name) + ": " + clip.note);
   }
   return lines;
 }
@@ -160,7 +160,7 @@ std::string model_text(const anim::Model& model) {
     if (!table.is_empty()) text += table.text(indent);
   }
   text += baked_lods_text(model);
-  for (const std::string& guess : guesses(model, character)) text += "  guessed: " + guess + "\n";
+  for (const std::string& guess : guesses(model, character)) text += "  " + guess + "\n";
   return text;
 }
 

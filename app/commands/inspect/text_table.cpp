@@ -29,12 +29,17 @@ std::string TextTable::text(std::size_t indent) const {
     std::string row(indent, ' ');
     for (std::size_t i = 0; i < line.size(); ++i) {
       const std::string room(widths[i] - width_of(line[i]), ' ');
-      row += i > 0 && is_number(line[i]) ? room + line[i] : line[i] + room;
+      const bool is_right = i > 0 && (is_number(line[i]) || (&line == &lines_.front() && heads_numbers(i)));
+      row += is_right ? room + line[i] : line[i] + room;
       row += "  ";
     }
     text += row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
   }
   return text;
+}
+
+bool TextTable::heads_numbers(std::size_t column) const {
+  return std::all_of(lines_.begin() + 1, lines_.end(), [&](const auto& line) { return is_number(line[column]); });
 }
 
 std::string decimal(double number, int digits) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace throng::app {
@@ -13,10 +15,13 @@ class TextTable {
   void add(std::vector<std::string> cells) { lines_.push_back(std::move(cells)); }
   bool is_empty() const { return lines_.size() == 1; }
 
-  /// Returns the lines, each after `indent` spaces. The first column stands left, cells that begin with a digit right.
+  /// Returns the lines, each after `indent` spaces. The first column stands left; cells that begin with a digit, and
+  /// the headings of such cells, stand right.
   std::string text(std::size_t indent) const;
 
  private:
+  bool heads_numbers(std::size_t column) const;
+
   std::vector<std::vector<std::string>> lines_;  ///< headings first
 };
 

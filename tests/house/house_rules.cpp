@@ -95,6 +95,7 @@ const std::vector<Part>& parts() {
       {"stb_image", {"engine/anim/import/materials.cpp"}},
       {"png.h", {"engine/render/image.cpp"}},
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
+      {"draco/", {"engine/anim/import/"}},
   };
   return all;
 }

@@ -9,7 +9,7 @@ namespace throng::import {
 
 namespace {
 
-constexpr std::string_view magic = "DRACO";
+constexpr std::string_view draco_magic = "DRACO";
 constexpr std::uint8_t triangular_mesh = 1;
 constexpr std::uint8_t edgebreaker = 1;
 constexpr unsigned has_metadata = 0x8000;
@@ -61,7 +61,7 @@ class HeadReader {
 
 DracoCounts read_draco_counts(std::span<const std::byte> bytes) {
   HeadReader head(bytes);
-  for (const char letter : magic) {
+  for (const char letter : draco_magic) {
     if (head.byte() != static_cast<std::uint8_t>(letter)) throw Refusal("its bytes are no Draco mesh");
   }
   const unsigned major = head.byte(), minor = head.byte();

@@ -4,16 +4,57 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/role_table.h"
+#include "app/character/skin_choice.h"
 #include "app/files/data_folder.h"
 
 namespace throng::app {
+namespace {
 
-anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files) {
-  std::vector<CharacterSource> characters;
+// A file all of whose characters are cast stands once for each of them.
+anim::Result<std::vector<std::string>> each_character(std::span<const std::string> files) {
+  std::vector<std::string> every_file;
   for (const std::string& file : files) {
+    const CharacterFile wanted = character_file(file);
+    if (wanted.skin != all_skins) {
+      every_file.push_back(file);
+      continue;
+    }
+    const auto imported = import::import_file(wanted.path);
+    if (!imported) return imported.error();
+    for (const std::string& name : character_names(*imported)) every_file.push_back(with_skin(wanted.path, name));
+    if (every_file.empty()) every_file.push_back(wanted.path);  // which is then refused in words
+  }
+  return every_file;
+}
+
+anim::Status check_can_be_seen(const CharacterSource& character, const std::string& path) {
+  if (!character.has_surface()) {
+    const std::size_t clips = character.model.clips.size();
+    return anim::Error{path + ": it has a skeleton of " + std::to_string(character.model.skeleton.bone_count()) +
+                       " bones" + (clips > 0 ? " and " + std::to_string(clips) + " clips" : "") +
+                       ", but no mesh to draw; open the file that has the mesh, or export both into one"};
+  }
+  constexpr double least = 1e-9, most = 1e9;  // metres, by which agents are spaced and cameras placed
+  const auto is_sensible = [&](double length) { return length > least && length < most; };
+  if (is_sensible(character.character->bounds.height) && is_sensible(character.character->bounds.reach)) {
+    return anim::Done{};
+  }
+  return anim::Error{path +
+                     ": its mesh has no height, or one beyond all measure, so it cannot be shown; export it again"};
+}
+
+}  // namespace
+
+anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
+                                                           const import::ImportOptions& options) {
+  const auto every_file = each_character(files);
+  if (!every_file) return every_file.error();
+  std::vector<CharacterSource> characters;
+  for (const std::string& file : *every_file) {
     const BoneLodFile kept(file);
-    auto character = load_character(file, file, &kept);
+    auto character = load_character(file, file, &kept, options);
     if (!character) return character.error();
+    if (const anim::Status seen = check_can_be_seen(*character, character_file(file).path); !seen) return seen.error();
     characters.push_back(std::move(*character));
     characters.back().file = file;
   }

@@ -8,8 +8,11 @@
 
 namespace throng::app {
 
-/// Loads a character from each file, in this order. The error names the file and what is wrong with it.
-anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files);
+/// Loads a character from each of `files`, "FILE" or "FILE#SKIN", in this order, and each that a file has where its
+/// skin is "all" (skin_choice.h). One that nobody could see is refused: a skeleton without a mesh, a mesh without an
+/// extent. The error names the file and what is wrong with it.
+anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
+                                                           const import::ImportOptions& options = {});
 
 /// Loads the character that comes with the program, from the folders that --data leads.
 anim::Result<CharacterSource> load_built_in(const std::string& data_option);

@@ -5,8 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "app/character/skin_choice.h"
 #include "engine/anim/asset/reference_pose.h"
-#include "engine/anim/import/import.h"
+#include "engine/anim/base/plain_text.h"
 #include "engine/anim/survey/lod_survey.h"
 
 namespace throng::app {
@@ -139,13 +140,18 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
 
 }  // namespace
 
-anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
-                                             const BoneLodFile* kept) {
-  anim::Result<anim::ImportedFile> file = import::import_file(path);
-  if (!file) return file.error();
+anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
+                                             const import::ImportOptions& options) {
+  const CharacterFile wanted = character_file(file);
+  anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options);
+  if (!imported) return imported.error();
+  const auto chosen = choose_model(*imported, wanted.skin);
+  if (!chosen) return chosen.error();
   CharacterSource source;
-  source.name = name;
-  source.model = std::move(file->models.front());
+  source.name = anim::plain_text(name);
+  source.cast = character_names(*imported);
+  source.cast_index = *chosen;
+  source.model = std::move(imported->models[*chosen]);
   if (kept != nullptr) {
     const auto choice = kept->read(source.model.skeleton);
     if (!choice) return choice.error();
@@ -154,7 +160,7 @@ anim::Result<CharacterSource> load_character(const std::string& path, const std:
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
   anim::keep_surveyed_keys(source.model);
   guess_roles(source);
-  source.repairs = std::move(file->repairs);
+  source.repairs = std::move(imported->repairs);
   return source;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/base/result.h"
+#include "engine/anim/import/import.h"
 #include "engine/render/crowd_mesh_data.h"
 
 namespace throng::app {
@@ -22,16 +23,20 @@ struct CharacterSource {
   std::shared_ptr<const anim::Character> character;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
-  RoleClips suggested;              ///< the roles' clips, as their names suggest
-  std::array<Passage, 2> passages;  ///< into the suggested seat and out of it
-  std::vector<std::string> repairs;
+  RoleClips suggested;               ///< the roles' clips, as their names suggest
+  std::array<Passage, 2> passages;   ///< into the suggested seat and out of it
+  std::vector<std::string> repairs;  ///< of its file, a sentence each
+  std::vector<std::string> cast;     ///< names of all characters of its file
+  std::size_t cast_index = 0;        ///< which of them it is
 
   bool has_surface() const { return !model.meshes.empty(); }
 };
 
-/// Imports and bakes the largest model of `path`. `kept` has the order of its bones that a person chose, if any.
-anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
-                                             const BoneLodFile* kept = nullptr);
+/// Imports and bakes a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h). `kept` has the order of its bones that a
+/// person chose, if any.
+anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
+                                             const BoneLodFile* kept = nullptr,
+                                             const import::ImportOptions& options = {});
 
 /// A character whose bones are in another order, and the new index of each bone.
 struct ReorderedCharacter {

@@ -17,6 +17,10 @@ struct Spared {
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 
+/// Says what import repaired and left out of the characters' files, up to three lines each, and which other characters
+/// the files have.
+std::string import_notice(std::span<const CharacterSource> characters);
+
 /// Says that an automatic local store had to be larger than usual.
 std::string local_store_notice(const anim::AnimationSystem& system);
 

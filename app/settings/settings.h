@@ -123,6 +123,8 @@ struct DemoOptions {
   float ui_scale = 1;  ///< multiplies every measure of the overlay
   int msaa = -1;       ///< 0 or 4; -1: as much as the device affords
   bool shadows = true;
+  std::string skin;                ///< a character of each model that has several, "all" of them; empty: the largest
+  bool strict = false;             ///< models that need repair are refused
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
   bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
   bool shadows_given = false;      ///< a software renderer draws none unless given

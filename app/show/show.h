@@ -90,6 +90,7 @@ class Show {
   RunFigures figures_;
   Rewind rewind_;
   bool keeps_moments_ = false;
+  bool strict_ = false;  // of models that are dropped
   std::optional<render::Camera> frozen_camera_;
   CameraPath path_ = CameraPath::none;
   render::Camera path_start_;

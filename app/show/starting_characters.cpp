@@ -5,13 +5,18 @@
 
 #include "app/character/files.h"
 #include "app/character/role_table.h"
+#include "app/character/skin_choice.h"
 #include "app/files/exit_status.h"
 
 namespace throng::app {
 namespace {
 
 anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
-  if (!options.models.empty()) return load_characters(options.models);
+  if (!options.models.empty()) {
+    std::vector<std::string> files;
+    for (const std::string& model : options.models) files.push_back(with_skin(model, options.skin));
+    return load_characters(files, {.strict = options.strict});
+  }
   auto character = load_built_in(options.data);
   if (!character) return character.error();
   std::vector<CharacterSource> characters;
@@ -52,6 +57,12 @@ bool fail(StartError& error, int status, std::string message) {
 std::optional<std::vector<CharacterSource>> load_starting_characters(const DemoOptions& options, StartError& error) {
   auto characters = load(options);
   if (!characters) return fail(error, exit_job_failed, characters.error().message), std::nullopt;
+  if (characters->size() > most_models) {
+    const std::string count = std::to_string(characters->size());
+    const std::string most = std::to_string(most_models);
+    return fail(error, exit_usage, "--skin all: that is " + count + " characters, and " + most + " are the most"),
+           std::nullopt;
+  }
   if (!choose_roles(options, *characters, error)) return {};
   return std::move(*characters);
 }

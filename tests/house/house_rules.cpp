@@ -96,6 +96,7 @@ const std::vector<Part>& parts() {
       {"webp/", {"engine/anim/import/images.cpp"}},
       {"png.h", {"engine/render/image.cpp"}},
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
+      {"draco/", {"engine/anim/import/"}},
   };
   return all;
 }

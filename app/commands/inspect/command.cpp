@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/commands/inspect/report.h"
 #include "app/files/exit_status.h"
 #include "app/files/json.h"
 #include "engine/anim/asset/model.h"
@@ -16,12 +16,6 @@
 namespace throng::app {
 namespace {
 
-std::size_t count_vertices(const anim::Model& model) {
-  std::size_t count = 0;
-  for (const anim::SkinnedMesh& mesh : model.meshes) count += mesh.positions.size();
-  return count;
-}
-
 std::size_t count_triangles(const std::vector<anim::SkinnedMesh>& meshes) {
   std::size_t count = 0;
   for (const anim::SkinnedMesh& mesh : meshes) count += mesh.indices.size() / 3;
@@ -29,43 +23,6 @@ std::size_t count_triangles(const std::vector<anim::SkinnedMesh>& meshes) {
 }
 
 const char* path_name(const anim::Skeleton& skeleton) { return skeleton.rigid ? "rigid" : "general"; }
-
-/// The streams that a clip is baked into, as the crowd would play them.
-void write_streams(std::ostream& out, const anim::BakedClip& clip) {
-  const anim::SampledStream* const sampled = clip.sampled();
-  if (sampled == nullptr) {
-    out << "    plays from its keys, " << clip.keyframe().total_size << " bytes: " << clip.note << '\n';
-    return;
-  }
-  out << "    sampled at " << clip.sampled_rate << " Hz: " << sampled->total_size << " bytes, at most "
-      << clip.sampled_error * 1000.0 << " mm off on the surface; its keys: " << clip.keyframe().total_size
-      << " bytes\n";
-}
-
-void write_model(std::ostream& out, const anim::Model& model) {
-  const anim::Character baked = anim::bake_character(model);
-  const anim::Skeleton& skeleton = model.skeleton;
-  out << "skeleton \"" << skeleton.name << "\": " << skeleton.bone_count() << " bones, " << path_name(skeleton)
-      << " path, " << skeleton.palette_count() << " palette entries, levels";
-  for (const int count : skeleton.level_bone_counts) out << ' ' << count;
-  out << '\n';
-  for (const anim::Skin& skin : model.skins) {
-    out << "  skin " << skin.skin << " \"" << skin.name << "\": " << skin.bones.size() << " joints\n";
-  }
-  for (std::size_t i = 0; i < model.clips.size(); ++i) {
-    const anim::Clip& clip = model.clips[i];
-    out << "  clip " << clip.animation << " \"" << clip.name << "\": " << clip.length() << " s, " << clip.tracks.size()
-        << " bones animated\n";
-    write_streams(out, baked.clips[i]);
-  }
-  out << "  " << model.meshes.size() << " meshes: " << count_vertices(model) << " vertices, "
-      << count_triangles(model.meshes) << " triangles, " << model.materials.size() << " materials, "
-      << model.images.size() << " images\n";
-  if (model.mesh_lods.empty()) return;
-  out << "  " << model.mesh_lods.size() << " baked mesh LODs:";
-  for (const anim::BakedMeshLod& lod : model.mesh_lods) out << ' ' << count_triangles(lod.meshes);
-  out << " triangles\n";
-}
 
 Json mesh_lods_json(const anim::Model& model) {
   Json lods = Json::array();
@@ -159,16 +116,7 @@ Json model_json(const anim::Model& model) {
           {"skins", skins_json(model)}};
 }
 
-/// Says for a person what the file holds.
-std::string inspection_text(const anim::ImportedFile& file) {
-  std::ostringstream out;
-  out << file.file << ": " << file.models.size() << " skeletons, " << file.animations.size() << " animations\n";
-  for (const anim::Model& model : file.models) write_model(out, model);
-  for (const std::string& repair : file.repairs) out << "repaired: " << repair << '\n';
-  return out.str();
-}
-
-/// Says the same as one JSON object; README.md beside this file lists the keys.
+/// Says what the file holds as one JSON object; README.md beside this file lists the keys.
 std::string inspection_json(const anim::ImportedFile& file) {
   Json models = Json::array();
   for (const anim::Model& model : file.models) models.push_back(model_json(model));
@@ -180,7 +128,7 @@ std::string inspection_json(const anim::ImportedFile& file) {
 }  // namespace
 
 int run_inspect(const InspectOptions& options) {
-  const auto file = import::import_file(options.model);
+  const auto file = import::import_file(options.model, {.strict = options.strict});
   if (!file) return end_with(exit_job_failed, file.error().message);
   const std::string text = options.json ? inspection_json(*file) : inspection_text(*file);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {

@@ -102,7 +102,7 @@ anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optiona
 }
 
 anim::Result<std::string> import_and_pose(const PoseOptions& options) {
-  const auto file = import::import_skins(options.model);
+  const auto file = import::import_skins(options.model, {.strict = options.strict});
   if (!file) return file.error();
   const auto animation = find_animation(*file, options.clip);
   if (!animation) return animation.error();

@@ -10,6 +10,7 @@ namespace throng::app {
 /// The options of `throng pose`.
 struct PoseOptions {
   std::string model;
+  bool strict = false;        ///< what would be repaired is refused
   std::string clip;           ///< a clip's name or index, or "none" for the pose at rest
   std::vector<double> times;  ///< seconds, at least one
   anim::StreamKind stream = anim::StreamKind::sampled;

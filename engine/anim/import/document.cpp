@@ -7,7 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/draco_meshes.h"
 #include "engine/anim/import/json_document.h"
+#include "engine/anim/import/json_extensions.h"
+#include "engine/anim/import/json_repairs.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/source_file.h"
 
@@ -75,18 +78,21 @@ tinygltf::Model map_document(const json& document) {
 
 }  // namespace
 
-Document load_document(const std::filesystem::path& path) {
+Document load_document(const std::filesystem::path& path, bool strict) {
   Document document;
   document.file = read_file(path);
-  const FileParts parts = split_file(document.file);
-  json json_document = parse_json(parts.json);
+  const FileParts parts = split_file(document.file, path);
+  json json_document = parse_json(parts.json, document.repairs);
   check_json(json_document);
+  check_required_extensions(json_document, document.repairs);
+  repair_json(json_document, document.repairs);
 
-  document.folder = path.parent_path();
+  document.files = ModelFiles(path, strict);
   document.images = take_images(json_document);
   document.data_keys = take_data_keys(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
-  document.buffer_views = load_buffer_views(json_document, parts.binary, document.folder);
+  document.buffer_views = load_buffer_views(json_document, parts.binary, document.files, document.repairs);
+  decode_draco_meshes(json_document, document.buffer_views, document.repairs);
   for (const char* key : {"buffers", "cameras", "extensions", "extensionsUsed", "extensionsRequired"}) {
     json_document.erase(key);
   }

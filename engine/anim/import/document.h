@@ -9,6 +9,7 @@
 
 #include "engine/anim/asset/clip.h"
 #include "engine/anim/import/buffer_views.h"
+#include "engine/anim/import/model_files.h"
 
 namespace throng::import {
 
@@ -28,7 +29,7 @@ struct MeshLodNode {
 /// would open any path. Indices between objects are in range, buffer views lie inside their buffers, and accessors lie
 /// inside their views.
 struct Document {
-  std::filesystem::path folder;  ///< the model's folder; files are opened only below it
+  ModelFiles files;
   tinygltf::Model gltf;
   std::vector<std::byte> file;  ///< the bytes that `views` show, unless their storage has them
   BufferViews buffer_views;
@@ -39,8 +40,8 @@ struct Document {
   mutable std::size_t decoded_values = 0;  ///< numbers of all accessors so far, which the reader bounds
 };
 
-/// Reads and checks the file. Throws Refusal.
-Document load_document(const std::filesystem::path& path);
+/// Reads and checks the file; `strict` as ModelFiles has it. Throws Refusal.
+Document load_document(const std::filesystem::path& path, bool strict);
 
 /// Returns `node 3 "Hips"`, for messages.
 std::string label(const std::string& type, std::size_t index, const std::string& name);

@@ -76,13 +76,13 @@ anim::Image decode_png_or_jpeg(std::span<const std::byte> bytes) {
   return image;
 }
 
-std::vector<std::byte> read_image_bytes(const Document& document, const ImageSource& source) {
+std::vector<std::byte> read_image_bytes(Document& document, int image) {
+  const ImageSource& source = document.images[static_cast<std::size_t>(image)];
   if (source.buffer_view >= 0) {
     const auto bytes = document.buffer_views.views[static_cast<std::size_t>(source.buffer_view)];
     return {bytes.begin(), bytes.end()};
   }
-  if (auto data = decode_data_uri(source.uri)) return std::move(*data);
-  return read_file(resolve_uri(document.folder, source.uri));
+  return document.files.read(source.uri, image_label(document, image), document.repairs);
 }
 
 }  // namespace
@@ -93,9 +93,7 @@ anim::Image decode_image(std::span<const std::byte> bytes) {
   return is_webp(text) ? decode_webp(bytes) : decode_png_or_jpeg(bytes);
 }
 
-anim::Image read_image(const Document& document, const ImageSource& source) {
-  return decode_image(read_image_bytes(document, source));
-}
+anim::Image read_image(Document& document, int image) { return decode_image(read_image_bytes(document, image)); }
 
 std::string image_label(const Document& document, int image) {
   constexpr std::size_t longest = 200;  // characters; a data URI holds the whole image

@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/animations.h"
 #include "engine/anim/import/document.h"
 #include "engine/anim/import/materials.h"
 #include "engine/anim/import/meshes.h"
 #include "engine/anim/import/node_tree.h"
+#include "engine/anim/import/reach.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/skeleton_builder.h"
 #include "engine/anim/survey/bone_importance.h"
@@ -48,11 +50,19 @@ std::size_t vertex_count(const anim::Model& model) {
   return count;
 }
 
-anim::ImportedFile import_checked(const std::string& path) {
-  Document document = load_document(path);
+/// Refuses the first of the repairs.
+[[noreturn]] void refuse_repairs(const std::vector<std::string>& repairs) {
+  const std::size_t others = repairs.size() - 1;
+  throw Refusal(repairs.front() + "; strict reading refuses that" +
+                (others > 0 ? " and " + std::to_string(others) + " more" : ""));
+}
+
+anim::ImportedFile import_checked(const std::string& path, const ImportOptions& options) {
+  Document document = load_document(path, options.strict);
   const NodeTree tree = build_node_tree(document);
   const std::vector<Animation> animations = read_animations(document, tree);
   const std::vector<FileSkin> skins = read_skins(document, tree);
+  check_reach(document, tree, animations, skins);
 
   anim::ImportedFile file{.file = path, .models = {}, .animations = {}, .repairs = {}};
   for (const Animation& animation : animations) file.animations.push_back(animation.name);
@@ -62,29 +72,27 @@ anim::ImportedFile import_checked(const std::string& path) {
   std::ranges::stable_sort(file.models, std::ranges::greater{}, [](const anim::Model& model) {
     return std::tuple(vertex_count(model), model.skeleton.bones.size());
   });
-  file.repairs = std::move(document.repairs);
+  if (options.strict && !document.repairs.empty()) refuse_repairs(document.repairs);
+  for (const std::string& repair : document.repairs) file.repairs.push_back(anim::plain_text(repair));
   return file;
 }
 
 /// Makes an error of one line, whatever names the file holds.
 anim::Error error_of(const std::string& path, const std::string& reason) {
-  std::string message = path + ": " + reason;
-  std::ranges::replace_if(
-      message, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
-  return {message};
+  return {anim::plain_text(path + ": " + reason)};
 }
 
 }  // namespace
 
-anim::Result<anim::ImportedFile> import_file(const std::string& path) {
-  anim::Result<anim::ImportedFile> file = import_skins(path);
+anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options) {
+  anim::Result<anim::ImportedFile> file = import_skins(path, options);
   if (!file || !file->models.empty()) return file;
   return error_of(path, "it holds no skin, so there is no skeleton to pose; export a rigged character");
 }
 
-anim::Result<anim::ImportedFile> import_skins(const std::string& path) {
+anim::Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options) {
   try {
-    return import_checked(path);
+    return import_checked(path, options);
   } catch (const Refusal& refusal) {
     return error_of(path, refusal.what());
   } catch (const std::bad_alloc&) {

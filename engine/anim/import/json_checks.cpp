@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -22,7 +23,7 @@ using nlohmann::json;
 enum class Kind : unsigned char {
   flag,
   integer,  ///< >= 0
-  number,   ///< finite
+  number,   ///< finite, as a float too
   numbers,  ///< array of `count` finite numbers; of any length where count is 0
   text,
   choice,  ///< one of the texts that `target` lists, divided by "|"
@@ -64,6 +65,7 @@ constexpr auto properties = std::to_array<Property>({
     {"document", "extensionsRequired", Kind::texts},
 
     {"asset", "version", Kind::text, {}, 0, required},
+    {"asset", "minVersion", Kind::text},
 
     {"scene", "nodes", Kind::indices, "nodes"},
 
@@ -91,6 +93,12 @@ constexpr auto properties = std::to_array<Property>({
 
     {"attributes", "*", Kind::index, "accessors"},
 
+    {"primitive", "extensions", Kind::object, "primitive extensions"},
+    {"primitive extensions", "KHR_draco_mesh_compression", Kind::object, "draco mesh"},
+    {"draco mesh", "bufferView", Kind::index, "bufferViews", 0, required},
+    {"draco mesh", "attributes", Kind::object, "draco attributes", 0, required},
+    {"draco attributes", "*", Kind::integer},
+
     {"accessor", "bufferView", Kind::index, "bufferViews"},
     {"accessor", "byteOffset", Kind::integer},
     {"accessor", "componentType", Kind::integer, {}, 0, required},
@@ -117,13 +125,14 @@ constexpr auto properties = std::to_array<Property>({
     {"buffer view", "extensions", Kind::object, "buffer view extensions"},
 
     {"buffer view extensions", "EXT_meshopt_compression", Kind::object, "meshopt compression"},
+    {"buffer view extensions", "KHR_meshopt_compression", Kind::object, "meshopt compression"},
     {"meshopt compression", "buffer", Kind::index, "buffers", 0, required},
     {"meshopt compression", "byteOffset", Kind::integer},
     {"meshopt compression", "byteLength", Kind::integer, {}, 0, required},
     {"meshopt compression", "byteStride", Kind::integer, {}, 0, required},
     {"meshopt compression", "count", Kind::integer, {}, 0, required},
     {"meshopt compression", "mode", Kind::choice, "ATTRIBUTES|TRIANGLES|INDICES", 0, required},
-    {"meshopt compression", "filter", Kind::choice, "NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL"},
+    {"meshopt compression", "filter", Kind::choice, "NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL|COLOR"},
 
     {"buffer", "byteLength", Kind::integer, {}, 0, required},
     {"buffer", "uri", Kind::text},
@@ -200,12 +209,6 @@ constexpr auto properties = std::to_array<Property>({
     {"image", "bufferView", Kind::index, "bufferViews"},
 });
 
-// Extensions that a file may require because they do not change what we draw, or because we decode them.
-constexpr auto known_extensions = std::to_array<std::string_view>(
-    {"KHR_texture_transform", "KHR_mesh_quantization", "EXT_meshopt_compression", "EXT_texture_webp",
-     "KHR_texture_basisu", "KHR_materials_unlit", "KHR_materials_specular", "KHR_materials_emissive_strength",
-     "KHR_materials_pbrSpecularGlossiness", "KHR_lights_punctual"});
-
 /// A place in the document, as a frame of the descent, so that names are built only where something is wrong.
 struct Place {
   const Place* outer = nullptr;
@@ -270,7 +273,7 @@ class Checker {
         if (!is_count(value)) refuse_property(place, key, "is not a whole number of at least 0");
         break;
       case Kind::number:
-        if (!value.is_number() || !std::isfinite(value.get<double>())) refuse_property(place, key, "is not a number");
+        check_number(place, key, value);
         break;
       case Kind::text:
         if (!value.is_string()) refuse_property(place, key, "is not a text");
@@ -321,6 +324,15 @@ class Checker {
     }
   }
 
+  /// Bounds are in double, and some exporters write the largest there is.
+  static void check_number(const Place& place, std::string_view key, const json& value) {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) refuse_property(place, key, "is not a number");
+    const bool is_bound = place.type == "accessor";
+    if (!is_bound && std::abs(value.get<double>()) > static_cast<double>(std::numeric_limits<float>::max())) {
+      refuse_property(place, key, "is " + value.dump() + ", more than a float holds");
+    }
+  }
+
   static Kind element_kind(Kind array) {
     if (array == Kind::numbers) return Kind::number;
     return array == Kind::texts ? Kind::text : Kind::index;
@@ -357,20 +369,12 @@ void check_transforms(const json& document) {
   }
 }
 
+/// A file of a later 2.x says by minVersion whether 2.0 is enough to read it (glTF 2.0, 5.9).
 void check_version(const json& document) {
   const std::string version = document["asset"]["version"].get<std::string>();
   if (!version.starts_with("2.")) throw Refusal("it is glTF " + version + ", not 2.0; export it as glTF 2.0");
-}
-
-void check_extensions(const json& document) {
-  const auto extensions = document.find("extensionsRequired");
-  if (extensions == document.end()) return;
-  for (const json& extension : *extensions) {
-    const auto name = extension.get<std::string>();
-    if (std::ranges::find(known_extensions, name) == known_extensions.end()) {
-      throw Refusal("it requires the extension " + name + ", which is not supported; export without it");
-    }
-  }
+  const std::string least = document["asset"].value("minVersion", std::string("2.0"));
+  if (least != "2.0") throw Refusal("it needs glTF " + least + ", and 2.0 is supported; export it as glTF 2.0");
 }
 
 }  // namespace
@@ -379,7 +383,6 @@ void check_json(const json& document) {
   Checker(document).check_object({.outer = nullptr, .type = "document", .object = &document});
   check_transforms(document);
   check_version(document);
-  check_extensions(document);
 }
 
 }  // namespace throng::import

@@ -223,7 +223,7 @@ int MaterialCollector::image(int file_image) {
   const auto [found, is_new] = image_of_.try_emplace(file_image, -1);
   if (!is_new) return found->second;
   try {
-    images_.push_back(read_image(document_, document_.images[static_cast<std::size_t>(file_image)]));
+    images_.push_back(read_image(document_, file_image));
     found->second = static_cast<int>(images_.size()) - 1;
   } catch (const Refusal& refusal) {
     document_.repairs.push_back(image_label(document_, file_image) + ": left out, because " + refusal.what());

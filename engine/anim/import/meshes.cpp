@@ -65,7 +65,6 @@ void check_sets(const Sets& sets, const anim::Skin& skin, std::size_t vertex_cou
     if (largest >= skin.bones.size()) {
       refuse(name, "names joint " + std::to_string(largest) + " of a skin with " + std::to_string(skin.bones.size()));
     }
-    if (!all_finite(sets.weights[set])) refuse(name, "a weight is not finite");
   }
 }
 
@@ -100,6 +99,7 @@ class VertexBinder {
   std::size_t too_many = 0;
   std::size_t unbound = 0;
   std::size_t negative = 0;
+  std::size_t not_finite = 0;
 
  private:
   void gather(std::size_t vertex) {
@@ -108,7 +108,9 @@ class VertexBinder {
       for (std::size_t i = vertex * 4; i < vertex * 4 + 4; ++i) {
         const auto weight = static_cast<double>(sets_.weights[set][i]);
         if (weight < 0.0) ++negative;
-        influences_.push_back({.joint = sets_.joints[set][i], .weight = std::max(0.0, weight)});
+        if (!std::isfinite(weight)) ++not_finite;
+        const bool counts = std::isfinite(weight) && weight > 0.0;
+        influences_.push_back({.joint = sets_.joints[set][i], .weight = counts ? weight : 0.0});
       }
     }
     std::ranges::stable_sort(influences_, std::ranges::greater{}, &Influence::weight);
@@ -123,9 +125,9 @@ void report(Document& document, const std::string& name, std::size_t count, cons
   if (count > 0) document.repairs.push_back(name + ": " + std::to_string(count) + " vertices " + what);
 }
 
-/// Reads every JOINTS_n and WEIGHTS_n of a primitive. Messages and repairs call the primitive `name`. Influences beyond
-/// four are dropped, weights that do not sum to 1 are normalised, and a vertex without weights follows the first joint;
-/// repairs report all of this. Throws Refusal.
+/// Reads every JOINTS_n and WEIGHTS_n of a primitive. Messages and repairs call the primitive `name`. Weights that are
+/// not finite count as 0, influences beyond four are dropped, weights that do not sum to 1 are normalised, and a vertex
+/// without weights follows the first joint; repairs report all of this. Throws Refusal.
 Influences read_influences(Document& document, const tinygltf::Primitive& primitive, const anim::Skin& skin,
                            std::size_t vertex_count, const std::string& name) {
   const Sets sets = read_sets(document, primitive, name);
@@ -134,6 +136,9 @@ Influences read_influences(Document& document, const tinygltf::Primitive& primit
                     .weights = std::vector<glm::vec4>(vertex_count)};
   VertexBinder binder(sets, skin);
   for (std::size_t vertex = 0; vertex < vertex_count; ++vertex) binder.bind(vertex, result);
+  if (binder.not_finite > 0) {
+    document.repairs.push_back(name + ": " + std::to_string(binder.not_finite) + " weights are not finite, taken as 0");
+  }
   report(document, name, binder.negative, "with negative weights, taken as 0");
   report(document, name, binder.not_normalised, "whose weights did not sum to 1, normalised");
   report(document, name, binder.too_many, "with more than four influences, the strongest four kept");

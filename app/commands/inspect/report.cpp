@@ -80,7 +80,7 @@ TextTable clip_table(const anim::Model& model, const anim::Character& character)
   for (std::size_t i = 0; i < model.clips.size(); ++i) {
     const anim::Clip& clip = model.clips[i];
     const anim::BakedClip& baked = character.clips[i];
-    table.add({std::to_string(clip.animation), name_text(clip.name), decimal(clip.duration, 2) + " s",
+    table.add({std::to_string(clip.animation), name_text(clip.name), decimal(clip.length(), 2) + " s",
                std::to_string(clip.tracks.size()), std::to_string(count_keys(clip)), rate_text(baked),
                error_text(baked), root_text(baked), baked.loops ? "yes" : "no"});
   }

@@ -75,11 +75,17 @@ constexpr auto properties = std::to_array<Property>({
     {"node", "rotation", Kind::numbers, {}, 4},
     {"node", "scale", Kind::numbers, {}, 3},
 
+    {"node", "weights", Kind::numbers},
+    {"node", "extensions", Kind::object, "node extensions"},
+    {"node extensions", "KHR_node_visibility", Kind::object, "node visibility"},
+    {"node visibility", "visible", Kind::flag},
+
     {"node", mesh_lods_property, Kind::objects, "mesh LOD"},
     {"mesh LOD", "node", Kind::index, "nodes", 0, required},
     {"mesh LOD", "error", Kind::number, {}, 0, required},
 
     {"mesh", "name", Kind::text},
+    {"mesh", "weights", Kind::numbers},
     {"mesh", "primitives", Kind::objects, "primitive", 1, required},
 
     {"primitive", "attributes", Kind::object, "attributes", 0, required},
@@ -161,9 +167,9 @@ constexpr auto properties = std::to_array<Property>({
 });
 
 // Extensions that a file may require because they do not change what we draw, or because we decode them.
-constexpr std::array<std::string_view, 7> known_extensions{
-    "KHR_texture_transform",  "KHR_mesh_quantization",           "EXT_meshopt_compression", "KHR_materials_unlit",
-    "KHR_materials_specular", "KHR_materials_emissive_strength", "KHR_lights_punctual"};
+constexpr std::array<std::string_view, 8> known_extensions{
+    "KHR_node_visibility", "KHR_texture_transform",  "KHR_mesh_quantization",           "EXT_meshopt_compression",
+    "KHR_materials_unlit", "KHR_materials_specular", "KHR_materials_emissive_strength", "KHR_lights_punctual"};
 
 /// A place in the document, as a frame of the descent, so that names are built only where something is wrong.
 struct Place {

@@ -8,11 +8,12 @@
 
 namespace throng::app {
 
-anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files) {
+anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
+                                                           const anim::PlacementChoice& placement) {
   std::vector<CharacterSource> characters;
   for (const std::string& file : files) {
     const BoneLodFile kept(file);
-    auto character = load_character(file, file, &kept);
+    auto character = load_character(file, file, &kept, placement);
     if (!character) return character.error();
     characters.push_back(std::move(*character));
     characters.back().file = file;
@@ -20,11 +21,11 @@ anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::
   return characters;
 }
 
-anim::Result<CharacterSource> load_built_in(const std::string& data_option) {
+anim::Result<CharacterSource> load_built_in(const std::string& data_option, const anim::PlacementChoice& placement) {
   const auto file = find_data(data_folders(data_option), "assets/mannequin.glb");
   if (!file) return file.error();
   const BoneLodFile kept{{}};
-  return load_character(file->string(), "mannequin (built in)", &kept);
+  return load_character(file->string(), "mannequin (built in)", &kept, placement);
 }
 
 anim::Status take_kept_roles(CharacterSource& character) {

@@ -9,10 +9,12 @@
 namespace throng::app {
 
 /// Loads a character from each file, in this order. The error names the file and what is wrong with it.
-anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files);
+anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
+                                                           const anim::PlacementChoice& placement = {});
 
 /// Loads the character that comes with the program, from the folders that --data leads.
-anim::Result<CharacterSource> load_built_in(const std::string& data_option);
+anim::Result<CharacterSource> load_built_in(const std::string& data_option,
+                                            const anim::PlacementChoice& placement = {});
 
 /// Takes the roles that were kept for the character the last time, where there are any. The error names the file or the
 /// character, and the role that cannot be.

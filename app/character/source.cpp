@@ -112,13 +112,15 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
 
 }  // namespace
 
-anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
-                                             const BoneLodFile* kept) {
+anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name, const BoneLodFile* kept,
+                                             const anim::PlacementChoice& placement) {
   anim::Result<anim::ImportedFile> file = import::import_file(path);
   if (!file) return file.error();
   CharacterSource source;
   source.name = name;
   source.model = std::move(file->models.front());
+  source.placement = anim::guess_placement(source.model, placement);
+  anim::place_model(source.model, source.placement.placement);
   if (kept != nullptr) {
     const auto choice = kept->read(source.model.skeleton);
     if (!choice) return choice.error();

@@ -15,6 +15,15 @@ std::string software_notice(const std::string& renderer, const Spared& spared) {
   return "Drawn on the processor (" + renderer + "): " + list + " unless asked otherwise.";
 }
 
+std::string placement_notice(std::span<const CharacterSource> characters) {
+  std::string lines;
+  for (const CharacterSource& character : characters) {
+    if (character.placement.is_plain) continue;
+    add_line(lines, character.name + ": " + character.placement.reasons + " (--scale, --up and --ground overrule it).");
+  }
+  return lines;
+}
+
 std::string local_store_notice(const anim::AnimationSystem& system) {
   const std::size_t bytes = system.figures().schedule().local_store_bytes;
   if (system.options().local_store_bytes != 0 || bytes <= anim::usual_local_store_bytes) return {};

@@ -17,6 +17,9 @@ struct Spared {
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 
+/// Says, in a line each, which characters are not shown in the size and place of their files, and why.
+std::string placement_notice(std::span<const CharacterSource> characters);
+
 /// Says that an automatic local store had to be larger than usual.
 std::string local_store_notice(const anim::AnimationSystem& system);
 

@@ -89,6 +89,7 @@ class Show {
   Recorder recorder_;
   RunFigures figures_;
   Rewind rewind_;
+  anim::PlacementChoice placement_;  // of the models that are dropped too
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;
   CameraPath path_ = CameraPath::none;

@@ -2,12 +2,15 @@
 
 #include <string>
 
+#include "engine/anim/survey/placement_guess.h"
+
 namespace throng::app {
 
 /// The options of `throng inspect`.
 struct InspectOptions {
   std::string model;
-  bool json = false;  ///< one JSON object on standard output instead of lines for a person
+  anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
+  bool json = false;                     ///< one JSON object on standard output instead of lines for a person
 };
 
 }  // namespace throng::app

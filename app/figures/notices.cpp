@@ -19,7 +19,9 @@ std::string placement_notice(std::span<const CharacterSource> characters) {
   std::string lines;
   for (const CharacterSource& character : characters) {
     if (character.placement.is_plain) continue;
-    add_line(lines, character.name + ": " + character.placement.reasons + " (--scale, --up and --ground overrule it).");
+    const bool has_extent = character.placement.extent.has_value();
+    const std::string remedy = has_extent ? "; --scale, --up and --ground overrule it." : ".";
+    add_line(lines, character.name + ": " + character.placement.reasons + remedy);
   }
   return lines;
 }

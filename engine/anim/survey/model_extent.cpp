@@ -14,7 +14,7 @@ namespace throng::anim {
 
 namespace {
 
-constexpr std::size_t most_places = 4000;
+constexpr std::size_t most_places = 2000;
 constexpr int measured_poses = 6;
 constexpr double alike = 2.0;        // a rest pose of at most so many times the clips' height says the size
 constexpr double same_ground = 0.1;  // of the height: the rest pose stands where the clips do

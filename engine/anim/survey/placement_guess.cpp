@@ -48,9 +48,9 @@ glm::dquat upright(UpAxis up) {
   return {1.0, 0.0, 0.0, 0.0};
 }
 
-std::string number(double value, const char* unit) {
+std::string number(double value) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g%s", value, unit);
+  std::snprintf(text.data(), text.size(), "%.3g", value);
   return text.data();
 }
 
@@ -60,7 +60,7 @@ std::string unit_named(double scale) {
   for (const auto& [size, name] : units) {
     if (std::abs(scale - size) < 1e-6 * size) return name;
   }
-  return "units of " + number(scale, " m");
+  return "units of " + number(scale) + " m";
 }
 
 /// Lists reasons one after the other.
@@ -87,7 +87,7 @@ class PlacementGuesser {
     guessed_.height = guessed_.placement.scale * extent_.size.y;
     if (choice_.ground != GroundRule::file) set_place();
     guessed_.is_plain = reasons_.empty();
-    guessed_.reasons = number(guessed_.height, " m tall") + (reasons_.empty() ? "" : ": ") + reasons_.text();
+    guessed_.reasons = number(guessed_.height) + " m tall" + (reasons_.empty() ? "" : ": ") + reasons_.text();
     return std::move(guessed_);
   }
 
@@ -96,9 +96,9 @@ class PlacementGuesser {
     double& scale = guessed_.placement.scale;
     scale = choice_.scale.value_or(guess_scale(largest_of(extent_.size)));
     if (choice_.scale) {
-      reasons_.add("scaled by " + number(scale, " as asked"));
+      reasons_.add("scaled by " + number(scale) + " as asked");
     } else if (scale != 1.0) {
-      reasons_.add("taken as " + unit_named(scale) + " (" + number(extent_.size.y, " units tall in its file)"));
+      reasons_.add("taken as " + unit_named(scale) + " (" + number(extent_.size.y) + " units tall in its file)");
     }
   }
 
@@ -110,14 +110,14 @@ class PlacementGuesser {
     if (beside > off_the_middle * side) {
       offset.x = -middle.x;
       offset.z = -middle.z;
-      reasons_.add("moved to its place from " + number(beside, " m beside the file's origin"));
+      reasons_.add("moved to its place from " + number(beside) + " m beside the file's origin");
     }
     const double lowest = guessed_.placement.scale * extent_.lowest;
     const bool asked = choice_.ground == GroundRule::feet;
     const bool off_the_ground = lowest < -sunk * guessed_.height || lowest > afloat * guessed_.height;
     if (!asked && !off_the_ground) return;
     offset.y = -lowest;
-    reasons_.add((lowest < 0.0 ? "raised " : "lowered ") + number(std::abs(lowest), " m to stand on the ground"));
+    reasons_.add((lowest < 0.0 ? "raised " : "lowered ") + number(std::abs(lowest)) + " m to stand on the ground");
   }
 
   ModelExtent extent_;

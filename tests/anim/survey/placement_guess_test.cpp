@@ -67,7 +67,7 @@ TEST(PlacementGuess, TakesCentimetresMillimetresAndTinyUnitsAsMetres) {
 TEST(PlacementGuess, MovesWhoStandsBesideTheOriginToItsPlace) {
   const GuessedPlacement guessed = guess_placement(box({19.7F, 0.0F, -3.2F}, {20.3F, 1.8F, -2.8F}));
   EXPECT_LT(glm::distance(guessed.placement.offset, glm::dvec3(-20.0, 0.0, 3.0)), 1e-5);
-  EXPECT_THAT(guessed.reasons, HasSubstr("moved to its place from 20.2 m beside"));
+  EXPECT_THAT(guessed.reasons, HasSubstr("moved to its place from 20.2 m beside the file's origin"));
 }
 
 TEST(PlacementGuess, LeavesABodyThatIsALittleOffTheOrigin) {

@@ -21,8 +21,8 @@ std::unique_ptr<anim::AnimationSystem> system_of(int bones, const anim::SystemOp
 }
 
 TEST(SoftwareNotice, NamesWhatIsSparedAndNothingElse) {
-  EXPECT_EQ(software_notice("llvmpipe", {.multisampling = true, .shadows = true, .mesh_detail = true}),
-            "Drawn on the processor (llvmpipe): no multisampling, no shadows, coarse meshes unless asked otherwise.");
+  EXPECT_EQ(software_notice("llvmpipe", {.multisampling = true, .shadows = true, .mesh_lods = true}),
+            "Drawn on the processor (llvmpipe): no multisampling, no shadows, coarser meshes unless asked otherwise.");
   EXPECT_EQ(software_notice("llvmpipe", {.agents = 300, .shadows = true}),
             "Drawn on the processor (llvmpipe): 300 agents, no shadows unless asked otherwise.");
   EXPECT_EQ(software_notice("llvmpipe", {}), "");

@@ -46,7 +46,7 @@ anim::Status check_can_be_seen(const CharacterSource& character, const std::stri
 }  // namespace
 
 anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
-                                                           const import::ImportOptions& options) {
+                                                           const LoadOptions& options) {
   const auto every_file = each_character(files);
   if (!every_file) return every_file.error();
   std::vector<CharacterSource> characters;
@@ -61,11 +61,11 @@ anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::
   return characters;
 }
 
-anim::Result<CharacterSource> load_built_in(const std::string& data_option) {
+anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options) {
   const auto file = find_data(data_folders(data_option), "assets/mannequin.glb");
   if (!file) return file.error();
   const BoneLodFile kept{{}};
-  return load_character(file->string(), "mannequin (built in)", &kept);
+  return load_character(file->string(), "mannequin (built in)", &kept, options);
 }
 
 anim::Status take_kept_roles(CharacterSource& character) {

@@ -12,10 +12,10 @@ namespace throng::app {
 /// skin is "all" (skin_choice.h). One that nobody could see is refused: a skeleton without a mesh, a mesh without an
 /// extent. The error names the file and what is wrong with it.
 anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
-                                                           const import::ImportOptions& options = {});
+                                                           const LoadOptions& options = {});
 
 /// Loads the character that comes with the program, from the folders that --data leads.
-anim::Result<CharacterSource> load_built_in(const std::string& data_option);
+anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options = {});
 
 /// Takes the roles that were kept for the character the last time, where there are any. The error names the file or the
 /// character, and the role that cannot be.

@@ -141,9 +141,9 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
 }  // namespace
 
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
-                                             const import::ImportOptions& options) {
+                                             const LoadOptions& options) {
   const CharacterFile wanted = character_file(file);
-  anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options);
+  anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options.import);
   if (!imported) return imported.error();
   const auto chosen = choose_model(*imported, wanted.skin);
   if (!chosen) return chosen.error();
@@ -152,6 +152,8 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
   source.cast = character_names(*imported);
   source.cast_index = *chosen;
   source.model = std::move(imported->models[*chosen]);
+  source.placement = anim::guess_placement(source.model, options.placement);
+  anim::place_model(source.model, source.placement.placement);
   if (kept != nullptr) {
     const auto choice = kept->read(source.model.skeleton);
     if (!choice) return choice.error();

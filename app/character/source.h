@@ -10,7 +10,7 @@
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/base/result.h"
-#include "engine/anim/import/import.h"
+#include "app/character/load_options.h"
 #include "engine/render/crowd_mesh_data.h"
 
 namespace throng::app {
@@ -20,6 +20,7 @@ struct CharacterSource {
   std::string name;   ///< shown to people
   std::string file;   ///< the file that it is from; empty: the built-in character
   anim::Model model;  ///< has the surface that drawing reads, and the parts of clips that anim::reorder_character reads
+  anim::GuessedPlacement placement;  ///< the size and place that it was given
   std::shared_ptr<const anim::Character> character;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
@@ -32,11 +33,10 @@ struct CharacterSource {
   bool has_surface() const { return !model.meshes.empty(); }
 };
 
-/// Imports and bakes a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h). `kept` has the order of its bones that a
-/// person chose, if any.
+/// Imports a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), gives it size and place, and bakes it. `kept` has
+/// the order of its bones that a person chose, if any.
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
-                                             const BoneLodFile* kept = nullptr,
-                                             const import::ImportOptions& options = {});
+                                             const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
 
 /// A character whose bones are in another order, and the new index of each bone.
 struct ReorderedCharacter {

@@ -157,6 +157,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args()
       ->group("Model");
+  declare_placement(reader, options.placement);
   declare_starting_values(reader, options);
   reader.tuning("Crowd", options.tuning);
   declare_clips(reader, options);

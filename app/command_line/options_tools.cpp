@@ -48,6 +48,23 @@ void strict(OptionReader& reader, bool& target) {
 
 }  // namespace
 
+void declare_placement(OptionReader& reader, anim::PlacementChoice& placement) {
+  using anim::GroundRule;
+  using anim::UpAxis;
+  reader.option_defaults()->group("Size and place of models");
+  reader.value("--scale", "X", "Metres that a unit of the files is (guessed from the height)",
+               scale_above_zero(placement.scale));
+  reader.value("--up", "AXIS", "The axis that points up in the files: x, y, z, -x, -y or -z (y)",
+               choice<UpAxis>(placement.up, {{"x", UpAxis::x},
+                                             {"y", UpAxis::y},
+                                             {"z", UpAxis::z},
+                                             {"-x", UpAxis::minus_x},
+                                             {"-y", UpAxis::minus_y},
+                                             {"-z", UpAxis::minus_z}}));
+  reader.value("--ground", "file|feet", "What is on the ground: the files' origin, or the lowest points (guessed)",
+               choice<GroundRule>(placement.ground, {{"file", GroundRule::file}, {"feet", GroundRule::feet}}));
+}
+
 ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   PoseOptions options;
   OptionReader reader("throng pose", "Writes the joints and palettes of every skin of a file.");
@@ -71,6 +88,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
   strict(reader, options.strict);
   reader.flag("--json", options.json, "As one JSON object");
+  declare_placement(reader, options.placement);
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
 }

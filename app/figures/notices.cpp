@@ -55,6 +55,17 @@ std::string import_notice(std::span<const CharacterSource> characters) {
   return lines;
 }
 
+std::string placement_notice(std::span<const CharacterSource> characters) {
+  std::string lines;
+  for (const CharacterSource& character : characters) {
+    if (character.placement.is_plain) continue;
+    const bool has_extent = character.placement.extent.has_value();
+    const std::string remedy = has_extent ? "; --scale, --up and --ground overrule it." : ".";
+    add_line(lines, character.name + ": " + character.placement.reasons + remedy);
+  }
+  return lines;
+}
+
 std::string local_store_notice(const anim::AnimationSystem& system) {
   const std::size_t bytes = system.figures().schedule().local_store_bytes;
   if (system.options().local_store_bytes != 0 || bytes <= anim::usual_local_store_bytes) return {};

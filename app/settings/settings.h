@@ -9,6 +9,7 @@
 #include "app/character/roles.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/lod/lod.h"
+#include "engine/anim/survey/placement_guess.h"
 
 namespace throng::app {
 
@@ -107,6 +108,7 @@ inline constexpr std::size_t most_models = 16;     ///< the largest number of mo
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
   std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
+  anim::PlacementChoice placement;  ///< size and place of all of them; what it leaves open is guessed
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all

@@ -89,8 +89,8 @@ class Show {
   Recorder recorder_;
   RunFigures figures_;
   Rewind rewind_;
+  LoadOptions load_options_;  // of models that are dropped too
   bool keeps_moments_ = false;
-  bool strict_ = false;  // of models that are dropped
   std::optional<render::Camera> frozen_camera_;
   CameraPath path_ = CameraPath::none;
   render::Camera path_start_;

@@ -15,9 +15,9 @@ anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
   if (!options.models.empty()) {
     std::vector<std::string> files;
     for (const std::string& model : options.models) files.push_back(with_skin(model, options.skin));
-    return load_characters(files, {.strict = options.strict});
+    return load_characters(files, load_options(options));
   }
-  auto character = load_built_in(options.data);
+  auto character = load_built_in(options.data, load_options(options));
   if (!character) return character.error();
   std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));
@@ -48,6 +48,10 @@ bool choose_roles(const DemoOptions& options, std::span<CharacterSource> charact
 }
 
 }  // namespace
+
+LoadOptions load_options(const DemoOptions& options) {
+  return {.import = {.strict = options.strict}, .placement = options.placement};
+}
 
 bool fail(StartError& error, int status, std::string message) {
   error = {{std::move(message)}, status};

@@ -86,12 +86,36 @@ TEST(Import, BindsAMeshBelowAJointToThatJoint) {
   EXPECT_THAT(model.meshes.back().weights, Each(glm::vec4(1.0F, 0.0F, 0.0F, 0.0F)));
 }
 
-TEST(Import, ReportsAMorphTargetThatItIgnores) {
+/// The feature with one morph target, which moves each vertex by as much as it is away from the origin.
+json document_with_target() {
   json document = editable_document();
   json& primitive = document["meshes"][0]["primitives"][0];
   primitive["targets"] = json::array({{{"POSITION", primitive["attributes"]["POSITION"]}}});
+  return document;
+}
+
+TEST(Import, AddsMorphTargetsByTheirDefaultWeights) {
   const TemporaryFolder folder;
-  EXPECT_THAT(import_good(folder.write("morph.gltf", document.dump())).repairs, Contains(HasSubstr("morph targets")));
+  json document = document_with_target();
+  const anim::SkinnedMesh plain = import_good(folder.write("0.gltf", document.dump())).models.front().meshes.front();
+  document["meshes"][0]["weights"] = {0.5};
+  const anim::SkinnedMesh half = import_good(folder.write("1.gltf", document.dump())).models.front().meshes.front();
+  document["nodes"][6]["weights"] = {1.0};
+  const anim::SkinnedMesh whole = import_good(folder.write("2.gltf", document.dump())).models.front().meshes.front();
+  const glm::mat4 bind(feature("data-uri.gltf").skins.front().bind_to_model);
+  for (std::size_t v = 0; v < plain.positions.size(); ++v) {
+    const glm::vec3 own(glm::inverse(bind) * glm::vec4(plain.positions[v], 1.0F));
+    EXPECT_LT(glm::distance(half.positions[v], glm::vec3(bind * glm::vec4(1.5F * own, 1.0F))), 1e-5F) << v;
+    EXPECT_LT(glm::distance(whole.positions[v], glm::vec3(bind * glm::vec4(2.0F * own, 1.0F))), 1e-5F) << v;
+  }
+}
+
+TEST(Import, SaysThatAnimatedMorphWeightsAreLeftOut) {
+  json document = document_with_target();
+  document["animations"][0]["channels"][0]["target"] = {{"node", 6}, {"path", "weights"}};
+  const TemporaryFolder folder;
+  EXPECT_THAT(import_good(folder.write("morph.gltf", document.dump())).repairs,
+              Contains(HasSubstr("animation 0 \"wave\": its morph weights are left out")));
 }
 
 TEST(Import, NamesTheFileTheObjectAndWhatToDo) {

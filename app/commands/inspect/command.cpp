@@ -12,6 +12,7 @@
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
+#include "engine/anim/survey/placement_guess.h"
 
 namespace throng::app {
 namespace {
@@ -98,7 +99,22 @@ Json materials_json(const anim::Model& model) {
   return materials;
 }
 
-Json model_json(const anim::Model& model) {
+Json numbers(const glm::dvec3& vector) { return Json::array({vector.x, vector.y, vector.z}); }
+
+/// Says size and place of a model, before and after.
+Json size_json(const anim::GuessedPlacement& placed) {
+  const anim::ModelExtent extent = placed.extent.value_or(anim::ModelExtent{});
+  return {{"file_lowest", extent.lowest},
+          {"file_middle", numbers(extent.middle)},
+          {"file_size", numbers(extent.size)},
+          {"height_m", placed.height},
+          {"offset_m", numbers(placed.placement.offset)},
+          {"reasons", placed.reasons},
+          {"scale", placed.placement.scale}};
+}
+
+Json model_json(const InspectedModel& inspected) {
+  const anim::Model& model = inspected.model;
   Json bones = Json::array();
   for (const anim::Bone& bone : model.skeleton.bones) bones.push_back(bone.name);
   Json images = Json::array();
@@ -113,24 +129,37 @@ Json model_json(const anim::Model& model) {
           {"name", model.skeleton.name},
           {"palette_entries", model.skeleton.palette_count()},
           {"path", path_name(model.skeleton)},
+          {"size", size_json(inspected.placed)},
           {"skins", skins_json(model)}};
 }
 
 /// Says what the file holds as one JSON object; README.md beside this file lists the keys.
-std::string inspection_json(const anim::ImportedFile& file) {
+std::string inspection_json(const anim::ImportedFile& file, const std::vector<InspectedModel>& inspected) {
   Json models = Json::array();
-  for (const anim::Model& model : file.models) models.push_back(model_json(model));
+  for (const InspectedModel& model : inspected) models.push_back(model_json(model));
   const Json inspection = {
       {"animations", file.animations}, {"file", file.file}, {"models", std::move(models)}, {"repairs", file.repairs}};
   return inspection.dump(2) + "\n";
 }
 
+/// Takes the models out of the file and gives them size and place.
+std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::PlacementChoice& choice) {
+  std::vector<InspectedModel> models;
+  for (anim::Model& model : file.models) {
+    const anim::GuessedPlacement placed = anim::guess_placement(model, choice);
+    anim::place_model(model, placed.placement);
+    models.push_back({std::move(model), placed});
+  }
+  return models;
+}
+
 }  // namespace
 
 int run_inspect(const InspectOptions& options) {
-  const auto file = import::import_file(options.model, {.strict = options.strict});
+  auto file = import::import_file(options.model, {.strict = options.strict});
   if (!file) return end_with(exit_job_failed, file.error().message);
-  const std::string text = options.json ? inspection_json(*file) : inspection_text(*file);
+  const std::vector<InspectedModel> models = placed_models(*file, options.placement);
+  const std::string text = options.json ? inspection_json(*file, models) : inspection_text(*file, models);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     return end_with(exit_job_failed, "standard output cannot be written");
   }

@@ -2,13 +2,16 @@
 
 #include <string>
 
+#include "engine/anim/survey/placement_guess.h"
+
 namespace throng::app {
 
 /// The options of `throng inspect`.
 struct InspectOptions {
   std::string model;
-  bool strict = false;  ///< what would be repaired is refused
-  bool json = false;    ///< one JSON object on standard output instead of lines for a person
+  anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
+  bool strict = false;                   ///< what would be repaired is refused
+  bool json = false;                     ///< one JSON object on standard output instead of tables for a person
 };
 
 }  // namespace throng::app

@@ -56,8 +56,17 @@ std::string root_text(const anim::BakedClip& clip) {
 }
 
 std::string size_text(const anim::CharacterBounds& bounds) {
-  return "height " + decimal(bounds.height, 2) + " m, body radius " + decimal(bounds.body_radius, 2) +
+  return "body radius " + decimal(bounds.body_radius, 2) +
          " m, no pose leaves " + decimal(bounds.reach, 2) + " m around its middle";
+}
+
+std::string placement_text(const anim::GuessedPlacement& placed) {
+  std::string text = placed.reasons;
+  if (placed.extent) {
+    const glm::dvec3 size = placed.placement.scale * placed.extent->size;
+    text += "; " + decimal(size.x, 2) + " m wide, " + decimal(size.z, 2) + " m deep";
+  }
+  return text + "; --scale, --up and --ground overrule it";
 }
 
 std::string skeleton_text(const anim::Skeleton& skeleton) {
@@ -160,9 +169,10 @@ std::vector<std::string> guesses(const anim::Model& model, const anim::Character
   return lines;
 }
 
-std::string model_text(const anim::Model& model) {
+std::string model_text(const InspectedModel& inspected) {
+  const anim::Model& model = inspected.model;
   const anim::Character character = anim::bake_character(model);
-  std::string text = "\nskeleton " + name_text(model.skeleton.name) + "\n  " + size_text(character.bounds) + "\n  " +
+  std::string text = "\nskeleton " + name_text(model.skeleton.name) + "\n  " + placement_text(inspected.placed) + "\n  " + size_text(character.bounds) + "\n  " +
                      skeleton_text(model.skeleton) + "\n";
   for (const TextTable& table :
        {skin_table(model), clip_table(model, character), mesh_table(model), material_table(model)}) {
@@ -175,11 +185,11 @@ std::string model_text(const anim::Model& model) {
 
 }  // namespace
 
-std::string inspection_text(const anim::ImportedFile& file) {
-  std::string text = file.file + ": " + counted(file.models.size(), "skeleton") + ", " +
+std::string inspection_text(const anim::ImportedFile& file, std::span<const InspectedModel> models) {
+  std::string text = file.file + ": " + counted(models.size(), "skeleton") + ", " +
                      counted(file.animations.size(), "animation") + ", " +
                      (file.repairs.empty() ? "nothing to repair" : counted(file.repairs.size(), "repair")) + "\n";
-  for (const anim::Model& model : file.models) text += model_text(model);
+  for (const InspectedModel& model : models) text += model_text(model);
   if (!file.repairs.empty()) text += '\n';
   for (const std::string& repair : file.repairs) {
     text += (repair.find("left out") == std::string::npos ? "repaired: " : "left out: ") + repair + "\n";

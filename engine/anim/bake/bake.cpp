@@ -172,18 +172,21 @@ Character bake_character(const Model& model, const BakeOptions& options) {
                       .height = proxy.height,
                       .skip_errors = std::vector<SkipError>(clips.size()),
                       .level_entries = entries_of_levels(model.skeleton)};
+  const BoundsSurvey room(model);
+  std::vector<double> reaches(clips.size());
   std::vector<std::vector<NamedDataKey>> data_keys(clips.size());
   const auto bake = [&](std::size_t clip) {
     BakedClip& baked = character.clips[clip];
     baked = bake_clip(character.skeleton, proxy, clips[clip], options);
     data_keys[clip] = data_keys_of(character, clips[clip], baked, options);
+    reaches[clip] = room.reach(clips[clip], baked.loop_displacement);
     character.skip_errors[clip] = measure_skip_error(character.skeleton, proxy, baked, clips.size());
   };
   const std::function<void()> surveys[] = {[&] { character.bone_lod = measure_bone_lod(model); },
-                                           [&] { character.bounds = measure_bounds(model); },
                                            [&] { character.surface_points = choose_surface_points(model); }};
   in_parallel(std::size(surveys) + clips.size(),
               [&](std::size_t part) { part < std::size(surveys) ? surveys[part]() : bake(part - std::size(surveys)); });
+  character.bounds = room.bounds(reaches);
   for (std::size_t clip = 0; clip < clips.size(); ++clip)
     add_data_keys(character, character.clips[clip], data_keys[clip]);
   return character;

@@ -44,6 +44,9 @@ class AnimationReader {
     }
     animation_.start = std::min(start_, animation_.duration);
     read_data_keys();
+    if (moves_shapes_) {
+      document_.repairs.push_back(name_ + ": its morph weights are left out, shapes keep their default weights");
+    }
     return std::move(animation_);
   }
 
@@ -79,6 +82,8 @@ class AnimationReader {
     } else if (channel.target_path == "rotation") {
       tracks.rotation = read_track<glm::quat>(output, keys, TINYGLTF_TYPE_VEC4);
       mend_rotations(tracks.rotation);
+    } else {
+      moves_shapes_ = true;
     }
   }
 
@@ -166,6 +171,7 @@ class AnimationReader {
   std::string name_;
   std::string channel_name_;
   std::set<std::pair<int, std::string>> targets_;
+  bool moves_shapes_ = false;  // has a channel of morph weights
   Animation animation_;
   double start_ = std::numeric_limits<double>::infinity();
 };

@@ -19,6 +19,7 @@ namespace throng::import {
 namespace {
 
 using nlohmann::json;
+using namespace nlohmann::literals;
 
 std::vector<ImageSource> take_images(json& document) {
   std::vector<ImageSource> images;
@@ -53,6 +54,17 @@ std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
     node.erase(mesh_lods_property);
   }
   return nodes;
+}
+
+std::vector<bool> take_hidden(json& document) {
+  std::vector<bool> hidden;
+  if (!document.contains("nodes")) return hidden;
+  for (json& node : document["nodes"]) {
+    const json visibility = node.value("/extensions/KHR_node_visibility"_json_pointer, json::object());
+    hidden.push_back(!visibility.value("visible", true));
+    node.erase("extensions");
+  }
+  return hidden;
 }
 
 bool refuse_to_load(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
@@ -91,6 +103,7 @@ Document load_document(const std::filesystem::path& path, bool strict) {
   document.images = take_images(json_document);
   document.data_keys = take_data_keys(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
+  document.is_hidden = take_hidden(json_document);
   document.buffer_views = load_buffer_views(json_document, parts.binary, document.files, document.repairs);
   decode_draco_meshes(json_document, document.buffer_views, document.repairs);
   for (const char* key : {"buffers", "cameras", "extensions", "extensionsUsed", "extensionsRequired"}) {

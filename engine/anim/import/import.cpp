@@ -10,6 +10,7 @@
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/animations.h"
+#include "engine/anim/import/carried_meshes.h"
 #include "engine/anim/import/document.h"
 #include "engine/anim/import/materials.h"
 #include "engine/anim/import/meshes.h"
@@ -66,8 +67,11 @@ anim::ImportedFile import_checked(const std::string& path, const ImportOptions& 
 
   anim::ImportedFile file{.file = path, .models = {}, .animations = {}, .repairs = {}};
   for (const Animation& animation : animations) file.animations.push_back(animation.name);
-  for (const std::vector<int>& group : group_skins(skins, tree)) {
-    file.models.push_back(build_model(document, tree, build_skeleton(document, tree, animations, skins, group)));
+  const std::vector<std::vector<int>> groups = group_skins(skins, tree);
+  const std::vector<std::vector<int>> carried = find_carried_meshes(document, tree, skins, groups);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    BuiltSkeleton skeleton = build_skeleton(document, tree, animations, skins, groups[i], carried[i]);
+    file.models.push_back(build_model(document, tree, std::move(skeleton)));
   }
   std::ranges::stable_sort(file.models, std::ranges::greater{}, [](const anim::Model& model) {
     return std::tuple(vertex_count(model), model.skeleton.bones.size());

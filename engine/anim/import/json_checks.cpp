@@ -78,11 +78,17 @@ constexpr auto properties = std::to_array<Property>({
     {"node", "rotation", Kind::numbers, {}, 4},
     {"node", "scale", Kind::numbers, {}, 3},
 
+    {"node", "weights", Kind::numbers},
+    {"node", "extensions", Kind::object, "node extensions"},
+    {"node extensions", "KHR_node_visibility", Kind::object, "node visibility"},
+    {"node visibility", "visible", Kind::flag},
+
     {"node", mesh_lods_property, Kind::objects, "mesh LOD"},
     {"mesh LOD", "node", Kind::index, "nodes", 0, required},
     {"mesh LOD", "error", Kind::number, {}, 0, required},
 
     {"mesh", "name", Kind::text},
+    {"mesh", "weights", Kind::numbers},
     {"mesh", "primitives", Kind::objects, "primitive", 1, required},
 
     {"primitive", "attributes", Kind::object, "attributes", 0, required},

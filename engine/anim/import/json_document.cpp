@@ -46,6 +46,7 @@ constexpr std::array read_extensions{"EXT_meshopt_compression",
                                      "KHR_materials_pbrSpecularGlossiness",
                                      "KHR_materials_unlit",
                                      "KHR_meshopt_compression",
+                                     "KHR_node_visibility",
                                      "KHR_texture_basisu",
                                      "KHR_texture_transform"};
 

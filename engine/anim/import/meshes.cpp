@@ -165,7 +165,7 @@ class MeshReader {
   Surfaces read() {
     std::vector<int> skinned;
     for (int node = 0; node < tree_.size(); ++node) {
-      if (tree_.in_scene[static_cast<std::size_t>(node)] && read_skinned(node)) skinned.push_back(node);
+      if (tree_.is_drawn[static_cast<std::size_t>(node)] && read_skinned(node)) skinned.push_back(node);
     }
     for (const AttachedMesh& attached : built_.attached) read_attached(attached);
     Surfaces surfaces{.meshes = std::exchange(meshes_, {}), .mesh_lods = {}};
@@ -219,7 +219,8 @@ class MeshReader {
         document_.repairs.push_back(name + ": has a skin, but no JOINTS_0 and WEIGHTS_0, left out");
         return;
       }
-      anim::SkinnedMesh result = read_surface(document_, primitive, skin->bind_to_model, materials_, name);
+      anim::SkinnedMesh result =
+          read_surface(document_, primitive, morph_weights(node), skin->bind_to_model, materials_, name);
       Influences influences = read_influences(document_, primitive, *skin, result.positions.size(), name);
       add(std::move(result), std::move(influences), mesh);
     });
@@ -236,10 +237,18 @@ class MeshReader {
     }
     const int entry = plain_palette_entry(built_.skeleton, attached.bone);
     for_each_primitive(source(attached.node).mesh, [&](const tinygltf::Primitive& primitive, const std::string& name) {
-      anim::SkinnedMesh result = read_surface(document_, primitive, to_palette, materials_, name);
+      anim::SkinnedMesh result =
+          read_surface(document_, primitive, morph_weights(attached.node), to_palette, materials_, name);
       Influences influences = rigid_influences(entry, result.positions.size());
       add(std::move(result), std::move(influences), source(attached.node).mesh);
     });
+  }
+
+  /// Returns the weights of a node's morph targets without animation (glTF 2.0, 3.7.2.2): those of the node, else of
+  /// its mesh, else none.
+  const std::vector<double>& morph_weights(int node) const {
+    const std::vector<double>& own = source(node).weights;
+    return own.empty() ? document_.gltf.meshes[static_cast<std::size_t>(source(node).mesh)].weights : own;
   }
 
   template <typename Action>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -92,24 +93,25 @@ class SurfaceReader {
   SurfaceReader(Document& document, const tinygltf::Primitive& primitive, const std::string& name)
       : document_(document), primitive_(primitive), name_(name) {}
 
-  anim::SkinnedMesh read(const glm::dmat4& placement, MaterialCollector& materials) {
+  anim::SkinnedMesh read(std::span<const double> morph_weights, const glm::dmat4& placement,
+                         MaterialCollector& materials) {
     if (!primitive_.attributes.contains("POSITION")) {
       document_.repairs.push_back(name_ + ": has no POSITION, left out");
       return {};
     }
     mesh_.positions = read_attribute<glm::vec3>("POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true);
     mesh_.indices = read_triangles(document_, primitive_, mesh_.positions.size(), name_);
-    mend_positions();
     mesh_.material = materials.material(primitive_.material);
     mesh_.normals = read_attribute<glm::vec3>("NORMAL", TINYGLTF_TYPE_VEC3, float_or_small);
     if (materials.at(mesh_.material).normal_texture.image >= 0 && !mesh_.normals.empty()) {
       mesh_.tangents = read_attribute<glm::vec4>("TANGENT", TINYGLTF_TYPE_VEC4, float_or_small);
     }
+    add_morph_targets(morph_weights);
+    mend_positions();
     read_texture_coords(materials);
     read_colors();
     read_regions();
     read_variations();
-    if (!primitive_.targets.empty()) document_.repairs.push_back(name_ + ": its morph targets are ignored");
     place(placement);
     mend_normals();
     return std::move(mesh_);
@@ -120,14 +122,51 @@ class SurfaceReader {
   template <typename Vector>
   std::vector<Vector> read_attribute(const std::string& attribute, int type, Components components,
                                      bool raw = false) const {
-    const auto found = primitive_.attributes.find(attribute);
-    if (found == primitive_.attributes.end()) return {};
+    return read_attribute_of<Vector>(primitive_.attributes, attribute, type, components, raw);
+  }
+
+  template <typename Vector>
+  std::vector<Vector> read_attribute_of(const std::map<std::string, int>& attributes, const std::string& attribute,
+                                        int type, Components components, bool raw) const {
+    const auto found = attributes.find(attribute);
+    if (found == attributes.end()) return {};
     auto values =
         grouped<Vector>(read_floats(document_, found->second, {name_ + ": " + attribute, {type}, components, raw}));
     if (!mesh_.positions.empty() && values.size() != mesh_.positions.size()) {
       refuse(name_, "has another number of " + attribute + " than of POSITION");
     }
     return values;
+  }
+
+  /// Adds each target times its weight (glTF 2.0, 3.7.2.2). A target that counts for nothing is not decoded.
+  void add_morph_targets(std::span<const double> weights) {
+    if (weights.size() > primitive_.targets.size()) {
+      document_.repairs.push_back(name_ + ": has more morph weights than targets, those beyond left out");
+    }
+    bool turned = false;
+    for (std::size_t target = 0; target < std::min(weights.size(), primitive_.targets.size()); ++target) {
+      const auto weight = static_cast<float>(weights[target]);
+      if (weight == 0.0F) continue;
+      const auto& attributes = primitive_.targets[target];
+      add_scaled(mesh_.positions,
+                 read_attribute_of<glm::vec3>(attributes, "POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true),
+                 weight);
+      if (mesh_.normals.empty()) continue;  // they are computed of the morphed triangles
+      turned |= add_scaled(
+          mesh_.normals, read_attribute_of<glm::vec3>(attributes, "NORMAL", TINYGLTF_TYPE_VEC3, float_or_small, false),
+          weight);
+    }
+    if (!turned) return;
+    for (glm::vec3& normal : mesh_.normals) {
+      const float length = glm::length(normal);
+      if (length > 0.0F) normal /= length;
+    }
+  }
+
+  /// Returns whether there was anything to add.
+  static bool add_scaled(std::vector<glm::vec3>& vectors, const std::vector<glm::vec3>& offsets, float weight) {
+    for (std::size_t i = 0; i < offsets.size(); ++i) vectors[i] += weight * offsets[i];
+    return !offsets.empty();
   }
 
   /// Some exporters write NaN for a vertex that should not be drawn. Drops its triangles.
@@ -241,9 +280,10 @@ class SurfaceReader {
 
 }  // namespace
 
-anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive, const glm::dmat4& placement,
+anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive,
+                               std::span<const double> morph_weights, const glm::dmat4& placement,
                                MaterialCollector& materials, const std::string& name) {
-  return SurfaceReader(document, primitive, name).read(placement, materials);
+  return SurfaceReader(document, primitive, name).read(morph_weights, placement, materials);
 }
 
 }  // namespace throng::import

@@ -39,6 +39,16 @@ TEST(LocalStoreNotice, SaysNothingOfAStoreThatWasAskedFor) {
   EXPECT_EQ(local_store_notice(*system_of(200, large)), "");
 }
 
+TEST(PlacementNotice, SaysWhoIsShownInAnotherSizeOrPlaceAndHowToOverruleIt) {
+  const std::string file = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";
+  std::vector<CharacterSource> people;
+  people.push_back(*load_character(file, "plain"));
+  EXPECT_EQ(placement_notice(people), "");
+  people.push_back(*load_character(file, "large", nullptr, {.placement = {.scale = 2.0}}));
+  EXPECT_THAT(placement_notice(people), testing::MatchesRegex("large: 4.* m tall: scaled by 2 as asked; --scale, "
+                                                              "--up and --ground overrule it."));
+}
+
 class PaletteFormatNotice : public testing::Test {
  protected:
   PaletteFormatNotice() {

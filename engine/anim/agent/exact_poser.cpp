@@ -65,8 +65,6 @@ void ExactPoser::make_scheduler(const Population& population, const FittedSchedu
                                                            .block_changes = BlockChanges::dropped},
                                            no_unseen_palettes);
   scheduler_->reserve(population.count());
-  work_.reserve(population.count());
-  runs_.reserve(population.count());
   made_for_ = crowd.version();
 }
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "app/character/bone_lod.h"
+#include "app/character/load_options.h"
 #include "app/character/roles.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/base/result.h"
-#include "app/character/load_options.h"
 #include "engine/render/crowd_mesh_data.h"
 
 namespace throng::app {

@@ -183,7 +183,7 @@ TEST(Images, BesideABrokenOneAreShownInItsPlace) {
   const anim::ImportedFile file = imported(document);
   EXPECT_THAT(file.models.at(0).images, SizeIs(1));
   EXPECT_THAT(file.repairs,
-              ElementsAre(HasSubstr("image 0 \"missing.webp\": left out, because there is no such file")));
+              ElementsAre(HasSubstr("image 0 \"missing.webp\": left out, because there is no file \"missing.webp\"")));
 }
 
 TEST(Images, InKtx2AreReplacedByThePngBesideThem) {

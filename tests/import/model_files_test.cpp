@@ -142,7 +142,9 @@ TEST_F(ModelBeside, ShowsItsShapeWithoutAnImageThatIsMissing) {
   document["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
   document["meshes"][0]["primitives"][0]["material"] = 0;
   const anim::ImportedFile file = import_good(folder_.write("model.gltf", document.dump()));
-  EXPECT_THAT(file.repairs, ElementsAre(HasSubstr("image 0: left out, because there is no file \"skin colour.png\"")));
+  EXPECT_THAT(
+      file.repairs,
+      ElementsAre(HasSubstr("image 0 \"skin colour.png\": left out, because there is no file \"skin colour.png\"")));
   EXPECT_FALSE(file.models.front().meshes.empty());
 }
 

@@ -56,8 +56,8 @@ std::string root_text(const anim::BakedClip& clip) {
 }
 
 std::string size_text(const anim::CharacterBounds& bounds) {
-  return "body radius " + decimal(bounds.body_radius, 2) +
-         " m, no pose leaves " + decimal(bounds.reach, 2) + " m around its middle";
+  return "body radius " + decimal(bounds.body_radius, 2) + " m, no pose leaves " + decimal(bounds.reach, 2) +
+         " m around its middle";
 }
 
 std::string placement_text(const anim::GuessedPlacement& placed) {
@@ -172,8 +172,8 @@ std::vector<std::string> guesses(const anim::Model& model, const anim::Character
 std::string model_text(const InspectedModel& inspected) {
   const anim::Model& model = inspected.model;
   const anim::Character character = anim::bake_character(model);
-  std::string text = "\nskeleton " + name_text(model.skeleton.name) + "\n  " + placement_text(inspected.placed) + "\n  " + size_text(character.bounds) + "\n  " +
-                     skeleton_text(model.skeleton) + "\n";
+  std::string text = "\nskeleton " + name_text(model.skeleton.name) + "\n  " + placement_text(inspected.placed) +
+                     "\n  " + size_text(character.bounds) + "\n  " + skeleton_text(model.skeleton) + "\n";
   for (const TextTable& table :
        {skin_table(model), clip_table(model, character), mesh_table(model), material_table(model)}) {
     if (!table.is_empty()) text += table.text(indent);

@@ -86,6 +86,7 @@ Document load_document(const std::filesystem::path& path) {
   document.images = take_images(json_document);
   document.data_keys = take_data_keys(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
+  document.humanoid = read_humanoid(json_document, document.repairs);
   document.buffer_views = load_buffer_views(json_document, parts.binary, document.folder);
   for (const char* key : {"buffers", "cameras", "samplers", "extensions", "extensionsUsed", "extensionsRequired"}) {
     json_document.erase(key);

@@ -36,6 +36,7 @@ anim::Model build_model(Document& document, const NodeTree& tree, BuiltSkeleton 
   model.skeleton = std::move(built.skeleton);
   model.skins = std::move(built.skins);
   model.clips = std::move(built.clips);
+  model.faces_backwards = document.humanoid.faces_backwards;
   model.materials = materials.take_materials();
   model.images = materials.take_images();
   anim::reorder_bones(model, anim::order_bones(parents_of(model.skeleton), anim::bone_importance(model)));
@@ -48,11 +49,12 @@ std::size_t vertex_count(const anim::Model& model) {
   return count;
 }
 
-anim::ImportedFile import_checked(const std::string& path) {
+anim::ImportedFile import_checked(const std::string& path, bool skin_of_nodes) {
   Document document = load_document(path);
   const NodeTree tree = build_node_tree(document);
   const std::vector<Animation> animations = read_animations(document, tree);
-  const std::vector<FileSkin> skins = read_skins(document, tree);
+  std::vector<FileSkin> skins = read_skins(document, tree);
+  if (skins.empty() && skin_of_nodes) skins = skin_animated_nodes(document, tree, animations);
 
   anim::ImportedFile file{.file = path, .models = {}, .animations = {}, .repairs = {}};
   for (const Animation& animation : animations) file.animations.push_back(animation.name);
@@ -74,17 +76,9 @@ anim::Error error_of(const std::string& path, const std::string& reason) {
   return {message};
 }
 
-}  // namespace
-
-anim::Result<anim::ImportedFile> import_file(const std::string& path) {
-  anim::Result<anim::ImportedFile> file = import_skins(path);
-  if (!file || !file->models.empty()) return file;
-  return error_of(path, "it holds no skin, so there is no skeleton to pose; export a rigged character");
-}
-
-anim::Result<anim::ImportedFile> import_skins(const std::string& path) {
+anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, bool skin_of_nodes) {
   try {
-    return import_checked(path);
+    return import_checked(path, skin_of_nodes);
   } catch (const Refusal& refusal) {
     return error_of(path, refusal.what());
   } catch (const std::bad_alloc&) {
@@ -93,5 +87,17 @@ anim::Result<anim::ImportedFile> import_skins(const std::string& path) {
     return error_of(path, std::string("it cannot be imported: ") + exception.what() + "; export the file again");
   }
 }
+
+}  // namespace
+
+anim::Result<anim::ImportedFile> import_file(const std::string& path) {
+  anim::Result<anim::ImportedFile> file = import_skins(path);
+  if (!file || !file->models.empty()) return file;
+  return error_of(path, "it holds no skin, so there is no skeleton to pose; export a rigged character");
+}
+
+anim::Result<anim::ImportedFile> import_skins(const std::string& path) { return import_or_refuse(path, false); }
+
+anim::Result<anim::ImportedFile> import_clips(const std::string& path) { return import_or_refuse(path, true); }
 
 }  // namespace throng::import

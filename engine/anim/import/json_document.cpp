@@ -37,7 +37,7 @@ void check_depth(std::string_view text) {
 }
 
 /// Extensions whose content import reads.
-constexpr std::array read_extensions{"EXT_meshopt_compression", "KHR_texture_transform"};
+constexpr std::array read_extensions{"EXT_meshopt_compression", "KHR_texture_transform", "VRM", "VRMC_vrm"};
 
 void keep_read_extensions(json& object) {
   const auto extensions = object.find("extensions");

@@ -8,11 +8,17 @@
 
 namespace throng::app {
 
-/// Loads a character from each file, in this order. The error names the file and what is wrong with it.
-anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files);
+/// Loads a character from each file, in this order; each gets the clips of `clips_from` too. The error names the file
+/// and what is wrong with it.
+anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
+                                                           std::span<const std::string> clips_from = {});
 
-/// Loads the character that comes with the program, from the folders that --data leads.
-anim::Result<CharacterSource> load_built_in(const std::string& data_option);
+/// Does the same with files that came together: those that hold clips alone give them to the others.
+anim::Result<std::vector<CharacterSource>> load_dropped(std::span<const std::string> files);
+
+/// Loads the character that comes with the program, from the folders that --data leads, with the clips of `clips_from`.
+anim::Result<CharacterSource> load_built_in(const std::string& data_option,
+                                            std::span<const std::string> clips_from = {});
 
 /// Takes the roles that were kept for the character the last time, where there are any. The error names the file or the
 /// character, and the role that cannot be.

@@ -5,6 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "app/character/clip_files.h"
+#include "app/character/role_table.h"
+#include "engine/anim/asset/model_space.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/survey/lod_survey.h"
@@ -112,10 +115,23 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
 
 }  // namespace
 
-anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
-                                             const BoneLodFile* kept) {
+anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
+  const auto kept = RoleFile(path).read_rig();
+  if (!kept) return kept.error();
+  const anim::Status chosen = choose_bones(*kept, skeleton);
+  return chosen ? chosen : anim::Status(anim::Error{"the rig kept for " + path + ": " + chosen.error().message});
+}
+
+anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name, const BoneLodFile* kept,
+                                             std::span<const std::string> clips_from) {
   anim::Result<anim::ImportedFile> file = import::import_file(path);
   if (!file) return file.error();
+  anim::face_forward(file->models.front());
+  if (kept != nullptr) {
+    const anim::Status taken = take_kept_rig(path, file->models.front().skeleton);
+    if (!taken) return taken.error();
+  }
+  if (const anim::Status added = add_clips_from(clips_from, *file); !added) return added.error();
   CharacterSource source;
   source.name = name;
   source.model = std::move(file->models.front());

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,15 @@ struct CharacterSource {
   bool has_surface() const { return !model.meshes.empty(); }
 };
 
-/// Imports and bakes the largest model of `path`. `kept` has the order of its bones that a person chose, if any.
+/// Gives the bones of the model in `path` the parts of the body that a person chose for it, if any. The error names the
+/// file and what cannot be.
+anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
+
+/// Imports and bakes the largest model of `path`. `kept` has the order of its bones that a person chose; with it, the
+/// parts of the body that were kept for the file count too. The clips of `clips_from` are added (clip_files.h).
 anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
-                                             const BoneLodFile* kept = nullptr);
+                                             const BoneLodFile* kept = nullptr,
+                                             std::span<const std::string> clips_from = {});
 
 /// A character whose bones are in another order, and the new index of each bone.
 struct ReorderedCharacter {

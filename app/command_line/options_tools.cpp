@@ -49,6 +49,8 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   OptionReader reader("throng pose", "Writes the joints and palettes of every skin of a file.");
   reader.option_defaults()->group("What is posed");
   reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
+  reader.value("--clips-from", "FILE,...", "Files whose clips are added, retargeted where need be",
+               file_names(options.clips_from));
   reader.value("--clip", "NAME|INDEX", "A clip of the file, or none", any_text(options.clip))->required();
   reader.value("--time", "T[,T...]", "Seconds", times_list(options.times))->required();
   Tuning tuning;
@@ -64,6 +66,8 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   OptionReader reader("throng inspect", "Says what was found in a file, what was repaired and what was refused.");
   reader.option_defaults()->group("What is inspected");
   reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
+  reader.value("--clips-from", "FILE,...", "Files whose clips are added, retargeted where need be",
+               file_names(options.clips_from));
   reader.flag("--json", options.json, "As one JSON object");
   if (auto stop = reader.read(arguments)) return *stop;
   return options;

@@ -106,7 +106,8 @@ inline constexpr std::size_t most_models = 16;     ///< the largest number of mo
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
-  std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
+  std::vector<std::string> models;      ///< files, a character each; empty: the built-in one
+  std::vector<std::string> clips_from;  ///< files whose clips every character plays too
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all

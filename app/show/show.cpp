@@ -87,7 +87,7 @@ anim::Status Show::replace_models(std::span<const std::string> files) {
     return anim::Error{std::to_string(files.size()) + " models at once: at most " + std::to_string(most_models) +
                        " share a crowd"};
   }
-  auto characters = load_characters(files);
+  auto characters = files.size() > 1 ? load_dropped(files) : load_characters(files);
   if (!characters) return characters.error();
   for (CharacterSource& character : *characters) {
     if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();

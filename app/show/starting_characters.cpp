@@ -11,8 +11,8 @@ namespace throng::app {
 namespace {
 
 anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
-  if (!options.models.empty()) return load_characters(options.models);
-  auto character = load_built_in(options.data);
+  if (!options.models.empty()) return load_characters(options.models, options.clips_from);
+  auto character = load_built_in(options.data, options.clips_from);
   if (!character) return character.error();
   std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));

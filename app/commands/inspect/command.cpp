@@ -7,11 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "app/character/clip_files.h"
+#include "app/character/source.h"
 #include "app/files/exit_status.h"
+#include "app/files/joined.h"
 #include "app/files/json.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
+#include "engine/anim/rig/rig_map.h"
 
 namespace throng::app {
 namespace {
@@ -42,6 +46,30 @@ void write_streams(std::ostream& out, const anim::BakedClip& clip) {
       << " bytes\n";
 }
 
+/// Lists the parts of the body with their bones, and says why others are missing.
+std::string rig_text(const anim::Skeleton& skeleton) {
+  const anim::RigMap rig = anim::find_rig(skeleton);
+  std::vector<std::string> parts;
+  for (std::size_t role = 0; role < anim::body_role_count; ++role) {
+    if (rig.bones[role] < 0) continue;
+    parts.push_back(std::string(anim::body_role_names[role]) + " " +
+                    skeleton.bones[static_cast<std::size_t>(rig.bones[role])].name);
+  }
+  std::string text = parts.empty() ? "no part of a body is known" : joined(parts);
+  for (const std::string& doubt : rig.limbs.doubts) text += "\n    " + doubt;
+  return text;
+}
+
+Json rig_json(const anim::Skeleton& skeleton) {
+  const anim::RigMap rig = anim::find_rig(skeleton);
+  Json parts = Json::object();
+  for (std::size_t role = 0; role < anim::body_role_count; ++role) {
+    if (rig.bones[role] < 0) continue;
+    parts[anim::body_role_names[role]] = skeleton.bones[static_cast<std::size_t>(rig.bones[role])].name;
+  }
+  return parts;
+}
+
 void write_model(std::ostream& out, const anim::Model& model) {
   const anim::Character baked = anim::bake_character(model);
   const anim::Skeleton& skeleton = model.skeleton;
@@ -49,6 +77,7 @@ void write_model(std::ostream& out, const anim::Model& model) {
       << " path, " << skeleton.palette_count() << " palette entries, levels";
   for (const int count : skeleton.level_bone_counts) out << ' ' << count;
   out << '\n';
+  out << "  rig: " << rig_text(skeleton) << '\n';
   for (const anim::Skin& skin : model.skins) {
     out << "  skin " << skin.skin << " \"" << skin.name << "\": " << skin.bones.size() << " joints\n";
   }
@@ -150,6 +179,7 @@ Json model_json(const anim::Model& model) {
           {"name", model.skeleton.name},
           {"palette_entries", model.skeleton.palette_count()},
           {"path", path_name(model.skeleton)},
+          {"rig", rig_json(model.skeleton)},
           {"skins", skins_json(model)}};
 }
 
@@ -174,8 +204,10 @@ std::string inspection_json(const anim::ImportedFile& file) {
 }  // namespace
 
 int run_inspect(const InspectOptions& options) {
-  const auto file = import::import_file(options.model);
+  auto file = import::import_file(options.model);
   if (!file) return end_with(exit_job_failed, file.error().message);
+  const anim::Status added = add_clips_to(options.model, options.clips_from, *file);
+  if (!added) return end_with(exit_job_failed, added.error().message);
   const std::string text = options.json ? inspection_json(*file) : inspection_text(*file);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     return end_with(exit_job_failed, "standard output cannot be written");

@@ -12,6 +12,7 @@ namespace throng::anim {
 namespace {
 
 constexpr double nearly_whole = 0.9995;  // of the leg's length: a straight leg would not know where its knee bends
+constexpr double sharpest_knee = 0.94;   // cosine of the 20 degrees that thigh and shin leave between them
 constexpr double straight = 1e-3;        // of the leg's length: a knee nearer to the line says no direction
 
 glm::dvec3 across(const glm::dvec3& vector, const glm::dvec3& along) {
@@ -26,8 +27,8 @@ LegTurns reach(const LegPlaces& leg, const glm::dvec3& target, const glm::dvec3&
   LegTurns turns{.ankle = leg.ankle};
   if (!(std::min(upper, lower) > 1e-6 * whole) || !(glm::distance(target, leg.hip) > 1e-6 * whole)) return turns;
   const glm::dvec3 along = glm::normalize(target - leg.hip);
-  const double distance =
-      std::clamp(glm::distance(target, leg.hip), std::abs(upper - lower) + 1e-6 * whole, nearly_whole * whole);
+  const double shortest = std::sqrt(upper * upper + lower * lower - 2.0 * upper * lower * sharpest_knee);
+  const double distance = std::clamp(glm::distance(target, leg.hip), shortest, nearly_whole * whole);
   const glm::dvec3 line = glm::normalize(leg.ankle - leg.hip);
   glm::dvec3 side = across(leg.knee - leg.hip, line);
   if (glm::length(side) < straight * whole) side = forward;

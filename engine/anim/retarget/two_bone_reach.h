@@ -20,7 +20,7 @@ struct LegTurns {
 };
 
 /// Bends a leg until it ends at `target`. The knee keeps its side; where the leg is straight, it bends towards
-/// `forward`. A leg without length stays as it is.
+/// `forward`. It bends by at most 160 degrees. A leg without length stays as it is.
 LegTurns reach(const LegPlaces& leg, const glm::dvec3& target, const glm::dvec3& forward);
 
 /// Returns how far the hip has to come down for the leg to reach `target`, metres; 0 where it reaches or where no drop

@@ -35,6 +35,13 @@ TEST(Reach, BendsAStraightLegForward) {
   EXPECT_GT((turns.upper * (straight.knee - straight.hip)).z, 0.1);
 }
 
+TEST(Reach, FoldsNoFurtherThanAKnee) {
+  const LegTurns turns = reach(leg, {0.1, 0.85, 0.0}, forward);
+  const glm::dvec3 thigh = glm::normalize(turns.upper * (leg.knee - leg.hip));
+  const glm::dvec3 shin = glm::normalize(turns.lower * (leg.ankle - leg.knee));
+  EXPECT_NEAR(glm::dot(thigh, shin), -0.94, 1e-6);
+}
+
 TEST(Reach, LeavesALegWithoutLength) {
   const LegPlaces point{};
   const LegTurns turns = reach(point, {0.0, 1.0, 0.0}, forward);

@@ -94,19 +94,13 @@ class Planner {
     plan_.leg_length = own_.leg_length();
     has_same_frames_ = have_same_frames();
     source_stands_ = !has_same_frames_ || stand_alike();
-    if (!source_stands_) {
-      source_.ground = 0.0;
-      if (own_.leg > 0.0) source_.ankle = own_.ankle * source_.leg / own_.leg;
-    }
+    if (!source_stands_) stand_source();
     plan_.scale = scale();
     plan_.source_origin = origin_of(source_);
     plan_.own_origin = origin_of(own_);
     plan_bones();
     plan_hips();
-    for (const auto& [own, source] : {std::pair(&own_.rig.limbs.left_leg, &source_.rig.limbs.left_leg),
-                                      std::pair(&own_.rig.limbs.right_leg, &source_.rig.limbs.right_leg)}) {
-      if (*own && *source) plan_leg(**own, **source);
-    }
+    for (const auto& [own, source] : both_legs()) plan_leg(*own, *source);
     return std::move(plan_);
   }
 
@@ -170,6 +164,45 @@ class Planner {
       if (std::abs(glm::dot(own_.pose.rotation(own), other)) < alike) return false;
     }
     return true;
+  }
+
+  /// Takes the ground and the height of the ankles of a source that rests in the middle of a clip from our feet.
+  void stand_source() {
+    source_.ground = 0.0;
+    source_.ankle = 0.0;
+    double legs = 0.0;
+    for (const auto& [own, source] : both_legs()) {
+      source_.ankle -= (flat_foot(*own) * flat_sole(*own, *source)[0]).y;
+      ++legs;
+    }
+    if (legs > 0.0) source_.ankle /= legs;
+  }
+
+  /// The legs that both have, ours first.
+  std::vector<std::pair<const LimbBones*, const LimbBones*>> both_legs() const {
+    std::vector<std::pair<const LimbBones*, const LimbBones*>> legs;
+    const Limbs& own = own_.rig.limbs;
+    const Limbs& source = source_.rig.limbs;
+    if (own.left_leg && source.left_leg) legs.emplace_back(&*own.left_leg, &*source.left_leg);
+    if (own.right_leg && source.right_leg) legs.emplace_back(&*own.right_leg, &*source.right_leg);
+    return legs;
+  }
+
+  /// Returns how the source's foot is turned when it stands flat, as ours does in its reference pose.
+  glm::dquat flat_foot(const LimbBones& own) const { return glm::conjugate(plan_.turn) * own_.pose.rotation(own.end); }
+
+  /// Returns the source's sole by the way to its ball, and by how high our ball is above the ground.
+  std::array<glm::dvec3, 2> flat_sole(const LimbBones& own, const LimbBones& source) const {
+    const double smaller = own_.leg > 0.0 ? source_.leg / own_.leg : 1.0;
+    const glm::dquat flat = flat_foot(own);
+    glm::dvec3 ball(0.0);
+    double ankle = own_.ankle * smaller;
+    if (own.tip >= 0 && source.tip >= 0) {
+      ball = flat * in_parent(source_.pose, source.tip, source.end);
+      ankle = (own_.pose.place(own.tip).y - own_.ground) * smaller - ball.y;
+    }
+    return {glm::conjugate(flat) * glm::dvec3(0.0, -ankle, 0.0),
+            glm::conjugate(flat) * glm::dvec3(ball.x, -ankle, ball.z)};
   }
 
   static glm::dvec3 in_parent(const BodyPose& pose, int bone, int parent) {
@@ -259,9 +292,7 @@ class Planner {
     leg.shin = in_parent(own_.pose, own.end, own.middle);
     leg.own_foot = own_.pose.rotation(own.end);
     leg.wider = beside_middle(own_, own) - plan_.turn * (plan_.scale * beside_middle(source_, source));
-    if (!source_stands_) {
-      for (std::size_t i = 0; i < 2; ++i) leg.source_sole[i] = leg.own_sole[i] / plan_.scale;
-    }
+    if (!source_stands_) leg.source_sole = flat_sole(own, source);
     plan_.legs.push_back(leg);
   }
 

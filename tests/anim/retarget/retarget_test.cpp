@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -137,6 +138,38 @@ TEST(Retarget, ScalesRootMotionByTheLegs) {
   EXPECT_NEAR(pair.own_place(BodyRole::hips, 1.0).z - pair.own_place(BodyRole::hips, 0.0).z, expected, 0.01);
   const int root = find_bone(pair.to(), "root");
   EXPECT_NEAR(pair.own(1.0).place(root).z - pair.own(0.0).place(root).z, expected, 0.01) << "the root carries it";
+}
+
+/// Makes a pose of a clip the reference pose, as a file without a skin has it.
+Skeleton resting_in(Skeleton skeleton, const Clip& clip, double seconds) {
+  const ReferencePose pose = reference_pose(skeleton, &clip, seconds);
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    skeleton.bones[b].rest.rotation = glm::quat(pose.locals[b].rotation);
+    skeleton.bones[b].rest.translation = glm::vec3(pose.locals[b].position);
+    skeleton.references[b] = {.rotation = rotation_of(pose.globals[b]), .origin = glm::dvec3(pose.globals[b][3])};
+  }
+  return skeleton;
+}
+
+TEST(Retarget, NeedsNoReferencePoseWhereJointsHaveTheSameAxes) {
+  const Skeleton person = figures::person();
+  Clip clip = figures::knee_bend(person);
+  const auto foot = static_cast<std::size_t>(find_bone(person, "foot.L"));
+  for (glm::quat& turned : clip.tracks[foot].rotation.values) {
+    turned = turned * glm::angleAxis(0.6F, glm::vec3(1.0F, 0.0F, 0.0F));  // so that it does not rest flat
+  }
+  const Skeleton from = resting_in(person, clip, 0.2);
+  const Skeleton to = figures::person({.legs = 1.3});
+  const Retargeter expected(person, to), retargeter(from, to);
+  EXPECT_NEAR(retargeter.plan().scale, expected.plan().scale, 0.01);
+  const Clip one = expected.retarget(clip).clip, other = retargeter.retarget(clip).clip;
+  for (const double seconds : {0.0, 0.25, 0.5}) {
+    const BodyPose a = pose_of(reference_pose(to, &one, seconds).globals);
+    const BodyPose b = pose_of(reference_pose(to, &other, seconds).globals);
+    for (int bone = 0; bone < to.bone_count(); ++bone) {
+      EXPECT_LT(glm::distance(a.place(bone), b.place(bone)), 0.015) << to.bones[static_cast<std::size_t>(bone)].name;
+    }
+  }
 }
 
 TEST(Retarget, NamesTheBonesWhoseMotionIsLost) {

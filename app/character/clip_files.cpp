@@ -87,7 +87,8 @@ anim::Status add_clips(const std::string& clip_file, anim::ImportedFile& file) {
     lost.insert(fitted.lost.begin(), fitted.lost.end());
     as_they_were = as_they_were && fitted.as_it_was;
   }
-  file.repairs.push_back(clip_file + ": " + std::to_string(source.model->clips.size()) + " clips taken, " +
+  file.repairs.push_back(clip_file + ": " + std::to_string(source.model->clips.size()) +
+                         (source.model->clips.size() == 1 ? " clip" : " clips") + " taken, " +
                          how_they_fit(*source.retargeter, as_they_were) +
                          (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)));
   return anim::Done{};

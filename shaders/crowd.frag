@@ -2,8 +2,9 @@
 
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
+#include "crowd_surface.glsl"
 #include "crowd_shading.glsl"
 
 out vec4 color;
 
-void main() { color = vec4(shaded(surface_color().rgb), 1.0); }
+void main() { color = vec4(seen(reflected(surface_color().rgb)), 1.0); }

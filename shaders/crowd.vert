@@ -13,6 +13,7 @@ const uint tint_regions = 5u;
 out vec3 world_position;
 out vec3 world_normal;
 out vec2 passed_texture_coord;
+out vec2 passed_emission_coord;
 out vec4 passed_color;
 flat out vec4 debug_color;
 
@@ -27,6 +28,7 @@ void main() {
   world_position = to_world(instance, vertex.position);
   world_normal = turned(instance, vertex.normal);
   passed_texture_coord = texture_coord;
+  passed_emission_coord = emission_coord;
   passed_color = tinted(instance);
   debug_color = unpackUnorm4x8(instance.debug_color);
   gl_Position = view_projection * vec4(world_position, 1.0);

@@ -2,7 +2,9 @@
 
 #include "frame_uniforms.glsl"
 #include "lighting.glsl"
+#include "crowd_surface.glsl"
 #include "crowd_shading.glsl"
+#include "crowd_emission.glsl"
 
 layout(location = 2) uniform float alpha_cutoff;
 
@@ -11,5 +13,5 @@ out vec4 color;
 void main() {
   vec4 surface = surface_color();
   if (surface.a < alpha_cutoff) discard;
-  color = vec4(shaded(surface.rgb), 1.0);
+  color = vec4(glowing(surface.rgb), 1.0);
 }

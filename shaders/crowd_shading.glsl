@@ -1,30 +1,32 @@
-// Computes the colour of a point of the crowd's surface. Include frame_uniforms.glsl and lighting.glsl before it.
-layout(binding = 0) uniform sampler2D base_color_texture;
-
-layout(location = 1) uniform vec4 base_color;
-
+// Lights a point of the crowd's surface. Include frame_uniforms.glsl and lighting.glsl before it.
 in vec3 world_position;
 in vec3 world_normal;
-in vec2 passed_texture_coord;
-in vec4 passed_color;
 flat in vec4 debug_color;
 
-vec4 surface_color() { return base_color * passed_color * texture(base_color_texture, passed_texture_coord); }
+vec3 facing_normal() { return normalize(gl_FrontFacing ? world_normal : -world_normal); }
 
-vec3 shaded(vec3 albedo) {
+// The light wraps around, because cloth and skin have no hard edge between light and shade.
+float sun_share(vec3 normal) { return max((dot(normal, to_sun) + 0.25) / 1.25, 0.0); }
+
+vec3 reflected(vec3 albedo) {
   vec3 from_eye = world_position - camera_position.xyz;
-  float metres = length(from_eye);
-  vec3 direction = from_eye / metres;
-  vec3 normal = normalize(gl_FrontFacing ? world_normal : -world_normal);
-
-  // The light wraps around, because cloth and skin have no hard edge between light and shade.
-  float facing = max((dot(normal, to_sun) + 0.25) / 1.25, 0.0);
+  vec3 direction = from_eye / length(from_eye);
+  vec3 normal = facing_normal();
+  float facing = sun_share(normal);
   // Feet see less of the sky than heads, because a crowd and the ground surround them.
   float openness = 0.62 + 0.38 * smoothstep(0.0, 1.1, world_position.y);
   vec3 light = sun_light * (facing * facing) + ambient_light(normal) * openness;
 
   float edge = 1.0 - max(-dot(normal, direction), 0.0);
   float rim = edge * edge * edge * (0.5 + 0.5 * normal.y);
-  vec3 color = albedo * light + sky_light * (rim * 0.16);
-  return exposed(through_haze(mix(color, debug_color.rgb * (0.35 + 0.65 * facing), debug_color.a), direction, metres));
+  return albedo * light + sky_light * (rim * 0.16);
+}
+
+// Shows light as the camera sees it: below the debug colour and through the haze.
+vec3 seen(vec3 light) {
+  vec3 from_eye = world_position - camera_position.xyz;
+  float metres = length(from_eye);
+  float facing = sun_share(facing_normal());
+  vec3 color = mix(light, debug_color.rgb * (0.35 + 0.65 * facing), debug_color.a);
+  return exposed(through_haze(color, from_eye / metres, metres));
 }

@@ -7,6 +7,7 @@ layout(location = 4) in vec4 weights;
 layout(location = 5) in vec3 shape;
 layout(location = 6) in vec2 hair;
 layout(location = 7) in uint region;
+layout(location = 8) in vec2 emission_coord;
 
 layout(location = 0) uniform uint vertex_count;
 

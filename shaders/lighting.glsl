@@ -29,3 +29,9 @@ vec3 exposed(vec3 light) {
   vec3 c = light * 0.92;
   return c * (1.0 + c * 0.11) / (1.0 + c * 0.55);
 }
+
+// Gives the light that exposed() turns into `color`: the positive root of its quadratic equation.
+vec3 light_that_shows(vec3 color) {
+  vec3 b = 1.0 - 0.55 * color;
+  return (sqrt(b * b + 0.44 * color) - b) / (0.22 * 0.92);
+}

@@ -11,7 +11,7 @@
 
 #include "app/character/source.h"
 #include "app/files/joined.h"
-#include "engine/anim/import/import.h"
+#include "engine/anim/base/plain_text.h"
 #include "engine/anim/retarget/retarget.h"
 
 namespace throng::app {
@@ -39,7 +39,7 @@ bool says_something(const std::string& name) { return !name.empty() && name.find
 
 /// Returns the clip's name, or that of its file, made one that no other clip has.
 std::string name_for(const anim::Clip& clip, const std::string& clip_file, const std::vector<std::string>& taken) {
-  const std::string stem = std::filesystem::path(clip_file).stem().string();
+  const std::string stem = anim::plain_text(std::filesystem::path(clip_file).stem().string());
   std::string name = says_something(clip.name) ? clip.name : stem;
   if (std::ranges::count(taken, name) > 0 && name != stem) name = stem + " " + name;
   const std::string wanted = name;
@@ -62,20 +62,32 @@ std::string how_they_fit(const anim::Retargeter& retargeter, bool as_they_were) 
   return text;
 }
 
-anim::Status add_clips(const std::string& clip_file, anim::ImportedFile& file) {
-  auto clips = import::import_clips(clip_file);
+anim::Error no_clips(const std::string& clip_file) {
+  return {anim::plain_text(clip_file) + ": it has no clips; give a file with animations to --clips-from"};
+}
+
+anim::Error no_bone_in_common(const std::string& clip_file, const std::string& file) {
+  return {anim::plain_text(clip_file + ": no bone of " + file +
+                           " has the name or the part of one of its bones; say in " + file +
+                           ".throng.json, under \"rig\", which is which")};
+}
+
+anim::Result<anim::ImportedFile> import_clip_file(const std::string& clip_file, const import::ImportOptions& options) {
+  auto clips = import::import_clips(clip_file, options);
   if (!clips) return clips.error();
   for (anim::Model& model : clips->models) {
-    if (const anim::Status taken = take_kept_rig(clip_file, model.skeleton); !taken) return taken;
+    if (const anim::Status taken = take_kept_rig(clip_file, model.skeleton); !taken) return taken.error();
   }
-  anim::Model& model = file.models.front();
+  return clips;
+}
+
+anim::Status add_clips(const std::string& clip_file, anim::ImportedFile& file, anim::Model& model,
+                       const import::ImportOptions& options) {
+  const auto clips = import_clip_file(clip_file, options);
+  if (!clips) return clips.error();
   const ClipSource source = best_source(*clips, model.skeleton);
-  if (!source.model) return anim::Error{clip_file + ": it has no clips; give a file with animations to --clips-from"};
-  if (source.retargeter->match().matched() == 0) {
-    return anim::Error{clip_file + ": no bone of " + file.file +
-                       " has the name or the part of one of its bones; say in " + file.file +
-                       ".throng.json, under \"rig\", which is which"};
-  }
+  if (!source.model) return no_clips(clip_file);
+  if (source.retargeter->match().matched() == 0) return no_bone_in_common(clip_file, file.file);
   std::set<std::string> lost;
   bool as_they_were = true;
   for (const anim::Clip& clip : source.model->clips) {
@@ -87,30 +99,33 @@ anim::Status add_clips(const std::string& clip_file, anim::ImportedFile& file) {
     lost.insert(fitted.lost.begin(), fitted.lost.end());
     as_they_were = as_they_were && fitted.as_it_was;
   }
-  file.repairs.push_back(clip_file + ": " + std::to_string(source.model->clips.size()) +
+  file.repairs.push_back(anim::plain_text(clip_file) + ": " + std::to_string(source.model->clips.size()) +
                          (source.model->clips.size() == 1 ? " clip" : " clips") + " taken, " +
                          how_they_fit(*source.retargeter, as_they_were) +
                          (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)));
   return anim::Done{};
 }
 
-anim::Status no_skeleton(const std::string& path) {
-  return anim::Error{path + ": it holds no skin, so clips of other files have nobody to play them"};
+anim::Error no_skeleton(const std::string& path) {
+  return {anim::plain_text(path) + ": it holds no skin, so clips of other files have nobody to play them"};
 }
 
 }  // namespace
 
-anim::Status add_clips_from(std::span<const std::string> clip_files, anim::ImportedFile& file) {
+anim::Status add_clips_from(std::span<const std::string> clip_files, anim::ImportedFile& file, std::size_t model,
+                            const import::ImportOptions& options) {
   for (const std::string& clip_file : clip_files) {
-    if (const anim::Status added = add_clips(clip_file, file); !added) return added;
+    const anim::Status added = add_clips(clip_file, file, file.models[model], options);
+    if (!added) return added;
   }
   return anim::Done{};
 }
 
-anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file) {
+anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
+                          const import::ImportOptions& options) {
   if (file.models.empty()) return clip_files.empty() ? anim::Status(anim::Done{}) : no_skeleton(path);
   if (const anim::Status taken = take_kept_rig(path, file.models.front().skeleton); !taken) return taken;
-  return add_clips_from(clip_files, file);
+  return add_clips_from(clip_files, file, 0, options);
 }
 
 bool has_clips_alone(const std::string& file) {

@@ -7,9 +7,9 @@
 
 #include "app/character/clip_files.h"
 #include "app/character/role_table.h"
-#include "engine/anim/asset/model_space.h"
+#include "app/character/skin_choice.h"
 #include "engine/anim/asset/reference_pose.h"
-#include "engine/anim/import/import.h"
+#include "engine/anim/base/plain_text.h"
 #include "engine/anim/survey/lod_survey.h"
 
 namespace throng::app {
@@ -56,10 +56,23 @@ std::span<const Float> flat(const std::vector<Vector>& vectors) {
   return {reinterpret_cast<const Float*>(vectors.data()), vectors.size() * sizeof(Vector) / sizeof(Float)};
 }
 
-render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
+std::span<const float> coords_of(const anim::SkinnedMesh& mesh, const anim::Texture& texture) {
+  if (texture.image < 0) return {};
+  return flat<float>(mesh.texture_coords[static_cast<std::size_t>(texture.coords)]);
+}
+
+// Returns none where the base colour has the same.
+std::span<const float> emission_coords_of(const anim::SkinnedMesh& mesh, const anim::Material& material) {
+  const anim::Texture& base_color = material.base_color_texture;
+  if (base_color.image >= 0 && base_color.coords == material.emission_texture.coords) return {};
+  return coords_of(mesh, material.emission_texture);
+}
+
+render::MeshPartData part_data(const anim::SkinnedMesh& mesh, const anim::Material& material) {
   return {.positions = flat<float>(mesh.positions),
           .normals = flat<float>(mesh.normals),
-          .texture_coords = flat<float>(mesh.texture_coords),
+          .texture_coords = coords_of(mesh, material.base_color_texture),
+          .emission_coords = emission_coords_of(mesh, material),
           .colors = flat<float>(mesh.colors),
           .regions = mesh.regions,
           .shapes = flat<float>(mesh.shapes),
@@ -70,11 +83,25 @@ render::MeshPartData part_data(const anim::SkinnedMesh& mesh) {
           .material = mesh.material};
 }
 
+render::TextureData texture_data(const anim::Texture& texture) {
+  return {.image = texture.image,
+          .wrap_u = static_cast<int>(texture.wrap_u),
+          .wrap_v = static_cast<int>(texture.wrap_v),
+          .magnified = static_cast<int>(texture.magnified),
+          .minified = static_cast<int>(texture.minified)};
+}
+
 render::MaterialData material_data(const anim::Material& material) {
-  render::MaterialData data{
-      .image = material.image, .double_sided = material.double_sided, .alpha_cutoff = material.alpha_cutoff};
-  for (int i = 0; i < 4; ++i) data.base_color[i] = material.base_color[i];
-  return data;
+  const glm::vec4& color = material.base_color;
+  const glm::vec3& emission = material.emission;
+  return {.base_color = {color.r, color.g, color.b, color.a},
+          .base_color_texture = texture_data(material.base_color_texture),
+          .emission = {emission.r, emission.g, emission.b},
+          .emission_texture = texture_data(material.emission_texture),
+          .unlit = material.unlit,
+          .double_sided = material.double_sided,
+          .blended = material.blended,
+          .alpha_cutoff = material.alpha_cutoff};
 }
 
 // What a mesh at a level reads: a dropped bone's vertices follow its nearest kept ancestor.
@@ -119,22 +146,31 @@ anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
   const auto kept = RoleFile(path).read_rig();
   if (!kept) return kept.error();
   const anim::Status chosen = choose_bones(*kept, skeleton);
-  return chosen ? chosen : anim::Status(anim::Error{"the rig kept for " + path + ": " + chosen.error().message});
+  if (chosen) return chosen;
+  return anim::Error{"the rig kept for " + anim::plain_text(path) + ": " + chosen.error().message};
 }
 
-anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name, const BoneLodFile* kept,
-                                             std::span<const std::string> clips_from) {
-  anim::Result<anim::ImportedFile> file = import::import_file(path);
-  if (!file) return file.error();
-  anim::face_forward(file->models.front());
+anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
+                                             const LoadOptions& options) {
+  const CharacterFile wanted = character_file(file);
+  anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options.import);
+  if (!imported) return imported.error();
+  const auto chosen = choose_model(*imported, wanted.skin);
+  if (!chosen) return chosen.error();
+  anim::face_forward(*imported);
   if (kept != nullptr) {
-    const anim::Status taken = take_kept_rig(path, file->models.front().skeleton);
+    const anim::Status taken = take_kept_rig(wanted.path, imported->models[*chosen].skeleton);
     if (!taken) return taken.error();
   }
-  if (const anim::Status added = add_clips_from(clips_from, *file); !added) return added.error();
+  const anim::Status added = add_clips_from(options.clips_from, *imported, *chosen, options.import);
+  if (!added) return added.error();
   CharacterSource source;
-  source.name = name;
-  source.model = std::move(file->models.front());
+  source.name = anim::plain_text(name);
+  source.cast = character_names(*imported);
+  source.cast_index = *chosen;
+  source.model = std::move(imported->models[*chosen]);
+  source.placement = anim::guess_placement(source.model, options.placement);
+  anim::place_model(source.model, source.placement.placement);
   if (kept != nullptr) {
     const auto choice = kept->read(source.model.skeleton);
     if (!choice) return choice.error();
@@ -143,7 +179,7 @@ anim::Result<CharacterSource> load_character(const std::string& path, const std:
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
   anim::keep_surveyed_keys(source.model);
   guess_roles(source);
-  source.repairs = std::move(file->repairs);
+  source.repairs = std::move(imported->repairs);
   return source;
 }
 
@@ -186,11 +222,13 @@ std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& 
 
 render::CrowdMeshData mesh_data(const anim::Model& model) {
   render::CrowdMeshData data;
-  for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_data(mesh));
+  const auto part_of = [&model](const anim::SkinnedMesh& mesh) {
+    return part_data(mesh, model.materials[static_cast<std::size_t>(mesh.material)]);
+  };
+  for (const anim::SkinnedMesh& mesh : model.meshes) data.parts.push_back(part_of(mesh));
   for (const anim::BakedMeshLod& lod : model.mesh_lods) {
     render::BakedLodData& baked = data.baked_lods.emplace_back();
-    baked.error = static_cast<float>(lod.error);
-    for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_data(mesh));
+    for (const anim::SkinnedMesh& mesh : lod.meshes) baked.parts.push_back(part_of(mesh));
   }
   for (const anim::Material& material : model.materials) data.materials.push_back(material_data(material));
   for (const anim::Image& image : model.images) {

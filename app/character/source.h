@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/character/bone_lod.h"
+#include "app/character/load_options.h"
 #include "app/character/roles.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
@@ -20,12 +21,15 @@ struct CharacterSource {
   std::string name;   ///< shown to people
   std::string file;   ///< the file that it is from; empty: the built-in character
   anim::Model model;  ///< has the surface that drawing reads, and the parts of clips that anim::reorder_character reads
+  anim::GuessedPlacement placement;  ///< the size and place that it was given
   std::shared_ptr<const anim::Character> character;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
-  RoleClips suggested;              ///< the roles' clips, as their names suggest
-  std::array<Passage, 2> passages;  ///< into the suggested seat and out of it
-  std::vector<std::string> repairs;
+  RoleClips suggested;               ///< the roles' clips, as their names suggest
+  std::array<Passage, 2> passages;   ///< into the suggested seat and out of it
+  std::vector<std::string> repairs;  ///< of its file, a sentence each
+  std::vector<std::string> cast;     ///< names of all characters of its file
+  std::size_t cast_index = 0;        ///< which of them it is
 
   bool has_surface() const { return !model.meshes.empty(); }
 };
@@ -34,11 +38,11 @@ struct CharacterSource {
 /// file and what cannot be.
 anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
 
-/// Imports and bakes the largest model of `path`. `kept` has the order of its bones that a person chose; with it, the
-/// parts of the body that were kept for the file count too. The clips of `clips_from` are added (clip_files.h).
-anim::Result<CharacterSource> load_character(const std::string& path, const std::string& name,
-                                             const BoneLodFile* kept = nullptr,
-                                             std::span<const std::string> clips_from = {});
+/// Imports a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), adds the clips of other files (clip_files.h),
+/// gives it size and place, and bakes it. `kept` has the order of its bones that a person chose; with it, the parts of
+/// the body that were kept for the file count too.
+anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
+                                             const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
 
 /// A character whose bones are in another order, and the new index of each bone.
 struct ReorderedCharacter {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line/option_reader.h"
 #include "app/command_line/options.h"
 
 namespace throng::app {
@@ -13,6 +14,9 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments);
 ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
 ParsedCommand parse_lod(const std::vector<std::string>& arguments);
 ParsedCommand parse_bench(const std::vector<std::string>& arguments);
+
+/// Adds the options that say in what size and where the models of files stand.
+void declare_placement(OptionReader& reader, anim::PlacementChoice& placement);
 
 /// Returns the demo's help as the tables of app/command_line/README.md.
 std::string demo_options_as_markdown();

@@ -24,6 +24,12 @@ void declare_clips(OptionReader& reader, DemoOptions& options) {
                file_names(options.clips_from));
 }
 
+void declare_reading(OptionReader& reader, DemoOptions& options) {
+  reader.value("--skin", "NAME|all", "Of files with several characters: which one, or all (the largest)",
+               any_text(options.skin));
+  reader.flag("--strict", options.strict, "Refuse files that would be repaired, and links out of their folders");
+}
+
 void declare_picture(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Picture");
   reader.value("--size", "WxH", "Pixels (1280x720)", image_size(options.width, options.height));
@@ -124,6 +130,7 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (options.models.size() > most_models) {
     return options.models[most_models] + ": " + std::to_string(most_models) + " models are the most";
   }
+  if (options.models.empty() && !options.skin.empty()) return "--skin: goes with a MODEL";
   if (!options.replay.empty()) {
     if (auto contradiction = contradiction_of_replay(options)) return contradiction;
   }
@@ -152,9 +159,11 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args()
       ->group("Model");
+  declare_placement(reader, options.placement);
   declare_starting_values(reader, options);
   reader.tuning("Crowd", options.tuning);
   declare_clips(reader, options);
+  declare_reading(reader, options);
   reader.tuning("Level of detail", options.tuning);
   reader.tuning("Scheduling", options.tuning);
   declare_picture(reader, options);

@@ -42,15 +42,40 @@ void list(OptionReader& reader, const char* option, std::vector<Value>& target, 
   reader.value(option, hint + "[," + hint + "...]", description(row) + more, list_of(target, read_one));
 }
 
+void clips_from(OptionReader& reader, std::vector<std::string>& target) {
+  reader.value("--clips-from", "FILE,...", "Files whose clips are added, retargeted where need be", file_names(target));
+}
+
+void strict(OptionReader& reader, bool& target) {
+  reader.flag("--strict", target, "Refuse a file that would be repaired, and links out of its folder");
+}
+
 }  // namespace
+
+void declare_placement(OptionReader& reader, anim::PlacementChoice& placement) {
+  using anim::GroundRule;
+  using anim::UpAxis;
+  reader.option_defaults()->group("Size and place of models");
+  reader.value("--scale", "X", "Metres that a unit of the files is (guessed from the height)",
+               scale_above_zero(placement.scale));
+  reader.value("--up", "AXIS", "The axis that points up in the files: x, y, z, -x, -y or -z (y)",
+               choice<UpAxis>(placement.up, {{"x", UpAxis::x},
+                                             {"y", UpAxis::y},
+                                             {"z", UpAxis::z},
+                                             {"-x", UpAxis::minus_x},
+                                             {"-y", UpAxis::minus_y},
+                                             {"-z", UpAxis::minus_z}}));
+  reader.value("--ground", "file|feet", "What is on the ground: the files' origin, or the lowest points (guessed)",
+               choice<GroundRule>(placement.ground, {{"file", GroundRule::file}, {"feet", GroundRule::feet}}));
+}
 
 ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   PoseOptions options;
   OptionReader reader("throng pose", "Writes the joints and palettes of every skin of a file.");
   reader.option_defaults()->group("What is posed");
   reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
-  reader.value("--clips-from", "FILE,...", "Files whose clips are added, retargeted where need be",
-               file_names(options.clips_from));
+  clips_from(reader, options.clips_from);
+  strict(reader, options.strict);
   reader.value("--clip", "NAME|INDEX", "A clip of the file, or none", any_text(options.clip))->required();
   reader.value("--time", "T[,T...]", "Seconds", times_list(options.times))->required();
   Tuning tuning;
@@ -66,9 +91,10 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   OptionReader reader("throng inspect", "Says what was found in a file, what was repaired and what was refused.");
   reader.option_defaults()->group("What is inspected");
   reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
-  reader.value("--clips-from", "FILE,...", "Files whose clips are added, retargeted where need be",
-               file_names(options.clips_from));
+  clips_from(reader, options.clips_from);
+  strict(reader, options.strict);
   reader.flag("--json", options.json, "As one JSON object");
+  declare_placement(reader, options.placement);
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
 }

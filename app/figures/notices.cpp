@@ -1,6 +1,34 @@
 #include "app/figures/notices.h"
 
+#include <filesystem>
+#include <set>
+#include <vector>
+
+#include "app/character/skin_choice.h"
+#include "app/files/joined.h"
+#include "engine/anim/base/plain_text.h"
+
 namespace throng::app {
+namespace {
+
+constexpr std::size_t most_repairs_said = 3;  // of a file
+
+void add_repairs(std::string& lines, const std::vector<std::string>& repairs, const std::string& name) {
+  const std::size_t said = repairs.size() <= most_repairs_said + 1 ? repairs.size() : most_repairs_said;
+  for (std::size_t i = 0; i < said; ++i) add_line(lines, name + ": " + repairs[i] + ".");
+  if (said == repairs.size()) return;
+  add_line(lines, name + ": " + std::to_string(repairs.size() - said) +
+                      " more things were repaired or left out; throng inspect lists them.");
+}
+
+// Nothing where the file has no other character, or a person chose this one.
+std::string cast_sentence(const CharacterSource& character, const std::string& name) {
+  if (character.cast.size() < 2 || !character_file(character.file).skin.empty()) return {};
+  return name + ": shown is " + character.cast[character.cast_index] + " of " + std::to_string(character.cast.size()) +
+         " characters, " + joined(character.cast, ", ", " and ") + "; --skin NAME shows another, --skin all shows all.";
+}
+
+}  // namespace
 
 std::string software_notice(const std::string& renderer, const Spared& spared) {
   std::string list;
@@ -13,6 +41,29 @@ std::string software_notice(const std::string& renderer, const Spared& spared) {
   add(spared.mesh_lods, "coarser meshes");
   if (list.empty()) return {};
   return "Drawn on the processor (" + renderer + "): " + list + " unless asked otherwise.";
+}
+
+std::string import_notice(std::span<const CharacterSource> characters) {
+  std::string lines;
+  std::set<std::string> said;
+  for (const CharacterSource& character : characters) {
+    const std::string path = character_file(character.file).path;
+    const std::string name = anim::plain_text(std::filesystem::path(path).filename().string());
+    add_line(lines, cast_sentence(character, name));
+    if (said.insert(path).second) add_repairs(lines, character.repairs, name);
+  }
+  return lines;
+}
+
+std::string placement_notice(std::span<const CharacterSource> characters) {
+  std::string lines;
+  for (const CharacterSource& character : characters) {
+    if (character.placement.is_plain) continue;
+    const bool has_extent = character.placement.extent.has_value();
+    const std::string remedy = has_extent ? "; --scale, --up and --ground overrule it." : ".";
+    add_line(lines, character.name + ": " + character.placement.reasons + remedy);
+  }
+  return lines;
 }
 
 std::string local_store_notice(const anim::AnimationSystem& system) {

@@ -17,6 +17,13 @@ struct Spared {
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 
+/// Says what import repaired and left out of the characters' files, up to three lines each, and which other characters
+/// the files have.
+std::string import_notice(std::span<const CharacterSource> characters);
+
+/// Says, in a line each, which characters are not shown in the size and place of their files, and why.
+std::string placement_notice(std::span<const CharacterSource> characters);
+
 /// Says that an automatic local store had to be larger than usual.
 std::string local_store_notice(const anim::AnimationSystem& system);
 

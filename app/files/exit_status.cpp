@@ -1,16 +1,13 @@
 #include "app/files/exit_status.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <string>
+
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::app {
 
 int end_with(ExitStatus status, std::string_view sentence) {
-  std::string line(sentence);
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
-  std::fprintf(stderr, "throng: %s\n", line.c_str());
+  std::fprintf(stderr, "throng: %s\n", anim::plain_text(sentence).c_str());
   return status;
 }
 

@@ -95,8 +95,8 @@ void show_levels(const TabContext& context) {
   ImGui::EndDisabled();
   int mesh = tuning.mesh_lod + 1;
   widgets.choose("Mesh LOD", mesh, standard.mesh_lod + 1, mesh_words,
-                 {.what = "auto: chosen by the agent's size on the screen. A number: that one for everyone, 0 is the "
-                          "full mesh.",
+                 {.what = "auto: the coarsest mesh that is off by half of the error limit at most. A number: that one "
+                          "for everyone, 0 is the full mesh.",
                   .cost = "Triangles; on a software renderer most of the frame."});
   tuning.mesh_lod = mesh - 1;
 }

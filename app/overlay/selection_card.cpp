@@ -66,7 +66,8 @@ std::string whereabouts(const SelectionReport& selected) {
 std::string detail(const SelectionReport& selected) {
   if (!selected.visible) return "out of view, not posed";
   return "posed every " + (selected.interval == 1 ? "frame" : std::to_string(selected.interval) + " frames") +
-         "   level " + std::to_string(selected.bone_level) + ", " + std::to_string(selected.bones) + " bones";
+         "   level " + std::to_string(selected.bone_level) + ", " + std::to_string(selected.bones) + " bones   mesh " +
+         std::to_string(selected.mesh_lod);
 }
 
 std::string blocks(const SelectionReport& selected) {

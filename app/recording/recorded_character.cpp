@@ -40,6 +40,24 @@ std::string fingerprint(const CharacterSource& source) {
   return hex_string(hash);
 }
 
+Json to_json(const anim::PlacementChoice& placement) {
+  return Json::array(
+      {placement.scale.value_or(0.0), static_cast<int>(placement.up), static_cast<int>(placement.ground)});
+}
+
+bool read_placement(const Json& json, anim::PlacementChoice& placement) {
+  constexpr int last_axis = static_cast<int>(anim::UpAxis::minus_z),
+                last_rule = static_cast<int>(anim::GroundRule::feet);
+  const std::span<const Json> values = json.elements();
+  if (values.size() != 3 || !values[0].is<double>() || !values[1].is_whole(0, last_axis)) return false;
+  const auto scale = values[0].get<double>();
+  if (!values[2].is_whole(0, last_rule) || !(scale >= 0.0)) return false;
+  if (scale > 0.0) placement.scale = scale;
+  placement.up = static_cast<anim::UpAxis>(values[1].get<int>());
+  placement.ground = static_cast<anim::GroundRule>(values[2].get<int>());
+  return true;
+}
+
 bool read_character(const Json& json, RecordedCharacter& character) {
   constexpr int most_clips = 65535;
   const Json& roles = json["roles"];
@@ -47,6 +65,7 @@ bool read_character(const Json& json, RecordedCharacter& character) {
   if (!json["bones"].is<std::vector<std::string>>() || !json["level_counts"].are_whole(1, anim::max_bones))
     return false;
   if (!roles.are_whole(no_clip, most_clips) || roles.elements().size() != character.roles.size()) return false;
+  if (json.contains("placement") && !read_placement(json["placement"], character.placement)) return false;
   character.file = json["file"].get<std::string>();
   character.fingerprint = json["fingerprint"].get<std::string>();
   character.bones = json["bones"].get<std::vector<std::string>>();
@@ -72,7 +91,8 @@ RecordedCharacter recorded(const CharacterSource& character) {
           .fingerprint = fingerprint(character),
           .roles = character.roles.clips,
           .bones = bone_keys(skeleton),
-          .level_counts = skeleton.level_bone_counts};
+          .level_counts = skeleton.level_bone_counts,
+          .placement = character.placement.choice};
 }
 
 std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> characters) {
@@ -108,7 +128,8 @@ Json to_json(std::span<const RecordedCharacter> characters) {
                     {"fingerprint", character.fingerprint},
                     {"roles", character.roles},
                     {"bones", character.bones},
-                    {"level_counts", character.level_counts}});
+                    {"level_counts", character.level_counts},
+                    {"placement", to_json(character.placement)}});
   }
   return json;
 }

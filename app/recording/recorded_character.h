@@ -17,8 +17,9 @@ struct RecordedCharacter {
   std::string file;
   std::string fingerprint;  ///< of bones and clips, whatever the bones' order; 16 hexadecimal digits
   RoleClips roles = no_clips();
-  std::vector<std::string> bones;  ///< in order, as bone_keys() has them
-  std::vector<int> level_counts;   ///< as in BoneLodChoice
+  std::vector<std::string> bones;        ///< in order, as bone_keys() has them
+  std::vector<int> level_counts;         ///< as in BoneLodChoice
+  anim::PlacementChoice placement = {};  ///< what was asked of its size and place
 
   friend bool operator==(const RecordedCharacter&, const RecordedCharacter&) = default;
 };
@@ -33,7 +34,8 @@ bool has_clips(const CharacterSource& character, const RoleClips& roles);
 /// the recording asks for.
 anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
 
-/// Returns a list of objects with "file", "fingerprint", "roles", "bones" and "level_counts".
+/// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts" and
+/// "placement": scale (0: guessed), up axis and ground rule as numbers.
 Json to_json(std::span<const RecordedCharacter> characters);
 /// Reads 1 to most_models characters; returns false where the JSON is no such list.
 bool from_json(const Json& json, std::vector<RecordedCharacter>& characters);

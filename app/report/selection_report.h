@@ -63,6 +63,7 @@ struct SelectionReport {
   int interval = 0;    ///< frames from one update to the next
   int bone_level = 0;  ///< the level of the pose shown
   int bones = 0;       ///< the number of bones at that level
+  int mesh_lod = 0;    ///< the mesh that it is drawn with; 0: the full one
   bool can_fall = false;
   int channels = 0;
   std::vector<EntityRow> entities;       ///< each once, readers after what they read, the pose last

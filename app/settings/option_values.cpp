@@ -75,6 +75,10 @@ ValueReader seconds_above_zero(std::optional<double>& target) {
   };
 }
 
+ValueReader scale_above_zero(std::optional<double>& target) {
+  return [&target](const std::string& text) { return read_number(text, 1e-6, 1e6, target.emplace()); };
+}
+
 ValueReader number_above_zero(float& target, std::string unit) {
   return [&target, unit = std::move(unit)](const std::string& text) -> Complaint {
     const auto number = finite_number_in(text);

@@ -52,6 +52,8 @@ ValueReader whole_number(int& target, int least, int most);
 /// Reads any number from `least` to `most`.
 ValueReader number_between(float& target, float least, float most);
 ValueReader seconds_above_zero(std::optional<double>& target);
+/// Reads a scale from 1e-6 to 1e6.
+ValueReader scale_above_zero(std::optional<double>& target);
 /// Reads a number above 0. A complaint names the `unit`: "pixels".
 ValueReader number_above_zero(float& target, std::string unit);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative

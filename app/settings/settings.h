@@ -9,6 +9,7 @@
 #include "app/character/roles.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/lod/lod.h"
+#include "engine/anim/survey/placement_guess.h"
 
 namespace throng::app {
 
@@ -70,7 +71,7 @@ struct Tuning {
   float error_px = 1.0F;                              ///< LodRule::budget: p99 of the error on screen; 0: no such limit
   float budget_ms = 0.0F;  ///< LodRule::budget: predicted time of all PUs for a frame; 0: no such limit
   LodInspection inspection = {};
-  int mesh_lod = -1;  ///< -1: by size on screen; 0..3: always that one
+  int mesh_lod = -1;  ///< -1: by error on screen; 0..3: always that one
   // Scheduling
   anim::SystemOptions system{.pus = 0};  ///< pus 0: all cores, see on_this_machine
   // What is shown
@@ -108,6 +109,7 @@ inline constexpr std::size_t most_models = 16;     ///< the largest number of mo
 struct DemoOptions {
   std::vector<std::string> models;      ///< files, a character each; empty: the built-in one
   std::vector<std::string> clips_from;  ///< files whose clips every character plays too
+  anim::PlacementChoice placement;      ///< size and place of all of them; what it leaves open is guessed
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all
@@ -124,6 +126,8 @@ struct DemoOptions {
   float ui_scale = 1;  ///< multiplies every measure of the overlay
   int msaa = -1;       ///< 0 or 4; -1: as much as the device affords
   bool shadows = true;
+  std::string skin;                ///< a character of each model that has several, "all" of them; empty: the largest
+  bool strict = false;             ///< models that need repair are refused
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
   bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
   bool shadows_given = false;      ///< a software renderer draws none unless given

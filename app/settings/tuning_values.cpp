@@ -145,7 +145,7 @@ std::vector<TuningValue> detail_values() {
       level_distance("bone_level_distance_3", 3, "Metres from which bone level 3 is shown, {values} ({default})"),
       one_of<int>({.key = "mesh_lod",
                    .option = "--mesh-lod on|off|N",
-                   .help = "By size on screen, the finest, or always number 0 to 3 ({default})"},
+                   .help = "By error on screen, the finest, or always number 0 to 3 ({default})"},
                   at(&Tuning::mesh_lod), {{"on", -1}, {"off", 0}, {"0", 0}, {"1", 1}, {"2", 2}, {"3", 3}}),
   };
 }

@@ -23,6 +23,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   std::unique_ptr<Show> show(new Show());
   show->width = options.width;
   show->height = options.height;
+  show->load_options_ = app::load_options(options);
   auto characters = load_starting_characters(options, error);
   if (!characters) return nullptr;
   if (!options.trace.empty()) show->figures_.keep_timeline();
@@ -57,7 +58,7 @@ bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions
 bool Show::place_camera(const DemoOptions& options, StartError& error) {
   const Tuning& tuning = stage_->tuning();
   const auto agents = static_cast<std::size_t>(tuning.agents);
-  const auto cameras = scene_cameras(tuning.scene, agents, stage_->common_roles());
+  const auto cameras = scene_cameras(tuning.scene, agents, common_roles(roles_of(stage_->characters())));
   const NamedCamera* named = find_camera(cameras, options.camera_name);
   if (named == nullptr) {
     std::vector<std::string> names;
@@ -87,7 +88,7 @@ anim::Status Show::replace_models(std::span<const std::string> files) {
     return anim::Error{std::to_string(files.size()) + " models at once: at most " + std::to_string(most_models) +
                        " share a crowd"};
   }
-  auto characters = files.size() > 1 ? load_dropped(files) : load_characters(files);
+  auto characters = load_dropped(files, load_options_);
   if (!characters) return characters.error();
   for (CharacterSource& character : *characters) {
     if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();
@@ -179,6 +180,8 @@ void Show::freeze_lod_camera() {
 void Show::update_notice() {
   notice.clear();
   add_line(notice, painter_->notice());
+  add_line(notice, import_notice(stage_->people()));
+  add_line(notice, placement_notice(stage_->people()));
   add_line(notice, local_store_notice(stage_->system()));
   add_line(notice, palette_notice(stage_->shown()));
   add_line(notice, palette_format_notice(stage_->system(), stage_->people()));

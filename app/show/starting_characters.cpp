@@ -5,14 +5,19 @@
 
 #include "app/character/files.h"
 #include "app/character/role_table.h"
+#include "app/character/skin_choice.h"
 #include "app/files/exit_status.h"
 
 namespace throng::app {
 namespace {
 
 anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
-  if (!options.models.empty()) return load_characters(options.models, options.clips_from);
-  auto character = load_built_in(options.data, options.clips_from);
+  if (!options.models.empty()) {
+    std::vector<std::string> files;
+    for (const std::string& model : options.models) files.push_back(with_skin(model, options.skin));
+    return load_characters(files, load_options(options));
+  }
+  auto character = load_built_in(options.data, load_options(options));
   if (!character) return character.error();
   std::vector<CharacterSource> characters;
   characters.push_back(std::move(*character));
@@ -44,6 +49,10 @@ bool choose_roles(const DemoOptions& options, std::span<CharacterSource> charact
 
 }  // namespace
 
+LoadOptions load_options(const DemoOptions& options) {
+  return {.import = {.strict = options.strict}, .placement = options.placement, .clips_from = options.clips_from};
+}
+
 bool fail(StartError& error, int status, std::string message) {
   error = {{std::move(message)}, status};
   return false;
@@ -52,6 +61,12 @@ bool fail(StartError& error, int status, std::string message) {
 std::optional<std::vector<CharacterSource>> load_starting_characters(const DemoOptions& options, StartError& error) {
   auto characters = load(options);
   if (!characters) return fail(error, exit_job_failed, characters.error().message), std::nullopt;
+  if (characters->size() > most_models) {
+    const std::string count = std::to_string(characters->size());
+    const std::string most = std::to_string(most_models);
+    return fail(error, exit_usage, "--skin all: that is " + count + " characters, and " + most + " are the most"),
+           std::nullopt;
+  }
   if (!choose_roles(options, *characters, error)) return {};
   return std::move(*characters);
 }

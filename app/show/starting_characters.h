@@ -16,6 +16,9 @@ struct StartError : anim::Error {
 /// Sets the error and returns false.
 bool fail(StartError& error, int status, std::string message);
 
+/// Returns how the command line asks for files to be read.
+LoadOptions load_options(const DemoOptions& options);
+
 /// Loads the characters that the command line names, or the built-in one, with the roles that were kept and those that
 /// the command line chooses.
 std::optional<std::vector<CharacterSource>> load_starting_characters(const DemoOptions& options, StartError& error);

@@ -68,8 +68,6 @@ std::span<const CharacterSource> Stage::people() const {
   return {characters_.begin(), prop};
 }
 
-CharacterRoles Stage::common_roles() const { return app::common_roles(roles_of(characters_)); }
-
 anim::Status Stage::apply(const Tuning& tuning) {
   if (anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
   const bool keeps_crowd = same_crowd(tuning, tuning_);

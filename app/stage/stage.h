@@ -87,8 +87,6 @@ class Stage {
   const AnimatedCrowd& animated() const { return *animated_; }
   /// Returns the crowd for what a person does to it by hand.
   AnimatedCrowd& animated() { return *animated_; }
-  /// Returns the roles that the scene is laid out for.
-  CharacterRoles common_roles() const;
   std::span<const CharacterSource> characters() const { return characters_; }
   std::span<const CharacterSource> people() const;  ///< the characters that are no props
   const CharacterSource& character_of(std::uint32_t agent) const { return characters_[crowd().characters()[agent]]; }

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include "assets/mannequin/buffer_writer.h"
-#include "assets/mannequin/lod_error.h"
 
 namespace throng::mannequin {
 namespace {
@@ -171,34 +170,16 @@ class AnimationWriter {
 };
 
 Json document_head() {
-  Json lod_nodes = Json::array({0});
-  for (std::size_t lod = 1; lod <= mesh_lod_count; ++lod) lod_nodes.push_back(joint_count + lod);
   return {{"asset", {{"version", "2.0"}, {"generator", "throng_mannequin"}, {"copyright", "MIT licence"}}},
           {"scene", 0},
-          {"scenes", Json::array({{{"name", "scene"}, {"nodes", {0, joint_count}}},
-                                  {{"name", "mesh LODs"}, {"nodes", lod_nodes}}})}};
+          {"scenes", Json::array({{{"name", "scene"}, {"nodes", {0, joint_count}}}})}};
 }
 
-/// The full mesh and its LODs; engine/anim/import/README.md, "Baked mesh LODs".
-void add_meshes(Json& file, BufferWriter& buffer, const Body& body, std::span<const Clip> clips) {
-  Json lods = Json::array();
-  for (std::size_t lod = 0; lod < mesh_lod_count; ++lod) {
-    const double error = surface_error(body.full, body.lods[lod], clips).largest;
-    lods.push_back({{"node", joint_count + 1 + lod}, {"error", std::ceil(error / error_step) * error_step}});
-  }
-  file["nodes"].push_back({{"name", "mannequin"}, {"mesh", 0}, {"skin", 0}, {"extras", {{"throng_mesh_lods", lods}}}});
-  file["meshes"] = Json::array({add_mesh(buffer, body.full, "mannequin")});
-  for (std::size_t lod = 0; lod < mesh_lod_count; ++lod) {
-    const std::string name = "mannequin LOD " + std::to_string(lod + 1);
-    file["nodes"].push_back({{"name", name}, {"mesh", lod + 1}, {"skin", 0}});
-    file["meshes"].push_back(add_mesh(buffer, body.lods[lod], name));
-  }
-}
-
-Json document(BufferWriter& buffer, const Body& body, std::span<const Clip> clips) {
+Json document(BufferWriter& buffer, const Mesh& body, std::span<const Clip> clips) {
   Json file = document_head();
   file["nodes"] = joint_nodes();
-  add_meshes(file, buffer, body, clips);
+  file["nodes"].push_back({{"name", "mannequin"}, {"mesh", 0}, {"skin", 0}});
+  file["meshes"] = Json::array({add_mesh(buffer, body, "mannequin")});
   file["materials"] =
       Json::array({{{"name", "mannequin"},
                     {"pbrMetallicRoughness",
@@ -231,7 +212,7 @@ void append_chunk(std::vector<std::byte>& bytes, std::span<const std::byte> chun
 
 }  // namespace
 
-std::vector<std::byte> write_glb(const Body& body, std::span<const Clip> clips) {
+std::vector<std::byte> write_glb(const Mesh& body, std::span<const Clip> clips) {
   constexpr std::uint32_t magic = 0x46546C67;  // "glTF"
   constexpr std::uint32_t json_chunk = 0x4E4F534A;
   constexpr std::uint32_t binary_chunk = 0x004E4942;

@@ -9,12 +9,8 @@
 
 namespace throng::mannequin {
 
-inline constexpr double error_step = 1.0 / 1024;  ///< Metres, of the LODs' errors as written, rounded up.
-
-/// The character as a binary glTF 2.0 file: one skin, a mesh of one primitive for every LOD, the clips. The default
-/// scene shows the full mesh alone; those of the LODs are in a second scene, and the full mesh's node names their
-/// nodes.
-std::vector<std::byte> write_glb(const Body& body, std::span<const Clip> clips);
+/// Returns the character as a binary glTF 2.0 file: one skin, one mesh of one primitive, the clips.
+std::vector<std::byte> write_glb(const Mesh& body, std::span<const Clip> clips);
 
 /// The whole file, from scratch.
 std::vector<std::byte> make_mannequin();

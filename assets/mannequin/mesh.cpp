@@ -38,16 +38,6 @@ void cut(std::vector<std::size_t> corners, const std::vector<SkinPoint>& points,
   triangles.push_back({corners[0], corners[1], corners[2]});
 }
 
-Weights only_kept(const Weights& weights, const std::function<bool(std::size_t)>& kept) {
-  Weights moved{};
-  for (std::size_t joint = 0; joint < joint_count; ++joint) {
-    std::size_t to = joint;
-    while (!kept(to)) to = skeleton()[to].parent;
-    moved[to] += weights[joint];
-  }
-  return moved;
-}
-
 void strongest_four(const Weights& weights, MeshVertex& vertex) {
   std::array<std::size_t, joint_count> order{};
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -71,8 +61,7 @@ std::uint8_t to_byte(double value) { return static_cast<std::uint8_t>(std::lroun
 /// Gives every combination of point, region and paint its own mesh vertex.
 class Assembly {
  public:
-  Assembly(const Skin& skin, const std::function<bool(std::size_t)>& kept)
-      : skin_(skin), kept_(kept), shapes_(shapes_of(skin)) {
+  explicit Assembly(const Skin& skin) : skin_(skin), shapes_(shapes_of(skin)) {
     for (const SkinFace& face : skin.faces) add(face);
   }
   Mesh take() { return std::move(mesh_); }
@@ -101,7 +90,7 @@ class Assembly {
     MeshVertex made{};
     made.position = rounded_floats(point.position, position_step);
     made.normal = point.normal;
-    strongest_four(only_kept(point.weights, kept_), made);
+    strongest_four(point.weights, made);
     const dvec3 colour = paint * point.openness;
     made.colour = {to_byte(colour.x), to_byte(colour.y), to_byte(colour.z), 255};
     made.region = static_cast<float>(region);
@@ -112,7 +101,6 @@ class Assembly {
   }
 
   const Skin& skin_;
-  const std::function<bool(std::size_t)>& kept_;
   std::vector<Shape> shapes_;
   std::map<Key, std::uint16_t> known_;
   Mesh mesh_;
@@ -145,8 +133,6 @@ void compute_normals(Skin& skin) {
   }
 }
 
-Mesh make_mesh(const Skin& skin, const std::function<bool(std::size_t joint)>& kept) {
-  return Assembly(skin, kept).take();
-}
+Mesh make_mesh(const Skin& skin) { return Assembly(skin).take(); }
 
 }  // namespace throng::mannequin

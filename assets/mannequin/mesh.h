@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,7 +31,7 @@ struct SkinFace {
   std::vector<glm::dvec3> paint;  ///< Per corner.
 };
 
-/// The body at one level of detail, before it is cut into triangles.
+/// The body before it is cut into triangles.
 struct Skin {
   std::vector<SkinPoint> points;
   std::vector<SkinFace> faces;
@@ -61,8 +60,7 @@ std::vector<std::array<std::size_t, 3>> triangles_of(const Skin& skin);
 /// Normals weighted by the angle at the point, of the faces rather than of the triangles cut from them; rounded.
 void compute_normals(Skin& skin);
 
-/// Triangles, at most four joints per vertex; everything rounded to its step. What follows a joint that `kept` leaves
-/// out follows its nearest kept ancestor.
-Mesh make_mesh(const Skin& skin, const std::function<bool(std::size_t joint)>& kept);
+/// Cuts a skin into triangles. A vertex has at most four joints. Everything is rounded to its step.
+Mesh make_mesh(const Skin& skin);
 
 }  // namespace throng::mannequin

@@ -13,7 +13,8 @@ namespace throng::render {
 struct MeshPartData {
   std::span<const float> positions;                ///< x y z, in the space of the palette
   std::span<const float> normals;                  ///< x y z, unit
-  std::span<const float> texture_coords;           ///< u v, or empty
+  std::span<const float> texture_coords;           ///< u v of the base colour, or empty
+  std::span<const float> emission_coords;          ///< u v of the emission, or empty: `texture_coords`
   std::span<const float> colors;                   ///< linear r g b a, or empty: white
   std::span<const std::uint8_t> regions;           ///< tint region 0..4 a vertex; any other, or empty: untinted
   std::span<const float> shapes;                   ///< three a vertex, -1..1, or empty: see SurfaceVertex
@@ -24,11 +25,24 @@ struct MeshPartData {
   int material = 0;
 };
 
+/// An image as a material shows it. Wraps and filters have OpenGL's numbers, which glTF shares.
+struct TextureData {
+  int image = -1;        ///< index among CrowdMeshData::images; -1: plain white
+  int wrap_u = 10497;    ///< GL_REPEAT
+  int wrap_v = 10497;    ///< GL_REPEAT
+  int magnified = 9729;  ///< GL_LINEAR
+  int minified = 9987;   ///< GL_LINEAR_MIPMAP_LINEAR
+};
+
 struct MaterialData {
   float base_color[4] = {1, 1, 1, 1};  ///< linear
-  int image = -1;
+  TextureData base_color_texture;
+  float emission[3] = {0, 0, 0};  ///< linear, 1: white of the screen
+  TextureData emission_texture;
+  bool unlit = false;  ///< shows its base colour, whatever the light
   bool double_sided = false;
-  float alpha_cutoff = 0.0F;
+  bool blended = false;       ///< what is behind is seen through it as far as its alpha is below 1
+  float alpha_cutoff = 0.0F;  ///< less alpha is not seen
 };
 
 struct ImageData {
@@ -54,7 +68,6 @@ struct PackingFrameData {
 /// A coarser surface that comes with the character.
 struct BakedLodData {
   std::vector<MeshPartData> parts;
-  float error = 0.0F;  ///< metres
 };
 
 /// Palettes of poses that stand for all that a character does: [pose][entry].

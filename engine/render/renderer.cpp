@@ -61,11 +61,17 @@ DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right,
 DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
   assert(!meshes_.empty());
   target_.bind_scene();
+  target_.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   DrawCounts counts = ground_.draw();
   if (shadows_) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !shadows_));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
+  if (crowd_.has_blended()) {
+    blend_.begin(target_);
+    add(counts, crowd_.draw_blended(meshes_, palettes_));
+    add(counts, blend_.finish(target_));
+  }
   add(counts, lines_.draw(frame.lines, target_.size()));
   glDisable(GL_RASTERIZER_DISCARD);
   target_.resolve();

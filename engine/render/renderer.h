@@ -18,6 +18,7 @@
 #include "engine/render/mesh/mesh.h"
 #include "engine/render/palette/frame_fences.h"
 #include "engine/render/palette/palette_buffer.h"
+#include "engine/render/passes/blend_pass.h"
 #include "engine/render/passes/crowd_pass.h"
 #include "engine/render/passes/ground_pass.h"
 #include "engine/render/passes/line_pass.h"
@@ -107,6 +108,7 @@ class Renderer {
   ShaderLibrary shaders_;
   GroundPass ground_{shaders_};
   CrowdPass crowd_{shaders_};
+  BlendPass blend_{shaders_};
   LinePass lines_{shaders_};
   SplitPass split_{shaders_};
   std::optional<OverlayRenderer> overlay_;

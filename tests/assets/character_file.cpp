@@ -76,8 +76,8 @@ std::vector<double> CharacterFile::values(std::size_t accessor) const {
   return numbers;
 }
 
-std::vector<double> CharacterFile::attribute(const std::string& name, std::size_t mesh) const {
-  return values(primitive(mesh)["attributes"].at(name).get<std::size_t>());
+std::vector<double> CharacterFile::attribute(const std::string& name) const {
+  return values(primitive()["attributes"].at(name).get<std::size_t>());
 }
 
 std::vector<std::string> CharacterFile::joint_names() const {

@@ -22,13 +22,11 @@ class CharacterFile {
   static CharacterFile committed();
 
   [[nodiscard]] const nlohmann::json& json() const { return json_; }
-  /// Returns the primitive of mesh 0, which is the full one, or of the meshes of its LODs, 1 to 3.
-  [[nodiscard]] const nlohmann::json& primitive(std::size_t mesh = 0) const {
-    return json_["meshes"][mesh]["primitives"][0];
-  }
+  /// Returns the one primitive of the one mesh.
+  [[nodiscard]] const nlohmann::json& primitive() const { return json_["meshes"][0]["primitives"][0]; }
   /// Returns all numbers of an accessor as stored, components in a row.
   [[nodiscard]] std::vector<double> values(std::size_t accessor) const;
-  [[nodiscard]] std::vector<double> attribute(const std::string& name, std::size_t mesh = 0) const;
+  [[nodiscard]] std::vector<double> attribute(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> joint_names() const;
 
  private:

@@ -14,14 +14,12 @@ namespace {
 /// The step to which the generator rounds an accessor of the character, by what it is used for.
 std::map<std::size_t, double> steps_by_accessor(const CharacterFile& file) {
   std::map<std::size_t, double> steps;
-  for (std::size_t mesh = 0; mesh < file.json()["meshes"].size(); ++mesh) {
-    const auto& attributes = file.primitive(mesh)["attributes"];
-    steps[attributes["POSITION"]] = mannequin::position_step;
-    steps[attributes["NORMAL"]] = mannequin::normal_step;
-    steps[attributes["WEIGHTS_0"]] = mannequin::weight_step;
-    steps[attributes["COLOR_0"]] = 1;
-    steps[attributes["_SHAPE"]] = steps[attributes["_HAIR"]] = mannequin::shape_step;
-  }
+  const auto& attributes = file.primitive()["attributes"];
+  steps[attributes["POSITION"]] = mannequin::position_step;
+  steps[attributes["NORMAL"]] = mannequin::normal_step;
+  steps[attributes["WEIGHTS_0"]] = mannequin::weight_step;
+  steps[attributes["COLOR_0"]] = 1;
+  steps[attributes["_SHAPE"]] = steps[attributes["_HAIR"]] = mannequin::shape_step;
   steps[file.json()["skins"][0]["inverseBindMatrices"]] = mannequin::offset_step;
   for (const auto& animation : file.json()["animations"]) {
     for (const auto& channel : animation["channels"]) {

@@ -31,7 +31,7 @@ std::string said_on_stderr(const DemoOptions& options) {
 
 TEST(HeadlessNotice, NamesInOneLineWhatASoftwareRendererTurnsDown) {
   const std::string said = said_on_stderr(drawn_live_on_the_processor());
-  EXPECT_THAT(said, HasSubstr(": no multisampling, no shadows, coarse meshes unless"));
+  EXPECT_THAT(said, HasSubstr(": no multisampling, no shadows, coarser meshes unless"));
   EXPECT_EQ(said.find('\n'), said.size() - 1) << said;
 }
 

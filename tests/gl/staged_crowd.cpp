@@ -72,8 +72,11 @@ StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   stage_ = value_of(Stage::create(std::move(characters), tuning, *pages_));
   anim::Model as_imported = value_of(import::import_file(model_file)).models.front();
   reference_ = std::make_unique<ReferenceCrowd>(stage_->characters().front(), std::move(as_imported.clips), tuning);
+  // Everybody gets the coarsest mesh, which is the quickest to draw.
+  stage_->mesh_lods().set(0, std::vector<float>(renderer_->meshes().front().lod_count(), 0.0F));
   moments_.resize(stage_->crowd().size());
-  const auto cameras = scene_cameras(tuning.scene, stage_->crowd().size(), stage_->common_roles());
+  const auto cameras =
+      scene_cameras(tuning.scene, stage_->crowd().size(), common_roles(roles_of(stage_->characters())));
   camera_ = camera_at(find_camera(cameras, "above")->place);
 }
 
@@ -88,8 +91,7 @@ void StagedCrowd::pass_frame() {
   reference_->advance(frame_step);
   stage_->pose(camera_, width, height, frame_step, renderer_->fences().poll());
   note_moments();
-  const int coarsest = static_cast<int>(renderer_->meshes().front().lod_count()) - 1;
-  picture_.compose(*stage_, [coarsest](std::uint8_t, float, int) { return coarsest; });
+  picture_.compose(*stage_);
   instances_.assign(picture_.instances().begin(), picture_.instances().end());
   // The reference knows poses, but no builds of bodies.
   for (render::InstanceRecord& record : instances_) record.shape = record.hair = 0;

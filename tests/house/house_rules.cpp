@@ -92,9 +92,11 @@ const std::vector<Part>& parts() {
       {"glad/", {"engine/render/"}},
       {"hwy/", {"engine/anim/kernel/"}},
       {"oneapi/tbb/", {"engine/anim/run/tbb_executor.h", "engine/anim/run/tbb_executor.cpp"}},
-      {"stb_image", {"engine/anim/import/materials.cpp"}},
+      {"stb_image", {"engine/anim/import/images.cpp"}},
+      {"webp/", {"engine/anim/import/images.cpp"}},
       {"png.h", {"engine/render/image.cpp"}},
       {"meshoptimizer", {"engine/anim/import/", "engine/render/"}},
+      {"draco/", {"engine/anim/import/"}},
   };
   return all;
 }

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
+#include "tests/anim/bake/definition_error.h"
 #include "tests/import/test_files.h"
 
 // Real characters, where a folder of them was named when the project was configured (THRONG_CORPUS).
@@ -33,6 +35,20 @@ TEST_P(Corpus, ImportsOrHoldsNoSkin) {
     for (const anim::SkinnedMesh& mesh : model.meshes) {
       EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
       EXPECT_EQ(mesh.weights.size(), mesh.positions.size());
+    }
+  }
+}
+
+TEST_P(Corpus, PlaysWithinTheErrorThatIsPromised) {
+  const auto file = import_file((models_folder() / GetParam()).string());
+  if (!file) return;
+  for (const anim::Model& model : file->models) {
+    const anim::Character character = anim::bake_character(model);
+    for (std::size_t i = 0; i < model.clips.size(); ++i) {
+      const anim::BakedClip& baked = character.clips[i];
+      EXPECT_TRUE(baked.sampled() != nullptr || !baked.note.empty()) << baked.name;
+      EXPECT_LE(baked.sampled_error, baked.error_bound) << baked.name;
+      EXPECT_LE(anim::error_by_definition(model, model.clips[i], baked, 1001), baked.error_bound) << baked.name;
     }
   }
 }

@@ -25,14 +25,6 @@ anim::Model feature(const std::string& name) {
   return file.models.empty() ? anim::Model{} : std::move(file.models.front());
 }
 
-/// A feature whose buffer is a data URI, to be changed and written again.
-json editable_document() { return read_json(data_path("features/data-uri.gltf")); }
-
-std::string message_of(const std::filesystem::path& path) {
-  const auto file = import_file(path.string());
-  return file ? "" : file.error().message;
-}
-
 TEST(Import, TakesTheRigidPathForACharacterWithoutMovingScales) {
   const anim::Skeleton skeleton = feature("plain.glb").skeleton;
   EXPECT_TRUE(skeleton.rigid);
@@ -94,28 +86,36 @@ TEST(Import, BindsAMeshBelowAJointToThatJoint) {
   EXPECT_THAT(model.meshes.back().weights, Each(glm::vec4(1.0F, 0.0F, 0.0F, 0.0F)));
 }
 
-TEST(Import, ReportsAMorphTargetThatItIgnores) {
+/// The feature with one morph target, which moves each vertex by as much as it is away from the origin.
+json document_with_target() {
   json document = editable_document();
   json& primitive = document["meshes"][0]["primitives"][0];
   primitive["targets"] = json::array({{{"POSITION", primitive["attributes"]["POSITION"]}}});
-  const TemporaryFolder folder;
-  EXPECT_THAT(import_good(folder.write("morph.gltf", document.dump())).repairs, Contains(HasSubstr("morph targets")));
+  return document;
 }
 
-TEST(Import, ReadsABufferBesideTheModelButNotThroughALinkOutOfItsFolder) {
-  const TemporaryFolder outside;
+TEST(Import, AddsMorphTargetsByTheirDefaultWeights) {
   const TemporaryFolder folder;
-  json document = editable_document();
-  std::string bytes(document["buffers"][0]["byteLength"].get<std::size_t>(), '\0');
-  const auto elsewhere = outside.write("data.bin", bytes);
-  folder.write("parts/data.bin", bytes);
-  document["buffers"][0]["uri"] = "parts/data.bin";
-  EXPECT_THAT(message_of(folder.write("beside.gltf", document.dump())), ::testing::Not(HasSubstr("buffer 0")));
+  json document = document_with_target();
+  const anim::SkinnedMesh plain = import_good(folder.write("0.gltf", document.dump())).models.front().meshes.front();
+  document["meshes"][0]["weights"] = {0.5};
+  const anim::SkinnedMesh half = import_good(folder.write("1.gltf", document.dump())).models.front().meshes.front();
+  document["nodes"][6]["weights"] = {1.0};
+  const anim::SkinnedMesh whole = import_good(folder.write("2.gltf", document.dump())).models.front().meshes.front();
+  const glm::mat4 bind(feature("data-uri.gltf").skins.front().bind_to_model);
+  for (std::size_t v = 0; v < plain.positions.size(); ++v) {
+    const glm::vec3 own(glm::inverse(bind) * glm::vec4(plain.positions[v], 1.0F));
+    EXPECT_LT(glm::distance(half.positions[v], glm::vec3(bind * glm::vec4(1.5F * own, 1.0F))), 1e-5F) << v;
+    EXPECT_LT(glm::distance(whole.positions[v], glm::vec3(bind * glm::vec4(2.0F * own, 1.0F))), 1e-5F) << v;
+  }
+}
 
-  document["buffers"][0]["uri"] = "link.bin";
-  const auto model = folder.write("link.gltf", document.dump());
-  std::filesystem::create_symlink(elsewhere, model.parent_path() / "link.bin");
-  EXPECT_THAT(message_of(model), HasSubstr("buffer 0: its uri leaves the model's folder"));
+TEST(Import, SaysThatAnimatedMorphWeightsAreLeftOut) {
+  json document = document_with_target();
+  document["animations"][0]["channels"][0]["target"] = {{"node", 6}, {"path", "weights"}};
+  const TemporaryFolder folder;
+  EXPECT_THAT(import_good(folder.write("morph.gltf", document.dump())).repairs,
+              Contains(HasSubstr("animation 0 \"wave\": its morph weights are left out")));
 }
 
 TEST(Import, NamesTheFileTheObjectAndWhatToDo) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/anim/import/data_uri.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::import::testing {
@@ -34,6 +35,20 @@ std::vector<std::string> model_files(const std::filesystem::path& folder) {
   }
   std::ranges::sort(files);
   return files;
+}
+
+nlohmann::json editable_document() { return read_json(data_path("features/data-uri.gltf")); }
+
+std::vector<char> editable_buffer() {
+  const std::string uri = editable_document()["buffers"][0]["uri"];
+  const std::vector<std::byte> bytes = *decode_data_uri(uri);
+  const auto* from = reinterpret_cast<const char*>(bytes.data());
+  return {from, from + bytes.size()};
+}
+
+std::string message_of(const std::filesystem::path& path, bool strict) {
+  const auto file = import_file(path.string(), {.strict = strict});
+  return file ? "" : file.error().message;
 }
 
 anim::ImportedFile import_good(const std::filesystem::path& path) {

@@ -20,6 +20,15 @@ std::vector<char> read_bytes(const std::filesystem::path& path);
 /// Returns the names of the .glb and .gltf files of a folder, sorted.
 std::vector<std::string> model_files(const std::filesystem::path& folder);
 
+/// Returns a feature whose buffer is a data URI, to be changed and written again.
+nlohmann::json editable_document();
+
+/// Returns the bytes of that buffer.
+std::vector<char> editable_buffer();
+
+/// Returns why a file is refused, or an empty text.
+std::string message_of(const std::filesystem::path& path, bool strict = false);
+
 /// Imports a file, which must import. Returns an empty one and records a failure if it does not.
 anim::ImportedFile import_good(const std::filesystem::path& path);
 

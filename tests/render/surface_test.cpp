@@ -55,10 +55,11 @@ TEST(Surface, TakesMeshLodsThatCameWithTheCharacterAsTheyAre) {
   const std::vector<std::uint32_t> one_triangle{0, 2, 3};
   MeshPartData coarse = quads.data.parts[0];
   coarse.indices = one_triangle;
-  quads.data.baked_lods.push_back({{coarse}, 0.5F});
+  quads.data.baked_lods.push_back({{coarse}});
   const Surface surface = build_surface(quads.data);
   EXPECT_EQ(surface.triangles_by_lod, (std::vector<std::uint32_t>{4, 1}));
-  EXPECT_EQ(surface.error_by_lod, (std::vector<float>{0.0F, 0.5F}));
+  EXPECT_EQ(surface.error_by_lod[0], 0.0F);
+  EXPECT_FLOAT_EQ(surface.error_by_lod[1], 0.1F) << "measured: a part is lost";
   EXPECT_EQ(surface.vertex_count, 8U) << "of the full surface";
   EXPECT_EQ(surface.first_bone_end, 12U) << "its own vertices lie behind them";
   const MaterialRun run = surface.runs_by_lod[1].front();

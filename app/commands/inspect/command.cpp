@@ -2,13 +2,12 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/character/clip_files.h"
-#include "app/character/source.h"
+#include "app/commands/inspect/report.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
 #include "app/files/json.h"
@@ -16,15 +15,10 @@
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/rig/rig_map.h"
+#include "engine/anim/survey/placement_guess.h"
 
 namespace throng::app {
 namespace {
-
-std::size_t count_vertices(const anim::Model& model) {
-  std::size_t count = 0;
-  for (const anim::SkinnedMesh& mesh : model.meshes) count += mesh.positions.size();
-  return count;
-}
 
 std::size_t count_triangles(const std::vector<anim::SkinnedMesh>& meshes) {
   std::size_t count = 0;
@@ -34,32 +28,6 @@ std::size_t count_triangles(const std::vector<anim::SkinnedMesh>& meshes) {
 
 const char* path_name(const anim::Skeleton& skeleton) { return skeleton.rigid ? "rigid" : "general"; }
 
-/// The streams that a clip is baked into, as the crowd would play them.
-void write_streams(std::ostream& out, const anim::BakedClip& clip) {
-  const anim::SampledStream* const sampled = clip.sampled();
-  if (sampled == nullptr) {
-    out << "    plays from its keys, " << clip.keyframe().total_size << " bytes: " << clip.note << '\n';
-    return;
-  }
-  out << "    sampled at " << clip.sampled_rate << " Hz: " << sampled->total_size << " bytes, at most "
-      << clip.sampled_error * 1000.0 << " mm off on the surface; its keys: " << clip.keyframe().total_size
-      << " bytes\n";
-}
-
-/// Lists the parts of the body with their bones, and says why others are missing.
-std::string rig_text(const anim::Skeleton& skeleton) {
-  const anim::RigMap rig = anim::find_rig(skeleton);
-  std::vector<std::string> parts;
-  for (std::size_t role = 0; role < anim::body_role_count; ++role) {
-    if (rig.bones[role] < 0) continue;
-    parts.push_back(std::string(anim::body_role_names[role]) + " " +
-                    skeleton.bones[static_cast<std::size_t>(rig.bones[role])].name);
-  }
-  std::string text = parts.empty() ? "no part of a body is known" : joined(parts);
-  for (const std::string& doubt : rig.limbs.doubts) text += "\n    " + doubt;
-  return text;
-}
-
 Json rig_json(const anim::Skeleton& skeleton) {
   const anim::RigMap rig = anim::find_rig(skeleton);
   Json parts = Json::object();
@@ -68,32 +36,6 @@ Json rig_json(const anim::Skeleton& skeleton) {
     parts[anim::body_role_names[role]] = skeleton.bones[static_cast<std::size_t>(rig.bones[role])].name;
   }
   return parts;
-}
-
-void write_model(std::ostream& out, const anim::Model& model) {
-  const anim::Character baked = anim::bake_character(model);
-  const anim::Skeleton& skeleton = model.skeleton;
-  out << "skeleton \"" << skeleton.name << "\": " << skeleton.bone_count() << " bones, " << path_name(skeleton)
-      << " path, " << skeleton.palette_count() << " palette entries, levels";
-  for (const int count : skeleton.level_bone_counts) out << ' ' << count;
-  out << '\n';
-  out << "  rig: " << rig_text(skeleton) << '\n';
-  for (const anim::Skin& skin : model.skins) {
-    out << "  skin " << skin.skin << " \"" << skin.name << "\": " << skin.bones.size() << " joints\n";
-  }
-  for (std::size_t i = 0; i < model.clips.size(); ++i) {
-    const anim::Clip& clip = model.clips[i];
-    out << "  clip " << clip.animation << " \"" << clip.name << "\": " << clip.duration << " s, " << clip.tracks.size()
-        << " bones animated\n";
-    write_streams(out, baked.clips[i]);
-  }
-  out << "  " << model.meshes.size() << " meshes: " << count_vertices(model) << " vertices, "
-      << count_triangles(model.meshes) << " triangles, " << model.materials.size() << " materials, "
-      << model.images.size() << " images\n";
-  if (model.mesh_lods.empty()) return;
-  out << "  " << model.mesh_lods.size() << " baked mesh LODs:";
-  for (const anim::BakedMeshLod& lod : model.mesh_lods) out << ' ' << count_triangles(lod.meshes);
-  out << " triangles\n";
 }
 
 Json mesh_lods_json(const anim::Model& model) {
@@ -156,15 +98,36 @@ Json materials_json(const anim::Model& model) {
   Json materials = Json::array();
   for (const anim::Material& material : model.materials) {
     const auto& color = material.base_color;
-    materials.push_back({{"base_color", Json::array({color.r, color.g, color.b, color.a})},
+    const auto& emission = material.emission;
+    materials.push_back({{"alpha_cutoff", material.alpha_cutoff},
+                         {"base_color", Json::array({color.r, color.g, color.b, color.a})},
+                         {"blended", material.blended},
                          {"double_sided", material.double_sided},
-                         {"image", material.image},
-                         {"name", material.name}});
+                         {"emission", Json::array({emission.r, emission.g, emission.b})},
+                         {"emission_image", material.emission_texture.image},
+                         {"image", material.base_color_texture.image},
+                         {"name", material.name},
+                         {"unlit", material.unlit}});
   }
   return materials;
 }
 
-Json model_json(const anim::Model& model) {
+Json numbers(const glm::dvec3& vector) { return Json::array({vector.x, vector.y, vector.z}); }
+
+/// Says size and place of a model, before and after.
+Json size_json(const anim::GuessedPlacement& placed) {
+  const anim::ModelExtent extent = placed.extent.value_or(anim::ModelExtent{});
+  return {{"file_lowest", extent.lowest},
+          {"file_middle", numbers(extent.middle)},
+          {"file_size", numbers(extent.size)},
+          {"height_m", placed.height},
+          {"offset_m", numbers(placed.placement.offset)},
+          {"reasons", placed.reasons},
+          {"scale", placed.placement.scale}};
+}
+
+Json model_json(const InspectedModel& inspected) {
+  const anim::Model& model = inspected.model;
   Json bones = Json::array();
   for (const anim::Bone& bone : model.skeleton.bones) bones.push_back(bone.name);
   Json images = Json::array();
@@ -180,35 +143,40 @@ Json model_json(const anim::Model& model) {
           {"palette_entries", model.skeleton.palette_count()},
           {"path", path_name(model.skeleton)},
           {"rig", rig_json(model.skeleton)},
+          {"size", size_json(inspected.placed)},
           {"skins", skins_json(model)}};
 }
 
-/// Says for a person what the file holds.
-std::string inspection_text(const anim::ImportedFile& file) {
-  std::ostringstream out;
-  out << file.file << ": " << file.models.size() << " skeletons, " << file.animations.size() << " animations\n";
-  for (const anim::Model& model : file.models) write_model(out, model);
-  for (const std::string& repair : file.repairs) out << "repaired: " << repair << '\n';
-  return out.str();
-}
-
-/// Says the same as one JSON object; README.md beside this file lists the keys.
-std::string inspection_json(const anim::ImportedFile& file) {
+/// Says what the file holds as one JSON object; README.md beside this file lists the keys.
+std::string inspection_json(const anim::ImportedFile& file, const std::vector<InspectedModel>& inspected) {
   Json models = Json::array();
-  for (const anim::Model& model : file.models) models.push_back(model_json(model));
+  for (const InspectedModel& model : inspected) models.push_back(model_json(model));
   const Json inspection = {
       {"animations", file.animations}, {"file", file.file}, {"models", std::move(models)}, {"repairs", file.repairs}};
   return inspection.dump(2) + "\n";
 }
 
+/// Takes the models out of the file and gives them size and place.
+std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::PlacementChoice& choice) {
+  std::vector<InspectedModel> models;
+  for (anim::Model& model : file.models) {
+    const anim::GuessedPlacement placed = anim::guess_placement(model, choice);
+    anim::place_model(model, placed.placement);
+    models.push_back({std::move(model), placed});
+  }
+  return models;
+}
+
 }  // namespace
 
 int run_inspect(const InspectOptions& options) {
-  auto file = import::import_file(options.model);
+  auto file = import::import_file(options.model, {.strict = options.strict});
   if (!file) return end_with(exit_job_failed, file.error().message);
-  const anim::Status added = add_clips_to(options.model, options.clips_from, *file);
+  anim::face_forward(*file);
+  const anim::Status added = add_clips_to(options.model, options.clips_from, *file, {.strict = options.strict});
   if (!added) return end_with(exit_job_failed, added.error().message);
-  const std::string text = options.json ? inspection_json(*file) : inspection_text(*file);
+  const std::vector<InspectedModel> models = placed_models(*file, options.placement);
+  const std::string text = options.json ? inspection_json(*file, models) : inspection_text(*file, models);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     return end_with(exit_job_failed, "standard output cannot be written");
   }

@@ -103,10 +103,10 @@ anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optiona
 }
 
 anim::Result<std::string> import_and_pose(const PoseOptions& options) {
-  auto file = import::import_skins(options.model);
+  auto file = import::import_skins(options.model, {.strict = options.strict});
   if (!file) return file.error();
   if (!options.clips_from.empty()) {
-    const anim::Status added = add_clips_to(options.model, options.clips_from, *file);
+    const anim::Status added = add_clips_to(options.model, options.clips_from, *file, {.strict = options.strict});
     if (!added) return added.error();
   }
   const auto animation = find_animation(*file, options.clip);

@@ -35,7 +35,8 @@ anim::Status PosePipe::prepare(const anim::Model& model, const anim::Clip* clip)
   anim::Model played = model;
   played.clips.clear();
   if (clip != nullptr) played.clips.push_back(*clip);
-  auto character = std::make_shared<const anim::Character>(anim::bake_character(played, {.take_root_motion = false}));
+  constexpr anim::BakeOptions unchanged{.take_root_motion = false, .as_in_the_file = true};
+  auto character = std::make_shared<const anim::Character>(anim::bake_character(played, unchanged));
   auto system = anim::AnimationSystem::create(std::move(character),
                                               {.schedule = anim::Schedule::levels, .stream = stream_, .hash = false});
   if (!system) return system.error();

@@ -19,6 +19,9 @@ void ExactPoser::pose(const Population& population, const FittedScheduler& crowd
 
 void ExactPoser::list_work(const Population& population, const FittedScheduler& crowd,
                            std::span<const ExactPose> agents) {
+  // A frame that poses more agents than the ones before must not allocate.
+  work_.reserve(population.count());
+  runs_.reserve(population.count());
   work_.clear();
   for (const ExactPose& exact : agents) {
     const PoseGraph& graph = population.graph(exact.agent);

@@ -30,19 +30,23 @@ struct BoneTracks {
 
 /// A named moment of a clip for game play (the paper's "data key", 2.2.2), as the file has it.
 struct NamedDataKey {
-  double time = 0.0;  ///< seconds, from 0 to the clip's duration
+  double time = 0.0;  ///< seconds of the file, from the clip's start to its duration
   std::string name;   ///< never empty
 };
 
-/// One animation of the file, restricted to one skeleton. It runs from 0 to its last key. A bone without a track keeps
-/// its rest transform. Before a track's first key and after its last, the nearest key holds.
+/// One animation of the file, restricted to one skeleton. A bone without a track keeps its rest transform. Before a
+/// track's first key and after its last, the nearest key holds. Its times are those of the file; what plays it begins
+/// at `start`, since the time before the first key is no part of a loop.
 struct Clip {
   std::string name;
-  int animation = -1;              ///< index in the file
-  double start = 0.0;              ///< seconds, the first key of all its channels
-  double duration = 0.0;           ///< seconds, the last key of all its channels, those of other skeletons too
-  std::vector<BoneTracks> tracks;  ///< ascending by bone, at most one a bone
+  int animation = -1;     ///< index in the file
+  double start = 0.0;     ///< seconds, the first key of all channels with two keys or more, other skeletons' too
+  double duration = 0.0;  ///< seconds, the last key of all channels, other skeletons' too
+  std::vector<BoneTracks> tracks;            ///< ascending by bone, at most one a bone
   std::vector<NamedDataKey> data_keys = {};  ///< by time
+
+  /// Returns the seconds that it plays, from its first key to its last.
+  double length() const { return duration - start; }
 };
 
 }  // namespace throng::anim

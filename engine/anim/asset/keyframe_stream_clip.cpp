@@ -60,11 +60,11 @@ glm::dvec4 widen(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
 
 /// Reads the file's keys in double, with tangents where the track has them.
 template <typename Value>
-std::vector<StateKey> read_keys(const Track<Value>& track) {
+std::vector<StateKey> read_keys(const Track<Value>& track, double start) {
   const bool cubic = track.interpolation == Interpolation::cubic_spline;
   std::vector<StateKey> keys(track.times.size());
   for (std::size_t k = 0; k < keys.size(); ++k) {
-    keys[k].time = key_ticks(static_cast<double>(track.times[k]));
+    keys[k].time = key_ticks(static_cast<double>(track.times[k]) - start);
     keys[k].value = widen(track.values[cubic ? 3 * k + 1 : k]);
     if (!cubic) continue;
     keys[k].in_tangent = widen(track.values[3 * k]);
@@ -91,8 +91,8 @@ glm::dvec4 normalised(const glm::dvec4& q) {
   return length > 0.0 ? q / length : unit_axis(3);
 }
 
-std::vector<StateKey> read_rotation_keys(const Track<glm::quat>& track) {
-  std::vector<StateKey> keys = read_keys(track);
+std::vector<StateKey> read_rotation_keys(const Track<glm::quat>& track, double start) {
+  std::vector<StateKey> keys = read_keys(track, start);
   if (track.interpolation == Interpolation::cubic_spline) return keys;
   choose_hemispheres(keys);
   for (StateKey& key : keys) key.value = normalised(key.value);
@@ -146,15 +146,19 @@ void add_track(StateClip& clip, StateTrack track, const StateMap& map) {
 void add_bone_tracks(StateClip& clip, const Skeleton& skeleton, const BoneTracks& tracks) {
   const int bone = tracks.bone;
   if (!tracks.rotation.empty()) {
-    add_track(clip, {bone, KeyChannel::rotation, tracks.rotation.interpolation, read_rotation_keys(tracks.rotation)},
-              rotation_map(skeleton, bone));
+    add_track(
+        clip,
+        {bone, KeyChannel::rotation, tracks.rotation.interpolation, read_rotation_keys(tracks.rotation, clip.start)},
+        rotation_map(skeleton, bone));
   }
   if (!tracks.translation.empty()) {
-    add_track(clip, {bone, KeyChannel::position, tracks.translation.interpolation, read_keys(tracks.translation)},
+    add_track(clip,
+              {bone, KeyChannel::position, tracks.translation.interpolation, read_keys(tracks.translation, clip.start)},
               position_map(skeleton, bone));
   }
   if (!tracks.scale.empty() && !skeleton.rigid) {
-    add_track(clip, {bone, KeyChannel::scale, tracks.scale.interpolation, read_keys(tracks.scale)}, scale_map());
+    add_track(clip, {bone, KeyChannel::scale, tracks.scale.interpolation, read_keys(tracks.scale, clip.start)},
+              scale_map());
   }
 }
 
@@ -198,9 +202,12 @@ void cover(StateTrack& track, Ticks duration) {
 
 Ticks key_ticks(double seconds) { return to_ticks(std::min(seconds, longest_clip)); }
 
-StateClip to_state_space(const Skeleton& skeleton, const Clip& clip) {
-  StateClip state{
-      .duration = key_ticks(clip.duration), .components = skeleton.components(), .constants = {}, .tracks = {}};
+StateClip to_state_space(const Skeleton& skeleton, const Clip& clip, double start) {
+  StateClip state{.start = start,
+                  .duration = key_ticks(clip.duration - start),
+                  .components = skeleton.components(),
+                  .constants = {},
+                  .tracks = {}};
   for (int bone = 0; bone < skeleton.bone_count(); ++bone) state.constants.push_back(rest_state(skeleton, bone));
   for (const BoneTracks& tracks : clip.tracks) add_bone_tracks(state, skeleton, tracks);
   return state;

@@ -30,13 +30,15 @@ struct StateTrack {
 /// A clip in the space of animation states (see ReferenceFrame), in double. A track is converted by a linear or affine
 /// map, so it makes no difference whether values are interpolated before or after.
 struct StateClip {
+  double start = 0.0;  ///< seconds, the file's time at time 0
   Ticks duration = 0;
   int components = rigid_components;
   std::vector<StateTransform> constants;  ///< one a bone: the values that hold where nothing moves; rotations unit
   std::vector<StateTrack> tracks;         ///< by bone, then channel
 };
 
-StateClip to_state_space(const Skeleton& skeleton, const Clip& clip);
+/// Time 0 of the result is `start` seconds of the file, at most the clip's first key.
+StateClip to_state_space(const Skeleton& skeleton, const Clip& clip, double start = 0.0);
 
 /// A day in seconds. Players count parts of ticks, and a file may claim any time; later keys are moved back to it.
 inline constexpr double longest_clip = 86'400.0;

@@ -29,15 +29,52 @@ struct Skin {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;  ///< width * height * 4, sRGB, top row first
+  std::vector<std::uint8_t> rgba;  ///< width * height * 4, top row first; sRGB where it is a colour
 };
 
+/// What a texture shows beyond 0..1. The numbers are those of glTF 2.0, 5.26, and of OpenGL.
+enum class Wrap : std::uint16_t { clamp = 33071, mirror = 33648, repeat = 10497 };
+
+/// How a texture is read between its texels and, from `nearest_of_nearest` on, between its mip levels.
+enum class Filter : std::uint16_t {
+  nearest = 9728,
+  linear = 9729,
+  nearest_of_nearest = 9984,
+  linear_of_nearest = 9985,
+  nearest_of_linear = 9986,
+  linear_of_linear = 9987
+};
+
+/// An image as one property of a material shows it.
+struct Texture {
+  int image = -1;  ///< index among Model::images; -1: no texture
+  int coords = 0;  ///< index among SkinnedMesh::texture_coords
+  Wrap wrap_u = Wrap::repeat;
+  Wrap wrap_v = Wrap::repeat;
+  Filter magnified = Filter::linear;
+  Filter minified = Filter::linear_of_linear;
+};
+
+/// A material (glTF 2.0, 3.9). Factors multiply what their textures show; a texture without an image shows 1.
 struct Material {
   std::string name;
   glm::vec4 base_color{1.0F};  ///< linear
-  int image = -1;              ///< base colour texture among Model::images, or -1
+  Texture base_color_texture;  ///< sRGB, linear alpha
+  glm::vec3 emission{0.0F};    ///< linear, 1: as bright as white of the screen
+  Texture emission_texture;    ///< sRGB
+  bool unlit = false;          ///< its base colour is what is seen, whatever the light
   bool double_sided = false;
-  float alpha_cutoff = 0.0F;  ///< 0: opaque
+  bool blended = false;       ///< what is behind is seen through it as far as its alpha is below 1
+  float alpha_cutoff = 0.0F;  ///< less alpha is not seen; 0: opaque, unless `blended`
+
+  // The light does not read these yet.
+  float metallic = 1.0F;
+  float roughness = 1.0F;
+  Texture metallic_roughness_texture;  ///< linear, roughness in green, metallic in blue
+  float normal_scale = 1.0F;
+  Texture normal_texture;  ///< linear, in the space of SkinnedMesh::tangents
+  float occlusion_strength = 1.0F;
+  Texture occlusion_texture;  ///< linear, in red
 };
 
 /// One glTF primitive as triangles, skinned, in the space of the palette (see Skin::bind_to_model).
@@ -45,9 +82,11 @@ struct SkinnedMesh {
   std::string name;
   int material = 0;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;             ///< one a position; computed where the file has none
-  std::vector<glm::vec2> texture_coords;      ///< one a position, or empty
-  std::vector<glm::vec4> colors;              ///< linear RGBA, one a position, or empty
+  std::vector<glm::vec3> normals;   ///< one a position; those of the triangles where the file has none
+  std::vector<glm::vec4> tangents;  ///< where the material has a normal texture: one a position, w is the
+                                    ///< side of the bitangent, -1 or 1; else empty
+  std::vector<std::vector<glm::vec2>> texture_coords;  ///< by Texture::coords; one a position, or empty
+  std::vector<glm::vec4> colors;                       ///< linear RGBA, one a position, or empty
   std::vector<std::uint8_t> regions;          ///< `_REGION`: tint region 0..4, or 5: untinted; one a position, or empty
   std::vector<glm::vec3> shapes;              ///< `_SHAPE`: stout, broad, stooped, -1..1; one a position, or empty
   std::vector<glm::vec2> hair;                ///< `_HAIR`: full, long, -1..1; one a position, or empty
@@ -71,7 +110,7 @@ struct Model {
   std::vector<BakedMeshLod> mesh_lods;  ///< finest first; empty unless the file has them for all of `meshes`
   std::vector<Material> materials;      ///< at least one if there is a mesh
   std::vector<Image> images;
-  bool faces_backwards = false;  ///< the file's format looks along -Z, as VRM 0.x does (see model_space.h)
+  bool faces_backwards = false;  ///< the file's format looks along -Z, as VRM 0.x does (see placement.h)
 };
 
 /// The contents of one .glb or .gltf. Models are sorted by the number of vertices skinned to them, then by joints,

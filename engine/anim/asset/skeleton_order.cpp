@@ -18,13 +18,18 @@ constexpr int smallest_level = 6;              // a smaller level saves nothing
 constexpr double equally_important = 0.02;     // the two sides of a character differ by less
 constexpr double largest_useful_share = 0.85;  // of the level above; a larger level is not worth its switch
 
-/// Makes each parent at least as important as its children, since it cannot be dropped before them.
+/// Makes each parent at least as important as its children, since it cannot be dropped before them, and each root as
+/// important as any bone, since there is nobody whom it could follow.
 std::vector<double> hand_up(std::span<const int> parents, std::span<const double> importance) {
   std::vector<double> result(importance.begin(), importance.end());
   for (std::size_t bone = parents.size(); bone-- > 0;) {
     if (parents[bone] < 0) continue;
     double& parent = result[static_cast<std::size_t>(parents[bone])];
     parent = std::max(parent, result[bone]);
+  }
+  const double most = std::ranges::max(result);
+  for (std::size_t bone = 0; bone < parents.size(); ++bone) {
+    if (parents[bone] < 0) result[bone] = most;
   }
   return result;
 }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -14,6 +16,7 @@
 #include "engine/anim/bake/reorder.h"
 #include "engine/anim/bake/root_motion.h"
 #include "engine/anim/bake/sampled.h"
+#include "engine/anim/bake/still_tracks.h"
 #include "engine/anim/bake/surface.h"
 
 namespace throng::anim {
@@ -22,15 +25,23 @@ namespace {
 
 // These limits are meant for a person of 1.8 m and scale with the character.
 constexpr double surface_error = 0.0002;  // metres: the bound of sampled streams
-constexpr double hopeless = 4.0;          // times the bound: quantisation alone errs less
+constexpr double still_share = 0.2;       // of the bound: what tracks that hardly move may take of it
+constexpr double hopeless_step = 4.0;     // times the bound: no sampled stream comes near to such a step
 constexpr double closing_error = 0.005;   // metres between the first and the last pose of a loop
 constexpr double least_travel = 0.05;     // metres of root motion
 
 void add_note(BakedClip& baked, const std::string& note) { baked.note += (baked.note.empty() ? "" : "; ") + note; }
 
-bool has_step_tracks(const StateClip& clip) {
-  return std::ranges::any_of(clip.tracks,
-                             [](const StateTrack& track) { return track.interpolation == Interpolation::step; });
+/// Returns the times at which STEP tracks jump.
+std::vector<Ticks> step_times(const StateClip& clip) {
+  std::vector<Ticks> times;
+  for (const StateTrack& track : clip.tracks) {
+    if (track.interpolation != Interpolation::step) continue;
+    for (std::size_t key = 1; key < track.keys.size(); ++key) times.push_back(track.keys[key].time);
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
 }
 
 /// Compares poses of one clip on the surface.
@@ -68,33 +79,45 @@ void find_loop(BakedClip& baked, const SampleSource& source, const std::optional
   }
 }
 
+std::string in_millimetres(double metres) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g mm", 1000.0 * metres);
+  return text;
+}
+
+/// Says why a clip plays from its keyframe stream, or gives it a sampled stream that keeps to the bound.
 void bake_sampled_stream(BakedClip& baked, const SampleSource& source, const StateClip& clip,
                          const std::optional<KeyGrid>& grid, Ticks last_key) {
-  if (has_step_tracks(clip)) return add_note(baked, "plays from its keyframe stream: a STEP track moves");
-  if (!clip.tracks.empty() && !grid) {
-    return add_note(baked, "plays from its keyframe stream: its keys lie on no grid of up to 120 Hz");
-  }
+  const auto play_from_keys = [&](const std::string& why) {
+    add_note(baked, "plays from its keyframe stream: " + why);
+  };
+  const double step = source.steps.empty() ? 0.0 : largest_step(source.skeleton, source.proxy, clip);
+  if (step > hopeless_step * source.error_bound)
+    return play_from_keys("a STEP track moves it by " + in_millimetres(step));
+  if (!clip.tracks.empty() && !grid) return play_from_keys("its keys lie on no grid of up to 120 Hz");
   SampledBake bake = clip.tracks.empty() ? bake_still(source) : bake_sampled(source, *grid, last_key);
-  if (!bake.block) return add_note(baked, "plays from its keyframe stream: too long to be sampled");
-  if (bake.error > hopeless * baked.error_bound) {
-    return add_note(baked, "plays from its keyframe stream: it jumps, and no rate of up to 120 Hz follows");
-  }
-  if (bake.error > baked.error_bound) add_note(baked, "no rate of up to 120 Hz keeps to the error bound");
+  if (!bake.block && std::isinf(bake.error)) return play_from_keys("it is too long, or turns too fast, to be sampled");
+  if (!bake.block)
+    return play_from_keys("sampled at up to 240 Hz it would be at least " + in_millimetres(bake.error) + " off");
   baked.sampled_block = std::move(bake.block);
   baked.sampled_rate = bake.rate;
-  baked.sampled_error = bake.error;
+  baked.sampled_rounding = bake.rounding;
+  baked.sampled_error = baked.keyframe_error + bake.error;
 }
 
 BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const Clip& clip, const BakeOptions& options) {
   const double size = proxy.height / tall_person;
-  StateClip state = to_state_space(skeleton, clip);
-  const std::vector<Ticks> keys = key_times(state);
-  const std::optional<KeyGrid> grid = keys.empty() ? std::nullopt : find_grid(keys);
-
+  StateClip state = to_state_space(skeleton, clip, options.as_in_the_file ? 0.0 : clip.start);
   BakedClip baked;
   baked.name = clip.name;
   baked.duration = state.duration;
   baked.error_bound = surface_error * size;
+  if (!options.as_in_the_file) {
+    baked.keyframe_error = hold_still_tracks(skeleton, proxy, still_share * baked.error_bound, state);
+  }
+  const std::vector<Ticks> keys = key_times(state);
+  const std::vector<Ticks> steps = step_times(state);
+  const std::optional<KeyGrid> grid = keys.empty() ? std::nullopt : find_grid(keys, state.start);
   if (options.take_root_motion && state.duration > 0) {
     baked.loop_displacement = find_root_motion(skeleton, state, least_travel * size);
   }
@@ -102,8 +125,9 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
   baked.root_motion = straight_root_curve(state.duration, baked.loop_displacement);
   baked.keyframe_block = pack_keyframe_stream(state);
 
-  const SampleSource source{skeleton, proxy, baked.keyframe(), baked.loop_displacement, baked.error_bound};
-  find_loop(baked, source, has_step_tracks(state) ? std::nullopt : grid);
+  const SampleSource source{
+      skeleton, proxy, baked.keyframe(), baked.loop_displacement, baked.error_bound - baked.keyframe_error, steps};
+  find_loop(baked, source, steps.empty() ? grid : std::nullopt);
   bake_sampled_stream(baked, source, state, grid, keys.empty() ? 0 : keys.back());
   return baked;
 }
@@ -116,10 +140,15 @@ std::uint32_t intern(std::vector<std::string>& names, const std::string& name) {
   return index;
 }
 
-/// Returns the file's data keys, or footsteps for a loop that has none.
-std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked) {
-  if (!clip.data_keys.empty() || !baked.loops) return clip.data_keys;
-  return find_footsteps(character.skeleton, baked.keyframe(), character.height);
+/// Returns the file's data keys in the time of the baked clip, or footsteps for a loop that has none.
+std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& clip, const BakedClip& baked,
+                                       const BakeOptions& options) {
+  if (clip.data_keys.empty() && baked.loops) {
+    return find_footsteps(character.skeleton, baked.keyframe(), character.height);
+  }
+  std::vector<NamedDataKey> keys = clip.data_keys;
+  for (NamedDataKey& key : keys) key.time -= options.as_in_the_file ? 0.0 : clip.start;
+  return keys;
 }
 
 /// Data keys get the numbers of their names one clip after the other, so that no thread decides them.
@@ -143,18 +172,21 @@ Character bake_character(const Model& model, const BakeOptions& options) {
                       .height = proxy.height,
                       .skip_errors = std::vector<SkipError>(clips.size()),
                       .level_entries = entries_of_levels(model.skeleton)};
+  const BoundsSurvey room(model);
+  std::vector<double> reaches(clips.size());
   std::vector<std::vector<NamedDataKey>> data_keys(clips.size());
   const auto bake = [&](std::size_t clip) {
     BakedClip& baked = character.clips[clip];
     baked = bake_clip(character.skeleton, proxy, clips[clip], options);
-    data_keys[clip] = data_keys_of(character, clips[clip], baked);
+    data_keys[clip] = data_keys_of(character, clips[clip], baked, options);
+    reaches[clip] = room.reach(clips[clip], baked.loop_displacement);
     character.skip_errors[clip] = measure_skip_error(character.skeleton, proxy, baked, clips.size());
   };
   const std::function<void()> surveys[] = {[&] { character.bone_lod = measure_bone_lod(model); },
-                                           [&] { character.bounds = measure_bounds(model); },
                                            [&] { character.surface_points = choose_surface_points(model); }};
   in_parallel(std::size(surveys) + clips.size(),
               [&](std::size_t part) { part < std::size(surveys) ? surveys[part]() : bake(part - std::size(surveys)); });
+  character.bounds = room.bounds(reaches);
   for (std::size_t clip = 0; clip < clips.size(); ++clip)
     add_data_keys(character, character.clips[clip], data_keys[clip]);
   return character;

@@ -12,6 +12,7 @@
 #include "engine/anim/asset/root_curve.h"
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/bake/rounding.h"
 #include "engine/anim/bake/skip_error.h"
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/units.h"
@@ -33,10 +34,12 @@ struct BakedClip {
   RootCurve root_motion;              ///< the same over time: a pose stands where the curve is at its time
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
   AlignedBytes keyframe_block;
-  AlignedBytes sampled_block;  ///< null: the clip plays from its keyframe stream, and `note` says why
-  double sampled_rate = 0.0;   ///< Hz
-  double sampled_error = 0.0;  ///< metres, the largest measured on the surface proxy
-  double error_bound = 0.0;    ///< metres
+  double keyframe_error = 0.0;  ///< metres: what the tracks that stand still in it may move the surface by at most
+  AlignedBytes sampled_block;   ///< null: the clip plays from its keyframe stream, and `note` says why
+  double sampled_rate = 0.0;    ///< Hz
+  double sampled_error = 0.0;   ///< metres, the largest measured on the surface proxy, `keyframe_error` included
+  double error_bound = 0.0;     ///< metres: no stream is farther off than this
+  Rounding sampled_rounding = Rounding::nearest;
   std::string note;
 
   const KeyframeStream& keyframe() const { return *reinterpret_cast<const KeyframeStream*>(keyframe_block.get()); }
@@ -45,6 +48,8 @@ struct BakedClip {
 
 struct BakeOptions {
   bool take_root_motion = true;  ///< remove the ground-plane travel of the root from the pose (off for `pose`)
+  /// Time 0 is the file's, not that of the clip's first key, and tracks that hardly move keep their keys (for `pose`).
+  bool as_in_the_file = false;
 };
 
 /// A baked skeleton with its clips, and all that is measured on them. Read-only while agents play it.

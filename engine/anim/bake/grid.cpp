@@ -48,10 +48,10 @@ double divisor_rate(std::span<const double> distances, double first) {
 
 }  // namespace
 
-std::optional<KeyGrid> find_grid(std::span<const Ticks> times) {
+std::optional<KeyGrid> find_grid(std::span<const Ticks> times, double start) {
   assert(!times.empty());
   const std::vector<double> distances = distances_from_first(times);
-  const double first = to_seconds(times.front());
+  const double first = start + to_seconds(times.front());
   for (int hertz = 1; hertz <= static_cast<int>(highest_sample_rate); ++hertz) {
     if (all_on_grid(distances, first, hertz)) return KeyGrid{times.front(), static_cast<double>(hertz)};
   }

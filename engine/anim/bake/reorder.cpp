@@ -18,15 +18,18 @@ BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::spa
                       .root_motion = clip.root_motion,
                       .data_keys = clip.data_keys,
                       .keyframe_block = reorder_keyframe_stream(clip.keyframe(), places),
+                      .keyframe_error = clip.keyframe_error,
                       .sampled_block = {},
                       .sampled_rate = clip.sampled_rate,
                       .sampled_error = clip.sampled_error,
                       .error_bound = clip.error_bound,
+                      .sampled_rounding = clip.sampled_rounding,
                       .note = clip.note};
   if (clip.sampled() == nullptr) return reordered;
   const SurfaceProxy unused;
-  const SampleSource source{skeleton, unused, reordered.keyframe(), clip.loop_displacement, clip.error_bound};
-  reordered.sampled_block = sample_as(source, *clip.sampled());
+  const SampleSource source{skeleton, unused, reordered.keyframe(), clip.loop_displacement,
+                            clip.error_bound - clip.keyframe_error};
+  reordered.sampled_block = sample_as(source, *clip.sampled(), clip.sampled_rounding);
   return reordered;
 }
 

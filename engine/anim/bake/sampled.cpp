@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <utility>
 
 #include "engine/anim/bake/root_motion.h"
 #include "engine/anim/kernel/kernels.h"
@@ -15,8 +14,8 @@ namespace {
 /// The most floats of a stream: half an hour of a character at 30 Hz. More would cost more memory than they are worth.
 constexpr Ticks most_floats = 1 << 25;
 
-/// A higher rate must bring the error below this share. The rest may be quantisation, which no rate mends.
-constexpr double worthwhile = 0.9;
+/// Times the bound: rounding alone errs less, so other rounding cannot mend more.
+constexpr double hopeless = 4.0;
 
 /// Positions nearer to each other than this part of the error bound count as one: 2 micrometres of a person.
 constexpr double rounding_of_bound = 0.01;
@@ -24,6 +23,13 @@ constexpr double rounding_of_bound = 0.01;
 /// Errors are measured at these fractions of the way between two rows: on a row, midway (CUBICSPLINE), and where a
 /// chord strays most from its arc.
 constexpr double probes[] = {0.0, 0.21, 0.5, 0.79};
+
+/// Between rows whose error comes this near to the largest, they are measured again at so many times.
+constexpr double near_largest = 0.9;
+constexpr int close_probes = 16;
+
+/// The kernels round fractions between two rows, so that a pose may be early or late by so much of the way.
+constexpr double fraction_rounding = 0.5 / sample_fraction_one;
 
 Ticks floats_in_pose(const KeyframeStream& stream) {
   const std::size_t floats = pose_bytes(stream.bone_count, stream.components) / sizeof(float);
@@ -105,67 +111,117 @@ AlignedBytes sample(const SampleSource& source, SampledRows& rows) {
   return block;
 }
 
+SampledStream& stream_of(const AlignedBytes& block) { return *reinterpret_cast<SampledStream*>(block.get()); }
+
+/// Makes a stream with rotations rounded to the nearest, and with carried rounding if they are too far off.
 SampledBake encode(const SampleSource& source, SampledRows& rows) {
   SampledBake bake{.block = sample(source, rows),
                    .rate = static_cast<double>(ticks_per_second) / static_cast<double>(rows.row_step)};
-  bake.error = turns_too_far(rows) ? std::numeric_limits<double>::infinity()
-                                   : measure_error(source, *reinterpret_cast<const SampledStream*>(bake.block.get()));
+  bake.error =
+      turns_too_far(rows) ? std::numeric_limits<double>::infinity() : measure_error(source, stream_of(bake.block));
+  if (bake.error <= source.error_bound || bake.error > hopeless * source.error_bound) return bake;
+  carry_rounding(source.skeleton, rows, stream_of(bake.block));
+  bake.rounding = Rounding::carried;
+  bake.error = measure_error(source, stream_of(bake.block));
   return bake;
 }
 
-void sample_pose(const SampledStream& stream, Ticks time, std::span<float> pose) {
-  const Kernels& kernels = best_kernels();
-  for (int packet = 0; packet < stream.packet_count(); ++packet) {
-    float* out = pose.data() + static_cast<std::ptrdiff_t>(packet) * stream.components * packet_bones;
-    kernels.sample({.stream = &stream, .point = locate(stream, time), .packet = packet, .pose = out});
+/// Compares a sampled stream with the exact one on the surface.
+class ErrorMeter {
+ public:
+  ErrorMeter(const SampleSource& source, const SampledStream& stream)
+      : source_(source),
+        stream_(stream),
+        exact_(source.exact),
+        bytes_(allocate_aligned(pose_bytes(stream.bone_count, stream.components))),
+        expected_(source.skeleton.bones.size()),
+        sampled_(source.skeleton.bones.size()) {}
+
+  double at(Ticks time) {
+    const Ticks within = std::clamp<Ticks>(time, 0, stream_.duration);
+    compute_frames(source_.skeleton, exact_.at(within), expected_);
+    compute_frames(source_.skeleton, sampled_pose(within), sampled_);
+    return largest_distance(source_.proxy, expected_, sampled_);
   }
-}
+
+  /// Returns the distance that the exact surface moves from the time of the last call of this function.
+  double motion_to(Ticks time) {
+    compute_frames(source_.skeleton, exact_.at(std::clamp<Ticks>(time, 0, stream_.duration)), expected_);
+    const double motion = last_.empty() ? 0.0 : largest_distance(source_.proxy, last_, expected_);
+    last_ = expected_;
+    return motion;
+  }
+
+  /// Measures at a part of the way from one row to the next.
+  double behind(int row, double part) {
+    const auto between = static_cast<Ticks>(part * static_cast<double>(stream_.row_step));
+    return at(stream_.first_row + row * stream_.row_step + between);
+  }
+
+ private:
+  std::span<const float> sampled_pose(Ticks time) {
+    const Kernels& kernels = best_kernels();
+    auto* const pose = reinterpret_cast<float*>(bytes_.get());
+    for (int packet = 0; packet < stream_.packet_count(); ++packet) {
+      float* const out = pose + static_cast<std::ptrdiff_t>(packet) * stream_.components * packet_bones;
+      kernels.sample({.stream = &stream_, .point = locate(stream_, time), .packet = packet, .pose = out});
+    }
+    return {pose, pose_bytes(stream_.bone_count, stream_.components) / sizeof(float)};
+  }
+
+  const SampleSource& source_;
+  const SampledStream& stream_;
+  ExactPoses exact_;
+  AlignedBytes bytes_;
+  std::vector<BoneFrame> expected_, sampled_, last_;
+};
 
 }  // namespace
 
 double measure_error(const SampleSource& source, const SampledStream& stream) {
-  ExactPoses exact(source.exact);
-  const std::size_t size = pose_bytes(stream.bone_count, stream.components);
-  const AlignedBytes bytes = allocate_aligned(size);
-  const std::span pose(reinterpret_cast<float*>(bytes.get()), size / sizeof(float));
-  std::vector<BoneFrame> expected(source.skeleton.bones.size());
-  std::vector<BoneFrame> sampled(source.skeleton.bones.size());
-  double error = 0.0;
+  ErrorMeter meter(source, stream);
+  std::vector<double> of_rows(static_cast<std::size_t>(stream.row_count), 0.0);
+  double largest = 0.0, fastest = 0.0;
   for (int row = 0; row < stream.row_count; ++row) {
-    for (const double probe : probes) {
-      const auto between = static_cast<Ticks>(probe * static_cast<double>(stream.row_step));
-      const Ticks time = std::clamp<Ticks>(stream.first_row + row * stream.row_step + between, 0, stream.duration);
-      compute_frames(source.skeleton, exact.at(time), expected);
-      sample_pose(stream, time, pose);
-      compute_frames(source.skeleton, pose, sampled);
-      error = std::max(error, largest_distance(source.proxy, expected, sampled));
-    }
+    fastest = std::max(fastest, meter.motion_to(stream.first_row + row * stream.row_step));
+    double& of_row = of_rows[static_cast<std::size_t>(row)];
+    for (const double probe : probes) of_row = std::max(of_row, meter.behind(row, probe));
+    largest = std::max(largest, of_row);
+    if (largest > hopeless * source.error_bound) return largest;
   }
-  return error;
+  double error = largest;
+  for (int row = 0; row < stream.row_count; ++row) {
+    if (of_rows[static_cast<std::size_t>(row)] < near_largest * largest) continue;
+    for (int i = 1; i < close_probes; ++i) error = std::max(error, meter.behind(row, i / double{close_probes}));
+  }
+  const Ticks instant = Ticks{1} << source.exact.time_shift;
+  for (const Ticks step : source.steps) error = std::max({error, meter.at(step - instant), meter.at(step)});
+  return error + fraction_rounding * fastest;
 }
 
 SampledBake bake_sampled(const SampleSource& source, const KeyGrid& grid, Ticks last_key) {
-  SampledBake best;
-  for (int multiple = 1; multiple * grid.rate <= highest_sample_rate + 1e-6; ++multiple) {
+  SampledBake best{.block = {}, .error = std::numeric_limits<double>::infinity()};
+  for (int multiple = 1; multiple * grid.rate <= finest_sample_rate + 1e-6; ++multiple) {
     const Ticks row_step = to_ticks(1.0 / (grid.rate * multiple));
     SampledRows rows = lay_out_rows(source, grid, row_step, last_key);
     if (rows.row_count > most_floats / floats_in_pose(source.exact)) break;
     SampledBake bake = encode(source, rows);
-    const bool keeps_to_bound = bake.error <= source.error_bound;
-    if (keeps_to_bound || !best.block || bake.error < worthwhile * best.error) best = std::move(bake);
-    if (keeps_to_bound) break;
+    if (bake.error <= source.error_bound) return bake;
+    best.error = std::min(best.error, bake.error);
   }
   return best;
 }
 
-AlignedBytes sample_as(const SampleSource& source, const SampledStream& stream) {
+AlignedBytes sample_as(const SampleSource& source, const SampledStream& stream, Rounding rounding) {
   SampledRows rows{.bone_count = stream.bone_count,
                    .components = stream.components,
                    .first_row = stream.first_row,
                    .row_step = stream.row_step,
                    .row_count = stream.row_count,
                    .rows = {}};
-  return sample(source, rows);
+  AlignedBytes block = sample(source, rows);
+  if (rounding == Rounding::carried) carry_rounding(source.skeleton, rows, stream_of(block));
+  return block;
 }
 
 SampledBake bake_still(const SampleSource& source) {

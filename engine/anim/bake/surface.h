@@ -9,6 +9,7 @@
 #include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/kernel/keyframe/keyframe_player.h"
+#include "engine/anim/survey/model_extent.h"
 
 namespace throng::anim {
 
@@ -20,8 +21,6 @@ struct BoneFrame {
 
 /// Computes the hierarchy of one pose in double. `pose` is float [packet][component][16], `frames` one a bone.
 void compute_frames(const Skeleton& skeleton, std::span<const float> pose, std::span<BoneFrame> frames);
-
-inline constexpr double tall_person = 1.8;  ///< metres: the limits of baking are meant for this height
 
 /// A point that stands for the surface around it.
 struct SurfacePoint {

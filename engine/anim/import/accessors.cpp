@@ -57,15 +57,62 @@ bool fits(std::size_t available, std::size_t offset, std::size_t count, std::siz
   return count - 1 <= (available - offset - size) / stride;
 }
 
+using Bytes = std::span<const std::byte>;
+
+template <typename Component>
+Component load(const std::byte* bytes) {
+  Component value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+template <typename Component>
+double normalise(Component value) {
+  return std::max(static_cast<double>(value) / static_cast<double>(std::numeric_limits<Component>::max()), -1.0);
+}
+
+template <typename Component>
+double convert(const std::byte* bytes, bool normalised) {
+  const auto value = load<Component>(bytes);
+  return normalised ? normalise(value) : static_cast<double>(value);
+}
+
+double read_component(const std::byte* bytes, int component_type, bool normalised) {
+  switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return convert<std::int8_t>(bytes, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return convert<std::uint8_t>(bytes, normalised);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return convert<std::int16_t>(bytes, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return convert<std::uint16_t>(bytes, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return static_cast<double>(load<std::uint32_t>(bytes));
+    default:
+      return static_cast<double>(load<float>(bytes));
+  }
+}
+
+/// Returns the element that the sparse value `i` replaces. The indices lie inside their view.
+std::size_t sparse_index(const Document& document, const tinygltf::Accessor& accessor, std::size_t i) {
+  const auto& indices = accessor.sparse.indices;
+  const std::byte* from = document.buffer_views.views[static_cast<std::size_t>(indices.bufferView)].data() +
+                          static_cast<std::size_t>(indices.byteOffset);
+  const std::size_t size = component_size(indices.componentType);
+  return static_cast<std::size_t>(read_component(from + i * size, indices.componentType, false));
+}
+
 class AccessorCheck {
  public:
-  AccessorCheck(const Document& document, std::size_t index)
+  AccessorCheck(Document& document, std::size_t index)
       : document_(document),
         accessor_(document.gltf.accessors[index]),
         name_(label("accessor", index, accessor_.name)) {}
 
+  /// A component type that only an extension knows is refused where something reads it.
   void run() const {
-    if (component_size(accessor_.componentType) == 0) refuse("component type is unknown");
+    if (component_size(accessor_.componentType) == 0) return;
     if (accessor_.count == 0) refuse("has no elements");
     if (accessor_.bufferView >= 0) check_view();
     if (accessor_.sparse.isSparse) check_sparse();
@@ -105,49 +152,25 @@ class AccessorCheck {
               size)) {
       refuse("its sparse values do not fit into their buffer view");
     }
+    check_sparse_order();
   }
 
-  const Document& document_;
+  /// Every value goes where its index says, the last of equal ones wins.
+  void check_sparse_order() const {
+    const auto count = static_cast<std::size_t>(accessor_.sparse.count);
+    std::size_t descents = 0;
+    for (std::size_t i = 1; i < count; ++i) {
+      if (sparse_index(document_, accessor_, i) <= sparse_index(document_, accessor_, i - 1)) ++descents;
+    }
+    if (descents == 0) return;
+    document_.repairs.push_back(name_ + ": " + std::to_string(descents) +
+                                " of its sparse indices do not ascend, taken in the file's order");
+  }
+
+  Document& document_;
   const tinygltf::Accessor& accessor_;
   std::string name_;
 };
-
-using Bytes = std::span<const std::byte>;
-
-template <typename Component>
-Component load(const std::byte* bytes) {
-  Component value;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
-}
-
-template <typename Component>
-double normalise(Component value) {
-  return std::max(static_cast<double>(value) / static_cast<double>(std::numeric_limits<Component>::max()), -1.0);
-}
-
-template <typename Component>
-double convert(const std::byte* bytes, bool normalised) {
-  const auto value = load<Component>(bytes);
-  return normalised ? normalise(value) : static_cast<double>(value);
-}
-
-double read_component(const std::byte* bytes, int component_type, bool normalised) {
-  switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return convert<std::int8_t>(bytes, normalised);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return convert<std::uint8_t>(bytes, normalised);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return convert<std::int16_t>(bytes, normalised);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return convert<std::uint16_t>(bytes, normalised);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return static_cast<double>(load<std::uint32_t>(bytes));
-    default:
-      return static_cast<double>(load<float>(bytes));
-  }
-}
 
 template <typename Value>
 class Reader {
@@ -202,12 +225,9 @@ class Reader {
 
   void read_sparse() {
     const auto& sparse = accessor_.sparse;
-    const std::size_t index_size = component_size(sparse.indices.componentType);
-    const std::byte* indices = view(sparse.indices.bufferView).data() + sparse.indices.byteOffset;
     const std::byte* values = view(sparse.values.bufferView).data() + sparse.values.byteOffset;
     for (std::size_t i = 0; i < static_cast<std::size_t>(sparse.count); ++i) {
-      const auto element =
-          static_cast<std::size_t>(read_component(indices + i * index_size, sparse.indices.componentType, false));
+      const std::size_t element = sparse_index(document_, accessor_, i);
       if (element >= accessor_.count) refuse("sparse index " + std::to_string(element) + " is out of range");
       if (element * width_ < values_.size()) read_element(values + i * element_size(accessor_), element);
     }
@@ -222,7 +242,7 @@ class Reader {
 
 }  // namespace
 
-void check_accessors(const Document& document) {
+void check_accessors(Document& document) {
   for (std::size_t index = 0; index < document.gltf.accessors.size(); ++index) AccessorCheck(document, index).run();
 }
 

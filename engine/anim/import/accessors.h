@@ -19,9 +19,9 @@ inline constexpr std::size_t max_decoded_values = std::size_t{1} << 27U;
 /// The most elements of an accessor without a buffer view, whose numbers are all 0.
 inline constexpr std::size_t max_elements_without_view = std::size_t{1} << 20U;
 
-/// Checks component types and element counts, and that every accessor, sparse parts included, lies inside its views.
-/// Throws Refusal.
-void check_accessors(const Document& document);
+/// Checks element counts, and that every accessor, sparse parts included, lies inside its views. Sparse indices that do
+/// not ascend (glTF 2.0, 5.1.3) become a repair. Throws Refusal.
+void check_accessors(Document& document);
 
 /// Lists component types, TINYGLTF_COMPONENT_TYPE_...; here those that several properties accept.
 using Components = std::initializer_list<int>;

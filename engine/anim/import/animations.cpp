@@ -38,13 +38,15 @@ class AnimationReader {
 
   Animation read() {
     animation_.name = source_.name;
-    animation_.start = std::numeric_limits<double>::infinity();
     for (std::size_t channel = 0; channel < source_.channels.size(); ++channel) {
       channel_name_ = name_ + ", channel " + std::to_string(channel);
       read_channel(source_.channels[channel]);
     }
-    if (!(animation_.start < std::numeric_limits<double>::infinity())) animation_.start = 0.0;
+    animation_.start = std::min(start_, animation_.duration);
     read_data_keys();
+    if (moves_shapes_) {
+      document_.repairs.push_back(name_ + ": its morph weights are left out, shapes keep their default weights");
+    }
     return std::move(animation_);
   }
 
@@ -61,7 +63,8 @@ class AnimationReader {
     }
     const auto& sampler = source_.samplers[static_cast<std::size_t>(channel.sampler)];
     const Keys keys = read_keys(sampler);
-    animation_.start = std::min(animation_.start, static_cast<double>(keys.times.front()));
+    // A single key holds at all times, so it does not say when the clip begins.
+    if (keys.times.size() > 1) start_ = std::min(start_, static_cast<double>(keys.times.front()));
     animation_.duration = std::max(animation_.duration, static_cast<double>(keys.times.back()));
     if (tree_.transforms[static_cast<std::size_t>(channel.target_node)].has_matrix) {
       document_.repairs.push_back(channel_name_ + ": ignored, because its node has a matrix");
@@ -79,20 +82,27 @@ class AnimationReader {
     } else if (channel.target_path == "rotation") {
       tracks.rotation = read_track<glm::quat>(output, keys, TINYGLTF_TYPE_VEC4);
       mend_rotations(tracks.rotation);
+    } else {
+      moves_shapes_ = true;
     }
   }
 
-  /// Marks are set at frames and keys at 32-bit seconds, so a mark late by less than a millisecond means the end.
+  /// Marks are set at frames and keys at 32-bit seconds, so a mark off by less than a millisecond means the end. A mark
+  /// before the first key belongs to the pose that holds there, which plays from the first key on.
   void read_data_keys() {
     constexpr double rounding = 1e-3;
     for (const anim::NamedDataKey& key : data_keys_) {
       if (key.name.empty()) throw Refusal(name_ + ": a data key has no name; give it one");
+      const std::string mark = name_ + ": data key \"" + key.name + "\" at " + std::to_string(key.time) + " s lies ";
       if (key.time < 0.0 || key.time > animation_.duration + rounding) {
-        document_.repairs.push_back(name_ + ": data key \"" + key.name + "\" at " + std::to_string(key.time) +
-                                    " s lies outside of the animation, left out");
+        document_.repairs.push_back(mark + "outside of the animation, left out");
         continue;
       }
-      animation_.data_keys.push_back({.time = std::min(key.time, animation_.duration), .name = key.name});
+      if (key.time < animation_.start - rounding) {
+        document_.repairs.push_back(mark + "before the first key, moved there");
+      }
+      const double time = std::clamp(key.time, animation_.start, animation_.duration);
+      animation_.data_keys.push_back({.time = time, .name = key.name});
     }
     std::ranges::stable_sort(animation_.data_keys, {}, &anim::NamedDataKey::time);
   }
@@ -161,7 +171,9 @@ class AnimationReader {
   std::string name_;
   std::string channel_name_;
   std::set<std::pair<int, std::string>> targets_;
+  bool moves_shapes_ = false;  // has a channel of morph weights
   Animation animation_;
+  double start_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct NodeTracks {
 /// An animation of the file with the tracks of all its nodes.
 struct Animation {
   std::string name;
-  double start = 0.0;                         ///< seconds, the first key of all channels
+  double start = 0.0;                         ///< seconds, the first key of all channels with two keys or more
   double duration = 0.0;                      ///< seconds, the last key of all channels
   std::map<int, NodeTracks> nodes;            ///< by node
   std::vector<anim::NamedDataKey> data_keys;  ///< by time

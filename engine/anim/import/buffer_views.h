@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
+
+#include "engine/anim/import/model_files.h"
 
 namespace throng::import {
 
@@ -19,9 +21,9 @@ struct BufferViews {
   std::vector<std::span<const std::byte>> views;
 };
 
-/// Finds the buffer views of a document that passed check_json. They lie in the BIN chunk, in data URIs and in files
-/// below `folder`, and are decompressed where EXT_meshopt_compression says so. Throws Refusal.
+/// Finds the buffer views of a document that passed check_json. They lie in the BIN chunk, in data URIs and in `files`,
+/// and are decompressed where EXT_meshopt_compression or KHR_meshopt_compression says so. Throws Refusal.
 BufferViews load_buffer_views(const nlohmann::json& document, std::optional<std::span<const std::byte>> binary_chunk,
-                              const std::filesystem::path& folder);
+                              const ModelFiles& files, std::vector<std::string>& repairs);
 
 }  // namespace throng::import

@@ -7,7 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/draco_meshes.h"
 #include "engine/anim/import/json_document.h"
+#include "engine/anim/import/json_extensions.h"
+#include "engine/anim/import/json_repairs.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/source_file.h"
 
@@ -16,6 +19,7 @@ namespace throng::import {
 namespace {
 
 using nlohmann::json;
+using namespace nlohmann::literals;
 
 std::vector<ImageSource> take_images(json& document) {
   std::vector<ImageSource> images;
@@ -52,6 +56,17 @@ std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
   return nodes;
 }
 
+std::vector<bool> take_hidden(json& document) {
+  std::vector<bool> hidden;
+  if (!document.contains("nodes")) return hidden;
+  for (json& node : document["nodes"]) {
+    const json visibility = node.value("/extensions/KHR_node_visibility"_json_pointer, json::object());
+    hidden.push_back(!visibility.value("visible", true));
+    node.erase("extensions");
+  }
+  return hidden;
+}
+
 bool refuse_to_load(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
   return false;
 }
@@ -75,20 +90,24 @@ tinygltf::Model map_document(const json& document) {
 
 }  // namespace
 
-Document load_document(const std::filesystem::path& path) {
+Document load_document(const std::filesystem::path& path, bool strict) {
   Document document;
   document.file = read_file(path);
-  const FileParts parts = split_file(document.file);
-  json json_document = parse_json(parts.json);
+  const FileParts parts = split_file(document.file, path);
+  json json_document = parse_json(parts.json, document.repairs);
   check_json(json_document);
+  check_required_extensions(json_document, document.repairs);
+  repair_json(json_document, document.repairs);
 
-  document.folder = path.parent_path();
+  document.files = ModelFiles(path, strict);
   document.images = take_images(json_document);
   document.data_keys = take_data_keys(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
+  document.is_hidden = take_hidden(json_document);
   document.humanoid = read_humanoid(json_document, document.repairs);
-  document.buffer_views = load_buffer_views(json_document, parts.binary, document.folder);
-  for (const char* key : {"buffers", "cameras", "samplers", "extensions", "extensionsUsed", "extensionsRequired"}) {
+  document.buffer_views = load_buffer_views(json_document, parts.binary, document.files, document.repairs);
+  decode_draco_meshes(json_document, document.buffer_views, document.repairs);
+  for (const char* key : {"buffers", "cameras", "extensions", "extensionsUsed", "extensionsRequired"}) {
     json_document.erase(key);
   }
   document.gltf = map_document(json_document);

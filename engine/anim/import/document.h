@@ -10,6 +10,7 @@
 #include "engine/anim/asset/clip.h"
 #include "engine/anim/import/buffer_views.h"
 #include "engine/anim/import/humanoid.h"
+#include "engine/anim/import/model_files.h"
 
 namespace throng::import {
 
@@ -29,20 +30,21 @@ struct MeshLodNode {
 /// would open any path. Indices between objects are in range, buffer views lie inside their buffers, and accessors lie
 /// inside their views.
 struct Document {
-  std::filesystem::path folder;  ///< the model's folder; files are opened only below it
+  ModelFiles files;
   tinygltf::Model gltf;
   std::vector<std::byte> file;  ///< the bytes that `views` show, unless their storage has them
   BufferViews buffer_views;
   std::vector<ImageSource> images;
   std::vector<std::vector<anim::NamedDataKey>> data_keys;  ///< by animation, as the file has them
   std::vector<std::vector<MeshLodNode>> mesh_lods;         ///< by node, as the file has them
+  std::vector<bool> is_hidden;                             ///< by node: KHR_node_visibility hides it and all below
   Humanoid humanoid;
   std::vector<std::string> repairs;
   mutable std::size_t decoded_values = 0;  ///< numbers of all accessors so far, which the reader bounds
 };
 
-/// Reads and checks the file. Throws Refusal.
-Document load_document(const std::filesystem::path& path);
+/// Reads and checks the file; `strict` as ModelFiles has it. Throws Refusal.
+Document load_document(const std::filesystem::path& path, bool strict);
 
 /// Returns `node 3 "Hips"`, for messages.
 std::string label(const std::string& type, std::size_t index, const std::string& name);

@@ -70,9 +70,7 @@ Humanoid read_humanoid(const json& document, std::vector<std::string>& repairs) 
     const json part = vrm1.is_null() ? member(bone, "bone") : json(key);
     if (part.is_string()) reader.take(part.get<std::string>(), member(bone, "node"));
   }
-  if (!vrm1.is_null()) return reader.finish("VRMC_vrm", repairs);
-  repairs.emplace_back("VRM 0.x looks along -Z; a crowd shows it turned by half a turn");
-  return reader.finish("VRM", repairs);
+  return reader.finish(vrm1.is_null() ? "VRM" : "VRMC_vrm", repairs);
 }
 
 }  // namespace throng::import

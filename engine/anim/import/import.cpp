@@ -8,11 +8,14 @@
 #include <vector>
 
 #include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/animations.h"
+#include "engine/anim/import/carried_meshes.h"
 #include "engine/anim/import/document.h"
 #include "engine/anim/import/materials.h"
 #include "engine/anim/import/meshes.h"
 #include "engine/anim/import/node_tree.h"
+#include "engine/anim/import/reach.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/skeleton_builder.h"
 #include "engine/anim/survey/bone_importance.h"
@@ -49,36 +52,46 @@ std::size_t vertex_count(const anim::Model& model) {
   return count;
 }
 
-anim::ImportedFile import_checked(const std::string& path, bool skin_of_nodes) {
-  Document document = load_document(path);
+/// Refuses the first of the repairs.
+[[noreturn]] void refuse_repairs(const std::vector<std::string>& repairs) {
+  const std::size_t others = repairs.size() - 1;
+  throw Refusal(repairs.front() + "; strict reading refuses that" +
+                (others > 0 ? " and " + std::to_string(others) + " more" : ""));
+}
+
+anim::ImportedFile import_checked(const std::string& path, const ImportOptions& options, bool skin_of_nodes) {
+  Document document = load_document(path, options.strict);
   const NodeTree tree = build_node_tree(document);
   const std::vector<Animation> animations = read_animations(document, tree);
   std::vector<FileSkin> skins = read_skins(document, tree);
   if (skins.empty() && skin_of_nodes) skins = skin_animated_nodes(document, tree, animations);
+  check_reach(document, tree, animations, skins);
 
   anim::ImportedFile file{.file = path, .models = {}, .animations = {}, .repairs = {}};
   for (const Animation& animation : animations) file.animations.push_back(animation.name);
-  for (const std::vector<int>& group : group_skins(skins, tree)) {
-    file.models.push_back(build_model(document, tree, build_skeleton(document, tree, animations, skins, group)));
+  const std::vector<std::vector<int>> groups = group_skins(skins, tree);
+  const std::vector<std::vector<int>> carried = find_carried_meshes(document, tree, skins, groups);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    BuiltSkeleton skeleton = build_skeleton(document, tree, animations, skins, groups[i], carried[i]);
+    file.models.push_back(build_model(document, tree, std::move(skeleton)));
   }
   std::ranges::stable_sort(file.models, std::ranges::greater{}, [](const anim::Model& model) {
     return std::tuple(vertex_count(model), model.skeleton.bones.size());
   });
-  file.repairs = std::move(document.repairs);
+  if (options.strict && !document.repairs.empty()) refuse_repairs(document.repairs);
+  for (const std::string& repair : document.repairs) file.repairs.push_back(anim::plain_text(repair));
   return file;
 }
 
 /// Makes an error of one line, whatever names the file holds.
 anim::Error error_of(const std::string& path, const std::string& reason) {
-  std::string message = path + ": " + reason;
-  std::ranges::replace_if(
-      message, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
-  return {message};
+  return {anim::plain_text(path + ": " + reason)};
 }
 
-anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, bool skin_of_nodes) {
+anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, const ImportOptions& options,
+                                                  bool skin_of_nodes) {
   try {
-    return import_checked(path, skin_of_nodes);
+    return import_checked(path, options, skin_of_nodes);
   } catch (const Refusal& refusal) {
     return error_of(path, refusal.what());
   } catch (const std::bad_alloc&) {
@@ -90,14 +103,18 @@ anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, bool 
 
 }  // namespace
 
-anim::Result<anim::ImportedFile> import_file(const std::string& path) {
-  anim::Result<anim::ImportedFile> file = import_skins(path);
+anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options) {
+  anim::Result<anim::ImportedFile> file = import_skins(path, options);
   if (!file || !file->models.empty()) return file;
   return error_of(path, "it holds no skin, so there is no skeleton to pose; export a rigged character");
 }
 
-anim::Result<anim::ImportedFile> import_skins(const std::string& path) { return import_or_refuse(path, false); }
+anim::Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options) {
+  return import_or_refuse(path, options, false);
+}
 
-anim::Result<anim::ImportedFile> import_clips(const std::string& path) { return import_or_refuse(path, true); }
+anim::Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options) {
+  return import_or_refuse(path, options, true);
+}
 
 }  // namespace throng::import

@@ -7,17 +7,22 @@
 
 namespace throng::import {
 
+struct ImportOptions {
+  bool strict = false;  ///< refuses what would be repaired or left out, and links that lead out of the model's folder
+};
+
 /// Reads a .glb or .gltf (glTF 2.0) and checks everything before it is used. The error is one sentence with the file,
 /// the object and what to do.
-/// Reads files only below the model's own folder.
+/// Reads files only below the model's own folder, and where symbolic links in it lead.
+/// Names and messages are plain text (plain_text.h), whatever the file holds.
 /// Never throws, crashes or hangs on any input. The size of the files bounds the memory.
-anim::Result<anim::ImportedFile> import_file(const std::string& path);
+anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options = {});
 
 /// Does the same, but accepts a file without skins, which has animations and no models.
-anim::Result<anim::ImportedFile> import_skins(const std::string& path);
+anim::Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options = {});
 
 /// Does the same, but makes a skeleton of the animated nodes, and of all above and below them, where the file has no
 /// skin. Its bind pose is the rest pose. So a file that holds clips alone has a model.
-anim::Result<anim::ImportedFile> import_clips(const std::string& path);
+anim::Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options = {});
 
 }  // namespace throng::import

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -22,7 +23,7 @@ using nlohmann::json;
 enum class Kind : unsigned char {
   flag,
   integer,  ///< >= 0
-  number,   ///< finite
+  number,   ///< finite, as a float too
   numbers,  ///< array of `count` finite numbers; of any length where count is 0
   text,
   choice,  ///< one of the texts that `target` lists, divided by "|"
@@ -60,9 +61,11 @@ constexpr auto properties = std::to_array<Property>({
     {"document", "materials", Kind::objects, "material"},
     {"document", "textures", Kind::objects, "texture"},
     {"document", "images", Kind::objects, "image"},
+    {"document", "samplers", Kind::objects, "texture sampler"},
     {"document", "extensionsRequired", Kind::texts},
 
     {"asset", "version", Kind::text, {}, 0, required},
+    {"asset", "minVersion", Kind::text},
 
     {"scene", "nodes", Kind::indices, "nodes"},
 
@@ -75,11 +78,17 @@ constexpr auto properties = std::to_array<Property>({
     {"node", "rotation", Kind::numbers, {}, 4},
     {"node", "scale", Kind::numbers, {}, 3},
 
+    {"node", "weights", Kind::numbers},
+    {"node", "extensions", Kind::object, "node extensions"},
+    {"node extensions", "KHR_node_visibility", Kind::object, "node visibility"},
+    {"node visibility", "visible", Kind::flag},
+
     {"node", mesh_lods_property, Kind::objects, "mesh LOD"},
     {"mesh LOD", "node", Kind::index, "nodes", 0, required},
     {"mesh LOD", "error", Kind::number, {}, 0, required},
 
     {"mesh", "name", Kind::text},
+    {"mesh", "weights", Kind::numbers},
     {"mesh", "primitives", Kind::objects, "primitive", 1, required},
 
     {"primitive", "attributes", Kind::object, "attributes", 0, required},
@@ -89,6 +98,12 @@ constexpr auto properties = std::to_array<Property>({
     {"primitive", "targets", Kind::objects, "attributes"},
 
     {"attributes", "*", Kind::index, "accessors"},
+
+    {"primitive", "extensions", Kind::object, "primitive extensions"},
+    {"primitive extensions", "KHR_draco_mesh_compression", Kind::object, "draco mesh"},
+    {"draco mesh", "bufferView", Kind::index, "bufferViews", 0, required},
+    {"draco mesh", "attributes", Kind::object, "draco attributes", 0, required},
+    {"draco attributes", "*", Kind::integer},
 
     {"accessor", "bufferView", Kind::index, "bufferViews"},
     {"accessor", "byteOffset", Kind::integer},
@@ -116,13 +131,14 @@ constexpr auto properties = std::to_array<Property>({
     {"buffer view", "extensions", Kind::object, "buffer view extensions"},
 
     {"buffer view extensions", "EXT_meshopt_compression", Kind::object, "meshopt compression"},
+    {"buffer view extensions", "KHR_meshopt_compression", Kind::object, "meshopt compression"},
     {"meshopt compression", "buffer", Kind::index, "buffers", 0, required},
     {"meshopt compression", "byteOffset", Kind::integer},
     {"meshopt compression", "byteLength", Kind::integer, {}, 0, required},
     {"meshopt compression", "byteStride", Kind::integer, {}, 0, required},
     {"meshopt compression", "count", Kind::integer, {}, 0, required},
     {"meshopt compression", "mode", Kind::choice, "ATTRIBUTES|TRIANGLES|INDICES", 0, required},
-    {"meshopt compression", "filter", Kind::choice, "NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL"},
+    {"meshopt compression", "filter", Kind::choice, "NONE|OCTAHEDRAL|QUATERNION|EXPONENTIAL|COLOR"},
 
     {"buffer", "byteLength", Kind::integer, {}, 0, required},
     {"buffer", "uri", Kind::text},
@@ -151,19 +167,53 @@ constexpr auto properties = std::to_array<Property>({
     {"material", "doubleSided", Kind::flag},
     {"material", "alphaMode", Kind::choice, "OPAQUE|MASK|BLEND"},
     {"material", "alphaCutoff", Kind::number},
+    {"material", "emissiveFactor", Kind::numbers, {}, 3},
+    {"material", "emissiveTexture", Kind::object, "texture reference"},
+    {"material", "normalTexture", Kind::object, "texture reference"},
+    {"material", "occlusionTexture", Kind::object, "texture reference"},
+    {"material", "extensions", Kind::object, "material extensions"},
     {"metallic roughness", "baseColorFactor", Kind::numbers, {}, 4},
     {"metallic roughness", "baseColorTexture", Kind::object, "texture reference"},
+    {"metallic roughness", "metallicFactor", Kind::number},
+    {"metallic roughness", "roughnessFactor", Kind::number},
+    {"metallic roughness", "metallicRoughnessTexture", Kind::object, "texture reference"},
+
+    {"material extensions", "KHR_materials_emissive_strength", Kind::object, "emissive strength"},
+    {"material extensions", "KHR_materials_pbrSpecularGlossiness", Kind::object, "specular glossiness"},
+    {"material extensions", "KHR_materials_unlit", Kind::object, "unlit"},
+    {"emissive strength", "emissiveStrength", Kind::number},
+    {"specular glossiness", "diffuseFactor", Kind::numbers, {}, 4},
+    {"specular glossiness", "diffuseTexture", Kind::object, "texture reference"},
+    {"specular glossiness", "specularFactor", Kind::numbers, {}, 3},
+    {"specular glossiness", "glossinessFactor", Kind::number},
+    {"specular glossiness", "specularGlossinessTexture", Kind::object, "texture reference"},
+
     {"texture reference", "index", Kind::index, "textures", 0, required},
+    {"texture reference", "texCoord", Kind::integer},
+    {"texture reference", "scale", Kind::number},
+    {"texture reference", "strength", Kind::number},
+    {"texture reference", "extensions", Kind::object, "texture reference extensions"},
+    {"texture reference extensions", "KHR_texture_transform", Kind::object, "texture transform"},
+    {"texture transform", "offset", Kind::numbers, {}, 2},
+    {"texture transform", "scale", Kind::numbers, {}, 2},
+    {"texture transform", "rotation", Kind::number},
+    {"texture transform", "texCoord", Kind::integer},
+
     {"texture", "source", Kind::index, "images"},
+    {"texture", "sampler", Kind::index, "samplers"},
+    {"texture", "extensions", Kind::object, "texture extensions"},
+    {"texture extensions", "EXT_texture_webp", Kind::object, "image reference"},
+    {"texture extensions", "KHR_texture_basisu", Kind::object, "image reference"},
+    {"image reference", "source", Kind::index, "images"},
+    {"texture sampler", "name", Kind::text},
+    {"texture sampler", "magFilter", Kind::integer},
+    {"texture sampler", "minFilter", Kind::integer},
+    {"texture sampler", "wrapS", Kind::integer},
+    {"texture sampler", "wrapT", Kind::integer},
 
     {"image", "uri", Kind::text},
     {"image", "bufferView", Kind::index, "bufferViews"},
 });
-
-// Extensions that a file may require because they do not change what we draw, or because we decode them.
-constexpr std::array<std::string_view, 7> known_extensions{
-    "KHR_texture_transform",  "KHR_mesh_quantization",           "EXT_meshopt_compression", "KHR_materials_unlit",
-    "KHR_materials_specular", "KHR_materials_emissive_strength", "KHR_lights_punctual"};
 
 /// A place in the document, as a frame of the descent, so that names are built only where something is wrong.
 struct Place {
@@ -229,7 +279,7 @@ class Checker {
         if (!is_count(value)) refuse_property(place, key, "is not a whole number of at least 0");
         break;
       case Kind::number:
-        if (!value.is_number() || !std::isfinite(value.get<double>())) refuse_property(place, key, "is not a number");
+        check_number(place, key, value);
         break;
       case Kind::text:
         if (!value.is_string()) refuse_property(place, key, "is not a text");
@@ -280,6 +330,15 @@ class Checker {
     }
   }
 
+  /// Bounds are in double, and some exporters write the largest there is.
+  static void check_number(const Place& place, std::string_view key, const json& value) {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) refuse_property(place, key, "is not a number");
+    const bool is_bound = place.type == "accessor";
+    if (!is_bound && std::abs(value.get<double>()) > static_cast<double>(std::numeric_limits<float>::max())) {
+      refuse_property(place, key, "is " + value.dump() + ", more than a float holds");
+    }
+  }
+
   static Kind element_kind(Kind array) {
     if (array == Kind::numbers) return Kind::number;
     return array == Kind::texts ? Kind::text : Kind::index;
@@ -316,20 +375,12 @@ void check_transforms(const json& document) {
   }
 }
 
+/// A file of a later 2.x says by minVersion whether 2.0 is enough to read it (glTF 2.0, 5.9).
 void check_version(const json& document) {
   const std::string version = document["asset"]["version"].get<std::string>();
   if (!version.starts_with("2.")) throw Refusal("it is glTF " + version + ", not 2.0; export it as glTF 2.0");
-}
-
-void check_extensions(const json& document) {
-  const auto extensions = document.find("extensionsRequired");
-  if (extensions == document.end()) return;
-  for (const json& extension : *extensions) {
-    const auto name = extension.get<std::string>();
-    if (std::ranges::find(known_extensions, name) == known_extensions.end()) {
-      throw Refusal("it requires the extension " + name + ", which is not supported; export without it");
-    }
-  }
+  const std::string least = document["asset"].value("minVersion", std::string("2.0"));
+  if (least != "2.0") throw Refusal("it needs glTF " + least + ", and 2.0 is supported; export it as glTF 2.0");
 }
 
 }  // namespace
@@ -338,7 +389,6 @@ void check_json(const json& document) {
   Checker(document).check_object({.outer = nullptr, .type = "document", .object = &document});
   check_transforms(document);
   check_version(document);
-  check_extensions(document);
 }
 
 }  // namespace throng::import

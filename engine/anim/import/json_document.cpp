@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/base/plain_text.h"
+#include "engine/anim/import/json_extensions.h"
 #include "engine/anim/import/refusal.h"
 
 namespace throng::import {
@@ -37,7 +39,18 @@ void check_depth(std::string_view text) {
 }
 
 /// Extensions whose content import reads.
-constexpr std::array read_extensions{"EXT_meshopt_compression", "KHR_texture_transform", "VRM", "VRMC_vrm"};
+constexpr std::array read_extensions{"EXT_meshopt_compression",
+                                     "EXT_texture_webp",
+                                     "KHR_draco_mesh_compression",
+                                     "KHR_materials_emissive_strength",
+                                     "KHR_materials_pbrSpecularGlossiness",
+                                     "KHR_materials_unlit",
+                                     "KHR_meshopt_compression",
+                                     "KHR_node_visibility",
+                                     "KHR_texture_basisu",
+                                     "KHR_texture_transform",
+                                     "VRM",
+                                     "VRMC_vrm"};
 
 void keep_read_extensions(json& object) {
   const auto extensions = object.find("extensions");
@@ -67,6 +80,17 @@ void keep_extra(json& document, const char* array, const char* property) {
   }
 }
 
+/// Names from old exporters may be no UTF-8, which JSON demands.
+json parse_text(std::string_view text, std::vector<std::string>& repairs) {
+  json document = json::parse(text.begin(), text.end(), nullptr, false);
+  if (document.is_discarded() && !anim::is_utf8(text)) {
+    document = json::parse(anim::plain_text(text), nullptr, false);
+    repairs.emplace_back("its JSON is no UTF-8: letters of names were replaced");
+  }
+  if (document.is_discarded()) throw Refusal("it is neither GLB nor valid JSON; export the file again as glTF 2.0");
+  return document;
+}
+
 void simplify(json& value) {
   constexpr double largest_exact = 9007199254740992.0;  // 2^53
   if (value.is_number_float()) {
@@ -77,6 +101,9 @@ void simplify(json& value) {
   if (value.is_object()) {
     value.erase("extras");
     keep_read_extensions(value);
+    if (const auto name = value.find("name"); name != value.end() && name->is_string()) {
+      *name = anim::plain_text(name->get_ref<const std::string&>());
+    }
   }
   if (value.is_structured()) {
     for (json& element : value) simplify(element);
@@ -85,17 +112,25 @@ void simplify(json& value) {
 
 }  // namespace
 
-nlohmann::json parse_json(std::string_view text) {
+nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repairs) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   while (!text.empty() && text.back() == '\0') text.remove_suffix(1);
   check_depth(text);
-  json document = json::parse(text.begin(), text.end(), nullptr, false);
-  if (document.is_discarded()) throw Refusal("it is neither GLB nor valid JSON; export the file again as glTF 2.0");
+  json document = parse_text(text, repairs);
   if (!document.is_object()) throw Refusal("its JSON is not an object; export the file again as glTF 2.0");
+  leave_out_unknown_values(document, repairs);
   keep_extra(document, "animations", data_keys_property);
   keep_extra(document, "nodes", mesh_lods_property);
   simplify(document);
   return document;
+}
+
+std::string json_label(const std::string& type, std::size_t index, const nlohmann::json& object) {
+  std::string text = type + " " + std::to_string(index);
+  if (!object.is_object()) return text;
+  const auto name = object.find("name");
+  if (name == object.end() || !name->is_string() || name->get_ref<const std::string&>().empty()) return text;
+  return text.append(" \"").append(name->get_ref<const std::string&>()).append("\"");
 }
 
 }  // namespace throng::import

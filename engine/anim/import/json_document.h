@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -21,11 +24,15 @@ inline constexpr const char* mesh_lods_property = "throng_mesh_lods";
 
 /// Parses a glTF document and keeps only what import uses. Of extras, it keeps data keys and mesh LODs as properties of
 /// the animation and the node; of extensions, those that import reads. Every number with an integer value becomes an
-/// integer (glTF 2.0, 2.7 allows "1.0"). Checks depth on the text, before anything recursive reads it. Throws Refusal.
-nlohmann::json parse_json(std::string_view text);
+/// integer (glTF 2.0, 2.7 allows "1.0"), and every name plain text. Checks depth on the text, before anything recursive
+/// reads it. `repairs` says what was left out. Throws Refusal.
+nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repairs);
 
 /// Checks that everything import reads has the type, the length and, for an index, the range that glTF demands, and
-/// that import knows every required extension. Throws Refusal with the object's name.
+/// that no version newer than 2.0 is needed. Throws Refusal with the object's name.
 void check_json(const nlohmann::json& document);
+
+/// Returns `node 3 "Hips"` for an object of the document, for messages.
+std::string json_label(const std::string& type, std::size_t index, const nlohmann::json& object);
 
 }  // namespace throng::import

@@ -1,119 +1,234 @@
 #include "engine/anim/import/materials.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <span>
-#include <string>
+#include <cstdint>
 #include <utility>
 
-#include "engine/anim/import/refusal.h"
-#include "engine/anim/import/source_file.h"
+#include <glm/vec2.hpp>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_NO_STDIO
-#include <stb/stb_image.h>
+#include "engine/anim/import/images.h"
+#include "engine/anim/import/refusal.h"
 
 namespace throng::import {
 
+using Extensions = tinygltf::ExtensionMap;
+
+/// How a property of a material names a texture, in the material itself or in one of its extensions.
+struct TextureReference {
+  int texture = -1;
+  int set = 0;
+  const tinygltf::Value* transform = nullptr;  ///< KHR_texture_transform
+};
+
 namespace {
 
-constexpr int max_image_side = 8192;  // pixels
-
-/// Decodes PNG or JPEG. Throws Refusal.
-anim::Image decode_image(std::span<const std::byte> bytes) {
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const auto size = static_cast<int>(bytes.size());
-  anim::Image image;
-  int channels = 0;
-  if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels) == 0) {
-    throw Refusal("it is neither PNG nor JPEG");
-  }
-  if (image.width > max_image_side || image.height > max_image_side) {
-    throw Refusal("its sides exceed " + std::to_string(max_image_side) + " pixels");
-  }
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 4), &stbi_image_free);
-  if (pixels == nullptr) throw Refusal(std::string("it does not decode: ") + stbi_failure_reason());
-  const std::size_t pixel_count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  image.rgba.assign(pixels.get(), pixels.get() + pixel_count * 4);
-  return image;
+const tinygltf::Value* find_extension(const Extensions& extensions, const char* name) {
+  const auto found = extensions.find(name);
+  return found == extensions.end() ? nullptr : &found->second;
 }
 
-glm::vec2 read_pair(const tinygltf::Value& transform, const char* key, glm::vec2 fallback) {
-  const tinygltf::Value& pair = transform.Get(key);
-  if (!pair.IsArray() || pair.ArrayLen() != 2 || !pair.Get(0).IsNumber() || !pair.Get(1).IsNumber()) return fallback;
-  return {pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble()};
+const tinygltf::Value* find_member(const tinygltf::Value& object, const char* name) {
+  return object.Has(name) ? &object.Get(name) : nullptr;
 }
 
-std::vector<std::byte> read_image_bytes(const Document& document, const ImageSource& source) {
-  if (source.buffer_view >= 0) {
-    const auto bytes = document.buffer_views.views[static_cast<std::size_t>(source.buffer_view)];
-    return {bytes.begin(), bytes.end()};
+float read_number(const tinygltf::Value& object, const char* name, float fallback) {
+  const tinygltf::Value* number = find_member(object, name);
+  return number == nullptr ? fallback : static_cast<float>(number->GetNumberAsDouble());
+}
+
+template <typename Vector>
+Vector read_vector(const tinygltf::Value& object, const char* name, Vector fallback) {
+  const tinygltf::Value* numbers = find_member(object, name);
+  if (numbers == nullptr) return fallback;
+  for (glm::length_t i = 0; i < Vector::length(); ++i) {
+    fallback[i] = static_cast<float>(numbers->Get(static_cast<std::size_t>(i)).GetNumberAsDouble());
   }
-  if (auto data = decode_data_uri(source.uri)) return std::move(*data);
-  return read_file(resolve_uri(document.folder, source.uri));
+  return fallback;
+}
+
+TextureReference reference_of(const auto& info) {
+  return {.texture = info.index,
+          .set = info.texCoord,
+          .transform = find_extension(info.extensions, "KHR_texture_transform")};
+}
+
+TextureReference reference_in(const tinygltf::Value& extension, const char* name) {
+  const tinygltf::Value* info = find_member(extension, name);
+  if (info == nullptr) return {};
+  const tinygltf::Value* extensions = find_member(*info, "extensions");
+  const tinygltf::Value* set = find_member(*info, "texCoord");
+  return {.texture = info->Get("index").GetNumberAsInt(),
+          .set = set == nullptr ? 0 : set->GetNumberAsInt(),
+          .transform = extensions == nullptr ? nullptr : find_member(*extensions, "KHR_texture_transform")};
+}
+
+glm::mat3 transform_of(const tinygltf::Value& transform) {
+  const auto offset = read_vector(transform, "offset", glm::vec2(0.0F));
+  const auto scale = read_vector(transform, "scale", glm::vec2(1.0F));
+  const float rotation = read_number(transform, "rotation", 0.0F);
+  const float c = std::cos(rotation);
+  const float s = std::sin(rotation);
+  return {c * scale.x, -s * scale.x, 0.0F, s * scale.y, c * scale.y, 0.0F, offset.x, offset.y, 1.0F};
+}
+
+CoordsSource coords_source(const TextureReference& reference) {
+  CoordsSource source{.set = reference.set};
+  if (reference.transform == nullptr) return source;
+  source.transform = transform_of(*reference.transform);
+  if (const tinygltf::Value* set = find_member(*reference.transform, "texCoord")) source.set = set->GetNumberAsInt();
+  return source;
+}
+
+constexpr std::array wraps{anim::Wrap::clamp, anim::Wrap::mirror, anim::Wrap::repeat};
+constexpr std::array magnifying_filters{anim::Filter::nearest, anim::Filter::linear};
+constexpr std::array minifying_filters{anim::Filter::nearest,
+                                       anim::Filter::linear,
+                                       anim::Filter::nearest_of_nearest,
+                                       anim::Filter::linear_of_nearest,
+                                       anim::Filter::nearest_of_linear,
+                                       anim::Filter::linear_of_linear};
+
+/// Sets `value` to the choice that has the number of the file. Returns false for a number that no choice has; -1 stands
+/// for none and leaves `value` as it is.
+template <typename Choice>
+bool choose(int number, const auto& choices, Choice& value) {
+  if (number == -1) return true;
+  const auto found = std::ranges::find(choices, number, [](Choice choice) { return static_cast<int>(choice); });
+  if (found == choices.end()) return false;
+  value = *found;
+  return true;
+}
+
+/// Returns a texture's image of an extension, or -1.
+int image_in(const tinygltf::Texture& texture, const char* extension) {
+  const tinygltf::Value* found = find_extension(texture.extensions, extension);
+  const tinygltf::Value* source = found == nullptr ? nullptr : find_member(*found, "source");
+  return source == nullptr ? -1 : source->GetNumberAsInt();
+}
+
+glm::vec3 emission_of(const tinygltf::Material& source) {
+  const auto& factor = source.emissiveFactor;
+  if (factor.size() != 3) return glm::vec3(0.0F);
+  const tinygltf::Value* strength = find_extension(source.extensions, "KHR_materials_emissive_strength");
+  const float times = strength == nullptr ? 1.0F : read_number(*strength, "emissiveStrength", 1.0F);
+  return glm::vec3(factor[0], factor[1], factor[2]) * times;
 }
 
 }  // namespace
 
 int MaterialCollector::material(int file_material) {
   const auto [found, is_new] = material_of_.try_emplace(file_material, static_cast<int>(materials_.size()));
-  if (is_new) {
-    materials_.push_back(
-        file_material < 0 ? anim::Material{}
-                          : convert(document_.gltf.materials[static_cast<std::size_t>(file_material)], file_material));
-  }
+  if (!is_new) return found->second;
+  coords_.emplace_back();
+  materials_.push_back(file_material < 0 ? anim::Material{}
+                                         : convert(document_.gltf.materials[static_cast<std::size_t>(file_material)]));
   return found->second;
 }
 
-anim::Material MaterialCollector::convert(const tinygltf::Material& source, int index) {
+anim::Material MaterialCollector::convert(const tinygltf::Material& source) {
   const auto& surface = source.pbrMetallicRoughness;
   const auto& color = surface.baseColorFactor;
-  anim::Material material{.name = source.name, .double_sided = source.doubleSided};
+  anim::Material material;
+  material.name = source.name;
+  material.double_sided = source.doubleSided;
   if (color.size() == 4) material.base_color = glm::vec4(color[0], color[1], color[2], color[3]);
-  if (surface.baseColorTexture.index >= 0) material.image = image(surface.baseColorTexture.index);
-  if (source.alphaMode == "MASK") material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
-  if (source.alphaMode == "BLEND") {
-    document_.repairs.push_back(label("material", static_cast<std::size_t>(index), source.name) +
-                                ": is blended, drawn as opaque");
+  material.metallic = static_cast<float>(surface.metallicFactor);
+  material.roughness = static_cast<float>(surface.roughnessFactor);
+  if (const auto* extension = find_extension(source.extensions, "KHR_materials_pbrSpecularGlossiness")) {
+    read_specular_glossiness(*extension, material);
+  } else {
+    material.base_color_texture = texture(reference_of(surface.baseColorTexture));
+    material.metallic_roughness_texture = texture(reference_of(surface.metallicRoughnessTexture));
   }
+  material.emission = emission_of(source);
+  if (material.emission != glm::vec3(0.0F)) material.emission_texture = texture(reference_of(source.emissiveTexture));
+  material.normal_scale = static_cast<float>(source.normalTexture.scale);
+  material.normal_texture = texture(reference_of(source.normalTexture));
+  material.occlusion_strength = static_cast<float>(source.occlusionTexture.strength);
+  material.occlusion_texture = texture(reference_of(source.occlusionTexture));
+  material.unlit = find_extension(source.extensions, "KHR_materials_unlit") != nullptr;
+  material.blended = source.alphaMode == "BLEND";
+  if (source.alphaMode == "MASK") material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
   return material;
 }
 
-int MaterialCollector::image(int texture) {
-  const int source = document_.gltf.textures[static_cast<std::size_t>(texture)].source;
-  if (source < 0) {
-    document_.repairs.push_back("texture " + std::to_string(texture) + ": has no image that is supported, left out");
-    return -1;
-  }
-  const auto [found, is_new] = image_of_.try_emplace(source, -1);
-  if (!is_new) return found->second;
-  try {
-    images_.push_back(decode_image(read_image_bytes(document_, document_.images[static_cast<std::size_t>(source)])));
-    found->second = static_cast<int>(images_.size()) - 1;
-  } catch (const Refusal& refusal) {
-    document_.repairs.push_back("image " + std::to_string(source) + ": left out, because " + refusal.what());
-  }
-  return found->second;
+/// Takes the diffuse colour as that of a surface that is no metal. Metals reflect their specular colour instead, and
+/// most files leave their diffuse colour black: they get the specular one.
+void MaterialCollector::read_specular_glossiness(const tinygltf::Value& extension, anim::Material& material) {
+  constexpr float brightest_dielectric = 0.08F;  // specular: gems reflect more, but nobody is made of them
+  material.base_color = read_vector(extension, "diffuseFactor", glm::vec4(1.0F));
+  material.base_color_texture = texture(reference_in(extension, "diffuseTexture"));
+  material.metallic = 0.0F;
+  material.roughness = 1.0F - read_number(extension, "glossinessFactor", 1.0F);
+  const auto specular = read_vector(extension, "specularFactor", glm::vec3(1.0F));
+  const glm::vec3 diffuse(material.base_color);
+  const float brightest = std::max({specular.r, specular.g, specular.b});
+  if (diffuse != glm::vec3(0.0F) || brightest <= brightest_dielectric) return;
+  material.base_color = glm::vec4(specular, material.base_color.a);
+  material.metallic = 1.0F;
+  material.base_color_texture = texture(reference_in(extension, "specularGlossinessTexture"));
 }
 
-glm::mat3 MaterialCollector::texture_transform(int file_material) const {
-  if (file_material < 0) return glm::mat3(1.0F);
-  const auto& texture =
-      document_.gltf.materials[static_cast<std::size_t>(file_material)].pbrMetallicRoughness.baseColorTexture;
-  const auto found = texture.extensions.find("KHR_texture_transform");
-  if (found == texture.extensions.end() || !found->second.IsObject()) return glm::mat3(1.0F);
-  const glm::vec2 offset = read_pair(found->second, "offset", glm::vec2(0.0F));
-  const glm::vec2 scale = read_pair(found->second, "scale", glm::vec2(1.0F));
-  const tinygltf::Value& angle = found->second.Get("rotation");
-  const float rotation = angle.IsNumber() ? static_cast<float>(angle.GetNumberAsDouble()) : 0.0F;
-  const float c = std::cos(rotation);
-  const float s = std::sin(rotation);
-  return {c * scale.x, -s * scale.x, 0.0F, s * scale.y, c * scale.y, 0.0F, offset.x, offset.y, 1.0F};
+anim::Texture MaterialCollector::texture(const TextureReference& reference) {
+  anim::Texture texture;
+  if (reference.texture < 0) return texture;
+  texture.image = image_of_texture(reference.texture);
+  if (texture.image < 0) return texture;
+  texture.coords = coords_index(coords_source(reference));
+  read_sampler(document_.gltf.textures[static_cast<std::size_t>(reference.texture)].sampler, texture);
+  return texture;
+}
+
+int MaterialCollector::coords_index(const CoordsSource& source) {
+  std::vector<CoordsSource>& known = coords_.back();  // of the material that is being converted
+  const auto found = std::ranges::find(known, source);
+  const auto index = static_cast<int>(found - known.begin());
+  if (found == known.end()) known.push_back(source);
+  return index;
+}
+
+void MaterialCollector::read_sampler(int sampler, anim::Texture& texture) {
+  if (sampler < 0) return;
+  const tinygltf::Sampler& source = document_.gltf.samplers[static_cast<std::size_t>(sampler)];
+  bool known = choose(source.wrapS, wraps, texture.wrap_u);
+  known = choose(source.wrapT, wraps, texture.wrap_v) && known;
+  known = choose(source.magFilter, magnifying_filters, texture.magnified) && known;
+  known = choose(source.minFilter, minifying_filters, texture.minified) && known;
+  const std::string sentence = label("sampler", static_cast<std::size_t>(sampler), source.name) +
+                               ": a filter or wrap of it is unknown, left out";
+  if (!known && !std::ranges::count(document_.repairs, sentence)) document_.repairs.push_back(sentence);
+}
+
+/// Prefers WebP, because a texture that has it keeps the PNG or JPEG beside it for programs that cannot read it.
+int MaterialCollector::image_of_texture(int texture) {
+  const tinygltf::Texture& source = document_.gltf.textures[static_cast<std::size_t>(texture)];
+  for (const int candidate : {image_in(source, "EXT_texture_webp"), source.source}) {
+    if (candidate < 0) continue;
+    if (const int found = image(candidate); found >= 0) return found;
+  }
+  if (source.source < 0 && image_in(source, "EXT_texture_webp") < 0) {
+    const bool is_ktx2 = image_in(source, "KHR_texture_basisu") >= 0;
+    document_.repairs.push_back(
+        "texture " + std::to_string(texture) + ": has " +
+        (is_ktx2 ? "KTX2, which is not decoded, and no PNG or JPEG beside it" : "no image that is supported") +
+        ", left out");
+  }
+  return -1;
+}
+
+int MaterialCollector::image(int file_image) {
+  const auto [found, is_new] = image_of_.try_emplace(file_image, -1);
+  if (!is_new) return found->second;
+  try {
+    images_.push_back(read_image(document_, file_image));
+    found->second = static_cast<int>(images_.size()) - 1;
+  } catch (const Refusal& refusal) {
+    document_.repairs.push_back(image_label(document_, file_image) + ": left out, because " + refusal.what());
+  }
+  return found->second;
 }
 
 }  // namespace throng::import

@@ -10,6 +10,7 @@
 
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/facing.h"
 #include "engine/anim/import/reference_frames.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/surface.h"
@@ -64,7 +65,6 @@ void check_sets(const Sets& sets, const anim::Skin& skin, std::size_t vertex_cou
     if (largest >= skin.bones.size()) {
       refuse(name, "names joint " + std::to_string(largest) + " of a skin with " + std::to_string(skin.bones.size()));
     }
-    if (!all_finite(sets.weights[set])) refuse(name, "a weight is not finite");
   }
 }
 
@@ -99,6 +99,7 @@ class VertexBinder {
   std::size_t too_many = 0;
   std::size_t unbound = 0;
   std::size_t negative = 0;
+  std::size_t not_finite = 0;
 
  private:
   void gather(std::size_t vertex) {
@@ -107,7 +108,9 @@ class VertexBinder {
       for (std::size_t i = vertex * 4; i < vertex * 4 + 4; ++i) {
         const auto weight = static_cast<double>(sets_.weights[set][i]);
         if (weight < 0.0) ++negative;
-        influences_.push_back({.joint = sets_.joints[set][i], .weight = std::max(0.0, weight)});
+        if (!std::isfinite(weight)) ++not_finite;
+        const bool counts = std::isfinite(weight) && weight > 0.0;
+        influences_.push_back({.joint = sets_.joints[set][i], .weight = counts ? weight : 0.0});
       }
     }
     std::ranges::stable_sort(influences_, std::ranges::greater{}, &Influence::weight);
@@ -122,9 +125,9 @@ void report(Document& document, const std::string& name, std::size_t count, cons
   if (count > 0) document.repairs.push_back(name + ": " + std::to_string(count) + " vertices " + what);
 }
 
-/// Reads every JOINTS_n and WEIGHTS_n of a primitive. Messages and repairs call the primitive `name`. Influences beyond
-/// four are dropped, weights that do not sum to 1 are normalised, and a vertex without weights follows the first joint;
-/// repairs report all of this. Throws Refusal.
+/// Reads every JOINTS_n and WEIGHTS_n of a primitive. Messages and repairs call the primitive `name`. Weights that are
+/// not finite count as 0, influences beyond four are dropped, weights that do not sum to 1 are normalised, and a vertex
+/// without weights follows the first joint; repairs report all of this. Throws Refusal.
 Influences read_influences(Document& document, const tinygltf::Primitive& primitive, const anim::Skin& skin,
                            std::size_t vertex_count, const std::string& name) {
   const Sets sets = read_sets(document, primitive, name);
@@ -133,6 +136,9 @@ Influences read_influences(Document& document, const tinygltf::Primitive& primit
                     .weights = std::vector<glm::vec4>(vertex_count)};
   VertexBinder binder(sets, skin);
   for (std::size_t vertex = 0; vertex < vertex_count; ++vertex) binder.bind(vertex, result);
+  if (binder.not_finite > 0) {
+    document.repairs.push_back(name + ": " + std::to_string(binder.not_finite) + " weights are not finite, taken as 0");
+  }
   report(document, name, binder.negative, "with negative weights, taken as 0");
   report(document, name, binder.not_normalised, "whose weights did not sum to 1, normalised");
   report(document, name, binder.too_many, "with more than four influences, the strongest four kept");
@@ -150,12 +156,16 @@ Influences rigid_influences(int palette_entry, std::size_t vertex_count) {
 class MeshReader {
  public:
   MeshReader(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton, MaterialCollector& materials)
-      : document_(document), tree_(tree), built_(skeleton), materials_(materials) {}
+      : document_(document),
+        tree_(tree),
+        built_(skeleton),
+        materials_(materials),
+        mirrored_entries_(mirrored_entries(skeleton.skeleton)) {}
 
   Surfaces read() {
     std::vector<int> skinned;
     for (int node = 0; node < tree_.size(); ++node) {
-      if (tree_.in_scene[static_cast<std::size_t>(node)] && read_skinned(node)) skinned.push_back(node);
+      if (tree_.is_drawn[static_cast<std::size_t>(node)] && read_skinned(node)) skinned.push_back(node);
     }
     for (const AttachedMesh& attached : built_.attached) read_attached(attached);
     Surfaces surfaces{.meshes = std::exchange(meshes_, {}), .mesh_lods = {}};
@@ -209,7 +219,8 @@ class MeshReader {
         document_.repairs.push_back(name + ": has a skin, but no JOINTS_0 and WEIGHTS_0, left out");
         return;
       }
-      anim::SkinnedMesh result = read_surface(document_, primitive, skin->bind_to_model, materials_, name);
+      anim::SkinnedMesh result =
+          read_surface(document_, primitive, morph_weights(node), skin->bind_to_model, materials_, name);
       Influences influences = read_influences(document_, primitive, *skin, result.positions.size(), name);
       add(std::move(result), std::move(influences), mesh);
     });
@@ -226,10 +237,18 @@ class MeshReader {
     }
     const int entry = plain_palette_entry(built_.skeleton, attached.bone);
     for_each_primitive(source(attached.node).mesh, [&](const tinygltf::Primitive& primitive, const std::string& name) {
-      anim::SkinnedMesh result = read_surface(document_, primitive, to_palette, materials_, name);
+      anim::SkinnedMesh result =
+          read_surface(document_, primitive, morph_weights(attached.node), to_palette, materials_, name);
       Influences influences = rigid_influences(entry, result.positions.size());
       add(std::move(result), std::move(influences), source(attached.node).mesh);
     });
+  }
+
+  /// Returns the weights of a node's morph targets without animation (glTF 2.0, 3.7.2.2): those of the node, else of
+  /// its mesh, else none.
+  const std::vector<double>& morph_weights(int node) const {
+    const std::vector<double>& own = source(node).weights;
+    return own.empty() ? document_.gltf.meshes[static_cast<std::size_t>(source(node).mesh)].weights : own;
   }
 
   template <typename Action>
@@ -246,6 +265,9 @@ class MeshReader {
     result.name = document_.gltf.meshes[static_cast<std::size_t>(mesh)].name;
     result.palette_entries = std::move(influences.palette_entries);
     result.weights = std::move(influences.weights);
+    if (result.normals.empty()) shade_flat(result);
+    turn_mirrored_triangles(result, mirrored_entries_);
+    if (result.tangents.empty()) add_tangents(result, materials_.at(result.material));
     meshes_.push_back(std::move(result));
   }
 
@@ -253,6 +275,7 @@ class MeshReader {
   const NodeTree& tree_;
   const BuiltSkeleton& built_;
   MaterialCollector& materials_;
+  std::vector<bool> mirrored_entries_;
   std::set<std::pair<int, int>> drawn_;
   std::vector<anim::SkinnedMesh> meshes_;
 };

@@ -63,6 +63,22 @@ std::vector<bool> find_scene(const Document& document, const NodeTree& tree) {
   return in_scene;
 }
 
+/// KHR_node_visibility: who is hidden hides all below.
+std::vector<bool> find_drawn(Document& document, const NodeTree& tree) {
+  std::vector<bool> hidden = document.is_hidden;
+  std::vector<bool> drawn(hidden.size());
+  for (const int node : tree.parents_first) {
+    const auto index = static_cast<std::size_t>(node);
+    const int parent = tree.parents[index];
+    if (parent >= 0 && hidden[static_cast<std::size_t>(parent)]) hidden[index] = true;
+    drawn[index] = tree.in_scene[index] && !hidden[index];
+    if (tree.in_scene[index] && hidden[index] && document.gltf.nodes[index].mesh >= 0) {
+      document.repairs.push_back(node_label(document, index) + ": its mesh is hidden by KHR_node_visibility, left out");
+    }
+  }
+  return drawn;
+}
+
 /// Returns translation, rotation and scale of a matrix without shear. A reflection becomes a negative x scale.
 std::optional<anim::Transform> decompose(const glm::dmat4& matrix) {
   constexpr double tolerance = 1e-6;
@@ -116,11 +132,12 @@ NodeTransform read_transform(const Document& document, std::size_t index) {
 
 }  // namespace
 
-NodeTree build_node_tree(const Document& document) {
+NodeTree build_node_tree(Document& document) {
   NodeTree tree;
   tree.parents = find_parents(document);
   tree.parents_first = order_parents_first(document, tree.parents);
   tree.in_scene = find_scene(document, tree);
+  tree.is_drawn = find_drawn(document, tree);
   for (std::size_t node = 0; node < tree.parents.size(); ++node) {
     tree.transforms.push_back(read_transform(document, node));
   }

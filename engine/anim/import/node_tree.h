@@ -22,13 +22,14 @@ struct NodeTree {
   std::vector<int> parents;        ///< -1 for a root
   std::vector<int> parents_first;  ///< every node, after its parent
   std::vector<bool> in_scene;      ///< in the default scene, or in the first where the file names none
+  std::vector<bool> is_drawn;      ///< in the scene, and neither it nor a node above is hidden
   std::vector<NodeTransform> transforms;
   std::vector<glm::dmat4> globals;  ///< rest pose, scene space
 
   int size() const { return static_cast<int>(parents.size()); }
 };
 
-/// Builds the forest. Refuses two parents, cycles, a matrix beside TRS, and zero rotations.
-NodeTree build_node_tree(const Document& document);
+/// Builds the forest. Reports hidden meshes. Refuses two parents, cycles, a matrix beside TRS, and zero rotations.
+NodeTree build_node_tree(Document& document);
 
 }  // namespace throng::import

@@ -201,7 +201,8 @@ bool shows_the_same(const RigidCandidate& rigid, const Skeleton& general, const 
   if (!poses_agree(rigid, general, skins, nullptr, 0.0)) return false;
   for (const anim::Clip& clip : clips) {
     for (int i = 0; i < times; ++i) {
-      if (!poses_agree(rigid, general, skins, &clip, clip.duration * i / (times - 1))) return false;
+      const double seconds = clip.start + clip.length() * i / (times - 1);
+      if (!poses_agree(rigid, general, skins, &clip, seconds)) return false;
     }
   }
   return true;

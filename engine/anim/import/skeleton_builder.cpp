@@ -82,13 +82,17 @@ class SkeletonBuilder {
   SkeletonBuilder(const Document& document, const NodeTree& tree, const std::vector<Animation>& animations)
       : document_(document), tree_(tree), animations_(animations), bone_of_node_(tree.parents.size(), -1) {}
 
-  BuiltSkeleton build(const std::vector<FileSkin>& skins, const std::vector<int>& group) {
+  BuiltSkeleton build(const std::vector<FileSkin>& skins, const std::vector<int>& group,
+                      const std::vector<int>& carried) {
     const NodeSet joints = find_joints(skins, group);
-    const NodeSet attached = find_attached(joints);
-    add_bones(find_bone_nodes(joints, attached));
+    NodeSet attached = find_attached(joints);
+    for (const int node : carried) attached[static_cast<std::size_t>(node)] = true;
+    const NodeSet bone_nodes = find_bone_nodes(joints, attached);
+    add_bones(bone_nodes);
+    add_attached(attached, bone_nodes);
+    check_bone_count();
     add_skins(skins, group);
     add_clips();
-    add_attached(attached);
     built_.skeleton.name = built_.skins.front().name;
     std::vector<int> attached_bones;
     for (const AttachedMesh& mesh : built_.attached) attached_bones.push_back(mesh.bone);
@@ -107,7 +111,7 @@ class SkeletonBuilder {
     return joints;
   }
 
-  /// Finds mesh nodes of the scene without skin, at or below a joint.
+  /// Finds drawn mesh nodes without skin, at or below a joint.
   NodeSet find_attached(const NodeSet& joints) const {
     NodeSet below = joints;
     NodeSet attached(joints.size(), false);
@@ -116,7 +120,7 @@ class SkeletonBuilder {
       const int parent = tree_.parents[index];
       if (parent >= 0 && has(below, parent)) below[index] = true;
       const tinygltf::Node& source = document_.gltf.nodes[index];
-      attached[index] = below[index] && tree_.in_scene[index] && source.mesh >= 0 && source.skin < 0;
+      attached[index] = below[index] && tree_.is_drawn[index] && source.mesh >= 0 && source.skin < 0;
     }
     return attached;
   }
@@ -169,6 +173,10 @@ class SkeletonBuilder {
       bone_of_node_[index] = static_cast<int>(bones.size());
       bones.push_back(std::move(bone));
     }
+  }
+
+  void check_bone_count() {
+    const std::vector<anim::Bone>& bones = built_.skeleton.bones;
     if (bones.size() > static_cast<std::size_t>(anim::max_bones)) {
       throw Refusal("a skeleton has " + std::to_string(bones.size()) + " bones, more than " +
                     std::to_string(anim::max_bones) + "; split the model");
@@ -211,21 +219,31 @@ class SkeletonBuilder {
     }
   }
 
-  void add_attached(const NodeSet& attached) {
-    NodeSet bones(bone_of_node_.size(), false);
-    for (std::size_t node = 0; node < bones.size(); ++node) bones[node] = bone_of_node_[node] >= 0;
+  void add_attached(const NodeSet& attached, const NodeSet& bone_nodes) {
     for (int node = 0; node < tree_.size(); ++node) {
       if (!has(attached, node)) continue;
       AttachedMesh mesh{.node = node};
-      mesh.bone = bone_of_node_[static_cast<std::size_t>(climb(node, bones, mesh.to_bone))];
+      const int above = climb(node, bone_nodes, mesh.to_bone);
+      mesh.bone = above < 0 ? scene_bone() : bone_of_node_[static_cast<std::size_t>(above)];
       built_.attached.push_back(mesh);
     }
+  }
+
+  /// Returns the bone that never moves, which no node stands for.
+  int scene_bone() {
+    if (scene_bone_ < 0) {
+      scene_bone_ = built_.skeleton.bone_count();
+      built_.skeleton.bones.push_back({.name = "scene", .rest = {}});
+      built_.skeleton.level_bone_counts = {built_.skeleton.bone_count()};
+    }
+    return scene_bone_;
   }
 
   const Document& document_;
   const NodeTree& tree_;
   const std::vector<Animation>& animations_;
   std::vector<int> bone_of_node_;
+  int scene_bone_ = -1;
   BuiltSkeleton built_;
 };
 
@@ -314,8 +332,9 @@ std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, co
 }
 
 BuiltSkeleton build_skeleton(const Document& document, const NodeTree& tree, const std::vector<Animation>& animations,
-                             const std::vector<FileSkin>& skins, const std::vector<int>& group) {
-  return SkeletonBuilder(document, tree, animations).build(skins, group);
+                             const std::vector<FileSkin>& skins, const std::vector<int>& group,
+                             const std::vector<int>& carried) {
+  return SkeletonBuilder(document, tree, animations).build(skins, group, carried);
 }
 
 }  // namespace throng::import

@@ -33,7 +33,7 @@ std::vector<FileSkin> skin_animated_nodes(const Document& document, const NodeTr
 /// joint of the other. Returns indices into `skins`, ascending inside a group.
 std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, const NodeTree& tree);
 
-/// A mesh node without skin that hangs below a bone.
+/// A mesh node without skin, and the bone that carries it.
 struct AttachedMesh {
   int node = 0;
   int bone = 0;
@@ -48,10 +48,12 @@ struct BuiltSkeleton {
   std::vector<AttachedMesh> attached;
 };
 
-/// Builds a skeleton. Bones are the joints of the skins, and every animated node between or above them or the meshes
-/// that hang below them. Nodes in between that never move become Bone::prefix. set_reference_frames sets references and
-/// palette. Throws Refusal where there are more than anim::max_bones.
+/// Builds a skeleton that carries the meshes without skin below its joints, and those of the nodes `carried`. Bones are
+/// the joints of the skins, and every animated node between or above them or those meshes. Nodes in between that never
+/// move become Bone::prefix. Meshes that nothing moves hang on one bone more, the scene. set_reference_frames sets
+/// references and palette. Throws Refusal where there are more than anim::max_bones.
 BuiltSkeleton build_skeleton(const Document& document, const NodeTree& tree, const std::vector<Animation>& animations,
-                             const std::vector<FileSkin>& skins, const std::vector<int>& group);
+                             const std::vector<FileSkin>& skins, const std::vector<int>& group,
+                             const std::vector<int>& carried);
 
 }  // namespace throng::import

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -92,38 +93,80 @@ class SurfaceReader {
   SurfaceReader(Document& document, const tinygltf::Primitive& primitive, const std::string& name)
       : document_(document), primitive_(primitive), name_(name) {}
 
-  anim::SkinnedMesh read(const glm::dmat4& placement, MaterialCollector& materials) {
+  anim::SkinnedMesh read(std::span<const double> morph_weights, const glm::dmat4& placement,
+                         MaterialCollector& materials) {
     if (!primitive_.attributes.contains("POSITION")) {
       document_.repairs.push_back(name_ + ": has no POSITION, left out");
       return {};
     }
     mesh_.positions = read_attribute<glm::vec3>("POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true);
     mesh_.indices = read_triangles(document_, primitive_, mesh_.positions.size(), name_);
-    mend_positions();
+    mesh_.material = materials.material(primitive_.material);
     mesh_.normals = read_attribute<glm::vec3>("NORMAL", TINYGLTF_TYPE_VEC3, float_or_small);
+    if (materials.at(mesh_.material).normal_texture.image >= 0 && !mesh_.normals.empty()) {
+      mesh_.tangents = read_attribute<glm::vec4>("TANGENT", TINYGLTF_TYPE_VEC4, float_or_small);
+    }
+    add_morph_targets(morph_weights);
+    mend_positions();
     read_texture_coords(materials);
     read_colors();
     read_regions();
     read_variations();
-    if (!primitive_.targets.empty()) document_.repairs.push_back(name_ + ": its morph targets are ignored");
     place(placement);
     mend_normals();
-    mesh_.material = materials.material(primitive_.material);
     return std::move(mesh_);
   }
 
  private:
   /// Returns one vector a position; none where the primitive lacks the attribute.
   template <typename Vector>
-  std::vector<Vector> read_attribute(const char* attribute, int type, Components components, bool raw = false) const {
-    const auto found = primitive_.attributes.find(attribute);
-    if (found == primitive_.attributes.end()) return {};
+  std::vector<Vector> read_attribute(const std::string& attribute, int type, Components components,
+                                     bool raw = false) const {
+    return read_attribute_of<Vector>(primitive_.attributes, attribute, type, components, raw);
+  }
+
+  template <typename Vector>
+  std::vector<Vector> read_attribute_of(const std::map<std::string, int>& attributes, const std::string& attribute,
+                                        int type, Components components, bool raw) const {
+    const auto found = attributes.find(attribute);
+    if (found == attributes.end()) return {};
     auto values =
         grouped<Vector>(read_floats(document_, found->second, {name_ + ": " + attribute, {type}, components, raw}));
     if (!mesh_.positions.empty() && values.size() != mesh_.positions.size()) {
-      refuse(name_, std::string("has another number of ") + attribute + " than of POSITION");
+      refuse(name_, "has another number of " + attribute + " than of POSITION");
     }
     return values;
+  }
+
+  /// Adds each target times its weight (glTF 2.0, 3.7.2.2). A target that counts for nothing is not decoded.
+  void add_morph_targets(std::span<const double> weights) {
+    if (weights.size() > primitive_.targets.size()) {
+      document_.repairs.push_back(name_ + ": has more morph weights than targets, those beyond left out");
+    }
+    bool turned = false;
+    for (std::size_t target = 0; target < std::min(weights.size(), primitive_.targets.size()); ++target) {
+      const auto weight = static_cast<float>(weights[target]);
+      if (weight == 0.0F) continue;
+      const auto& attributes = primitive_.targets[target];
+      add_scaled(mesh_.positions,
+                 read_attribute_of<glm::vec3>(attributes, "POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true),
+                 weight);
+      if (mesh_.normals.empty()) continue;  // they are computed of the morphed triangles
+      turned |= add_scaled(
+          mesh_.normals, read_attribute_of<glm::vec3>(attributes, "NORMAL", TINYGLTF_TYPE_VEC3, float_or_small, false),
+          weight);
+    }
+    if (!turned) return;
+    for (glm::vec3& normal : mesh_.normals) {
+      const float length = glm::length(normal);
+      if (length > 0.0F) normal /= length;
+    }
+  }
+
+  /// Returns whether there was anything to add.
+  static bool add_scaled(std::vector<glm::vec3>& vectors, const std::vector<glm::vec3>& offsets, float weight) {
+    for (std::size_t i = 0; i < offsets.size(); ++i) vectors[i] += weight * offsets[i];
+    return !offsets.empty();
   }
 
   /// Some exporters write NaN for a vertex that should not be drawn. Drops its triangles.
@@ -155,9 +198,15 @@ class SurfaceReader {
 
   // KHR_mesh_quantization allows small integers for positions, normals and texture coordinates.
   void read_texture_coords(const MaterialCollector& materials) {
-    mesh_.texture_coords = read_attribute<glm::vec2>("TEXCOORD_0", TINYGLTF_TYPE_VEC2, float_or_small, true);
-    const glm::mat3 transform = materials.texture_transform(primitive_.material);
-    for (glm::vec2& place : mesh_.texture_coords) place = glm::vec2(transform * glm::vec3(place, 1.0F));
+    for (const CoordsSource& source : materials.coords(mesh_.material)) {
+      const std::string attribute = "TEXCOORD_" + std::to_string(source.set);
+      if (!primitive_.attributes.contains(attribute)) {
+        document_.repairs.push_back(name_ + ": has no " + attribute + ", so its texture shows one colour");
+      }
+      auto places = read_attribute<glm::vec2>(attribute, TINYGLTF_TYPE_VEC2, float_or_small, true);
+      for (glm::vec2& place : places) place = glm::vec2(source.transform * glm::vec3(place, 1.0F));
+      mesh_.texture_coords.push_back(std::move(places));
+    }
   }
 
   void read_colors() {
@@ -201,18 +250,19 @@ class SurfaceReader {
       const double length = glm::length(turned);
       normal = length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0F);
     }
+    for (glm::vec4& tangent : mesh_.tangents) {
+      const glm::dvec3 turned = linear * glm::dvec3(tangent);
+      const double length = glm::length(turned);
+      if (length > 0.0) tangent = glm::vec4(turned / length, tangent.w * static_cast<float>(side));
+    }
     if (side > 0.0) return;
     for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) std::swap(mesh_.indices[i + 1], mesh_.indices[i + 2]);
   }
 
   void mend_normals() {
     const auto is_unit = [](const glm::vec3& normal) { return std::abs(glm::length(normal) - 1.0F) < 1e-3F; };
-    if (!mesh_.normals.empty() && std::ranges::all_of(mesh_.normals, is_unit)) return;
+    if (std::ranges::all_of(mesh_.normals, is_unit)) return;
     const auto computed = compute_normals(mesh_.positions, mesh_.indices);
-    if (mesh_.normals.empty()) {
-      mesh_.normals = computed;
-      return;
-    }
     std::size_t mended = 0;
     for (std::size_t vertex = 0; vertex < computed.size(); ++vertex) {
       if (is_unit(mesh_.normals[vertex])) continue;
@@ -230,9 +280,10 @@ class SurfaceReader {
 
 }  // namespace
 
-anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive, const glm::dmat4& placement,
+anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive,
+                               std::span<const double> morph_weights, const glm::dmat4& placement,
                                MaterialCollector& materials, const std::string& name) {
-  return SurfaceReader(document, primitive, name).read(placement, materials);
+  return SurfaceReader(document, primitive, name).read(morph_weights, placement, materials);
 }
 
 }  // namespace throng::import

@@ -60,7 +60,7 @@ std::vector<LodPoint> pick_joints(const Skeleton& skeleton) {
 std::vector<double> surveyed_times(const Model& model, const Clip& clip) {
   const int poses = std::clamp(most_poses / static_cast<int>(model.clips.size()), 2, 16);
   std::vector<double> times;
-  for (int i = 0; i < poses; ++i) times.push_back(clip.duration * (i + 0.5) / poses);
+  for (int i = 0; i < poses; ++i) times.push_back(clip.start + clip.length() * (i + 0.5) / poses);
   return times;
 }
 

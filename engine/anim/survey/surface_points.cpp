@@ -50,18 +50,6 @@ SurfacePoints joints(const Skeleton& skeleton) {
   return points;
 }
 
-std::vector<glm::dvec3> places(const SurfacePoints& points, const ReferencePose& pose) {
-  std::vector<glm::dvec3> places;
-  for (std::size_t point = 0; point < points.count(); ++point) {
-    glm::dvec4 place(0.0);
-    for (const PointInfluence& influence : points.of(point)) {
-      place += pose.palette[influence.entry] * glm::dvec4(influence.weighted);
-    }
-    places.emplace_back(place);
-  }
-  return places;
-}
-
 int main_bone(const Skeleton& skeleton, std::span<const PointInfluence> influences) {
   const auto weight = [](const PointInfluence& influence) { return influence.weighted.w; };
   return skeleton.palette[std::ranges::max_element(influences, {}, weight)->entry].bone;
@@ -116,12 +104,27 @@ class FarthestFirst {
 
 }  // namespace
 
-SurfacePoints choose_surface_points(const Model& model, std::size_t most) {
-  assert(most >= 1 && most <= most_surface_points);
+SurfacePoints sample_surface(const Model& model, std::size_t most) {
   std::size_t vertices = 0;
   for (const SkinnedMesh& mesh : model.meshes) vertices += mesh.positions.size();
-  const SurfacePoints candidates =
-      vertices == 0 ? joints(model.skeleton) : every_nth_vertex(model, vertices / most_candidates + 1);
+  return vertices == 0 ? joints(model.skeleton) : every_nth_vertex(model, vertices / most + 1);
+}
+
+std::vector<glm::dvec3> places(const SurfacePoints& points, const ReferencePose& pose) {
+  std::vector<glm::dvec3> places;
+  for (std::size_t point = 0; point < points.count(); ++point) {
+    glm::dvec4 place(0.0);
+    for (const PointInfluence& influence : points.of(point)) {
+      place += pose.palette[influence.entry] * glm::dvec4(influence.weighted);
+    }
+    places.emplace_back(place);
+  }
+  return places;
+}
+
+SurfacePoints choose_surface_points(const Model& model, std::size_t most) {
+  assert(most >= 1 && most <= most_surface_points);
+  const SurfacePoints candidates = sample_surface(model, most_candidates);
   const ReferencePose rest = reference_pose(model.skeleton, nullptr, 0.0);
   const std::vector<glm::dvec3> at = places(candidates, rest);
   const std::vector<std::size_t> ends = outermost(model.skeleton, rest, candidates, at);

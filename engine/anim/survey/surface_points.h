@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "engine/anim/asset/model.h"
+#include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/transform.h"
 
 namespace throng::anim {
@@ -32,6 +33,12 @@ struct SurfacePoints {
     return std::span(influences).subspan(firsts[point], firsts[point + 1] - firsts[point]);
   }
 };
+
+/// Returns `most` vertices or fewer, evenly through all meshes, or the joints where there is no surface.
+SurfacePoints sample_surface(const Model& model, std::size_t most);
+
+/// Returns the place of each point in a pose.
+std::vector<glm::dvec3> places(const SurfacePoints& points, const ReferencePose& pose);
 
 /// Chooses `most` points or fewer; `most` is 1 to most_surface_points. With more bones than that, only the outermost
 /// ones have a point.

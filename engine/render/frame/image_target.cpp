@@ -56,6 +56,9 @@ void ImageTarget::bind_scene() const {
   glViewport(0, 0, size_.x, size_.y);
   glEnable(GL_FRAMEBUFFER_SRGB);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+}
+
+void ImageTarget::clear_scene() const {
   glDepthMask(GL_TRUE);
   glStencilMask(0xFF);
   constexpr GLfloat black[4] = {0.0F, 0.0F, 0.0F, 1.0F};

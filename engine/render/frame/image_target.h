@@ -20,8 +20,14 @@ class ImageTarget {
   glm::ivec2 size() const { return size_; }
   int samples() const { return samples_; }
 
-  /// Binds the scene's framebuffer and clears it. Linear colours are converted on write; depth 0 is far.
+  /// Binds the scene's framebuffer. Linear colours are converted on write; depth 0 is far.
   void bind_scene() const;
+
+  /// Clears the scene that is bound.
+  void clear_scene() const;
+
+  /// Gives the depths of the scene, for a target that shares them.
+  const gl::Renderbuffer& depth() const { return scene_depth_; }
 
   /// Ends the scene by turning its samples into pixels.
   void resolve() const;

@@ -35,6 +35,7 @@ class Handle {
 
 inline void delete_buffer(GLuint id) { glDeleteBuffers(1, &id); }
 inline void delete_texture(GLuint id) { glDeleteTextures(1, &id); }
+inline void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }
 inline void delete_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
 inline void delete_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
 inline void delete_renderbuffer(GLuint id) { glDeleteRenderbuffers(1, &id); }
@@ -43,6 +44,7 @@ inline void delete_program(GLuint id) { glDeleteProgram(id); }
 
 using Buffer = Handle<delete_buffer>;
 using Texture = Handle<delete_texture>;
+using Sampler = Handle<delete_sampler>;
 using VertexArray = Handle<delete_vertex_array>;
 using Framebuffer = Handle<delete_framebuffer>;
 using Renderbuffer = Handle<delete_renderbuffer>;
@@ -57,6 +59,7 @@ inline GLuint create_one(void (*create)(GLsizei, GLuint*)) {
 }
 
 inline Buffer create_buffer() { return Buffer(create_one(glCreateBuffers)); }
+inline Sampler create_sampler() { return Sampler(create_one(glCreateSamplers)); }
 inline VertexArray create_vertex_array() { return VertexArray(create_one(glCreateVertexArrays)); }
 inline Framebuffer create_framebuffer() { return Framebuffer(create_one(glCreateFramebuffers)); }
 inline Renderbuffer create_renderbuffer() { return Renderbuffer(create_one(glCreateRenderbuffers)); }
@@ -94,6 +97,15 @@ inline Texture create_texture(GLenum format, GLsizei width, GLsizei height, GLsi
   GLuint id = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &id);
   glTextureStorage2D(id, mip_levels, format, width, height);
+  return Texture(id);
+}
+
+/// Makes a texture without pixels for what is drawn into, with as many samples a pixel as a target has: 0 or 4.
+inline Texture create_target_texture(GLenum format, GLsizei width, GLsizei height, GLsizei samples) {
+  if (samples == 0) return create_texture(format, width, height);
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &id);
+  glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE);
   return Texture(id);
 }
 

@@ -141,7 +141,8 @@ bool CellTree::meets_a_cell(const glm::vec3& from, const glm::vec3& direction) c
       continue;
     }
     const std::span cells = std::span(cells_).subspan(node.first_cell, node.cell_count);
-    if (std::ranges::any_of(cells, [&](const SurfaceCell& cell) { return is_hit(cell, from, direction); })) return true;
+    const auto stops = [&](const SurfaceCell& cell) { return cell.hides && is_hit(cell, from, direction); };
+    if (std::ranges::any_of(cells, stops)) return true;
   }
   return false;
 }

@@ -16,6 +16,7 @@ struct SurfaceCell {
   std::array<glm::vec3, 3> corners;  ///< positions
   std::array<glm::vec3, 3> weights;  ///< of the triangle's vertices
   std::uint32_t triangle = 0;
+  bool hides = true;  ///< false: what is behind it is seen through it
 };
 
 /// Cuts triangles into cells whose edges are at most `longest_edge`, in metres.
@@ -54,7 +55,7 @@ class CellTree {
   template <typename Measure>
   Found closest(const glm::vec3& point, float limit, const Measure& measure) const;
 
-  /// Returns whether a ray meets a cell. No component of `direction` is 0.
+  /// Returns whether a ray meets a cell that hides. No component of `direction` is 0.
   bool meets_a_cell(const glm::vec3& from, const glm::vec3& direction) const;
 
  private:

@@ -1,9 +1,6 @@
 #include "engine/render/mesh/mesh.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <string>
+#include <utility>
 
 #include "engine/render/frame/frame_data.h"
 
@@ -11,32 +8,6 @@ namespace throng::render {
 namespace {
 
 constexpr GLint vertex_count_location = 0;  // the same in every program of the crowd
-
-gl::Texture create_texture(const ImageData& image) {
-  const auto mip_levels =
-      static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(image.width, image.height))));
-  gl::Texture texture = gl::create_texture(GL_SRGB8_ALPHA8, image.width, image.height, mip_levels);
-  const GLuint id = texture.id();
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  glGenerateTextureMipmap(id);
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  return texture;
-}
-
-gl::Texture create_white() {
-  constexpr std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
-  return create_texture({1, 1, white});
-}
-
-Status check_size(const ImageData& image, std::size_t index) {
-  GLint limit = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-  if (image.width <= limit && image.height <= limit) return Done{};
-  return Error{"image " + std::to_string(index) + " is " + std::to_string(image.width) + "x" +
-               std::to_string(image.height) + "; this device takes " + std::to_string(limit) + ", scale it down"};
-}
 
 // In the order of their locations in `shaders/crowd_vertex.glsl`; the region has the next location.
 constexpr gl::FloatAttribute surface_attributes[] = {{3, GL_FLOAT, offsetof(SurfaceVertex, position)},
@@ -47,9 +18,24 @@ constexpr gl::FloatAttribute surface_attributes[] = {{3, GL_FLOAT, offsetof(Surf
                                                      {3, GL_BYTE, offsetof(SurfaceVertex, shape)},
                                                      {2, GL_BYTE, offsetof(SurfaceVertex, hair)}};
 constexpr GLuint region_attribute = 7;
+constexpr GLuint emission_coord_attribute = 8;
 
-gl::VertexArray describe_vertices(const gl::Buffer& vertices, const gl::Buffer& indices) {
+/// Describes coordinates of the emission's texture, which have a buffer of their own, or else are those of the base
+/// colour.
+void describe_emission_coords(const gl::VertexArray& array, const gl::Buffer& emission_coords) {
+  const GLuint binding = emission_coords ? 1 : 0;
+  const GLuint offset = emission_coords ? 0 : offsetof(SurfaceVertex, texture_coord);
+  glVertexArrayAttribFormat(array.id(), emission_coord_attribute, 2, GL_FLOAT, GL_FALSE, offset);
+  glVertexArrayAttribBinding(array.id(), emission_coord_attribute, binding);
+  glEnableVertexArrayAttrib(array.id(), emission_coord_attribute);
+  if (!emission_coords) return;
+  glVertexArrayVertexBuffer(array.id(), binding, emission_coords.id(), 0, sizeof(EmissionCoord));
+}
+
+gl::VertexArray describe_vertices(const gl::Buffer& vertices, const gl::Buffer& indices,
+                                  const gl::Buffer& emission_coords) {
   gl::VertexArray array = gl::create_vertex_array(surface_attributes, vertices, sizeof(SurfaceVertex));
+  describe_emission_coords(array, emission_coords);
   glVertexArrayAttribIFormat(array.id(), region_attribute, 1, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, region));
   glVertexArrayAttribBinding(array.id(), region_attribute, 0);
   glEnableVertexArrayAttrib(array.id(), region_attribute);
@@ -73,25 +59,21 @@ gl::Buffer create_packing_frames(std::vector<PackingFrameData> frames) {
 
 Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   CrowdMesh mesh;
-  for (std::size_t i = 0; i < data.images.size(); ++i) {
-    if (const Status fits = check_size(data.images[i], i); !fits) return fits.error();
-    mesh.textures_.push_back(create_texture(data.images[i]));
-  }
-  mesh.textures_.push_back(create_white());
-  for (const MaterialData& material : data.materials) {
-    const gl::Texture& texture =
-        material.image < 0 ? mesh.textures_.back() : mesh.textures_[static_cast<std::size_t>(material.image)];
-    const float* color = material.base_color;
-    mesh.materials_.push_back(
-        {{color[0], color[1], color[2], color[3]}, texture.id(), material.double_sided, material.alpha_cutoff});
-  }
+  Result<MaterialSet> materials = MaterialSet::create(data);
+  if (!materials) return materials.error();
+  mesh.materials_ = std::move(*materials);
   Surface surface = build_surface(data);
   mesh.vertices_ = gl::create_buffer(surface.vertices.data(), surface.vertices.size() * sizeof(SurfaceVertex));
   mesh.indices_ = gl::create_buffer(surface.indices.data(), surface.indices.size() * sizeof(std::uint32_t));
   mesh.palette_entries_ = create_entries(surface.entries_by_level);
   mesh.packing_frames_ = create_packing_frames(data.packing_frames);
-  mesh.array_ = describe_vertices(mesh.vertices_, mesh.indices_);
+  if (!surface.emission_coords.empty()) {
+    mesh.emission_coords_ =
+        gl::create_buffer(surface.emission_coords.data(), surface.emission_coords.size() * sizeof(EmissionCoord));
+  }
+  mesh.array_ = describe_vertices(mesh.vertices_, mesh.indices_, mesh.emission_coords_);
   surface.vertices = {};
+  surface.emission_coords = {};
   surface.entries_by_level = {};
   surface.indices = {};
   mesh.surface_ = std::move(surface);

@@ -6,18 +6,11 @@
 
 #include "engine/render/crowd_mesh_data.h"
 #include "engine/render/gl/handles.h"
+#include "engine/render/mesh/material.h"
 #include "engine/render/mesh/surface.h"
 #include "engine/result.h"
 
 namespace throng::render {
-
-/// One material on the device.
-struct CrowdMaterial {
-  float base_color[4];  ///< linear
-  GLuint texture;       ///< sRGB; plain white where the character brings none
-  bool double_sided;
-  float alpha_cutoff;  ///< 0: opaque
-};
 
 /// Holds a character's surface on the device: vertices, the palette entries that they read at each bone level, mesh
 /// LODs and materials.
@@ -27,13 +20,12 @@ class CrowdMesh {
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
   std::size_t lod_count() const { return surface_.runs_by_lod.size(); }
-  std::size_t material_count() const { return materials_.size(); }
   std::span<const std::uint32_t> triangles_by_lod() const { return surface_.triangles_by_lod; }
   std::span<const float> error_by_lod() const { return surface_.error_by_lod; }  ///< metres
 
   /// Gives the runs that draw mesh LOD `lod`, one a material.
   std::span<const MaterialRun> runs(std::size_t lod) const { return surface_.runs_by_lod[lod]; }
-  const CrowdMaterial& material(int index) const { return materials_[static_cast<std::size_t>(index)]; }
+  const MaterialSet& materials() const { return materials_; }
 
   /// Binds the vertices and 32-bit indices and, for the program in use, the palette entries of all bone levels and the
   /// frames that unpack them.
@@ -50,13 +42,13 @@ class CrowdMesh {
   CrowdMesh() = default;
 
   gl::Buffer vertices_;
+  gl::Buffer emission_coords_;  // has a name only where the surface has them
   gl::Buffer indices_;
   gl::Buffer palette_entries_;  // [bone level][vertex]
   gl::Buffer packing_frames_;   // [palette entry]
   gl::VertexArray array_;
   Surface surface_;  // without vertices, entries and indices, which only the device has
-  std::vector<gl::Texture> textures_;
-  std::vector<CrowdMaterial> materials_;
+  MaterialSet materials_;
 };
 
 }  // namespace throng::render

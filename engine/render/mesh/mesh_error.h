@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,21 +17,26 @@ namespace throng::render {
 /// done both ways, so that neither a lost spike nor a new one is missed. The distance of a pair is measured in all
 /// poses.
 ///
-/// What cannot be seen in the first pose has no error: the skin under clothes, the inside of a mouth.
+/// Where the colours of a pair differ, an edge of colour has moved or a feature is lost. The distance counts as twice
+/// the way to the nearest edge: to the sample's colour on the other surface, or to the other colour on the sample's own
+/// surface. So a seam has the error by which it moved, and a lost eye an error of about half of its width.
 ///
-/// Where the colours of a pair differ, an edge of colour has moved or a feature is lost. The edge has moved as far as
-/// the nearest point of the other surface that has the sample's colour, or as the nearest point of the sample's own
-/// surface that has the other colour, whichever is nearer. So a seam that moves and a lost eye have errors too.
+/// The error of a pose is the largest distance that as much of the surface exceeds as a square of that width covers.
+/// Smaller patches would not show. What cannot be seen in the first pose does not count: the skin under clothes, the
+/// inside of a mouth.
 ///
-/// Errors beyond a tenth of the surface's extent count as a tenth.
+/// Errors beyond a tenth of the surface's extent count as a tenth. Errors below a five-hundredth, which the samples do
+/// not resolve, count as that.
 class MeshErrorMeter {
  public:
   /// All parameters outlive the meter. Without `paint` the whole surface has one colour. Pairs are found in the first
   /// of `poses`; without poses, on the surface as it is modelled.
   MeshErrorMeter(const SkinnedSurfaceView& surface, const SurfacePaint* paint, const PosedPalettes& poses);
 
-  /// Returns the error of a mesh over the same vertices: the farthest pair of each pose, of 99% of the poses.
+  /// Returns the error of a coarser mesh over the same vertices, in metres. 99% of the poses have no larger one.
   float error_of(std::span<const std::uint32_t> indices) const;
+  /// Returns the longest side of a box around the full surface in the first pose, in metres.
+  float extent() const { return extent_; }
 
  private:
   /// A surface that can be searched.
@@ -40,24 +46,31 @@ class MeshErrorMeter {
     std::vector<PointLook> looks;  // [cell], of its middle
   };
   struct Sample {
+    const SurfaceCell* cell;
+    glm::vec3 weights;  // of the cell's corners
     SurfacePoint point;
     PointLook look;
+    float area = 0.0F;               // square metres of the surface that it stands for
+    std::optional<float> seen_area;  // square metres, where known already
   };
   struct Pair {
     SurfacePoint here, there;
-  };
-  struct Pairs {
-    std::vector<Pair> pairs;
-    float recolored = 0.0F;  // metres, the farthest that an edge of colour has moved
+    float recolored = 0.0F;  // metres that an edge of colour has moved
+    float seen_area = 0.0F;  // square metres
   };
 
   Side side_of(std::span<const std::uint32_t> indices) const;
   std::vector<Sample> samples_of(const Side& side) const;
   Sample sample_at(const Side& side, const SurfaceCell& cell, const glm::vec3& weights) const;
+  float seen_area(const Side& side, const Sample& sample) const;
   bool is_seen(const Side& side, const SurfaceCell& cell, const glm::vec3& weights) const;
-  void pair(const Sample& sample, const Side& own, const Side& other, Pairs& pairs) const;
+  bool is_seen_from(const glm::vec3& direction, const Side& side, const SurfaceCell& cell, const glm::vec3& weights,
+                    bool double_sided) const;
+  void pair(const Sample& sample, const Side& own, const Side& other, std::vector<Pair>& pairs) const;
+  float recolored_by(const Sample& sample, const PointLook& look, const Side& own, const Side& other) const;
+  float largest_distance(const SurfacePoint& a, const SurfacePoint& b, float below) const;
   float distance_to_alike(const SurfacePoint& point, const PointLook& look, const Side& side, float limit) const;
-  float farthest(std::span<const Pair> pairs, std::size_t pose) const;
+  float error_in_pose(std::span<const Pair> pairs, std::size_t pose) const;
 
   SurfacePoint point_of(const Side& side, const SurfaceCell& cell, const glm::vec3& weights) const;
   PointLook look_of(const SurfacePoint& point) const;
@@ -67,7 +80,8 @@ class MeshErrorMeter {
   SkinnedSurfaceView surface_;
   const SurfacePaint* paint_;
   std::vector<std::vector<glm::vec3>> positions_;  // [pose][vertex]
-  float extent_ = 0.0F;                            // of the full surface in the first pose
+  float extent_ = 0.0F;
+  float least_error_ = 0.0F;
   Side full_;
   std::vector<Sample> samples_;  // of full_
 };

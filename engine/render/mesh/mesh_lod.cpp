@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
+#include <cmath>
 #include <future>
 #include <utility>
 
@@ -12,10 +14,10 @@ namespace throng::render {
 namespace {
 
 /// The steps of simplification, in shares of the triangles. Each is measured.
-constexpr std::array steps{0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03};
-/// The errors that the LODs are for, in shares of the surface's extent. At half a pixel, they serve characters that are
-/// 125, 37 and 12 pixels tall.
-constexpr std::array<double, largest_mesh_lod_count - 1> errors{1.0 / 250, 1.0 / 75, 1.0 / 25};
+constexpr std::array steps{0.65, 0.45, 0.3, 0.2, 0.12, 0.07, 0.03};
+// LODs are chosen for characters of these heights on screen, in pixels, all as frequent on a logarithmic scale, and for
+// this error.
+constexpr double shortest = 8.0, tallest = 512.0, usual_error = 0.5;
 constexpr double farthest_merge = 0.08;  // in shares of the surface's extent
 
 // A LOD that misses its target by more than this is worth trying with clustering.
@@ -57,10 +59,44 @@ void simplify(const SkinnedSurfaceView& surface, double extent, std::vector<Mesh
   }
 }
 
-/// Adds a candidate that has clearly fewer triangles than the LOD before.
-void keep(const MeshLod& candidate, std::vector<MeshLod>& lods) {
-  const double most = share_of(lods.back().indices.size(), worth_keeping);
-  if (static_cast<double>(candidate.indices.size()) <= most) lods.push_back(candidate);
+/// Returns the height on screen, in pixels, up to which a LOD of a surface of that extent serves.
+double served_height(const MeshLod& lod, double extent) {
+  const double error = std::max(static_cast<double>(lod.error), extent * usual_error / tallest);
+  return std::clamp(extent * usual_error / error, shortest, tallest);
+}
+
+bool each_is_worth_keeping(std::span<const MeshLod* const> lods) {
+  return std::ranges::adjacent_find(lods, [](const MeshLod* finer, const MeshLod* coarser) {
+           return static_cast<double>(coarser->indices.size()) > share_of(finer->indices.size(), worth_keeping);
+         }) == lods.end();
+}
+
+/// Returns the mean number of indices that a character of any height is drawn with, in an unit of its own.
+double mean_cost(std::span<const MeshLod* const> lods, double extent) {
+  double cost = 0.0, above = tallest;
+  for (std::size_t i = 0; i < lods.size(); ++i) {
+    const double below = i + 1 < lods.size() ? served_height(*lods[i + 1], extent) : shortest;
+    cost += static_cast<double>(lods[i]->indices.size()) * std::log(above / below);
+    above = below;
+  }
+  return cost;
+}
+
+/// Returns those of the candidates that a crowd is drawn with at the least cost, the first among them.
+std::vector<MeshLod> cheapest(std::span<const MeshLod> candidates, double extent) {
+  std::vector<const MeshLod*> best{candidates.data()}, some;
+  const std::uint32_t subsets = 1U << (candidates.size() - 1);
+  for (std::uint32_t subset = 1; subset < subsets; ++subset) {
+    if (static_cast<std::size_t>(std::popcount(subset)) >= largest_mesh_lod_count) continue;
+    some.assign(1, candidates.data());
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+      if ((subset >> (i - 1) & 1U) != 0) some.push_back(&candidates[i]);
+    }
+    if (each_is_worth_keeping(some) && mean_cost(some, extent) < mean_cost(best, extent)) best = some;
+  }
+  std::vector<MeshLod> lods;
+  for (const MeshLod* lod : best) lods.push_back(*lod);
+  return lods;
 }
 
 }  // namespace
@@ -81,16 +117,7 @@ std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const Me
       meshopt_simplifyScale(surface.positions.data(), surface.positions.size() / 3, position_bytes));
   simplify(surface, extent, candidates);
   measure_mesh_lods(candidates, meter);
-  std::vector<MeshLod> lods{candidates.front()};
-  for (const double error : errors) {
-    const auto coarsest = std::find_if(candidates.rbegin(), candidates.rend(), [&](const MeshLod& lod) {
-      return static_cast<double>(lod.error) <= error * extent;
-    });
-    keep(*coarsest, lods);
-  }
-  // The coarsest of all serves characters that are a few pixels tall.
-  if (lods.size() < largest_mesh_lod_count) keep(candidates.back(), lods);
-  return lods;
+  return cheapest(candidates, static_cast<double>(meter.extent()));
 }
 
 int pick_mesh_lod(std::span<const float> error_by_lod, float limit) {

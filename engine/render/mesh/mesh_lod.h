@@ -19,11 +19,11 @@ struct MeshLod {
   float error = 0.0F;  ///< metres, as MeshErrorMeter measures it
 };
 
-/// Simplifies a surface step by step, measures each step, and keeps those that pay. [0] is the surface itself. Each
-/// further LOD has clearly fewer triangles than the one before, so a surface that cannot be simplified has fewer LODs.
-/// The result is never empty. SurfaceSimplifier makes the steps. Where it misses one, because a character without a
-/// texture has many loose pieces, meshoptimizer's clustering does.
-/// `meter` measures on `surface`.
+/// Simplifies a surface step by step, measures each step, and keeps those with which a crowd of all sizes on screen is
+/// drawn at the least cost. [0] is the surface itself. Each further LOD has clearly fewer triangles than the one
+/// before, so a surface that cannot be simplified has fewer LODs. The result is never empty. SurfaceSimplifier makes
+/// the steps. Where it misses one, because a character without a texture has many loose pieces, meshoptimizer's
+/// clustering does. `meter` measures on `surface`.
 std::vector<MeshLod> build_mesh_lods(const SkinnedSurfaceView& surface, const MeshErrorMeter& meter);
 
 /// Measures all LODs but the first, which is the surface itself. No error is smaller than the one before.

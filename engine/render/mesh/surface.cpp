@@ -86,6 +86,28 @@ void append_part(const MeshPartData& part, Surface& surface, Merged& merged) {
   }
 }
 
+bool has_emission_coords(const MeshPartData& part) { return !part.emission_coords.empty(); }
+
+/// Fills the surface's coordinates of the emission's texture where a part has such; the others repeat their own.
+void append_emission_coords(const MeshPartData& part, Surface& surface) {
+  const std::span<const float> coords = has_emission_coords(part) ? part.emission_coords : part.texture_coords;
+  const std::size_t count = part.positions.size() / 3;
+  for (std::size_t i = 0; i < count; ++i) {
+    surface.emission_coords.push_back(coords.empty() ? EmissionCoord{}
+                                                     : EmissionCoord{coords[i * 2], coords[i * 2 + 1]});
+  }
+}
+
+void append_emission_coords(const CrowdMeshData& data, Surface& surface) {
+  bool has_any = std::ranges::any_of(data.parts, has_emission_coords);
+  for (const BakedLodData& baked : data.baked_lods) has_any |= std::ranges::any_of(baked.parts, has_emission_coords);
+  if (!has_any) return;
+  for (const MeshPartData& part : data.parts) append_emission_coords(part, surface);
+  for (const BakedLodData& baked : data.baked_lods) {
+    for (const MeshPartData& part : baked.parts) append_emission_coords(part, surface);
+  }
+}
+
 void append_bone_ends(std::span<const BoneEndData> ends, Surface& surface, Merged& merged) {
   surface.first_bone_end = static_cast<std::uint32_t>(surface.vertices.size());
   surface.bone_end_count = static_cast<std::uint32_t>(ends.size());
@@ -106,6 +128,10 @@ std::vector<float> texture_coords_of(std::span<const SurfaceVertex> vertices) {
   for (const SurfaceVertex& vertex : vertices)
     coords.insert(coords.end(), vertex.texture_coord, vertex.texture_coord + 2);
   return coords;
+}
+
+bool shows_an_image(const MaterialData& material) {
+  return material.base_color_texture.image >= 0 || material.emission_texture.image >= 0;
 }
 
 SkinnedSurfaceView view_of(const Merged& merged) {
@@ -146,13 +172,13 @@ std::vector<MeshLod> baked_lods(const CrowdMeshData& data, Surface& surface, Mer
     lods.push_back({.indices = {merged.indices.begin() + first, merged.indices.end()}});
   }
   merged.indices.resize(full_count);
-  const SurfacePaint paint(surface.vertices, merged.materials, data);
+  const SurfacePaint paint(surface, merged.materials, data);
   measure_mesh_lods(lods, MeshErrorMeter(view_of(merged), &paint, data.poses));
   return lods;
 }
 
 std::vector<MeshLod> simplified_lods(const CrowdMeshData& data, const Surface& surface, const Merged& merged) {
-  const SurfacePaint paint(surface.vertices, merged.materials, data);
+  const SurfacePaint paint(surface, merged.materials, data);
   return build_mesh_lods(view_of(merged), MeshErrorMeter(view_of(merged), &paint, data.poses));
 }
 
@@ -175,7 +201,8 @@ Surface build_surface(const CrowdMeshData& data) {
   Merged merged;
   for (const MeshPartData& part : data.parts) append_part(part, surface, merged);
   surface.vertex_count = static_cast<std::uint32_t>(surface.vertices.size());
-  if (std::ranges::any_of(data.materials, [](const MaterialData& material) { return material.image >= 0; })) {
+  append_emission_coords(data, surface);
+  if (std::ranges::any_of(data.materials, shows_an_image)) {
     merged.texture_coords = texture_coords_of(surface.vertices);
   }
   const std::vector<MeshLod> lods =
@@ -185,6 +212,7 @@ Surface build_surface(const CrowdMeshData& data) {
     surface.error_by_lod.push_back(lod.error);
   }
   append_bone_ends(data.bone_ends, surface, merged);
+  if (!surface.emission_coords.empty()) surface.emission_coords.resize(surface.vertices.size());
   for (const std::vector<std::uint16_t>& entry_at_level : data.entry_at_level) {
     surface.entries_by_level.push_back(entries_at(merged.palette_entries, entry_at_level));
   }

@@ -36,6 +36,9 @@ static_assert(sizeof(SurfaceVertex) == 56);
 static_assert(offsetof(SurfaceVertex, region) == 48);
 static_assert(offsetof(SurfaceVertex, hair) == 52);
 
+/// Where a vertex reads the emission's texture: u v.
+using EmissionCoord = std::array<float, 2>;
+
 using PaletteEntries = std::array<std::uint16_t, 4>;
 
 /// A run of indices that are drawn with one material.
@@ -49,6 +52,7 @@ struct MaterialRun {
 /// lines are vertices too, and come last.
 struct Surface {
   std::vector<SurfaceVertex> vertices;
+  std::vector<EmissionCoord> emission_coords;  ///< one a vertex, or empty: the vertices' own texture coordinates
   std::vector<std::vector<PaletteEntries>> entries_by_level;  ///< one element a vertex
   std::vector<std::uint32_t> indices;                         ///< indices of all mesh LODs
   std::vector<std::vector<MaterialRun>> runs_by_lod;          ///< at most one run a material

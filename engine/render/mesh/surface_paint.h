@@ -25,32 +25,35 @@ struct PointLook {
   glm::vec3 color{1.0F};  ///< square roots of linear values, about as bright as they look
   std::uint8_t region = untinted_region;
   bool double_sided = false;
-  bool cut_out = false;  ///< nothing is seen
+  bool cut_out = false;       ///< nothing is seen
+  bool seen_through = false;  ///< what is behind is seen, too
 };
 
 /// Returns whether a person can hardly tell the points apart by their colours.
 bool look_alike(const PointLook& a, const PointLook& b);
 
 /// The colours of a surface: of its vertices, materials and textures, which are read at a few millimetres' resolution.
+/// Adds what shines by itself to the base colour, as if the light were white.
 class SurfacePaint {
  public:
   /// All parameters outlive the paint. `materials` has one a vertex.
-  SurfacePaint(std::span<const SurfaceVertex> vertices, std::span<const int> materials, const CrowdMeshData& data);
+  SurfacePaint(const Surface& surface, std::span<const int> materials, const CrowdMeshData& data);
 
   PointLook look(const SurfacePoint& point) const;
 
  private:
-  struct Texture {
+  struct SmallImage {
     int width = 0, height = 0;
     std::vector<glm::u8vec4> texels;  // sRGB
   };
 
-  static Texture small_texture(const ImageData& image);
+  static SmallImage small_image(const ImageData& image);
+  glm::vec4 texel(const TextureData& texture, const glm::vec2& place) const;
 
-  std::span<const SurfaceVertex> vertices_;
+  const Surface& surface_;
   std::span<const int> materials_;
   std::span<const MaterialData> by_index_;
-  std::vector<Texture> textures_;
+  std::vector<SmallImage> images_;  // empty where no material shows the image
 };
 
 }  // namespace throng::render

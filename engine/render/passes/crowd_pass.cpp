@@ -9,7 +9,15 @@ namespace throng::render {
 namespace {
 
 /// Locations of uniforms, the same in every program of the crowd; CrowdMesh::bind sets 0.
-enum Location : GLint { base_color_location = 1, alpha_cutoff_location = 2 };
+enum Location : GLint { base_color_location = 1, alpha_cutoff_location = 2, emission_location = 3, unlit_location = 4 };
+
+enum Unit : GLuint { base_color_unit = 0, emission_unit = 1 };
+
+// Parts of blended surfaces with more alpha are drawn as cut-outs: hair and lashes then hide what is behind them.
+constexpr float solid_alpha = 0.9F;
+constexpr float shadow_alpha = 0.5F;  // least of a blended surface that casts a shadow
+
+constexpr int all_opaque = -1;  // a group's material
 
 /// Calls `do_run` with all batches of each page and character.
 void for_each_run(std::span<const CrowdBatch> batches, const auto& do_run) {
@@ -24,33 +32,78 @@ void for_each_run(std::span<const CrowdBatch> batches, const auto& do_run) {
   }
 }
 
-void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws) {
+void add_runs(const CrowdMesh& mesh, std::size_t lod, const CrowdBatch& batch, IndirectDraws& draws,
+              const auto& is_wanted) {
+  for (const MaterialRun& triangles : mesh.runs(lod)) {
+    if (is_wanted(triangles.material)) draws.add(triangles, batch);
+  }
+}
+
+/// Makes a group of each material that `is_wanted`.
+void compose_surfaces(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws,
+                      const auto& is_wanted) {
   draws.clear();
   for_each_run(batches, [&](std::span<const CrowdBatch> run) {
-    const auto [page, character] = std::pair(run[0].page, run[0].character);
-    const CrowdMesh& mesh = meshes[character];
-    for (std::size_t material = 0; material < mesh.material_count(); ++material) {
-      draws.begin_group(page, character, static_cast<int>(material));
+    const CrowdMesh& mesh = meshes[run[0].character];
+    for (int material = 0; material < mesh.materials().size(); ++material) {
+      if (!is_wanted(mesh.materials()[material])) continue;
+      draws.begin_group(run[0].page, run[0].character, material);
       for (const CrowdBatch& batch : run) {
-        for (const MaterialRun& triangles : mesh.runs(batch.mesh_lod)) {
-          if (triangles.material == static_cast<int>(material)) draws.add(triangles, batch);
-        }
+        add_runs(mesh, batch.mesh_lod, batch, draws, [material](int of_run) { return of_run == material; });
       }
     }
   });
 }
 
+bool is_any(const CrowdMaterial& /*material*/) { return true; }
+bool is_blended(const CrowdMaterial& material) { return material.coverage == Coverage::blended; }
+
+/// Makes one group of all opaque materials, and one of each other.
 void compose_outlines(std::span<const CrowdBatch> batches, std::span<const CrowdMesh> meshes, IndirectDraws& draws) {
   draws.clear();
   for_each_run(batches, [&](std::span<const CrowdBatch> run) {
     const CrowdMesh& mesh = meshes[run[0].character];
-    draws.begin_group(run[0].page, run[0].character, 0);
-    for (const CrowdBatch& batch : run) {
-      // The next coarser mesh LOD has enough triangles for an outline.
-      const std::size_t lod = std::min<std::size_t>(batch.mesh_lod + 1UL, mesh.lod_count() - 1);
-      for (const MaterialRun& triangles : mesh.runs(lod)) draws.add(triangles, batch);
+    const auto add_group = [&](int group, const auto& is_wanted) {
+      draws.begin_group(run[0].page, run[0].character, group);
+      for (const CrowdBatch& batch : run) {
+        // The next coarser mesh LOD has enough triangles for an outline.
+        add_runs(mesh, std::min<std::size_t>(batch.mesh_lod + 1UL, mesh.lod_count() - 1), batch, draws, is_wanted);
+      }
+    };
+    const auto is_opaque = [&](int material) { return mesh.materials()[material].coverage == Coverage::opaque; };
+    add_group(all_opaque, is_opaque);
+    for (int material = 0; material < mesh.materials().size(); ++material) {
+      if (!is_opaque(material)) add_group(material, [material](int of_run) { return of_run == material; });
     }
   });
+}
+
+void bind_texture(Unit unit, const CrowdTexture& texture) {
+  glBindTextureUnit(unit, texture.image);
+  glBindSampler(unit, texture.sampler);
+}
+
+/// Sets the uniforms of a material for the program in use, which may ignore some.
+void set_uniforms(const CrowdMaterial& material) {
+  glUniform4fv(base_color_location, 1, material.base_color);
+  bind_texture(base_color_unit, material.base_color_texture);
+  if (material.coverage == Coverage::opaque && material.only_reflects()) return;
+  glUniform3fv(emission_location, 1, material.emission);
+  glUniform1i(unlit_location, material.unlit ? 1 : 0);
+  bind_texture(emission_unit, material.emission_texture);
+}
+
+void set_culling(const CrowdMaterial& material) {
+  if (material.double_sided) {
+    glDisable(GL_CULL_FACE);
+  } else {
+    glEnable(GL_CULL_FACE);
+  }
+}
+
+/// Lets other passes read textures by the textures' own filters again.
+void unbind_samplers() {
+  for (const GLuint unit : {base_color_unit, emission_unit}) glBindSampler(unit, 0);
 }
 
 void test_depth() {
@@ -64,41 +117,60 @@ void test_depth() {
 
 CrowdPass::CrowdPass(ShaderLibrary& shaders)
     : opaque_(shaders.load({"crowd.vert", "crowd.frag"})),
+      glowing_(shaders.load({"crowd.vert", "crowd_glowing.frag"})),
       cut_out_(shaders.load({"crowd.vert", "crowd_cut_out.frag"})),
+      blended_part_(shaders.load({"crowd.vert", "crowd_blended.frag"})),
       bones_(shaders.load({"crowd.vert", "bones.frag"})),
-      shadow_(shaders.load({"shadow.vert", "shadow.frag"})) {}
+      shadow_(shaders.load({"shadow.vert", "shadow.frag"})),
+      cut_out_shadow_(shaders.load({"shadow.vert", "shadow_cut_out.frag"})) {}
 
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
   test_depth();
+  compose_surfaces(frame.bones_as_lines ? std::span<const CrowdBatch>() : frame.batches, meshes, blended_, is_blended);
   return frame.bones_as_lines ? draw_bones(frame, meshes, palettes) : draw_surfaces(frame, meshes, palettes);
 }
 
 DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
                                     const PaletteBuffer& palettes) {
-  compose_surfaces(frame.batches, meshes, surfaces_);
+  compose_surfaces(frame.batches, meshes, surfaces_, is_any);
   surfaces_.upload();
   for (const IndirectDraws::Group& group : surfaces_.groups()) {
     const CrowdMesh& mesh = meshes[group.character];
-    use_material(mesh.material(group.material));
+    use_material(mesh.materials()[group.material]);
     mesh.bind();
     palettes.bind(group.page, palette_binding);
     surfaces_.draw(group);
   }
   glDisable(GL_CULL_FACE);
+  unbind_samplers();
   return surfaces_.counts();
 }
 
 void CrowdPass::use_material(const CrowdMaterial& material) const {
-  const bool cut_out = material.alpha_cutoff > 0.0F;
-  glUseProgram(cut_out ? cut_out_.id() : opaque_.id());
-  glUniform4fv(base_color_location, 1, material.base_color);
-  if (cut_out) glUniform1f(alpha_cutoff_location, material.alpha_cutoff);
-  glBindTextureUnit(0, material.texture);
-  if (material.double_sided) {
-    glDisable(GL_CULL_FACE);
+  if (material.coverage == Coverage::opaque) {
+    glUseProgram(material.only_reflects() ? opaque_.id() : glowing_.id());
   } else {
-    glEnable(GL_CULL_FACE);
+    glUseProgram(cut_out_.id());
+    glUniform1f(alpha_cutoff_location, is_blended(material) ? solid_alpha : material.alpha_cutoff);
   }
+  set_uniforms(material);
+  set_culling(material);
+}
+
+DrawCounts CrowdPass::draw_blended(std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
+  glUseProgram(blended_part_.id());
+  glUniform1f(alpha_cutoff_location, solid_alpha);
+  blended_.upload();
+  for (const IndirectDraws::Group& group : blended_.groups()) {
+    const CrowdMaterial& material = meshes[group.character].materials()[group.material];
+    set_uniforms(material);
+    set_culling(material);
+    meshes[group.character].bind();
+    palettes.bind(group.page, palette_binding);
+    blended_.draw(group);
+  }
+  unbind_samplers();
+  return blended_.counts();
 }
 
 DrawCounts CrowdPass::draw_bones(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
@@ -129,17 +201,30 @@ DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, std::span<const Crow
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_EQUAL, 0, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-  glUseProgram(shadow_.id());
   compose_outlines(frame.batches, meshes, outlines_);
   outlines_.upload();
   for (const IndirectDraws::Group& group : outlines_.groups()) {
+    use_shadow_of(meshes[group.character], group.material);
     meshes[group.character].bind();
     palettes.bind(group.page, palette_binding);
     outlines_.draw(group);
   }
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_BLEND);
+  unbind_samplers();
   return outlines_.counts();
+}
+
+void CrowdPass::use_shadow_of(const CrowdMesh& mesh, int material) const {
+  if (material == all_opaque) {
+    glUseProgram(shadow_.id());
+    return;
+  }
+  const CrowdMaterial& cut_out = mesh.materials()[material];
+  glUseProgram(cut_out_shadow_.id());
+  glUniform1f(alpha_cutoff_location, is_blended(cut_out) ? shadow_alpha : cut_out.alpha_cutoff);
+  glUniform4fv(base_color_location, 1, cut_out.base_color);
+  bind_texture(base_color_unit, cut_out.base_color_texture);
 }
 
 }  // namespace throng::render

@@ -12,7 +12,7 @@ namespace throng::render {
 /// can be drawn into the same target.
 class SplitPass {
  public:
-  explicit SplitPass(ShaderLibrary& shaders) : program_(shaders.load({"split.vert", "split.frag"})) {}
+  explicit SplitPass(ShaderLibrary& shaders) : program_(shaders.load({"whole_picture.vert", "split.frag"})) {}
 
   void keep_left(const ImageTarget& picture) { keep(left_, picture); }
   void keep_right(const ImageTarget& picture) { keep(right_, picture); }

@@ -86,6 +86,14 @@ TEST(BoneOrder, NeverDropsAnUnimportantParentBeforeItsChild) {
   }
 }
 
+TEST(BoneOrder, KeepsEveryRootInEveryLevelHoweverLittleItMoves) {
+  TwoHands rig;
+  const int still = rig.add(-1, 0.0);
+  const BoneOrder order = order_bones(rig.parents, rig.importance);
+  ASSERT_GT(order.level_counts.size(), 1U);
+  EXPECT_THAT(kept(order, order.level_counts.back()), ::testing::Contains(still));
+}
+
 TEST(ReorderBones, KeepsWhatEveryIndexNames) {
   Model model;
   for (int bone = 0; bone < 3; ++bone) {

@@ -134,7 +134,7 @@ TEST(Bake, ReportsTheErrorThatThereIs) {
 TEST(Bake, PlaysMovingStepTracksFromTheirKeys) {
   const BakedClip clip = bake_one(rod_model(), swing(0.3F, 30, Interpolation::step), 1.0);
   EXPECT_EQ(clip.sampled(), nullptr);
-  EXPECT_THAT(clip.note, HasSubstr("STEP"));
+  EXPECT_THAT(clip.note, HasSubstr("a STEP track moves it by"));
 }
 
 TEST(Bake, PlaysUnevenKeysFromTheirKeys) {

@@ -39,6 +39,15 @@ TEST(ClipFiles, AddTheirClipsUnderNamesThatNoOtherHas) {
   EXPECT_THAT(file.repairs, Contains(HasSubstr("clips taken, with their keys as they are")));
 }
 
+TEST(ClipFiles, GoToTheModelThatIsMeant) {
+  anim::ImportedFile file = *import::import_file(mannequin);
+  file.models.push_back(file.models.front());
+  const std::size_t clips = file.models.front().clips.size();
+  ASSERT_TRUE(add_clips_from(std::vector<std::string>{mannequin}, file, 1));
+  EXPECT_EQ(file.models[0].clips.size(), clips);
+  EXPECT_EQ(file.models[1].clips.size(), 2 * clips);
+}
+
 TEST(ClipFiles, OfWhomNobodyFollowsAreRefused) {
   EXPECT_THAT(refusal_of(mannequin, {other}), HasSubstr("\"rig\", which is which"));
 }

@@ -82,6 +82,13 @@ TEST(DemoOptions, SayWhichClipsPlayWhichRoles) {
   EXPECT_EQ(demo("--clips walk=Walking_B,look_around=a=b,sit=none").clips, expected);
 }
 
+TEST(DemoOptions, SayInWhatSizeAndWhereModelsStand) {
+  const anim::PlacementChoice chosen = demo("--scale 0.01 --up -z --ground feet").placement;
+  EXPECT_EQ(chosen,
+            (anim::PlacementChoice{.scale = 0.01, .up = anim::UpAxis::minus_z, .ground = anim::GroundRule::feet}));
+  EXPECT_EQ(demo("").placement, anim::PlacementChoice{});
+}
+
 TEST(DemoOptions, TuneTheCrowd) {
   const Tuning tuning =
       demo(

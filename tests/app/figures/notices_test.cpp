@@ -21,8 +21,8 @@ std::unique_ptr<anim::AnimationSystem> system_of(int bones, const anim::SystemOp
 }
 
 TEST(SoftwareNotice, NamesWhatIsSparedAndNothingElse) {
-  EXPECT_EQ(software_notice("llvmpipe", {.multisampling = true, .shadows = true, .mesh_detail = true}),
-            "Drawn on the processor (llvmpipe): no multisampling, no shadows, coarse meshes unless asked otherwise.");
+  EXPECT_EQ(software_notice("llvmpipe", {.multisampling = true, .shadows = true, .mesh_lods = true}),
+            "Drawn on the processor (llvmpipe): no multisampling, no shadows, coarser meshes unless asked otherwise.");
   EXPECT_EQ(software_notice("llvmpipe", {.agents = 300, .shadows = true}),
             "Drawn on the processor (llvmpipe): 300 agents, no shadows unless asked otherwise.");
   EXPECT_EQ(software_notice("llvmpipe", {}), "");
@@ -37,6 +37,16 @@ TEST(LocalStoreNotice, SaysThatAnAutomaticStoreIsLargerThanUsual) {
 TEST(LocalStoreNotice, SaysNothingOfAStoreThatWasAskedFor) {
   const anim::SystemOptions large{.local_store_bytes = std::size_t{256} * 1024, .stream = anim::StreamKind::keyframe};
   EXPECT_EQ(local_store_notice(*system_of(200, large)), "");
+}
+
+TEST(PlacementNotice, SaysWhoIsShownInAnotherSizeOrPlaceAndHowToOverruleIt) {
+  const std::string file = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";
+  std::vector<CharacterSource> people;
+  people.push_back(*load_character(file, "plain"));
+  EXPECT_EQ(placement_notice(people), "");
+  people.push_back(*load_character(file, "large", nullptr, {.placement = {.scale = 2.0}}));
+  EXPECT_THAT(placement_notice(people), testing::MatchesRegex("large: 4.* m tall: scaled by 2 as asked; --scale, "
+                                                              "--up and --ground overrule it."));
 }
 
 class PaletteFormatNotice : public testing::Test {

@@ -154,7 +154,10 @@ class DisplacedBone : public testing::Test {
     system_->update({&update, 1});
     auto& entry = reinterpret_cast<anim::PaletteMatrix*>(update.palette.memory())[shin()];
     for (int axis = 0; axis < 3; ++axis) entry.rows[axis][3] += off_by[axis];
-    meter_.end_frame(*system_, {.crowd = crowd_,
+    meter_.end_frame(*system_, {.tuning = tuning_,
+                                .crowd = crowd_,
+                                .visible = {&visible, 1},
+                                .mesh_lods = mesh_lods_,
                                 .shown = shown_,
                                 .view = render::view_of(camera_, static_cast<float>(width) / height),
                                 .size = {width, height},
@@ -181,6 +184,8 @@ class DisplacedBone : public testing::Test {
   render::PaletteSlots slots_{pages_, {anim::palette_stride(entries(), anim::PaletteFormat::matrices)}};
   ShownPoses shown_{slots_};
   ErrorMeter meter_{characters_};
+  Tuning tuning_;
+  MeshLods mesh_lods_{characters_};
   Crowd crowd_{Scene::grid, 1, 1, characters_.front().roles};
   render::Camera camera_{.position = crowd_.positions()[0] + glm::vec3(0.0F, 0.5F, 8.0F)};
   std::uint64_t frame_ = 0;
@@ -191,6 +196,16 @@ TEST_F(DisplacedBone, IsOffByAsManyPixelsAsTheDistanceCovers) {
   for (const float metres : {0.01F, 0.05F, 0.2F}) {
     EXPECT_NEAR(error_of({0.0F, metres, 0.0F}), pixels(metres), 0.05F * pixels(metres)) << metres;
   }
+}
+
+// Half of the limit of one pixel is the mesh's: 100 pixels tall, it may be off by 0.005 of the height.
+TEST_F(DisplacedBone, AddsTheErrorOfTheMeshThatItIsDrawnWith) {
+  mesh_lods_.set(0, {0.0F, 0.004F, 0.02F});
+  EXPECT_FLOAT_EQ(error_of({}), 0.4F);
+  EXPECT_EQ(meter_.pose_figures().max, 0.0F);
+  tuning_.mesh_lod = 2;
+  EXPECT_FLOAT_EQ(error_of({}), 2.0F);
+  EXPECT_FLOAT_EQ(meter_.figures().max, 2.0F);
 }
 
 TEST_F(DisplacedBone, PopsByAsMuchAsItComesAndGoes) {

@@ -28,7 +28,8 @@ RecordedCharacter person() {
           .fingerprint = "0123456789abcdef",
           .roles = no_clips(),
           .bones = {"hips", "head"},
-          .level_counts = {2, 1}};
+          .level_counts = {2, 1},
+          .placement = {.scale = 0.01, .up = anim::UpAxis::z, .ground = anim::GroundRule::feet}};
 }
 
 RecordingHeader header() {

@@ -23,7 +23,7 @@ TEST(PainterWithoutAContext, IsDoneWithEveryFrameThatTheStageHasPosed) {
   for (int frame = 0; frame < 3; ++frame) show->animate(test::sixtieth);
   EXPECT_EQ(show->painter().completed_frame(show->stage()), show->stage().frame());
   EXPECT_EQ(show->stage().frame(), 3U);
-  EXPECT_TRUE(show->painter().triangles_by_lod(0).empty());
+  EXPECT_TRUE(show->painter().mesh_levels(0).empty());
 }
 
 TEST(PaintedViews, LookForLevelOfDetailFromTheFrozenCamera) {

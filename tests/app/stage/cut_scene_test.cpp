@@ -60,7 +60,7 @@ TEST_F(CutSceneOnStage, ItsCameraIsOneMoreAgentOfTheCrowdsSystem) {
 }
 
 TEST_F(CutSceneOnStage, TheActorComesByTheRootMotionOfItsWalkAndStopsAtTheOrigin) {
-  const double speed = stage_->common_roles().walk_speed;
+  const double speed = common_roles(roles_of(stage_->characters())).walk_speed;
   EXPECT_NEAR(place(actor).z, -walk_on_seconds * speed, 1e-4);
   pass_until(0.5 * walk_on_seconds);
   EXPECT_NEAR(place(actor).z, -0.5 * walk_on_seconds * speed, 0.05);

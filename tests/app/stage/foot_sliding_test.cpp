@@ -122,7 +122,7 @@ TEST_P(FootSliding, IsBelowTwoCentimetresASecondOnAverage) {
   characters.push_back(std::move(*character));
   auto stage = Stage::create(std::move(characters), tuning, pages);
   ASSERT_TRUE(stage.has_value());
-  const auto cameras = scene_cameras(tuning.scene, 500, (*stage)->common_roles());
+  const auto cameras = scene_cameras(tuning.scene, 500, common_roles(roles_of((*stage)->characters())));
   const render::Camera above = camera_at(find_camera(cameras, "above")->place);
   for (std::uint64_t i = 0; i < 3600; ++i) {
     (*stage)->move(frame);

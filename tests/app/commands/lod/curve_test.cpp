@@ -1,7 +1,6 @@
 // `throng lod` tells the truth about bone levels, and writes them for another engine.
 #include "app/commands/lod/curve.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -37,16 +36,24 @@ TEST(LodCurve, ALevelPaysThatSavesATenthAndIsWithinAPixelOfAPersonTenPixelsTall)
 }
 
 TEST(LodCurve, SaysInASentenceWhichLevelDoesNotPay) {
-  std::vector<LodLevel> levels = lod_levels(mannequin(), {});
+  std::vector<LodLevel> levels = lod_levels(mannequin());
   ASSERT_EQ(levels.size(), 3U);
   levels[2].nanoseconds = levels[1].nanoseconds;
-  EXPECT_THAT(curve_as_text(mannequin(), levels, 200), HasSubstr("Level 2 does not pay: it takes 100% of the time"));
+  EXPECT_THAT(curve_as_text(mannequin(), {levels, {}}, 200),
+              HasSubstr("Level 2 does not pay: it takes 100% of the time"));
+}
+
+TEST(LodCurve, SaysOfEachMeshHowManyTrianglesItHasAndHowFarItIsOff) {
+  const LodCurve curve{.bones = lod_levels(mannequin()), .meshes = {{5500, 0.0F}, {1650, 0.0225F}}};
+  const std::string text = curve_as_text(mannequin(), curve, 200);
+  EXPECT_THAT(text, HasSubstr("1650"));
+  EXPECT_THAT(text, HasSubstr("22.5"));
 }
 
 TEST(LodExport, HoldsWhatAnotherEngineNeeds) {
-  const std::array<std::uint32_t, 2> triangles{1000, 250};
-  const std::vector<LodLevel> levels = lod_levels(mannequin(), triangles);
-  const auto json = nlohmann::json::parse(lod_as_json(mannequin(), levels, {}, 772.0));
+  const std::vector<LodLevel> levels = lod_levels(mannequin());
+  const std::vector<MeshLevel> meshes{{1000, 0.0F}, {250, 0.09F}};
+  const auto json = nlohmann::json::parse(lod_as_json(mannequin(), levels, meshes, {}, 772.0));
   const anim::Skeleton& skeleton = mannequin().character->skeleton;
   ASSERT_EQ(json["bones"].size(), skeleton.bones.size());
   EXPECT_EQ(json["bones"][0]["bone"], skeleton.bones[0].name);
@@ -55,9 +62,12 @@ TEST(LodExport, HoldsWhatAnotherEngineNeeds) {
   const auto& second = json["bone_levels"][1];
   EXPECT_EQ(second["bones"], skeleton.level_bone_counts[1]);
   EXPECT_EQ(second["from_distance_metres"], 15.0);
-  EXPECT_EQ(second["mesh_ratio"], 0.25);
   EXPECT_GT(second["error_metres"], 0.0);
   EXPECT_NEAR(second["error_pixels_there"], second["error_metres"].get<double>() * 772.0 / 15.0, 1e-9);
+  ASSERT_EQ(json["mesh_levels"].size(), 2U);
+  EXPECT_TRUE(json["mesh_levels"][0]["one_pixel_below_pixels_tall"].is_null());
+  EXPECT_EQ(json["mesh_levels"][1]["triangles"], 250);
+  EXPECT_NEAR(json["mesh_levels"][1]["one_pixel_below_pixels_tall"].get<double>(), 20.0, 0.1);
   ASSERT_EQ(json["intervals"].size(), 8U);
   EXPECT_EQ(json["intervals"][2]["from_distance_metres"], 24.0);
 }

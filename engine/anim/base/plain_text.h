@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace throng::anim {
+
+/// Returns a text from a file or a command line as one line that every terminal, window and log shows as it stands.
+/// Line ends and tabs become spaces. U+FFFD replaces control characters, what turns the direction of writing, what is
+/// invisible, and bytes that are no UTF-8.
+std::string plain_text(std::string_view text);
+
+/// Says whether `text` is UTF-8.
+bool is_utf8(std::string_view text);
+
+}  // namespace throng::anim

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace throng::import {
+
+/// What the head of a Draco mesh says of its size.
+struct DracoCounts {
+  std::uint64_t faces = 0;
+  std::uint64_t points = 0;  ///< those of the connectivity; seams add others
+};
+
+/// Reads the head of a Draco mesh of version 2.2, the only one that glTF allows. Throws Refusal.
+DracoCounts read_draco_counts(std::span<const std::byte> bytes);
+
+}  // namespace throng::import

@@ -1,0 +1,147 @@
+#include "engine/anim/import/facing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "engine/anim/asset/reference_pose.h"
+
+namespace throng::import {
+
+namespace {
+
+/// Returns the unit normal of a triangle, or +Y for one without area.
+glm::vec3 triangle_normal(const std::vector<glm::vec3>& positions, const std::uint32_t* corners) {
+  const glm::dvec3 a(positions[corners[0]]);
+  const glm::dvec3 area = glm::cross(glm::dvec3(positions[corners[1]]) - a, glm::dvec3(positions[corners[2]]) - a);
+  const double length = glm::length(area);
+  return length > 0.0 ? glm::vec3(area / length) : glm::vec3(0.0F, 1.0F, 0.0F);
+}
+
+template <typename Value>
+void pick(std::vector<Value>& values, const std::vector<std::uint32_t>& sources) {
+  if (values.empty()) return;
+  std::vector<Value> picked;
+  picked.reserve(sources.size());
+  for (const std::uint32_t source : sources) picked.push_back(values[source]);
+  values = std::move(picked);
+}
+
+/// Replaces the vertices by copies of those that `sources` names; leaves normals and indices.
+void pick_vertices(anim::SkinnedMesh& mesh, const std::vector<std::uint32_t>& sources) {
+  pick(mesh.positions, sources);
+  for (auto& coords : mesh.texture_coords) pick(coords, sources);
+  pick(mesh.colors, sources);
+  pick(mesh.regions, sources);
+  pick(mesh.shapes, sources);
+  pick(mesh.hair, sources);
+  pick(mesh.palette_entries, sources);
+  pick(mesh.weights, sources);
+}
+
+/// Returns the share of a vertex, 0 to 1, that mirrored entries move.
+float mirrored_share(const anim::SkinnedMesh& mesh, std::uint32_t vertex, const std::vector<bool>& mirrored_entries) {
+  float share = 0.0F;
+  for (glm::length_t i = 0; i < 4; ++i) {
+    if (mirrored_entries[mesh.palette_entries[vertex][i]]) share += mesh.weights[vertex][i];
+  }
+  return share;
+}
+
+/// The directions in which a surface's texture coordinates grow.
+struct TextureAxes {
+  glm::dvec3 u{0.0};
+  glm::dvec3 v{0.0};
+};
+
+TextureAxes texture_axes(const anim::SkinnedMesh& mesh, const std::vector<glm::vec2>& coords,
+                         const std::uint32_t* corners) {
+  const glm::dvec3 a(mesh.positions[corners[0]]);
+  const glm::dvec3 ab = glm::dvec3(mesh.positions[corners[1]]) - a;
+  const glm::dvec3 ac = glm::dvec3(mesh.positions[corners[2]]) - a;
+  const glm::dvec2 uv_ab(coords[corners[1]] - coords[corners[0]]);
+  const glm::dvec2 uv_ac(coords[corners[2]] - coords[corners[0]]);
+  const double area = uv_ab.x * uv_ac.y - uv_ac.x * uv_ab.y;
+  if (area == 0.0) return {};
+  return {.u = (ab * uv_ac.y - ac * uv_ab.y) / area, .v = (ac * uv_ab.x - ab * uv_ac.x) / area};
+}
+
+glm::vec4 tangent_of(const TextureAxes& axes, const glm::dvec3& normal) {
+  const glm::dvec3 other = std::abs(normal.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  glm::dvec3 along = axes.u - normal * glm::dot(normal, axes.u);
+  if (glm::length(along) == 0.0) along = glm::cross(normal, other);
+  const bool mirrored = glm::dot(glm::cross(normal, along), axes.v) < 0.0;
+  return {glm::vec3(glm::normalize(along)), mirrored ? -1.0F : 1.0F};
+}
+
+}  // namespace
+
+void shade_flat(anim::SkinnedMesh& mesh) {
+  constexpr float alike = 1e-4F;  // normals of triangles in one plane, which share their vertices
+  std::vector<std::uint32_t> sources;
+  std::vector<std::vector<std::uint32_t>> copies(mesh.positions.size());
+  mesh.normals.clear();
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const glm::vec3 normal = triangle_normal(mesh.positions, &mesh.indices[i]);
+    for (std::size_t corner = i; corner < i + 3; ++corner) {
+      std::vector<std::uint32_t>& of_vertex = copies[mesh.indices[corner]];
+      const auto same = std::ranges::find_if(
+          of_vertex, [&](std::uint32_t copy) { return glm::distance(mesh.normals[copy], normal) < alike; });
+      if (same == of_vertex.end()) {
+        of_vertex.push_back(static_cast<std::uint32_t>(sources.size()));
+        sources.push_back(mesh.indices[corner]);
+        mesh.normals.push_back(normal);
+        mesh.indices[corner] = of_vertex.back();
+      } else {
+        mesh.indices[corner] = *same;
+      }
+    }
+  }
+  pick_vertices(mesh, sources);
+  mesh.tangents.clear();
+}
+
+std::vector<bool> mirrored_entries(const anim::Skeleton& skeleton) {
+  std::vector<bool> mirrored;
+  for (const glm::dmat4& entry : anim::reference_pose(skeleton, nullptr, 0.0).palette) {
+    mirrored.push_back(glm::determinant(glm::dmat3(entry)) < 0.0);
+  }
+  return mirrored;
+}
+
+void turn_mirrored_triangles(anim::SkinnedMesh& mesh, const std::vector<bool>& mirrored_entries) {
+  if (!std::ranges::count(mirrored_entries, true)) return;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    float share = 0.0F;
+    for (std::size_t corner = i; corner < i + 3; ++corner) {
+      share += mirrored_share(mesh, mesh.indices[corner], mirrored_entries) / 3.0F;
+    }
+    if (share > 0.5F) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  }
+}
+
+void add_tangents(anim::SkinnedMesh& mesh, const anim::Material& material) {
+  if (material.normal_texture.image < 0) return;
+  const auto& coords = mesh.texture_coords[static_cast<std::size_t>(material.normal_texture.coords)];
+  if (coords.empty()) return;
+  std::vector<TextureAxes> sums(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const TextureAxes axes = texture_axes(mesh, coords, &mesh.indices[i]);
+    for (std::size_t corner = i; corner < i + 3; ++corner) {
+      sums[mesh.indices[corner]].u += axes.u;
+      sums[mesh.indices[corner]].v += axes.v;
+    }
+  }
+  mesh.tangents.reserve(sums.size());
+  for (std::size_t vertex = 0; vertex < sums.size(); ++vertex) {
+    mesh.tangents.push_back(tangent_of(sums[vertex], glm::dvec3(mesh.normals[vertex])));
+  }
+}
+
+}  // namespace throng::import

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace throng::import {
+
+/// Reads the files that a model names. They lie below the folder in which the model is found, or below the one in which
+/// it lies if its own name is a link.
+///
+/// A uri never leads out of a folder by itself: absolute paths, schemes and ".." are refused. A symbolic link in the
+/// folder leads where the operating system says, because whoever laid out the folder put it there; model hubs and build
+/// systems lay files out so.
+class ModelFiles {
+ public:
+  /// `strict` takes a uri by its letter alone, and follows no link out of the folder.
+  explicit ModelFiles(const std::filesystem::path& model = {}, bool strict = false);
+
+  /// Returns the bytes of a data URI or of a file. Where no file has the name that the uri says, one is found whose
+  /// name differs by escapes, backslashes, a query or the case of letters; `repairs` says so of `object`, which names
+  /// it. Throws Refusal, with the name of the file that is missing.
+  std::vector<std::byte> read(std::string_view uri, const std::string& object, std::vector<std::string>& repairs) const;
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+  bool strict_;
+};
+
+}  // namespace throng::import

@@ -1,0 +1,177 @@
+#include "engine/anim/import/other_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "engine/anim/import/data_uri.h"
+
+namespace throng::import {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view by_blender = "import it in Blender and export glTF 2.0 (.glb)";
+constexpr std::string_view by_its_program = "export it as glTF 2.0 (.glb) from the program that made it";
+constexpr std::string_view by_fbx = "export it from its program as FBX, import that in Blender, and export glTF 2.0";
+constexpr std::string_view by_unpacking = "unpack it and open the .glb or .gltf in it";
+constexpr std::string_view by_opening = "open it in Blender and export glTF 2.0 (.glb)";
+constexpr std::string_view by_model = "open the .glb or .gltf file that it belongs to";
+
+struct Format {
+  std::string_view what;
+  std::string_view remedy;
+};
+
+constexpr Format fbx{"an FBX file", by_blender};
+constexpr Format usd{"a USD file", by_blender};
+constexpr Format usdz{"a USDZ file, which holds USD", "import it in Blender and export glTF 2.0 (.glb)"};
+constexpr Format dae{"a COLLADA file", by_blender};
+constexpr Format obj{"a Wavefront OBJ file, which has no skeleton", "export the rigged character as glTF 2.0 (.glb)"};
+constexpr Format bvh{"a BVH motion file", "import it in Blender, give it a skinned mesh and export glTF 2.0 (.glb)"};
+constexpr Format blend{"a Blender file", by_opening};
+constexpr Format max{"a 3ds Max file", by_its_program};
+constexpr Format maya{"a Maya file", by_fbx};
+constexpr Format cinema{"a Cinema 4D file", by_its_program};
+constexpr Format ply{"a PLY file, which has no skeleton", "export the rigged character as glTF 2.0 (.glb)"};
+constexpr Format stl{"an STL file, which has no skeleton", "export the rigged character as glTF 2.0 (.glb)"};
+constexpr Format studio{"a 3DS file", by_blender};
+constexpr Format direct_x{"a DirectX .x file", by_fbx};
+constexpr Format alembic{"an Alembic cache, which has no skeleton", "export the rigged character as glTF 2.0 (.glb)"};
+constexpr Format mmd{"an MMD file", "import it in Blender by an MMD add-on and export glTF 2.0 (.glb)"};
+constexpr Format source_model{"a Source engine model", "import it in Blender by an add-on and export glTF 2.0 (.glb)"};
+constexpr Format doom{"an id Software model", "import it in Blender by an add-on and export glTF 2.0 (.glb)"};
+constexpr Format unreal{"an Unreal Engine asset", "export it there as glTF 2.0 (.glb)"};
+constexpr Format unity{"a Unity package", "export the character there as glTF 2.0 (.glb) or FBX"};
+constexpr Format archive{"an archive", by_unpacking};
+constexpr Format tiles{"a 3D Tiles file", "open the .glb that it wraps"};
+constexpr Format draco{"a bare Draco mesh", "export the rigged character as glTF 2.0 (.glb)"};
+constexpr Format picture{"a picture", by_model};
+constexpr Format buffer{"a buffer of a .gltf file", by_model};
+constexpr Format web_page{"a web page, so a download probably failed", "download the file again"};
+constexpr Format lfs{"a pointer of Git LFS, not the file itself", "run git lfs pull"};
+constexpr Format recording{"a recording", "give it with --replay"};
+
+struct Signature {
+  std::string_view begin;
+  Format format;
+};
+
+constexpr std::array signatures{
+    Signature{"Kaydara FBX Binary", fbx},
+    Signature{"; FBX ", fbx},
+    Signature{"PXR-USDC", usd},
+    Signature{"#usda", usd},
+    Signature{"HIERARCHY", bvh},
+    Signature{"BLENDER", blend},
+    Signature{"//Maya ASCII", maya},
+    Signature{"FOR4", maya},
+    Signature{"FOR8", maya},
+    Signature{"QC4DC4D", cinema},
+    Signature{"ply\n", ply},
+    Signature{"ply\r", ply},
+    Signature{"xof 0", direct_x},
+    Signature{"Ogawa", alembic},
+    Signature{"PMX ", mmd},
+    Signature{"Pmd", mmd},
+    Signature{"Vocaloid Motion Data", mmd},
+    Signature{"IDST", source_model},
+    Signature{"IDP2", doom},
+    Signature{"IDP3", doom},
+    Signature{"MD5Version", doom},
+    Signature{"INTERQUAKEMODEL", doom},
+    Signature{"\xC1\x83\x2A\x9E", unreal},
+    Signature{"b3dm", tiles},
+    Signature{"i3dm", tiles},
+    Signature{"DRACO", draco},
+    Signature{"\x89PNG", picture},
+    Signature{"\xFF\xD8\xFF", picture},
+    Signature{"RIFF", picture},
+    Signature{"\xABKTX", picture},
+    Signature{"7z\xBC\xAF", archive},
+    Signature{"Rar!", archive},
+    Signature{"\xFD"
+              "7zXZ",
+              archive},
+    Signature{"version https://git-lfs", lfs},
+    Signature{"THRONGRC", recording},
+};
+
+/// Many formats share a container, so the name's ending goes before these.
+constexpr std::array containers{
+    Signature{"PK\x03\x04", archive},
+    Signature{"\x1F\x8B", archive},
+    Signature{"\x28\xB5\x2F\xFD", archive},
+};
+
+struct Ending {
+  std::string_view ending;
+  Format format;
+};
+
+constexpr std::array endings{
+    Ending{".fbx", fbx},          Ending{".usd", usd},
+    Ending{".usda", usd},         Ending{".usdc", usd},
+    Ending{".usdz", usdz},        Ending{".dae", dae},
+    Ending{".obj", obj},          Ending{".bvh", bvh},
+    Ending{".blend", blend},      Ending{".max", max},
+    Ending{".ma", maya},          Ending{".mb", maya},
+    Ending{".c4d", cinema},       Ending{".ply", ply},
+    Ending{".stl", stl},          Ending{".3ds", studio},
+    Ending{".x", direct_x},       Ending{".abc", alembic},
+    Ending{".pmx", mmd},          Ending{".pmd", mmd},
+    Ending{".vmd", mmd},          Ending{".smd", source_model},
+    Ending{".mdl", source_model}, Ending{".md5mesh", doom},
+    Ending{".uasset", unreal},    Ending{".unitypackage", unity},
+    Ending{".zip", archive},      Ending{".7z", archive},
+    Ending{".rar", archive},      Ending{".gz", archive},
+    Ending{".drc", draco},        Ending{".png", picture},
+    Ending{".jpg", picture},      Ending{".jpeg", picture},
+    Ending{".webp", picture},     Ending{".ktx2", picture},
+    Ending{".bin", buffer},       Ending{".rec", recording},
+};
+
+std::string sentence(const Format& format) {
+  return "it is " + std::string(format.what) + ", not glTF; " + std::string(format.remedy);
+}
+
+const Format* by_ending(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  const auto found = std::ranges::find_if(endings, [&](const Ending& each) {
+    return each.ending.size() == ending.size() && equal_without_case(each.ending, ending);
+  });
+  return found == endings.end() ? nullptr : &found->format;
+}
+
+template <std::size_t count>
+const Format* by_beginning(const std::array<Signature, count>& known, std::string_view text) {
+  const auto found = std::ranges::find_if(known, [&](const Signature& each) { return text.starts_with(each.begin); });
+  return found == known.end() ? nullptr : &found->format;
+}
+
+/// COLLADA and web pages begin as any other XML.
+const Format* by_markup(std::string_view text) {
+  const std::string_view head = text.substr(0, 4096);
+  if (!head.starts_with('<')) return nullptr;
+  if (head.find("<COLLADA") != std::string_view::npos) return &dae;
+  for (const std::string_view tag : {"<html", "<HTML", "<!doctype html", "<!DOCTYPE html"}) {
+    if (head.find(tag) != std::string_view::npos) return &web_page;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string describe_other_format(std::span<const std::byte> bytes, const std::filesystem::path& path) {
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (const Format* format = by_beginning(signatures, text)) return sentence(*format);
+  if (const Format* format = by_ending(path)) return sentence(*format);
+  if (const Format* format = by_beginning(containers, text)) return sentence(*format);
+  const std::size_t begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  text.remove_prefix(std::min(begin, text.size()));
+  const Format* const format = by_markup(text);
+  return format == nullptr ? std::string() : sentence(*format);
+}
+
+}  // namespace throng::import

@@ -1,0 +1,119 @@
+#include "engine/anim/survey/model_extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <glm/common.hpp>
+
+#include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/survey/surface_points.h"
+
+namespace throng::anim {
+
+namespace {
+
+constexpr std::size_t most_places = 2000;
+constexpr int measured_poses = 6;
+constexpr double alike = 2.0;        // a rest pose of at most so many times the clips' height says the size
+constexpr double same_ground = 0.1;  // of the height: the rest pose stands where the clips do
+constexpr double no_side = 1e-9;     // units: a model that is smaller has no extent
+
+struct Box {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void add(const glm::dvec3& point) {
+    if (!std::isfinite(point.x + point.y + point.z)) return;
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  bool is_empty() const { return low.x > high.x; }
+  glm::dvec3 size() const { return high - low; }
+  glm::dvec3 middle() const { return (low + high) * 0.5; }
+};
+
+/// What is measured of one clip, or of the rest pose.
+struct Room {
+  glm::dvec3 size{0.0};  ///< of its poses, on average
+  glm::dvec3 middle{0.0};
+  double lowest = std::numeric_limits<double>::infinity();
+};
+
+class ExtentSurvey {
+ public:
+  ExtentSurvey(const Model& model, const glm::dquat& upright)
+      : model_(model), upright_(upright), points_(sample_surface(model, most_places)) {}
+
+  std::optional<ModelExtent> measure() const {
+    const std::optional<Room> rest = room_of(nullptr, 1);
+    std::vector<Room> rooms;
+    for (const Clip& clip : model_.clips) {
+      if (const auto room = room_of(&clip, measured_poses)) rooms.push_back(*room);
+    }
+    if (rooms.empty() && rest) rooms.push_back(*rest);
+    if (rooms.empty()) return std::nullopt;
+    ModelExtent extent = median_of(rooms);
+    if (rest && are_alike(rest->size.y, extent.size.y)) extent.size = rest->size;
+    extent.top = extent.lowest + extent.size.y;
+    if (rest && std::abs(rest->lowest - extent.lowest) < same_ground * extent.size.y) {
+      extent.top = rest->lowest + extent.size.y;
+    }
+    if (!(std::max({extent.size.x, extent.size.y, extent.size.z}) > no_side)) return std::nullopt;
+    return extent;
+  }
+
+ private:
+  std::optional<Room> room_of(const Clip* clip, int samples) const {
+    Room room;
+    int measured = 0;
+    for (int i = 0; i < samples; ++i) {
+      const double seconds = clip == nullptr ? 0.0 : clip->start + (clip->duration - clip->start) * i / samples;
+      Box box;
+      for (const glm::dvec3& place : places(points_, reference_pose(model_.skeleton, clip, seconds))) {
+        box.add(upright_ * place);
+      }
+      if (box.is_empty()) continue;
+      if (measured++ == 0) room.middle = box.middle();
+      room.size += box.size();
+      room.lowest = std::min(room.lowest, box.low.y);
+    }
+    if (measured == 0) return std::nullopt;
+    room.size /= measured;
+    return room;
+  }
+
+  static bool are_alike(double a, double b) { return a <= alike * b && b <= alike * a; }
+
+  template <typename Value>
+  static double median(const std::vector<Room>& rooms, const Value& value) {
+    std::vector<double> values;
+    for (const Room& room : rooms) values.push_back(value(room));
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+  }
+
+  static ModelExtent median_of(const std::vector<Room>& rooms) {
+    ModelExtent extent;
+    for (int axis = 0; axis < 3; ++axis) {
+      extent.size[axis] = median(rooms, [axis](const Room& room) { return room.size[axis]; });
+      extent.middle[axis] = median(rooms, [axis](const Room& room) { return room.middle[axis]; });
+    }
+    extent.lowest = median(rooms, [](const Room& room) { return room.lowest; });
+    return extent;
+  }
+
+  const Model& model_;
+  glm::dquat upright_;
+  SurfacePoints points_;
+};
+
+}  // namespace
+
+std::optional<ModelExtent> measure_extent(const Model& model, const glm::dquat& upright) {
+  return ExtentSurvey(model, upright).measure();
+}
+
+}  // namespace throng::anim

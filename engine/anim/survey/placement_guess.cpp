@@ -1,0 +1,139 @@
+#include "engine/anim/survey/placement_guess.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+namespace throng::anim {
+
+namespace {
+
+constexpr double least_side = 0.04;      // metres: a mouse
+constexpr double largest_side = 40.0;    // metres: a tall house
+constexpr double off_the_middle = 0.25;  // of the largest side: nobody who stands on the origin is so far off
+constexpr double sunk = 0.02;            // of the height: soles lie a little below the ground in many files
+constexpr double afloat = 0.5;           // of the height: who hovers on purpose is lower
+
+double largest_of(const glm::dvec3& size) { return std::max({size.x, size.y, size.z}); }
+
+/// Returns the metres that a unit of the file probably is: 1, or the power of ten that brings a model of `side` units
+/// nearest to a person. Nobody models in decimetres.
+double guess_scale(double side) {
+  if (side >= least_side && side <= largest_side) return 1.0;
+  const double power = std::round(std::log10(tall_person / side));
+  return std::pow(10.0, side > largest_side ? std::min(power, -2.0) : power);
+}
+
+glm::dquat upright(UpAxis up) {
+  using glm::angleAxis;
+  constexpr double quarter = std::numbers::pi / 2.0;
+  const glm::dvec3 x(1.0, 0.0, 0.0), z(0.0, 0.0, 1.0);
+  switch (up) {
+    case UpAxis::x:
+      return angleAxis(quarter, z);
+    case UpAxis::y:
+      break;
+    case UpAxis::z:
+      return angleAxis(-quarter, x);
+    case UpAxis::minus_x:
+      return angleAxis(-quarter, z);
+    case UpAxis::minus_y:
+      return angleAxis(2.0 * quarter, z);
+    case UpAxis::minus_z:
+      return angleAxis(quarter, x);
+  }
+  return {1.0, 0.0, 0.0, 0.0};
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+std::string unit_named(double scale) {
+  constexpr std::array<std::pair<double, const char*>, 3> units = {
+      {{1.0, "metres"}, {0.01, "centimetres"}, {0.001, "millimetres"}}};
+  for (const auto& [size, name] : units) {
+    if (std::abs(scale - size) < 1e-6 * size) return name;
+  }
+  return "units of " + number(scale) + " m";
+}
+
+/// Lists reasons one after the other.
+class Reasons {
+ public:
+  void add(const std::string& reason) { text_ += (text_.empty() ? "" : ", ") + reason; }
+  bool empty() const { return text_.empty(); }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+class PlacementGuesser {
+ public:
+  PlacementGuesser(const ModelExtent& extent, const PlacementChoice& choice) : extent_(extent), choice_(choice) {}
+
+  GuessedPlacement guess() {
+    guessed_.choice = choice_;
+    guessed_.extent = extent_;
+    set_scale();
+    guessed_.placement.rotation = upright(choice_.up);
+    if (choice_.up != UpAxis::y) reasons_.add("turned upright as asked");
+    guessed_.height = guessed_.placement.scale * extent_.size.y;
+    if (choice_.ground != GroundRule::file) set_place();
+    guessed_.is_plain = reasons_.empty();
+    guessed_.reasons = number(guessed_.height) + " m tall" + (reasons_.empty() ? "" : ": ") + reasons_.text();
+    return std::move(guessed_);
+  }
+
+ private:
+  void set_scale() {
+    double& scale = guessed_.placement.scale;
+    scale = choice_.scale.value_or(guess_scale(largest_of(extent_.size)));
+    if (choice_.scale) {
+      reasons_.add("scaled by " + number(scale) + " as asked");
+    } else if (scale != 1.0) {
+      reasons_.add("taken as " + unit_named(scale) + " (" + number(extent_.size.y) + " units tall in its file)");
+    }
+  }
+
+  void set_place() {
+    glm::dvec3& offset = guessed_.placement.offset;
+    const glm::dvec3 middle = guessed_.placement.scale * extent_.middle;
+    const double beside = std::hypot(middle.x, middle.z);
+    const double side = guessed_.placement.scale * largest_of(extent_.size);
+    if (beside > off_the_middle * side) {
+      offset.x = -middle.x;
+      offset.z = -middle.z;
+      reasons_.add("moved to its place from " + number(beside) + " m beside the file's origin");
+    }
+    const double lowest = guessed_.placement.scale * extent_.lowest;
+    const bool asked = choice_.ground == GroundRule::feet;
+    const bool off_the_ground = lowest < -sunk * guessed_.height || lowest > afloat * guessed_.height;
+    if (!asked && !off_the_ground) return;
+    offset.y = -lowest;
+    reasons_.add((lowest < 0.0 ? "raised " : "lowered ") + number(std::abs(lowest)) + " m to stand on the ground");
+  }
+
+  ModelExtent extent_;
+  PlacementChoice choice_;
+  GuessedPlacement guessed_;
+  Reasons reasons_;
+};
+
+}  // namespace
+
+GuessedPlacement guess_placement(const Model& model, const PlacementChoice& choice) {
+  if (const auto extent = measure_extent(model, upright(choice.up))) return PlacementGuesser(*extent, choice).guess();
+  return {.placement = {.scale = choice.scale.value_or(1.0), .rotation = upright(choice.up)},
+          .is_plain = false,
+          .choice = choice,
+          .reasons = "nothing of it has any extent, so there is nothing to see"};
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/anim/asset/placement.h"
+#include "engine/anim/survey/model_extent.h"
+
+namespace throng::anim {
+
+/// The axis of a file that points up in the scene. glTF 2.0, 3.4: +Y.
+enum class UpAxis : unsigned char { x, y, z, minus_x, minus_y, minus_z };
+
+/// What stands at the agent's place. `guess`: the file's origin, unless the body is far from it or reaches below it.
+enum class GroundRule : unsigned char { guess, file, feet };
+
+/// What a person says about a model's size and place; the rest is guessed.
+struct PlacementChoice {
+  std::optional<double> scale = std::nullopt;  ///< metres a unit of the file, above 0
+  UpAxis up = UpAxis::y;
+  GroundRule ground = GroundRule::guess;
+
+  friend bool operator==(const PlacementChoice&, const PlacementChoice&) = default;
+};
+
+/// Where a model is put, and why.
+struct GuessedPlacement {
+  Placement placement;
+  double height = 0.0;                  ///< metres; 0 for a model without extent
+  bool is_plain = true;                 ///< the file is in metres and stands on its origin, so that nothing was changed
+  PlacementChoice choice{};             ///< what was asked for
+  std::optional<ModelExtent> extent{};  ///< in units of the file, turned upright; none for a model without extent
+  std::string reasons{};  ///< one sentence for people, plain or not: "1.76 m tall: taken as centimetres, ..."
+};
+
+/// Finds the size and place of a model that a person would expect. Sizes that people, animals and houses have in metres
+/// are kept (largest side from 4 cm to 40 m); others are taken as centimetres, millimetres or whatever power of ten
+/// brings them nearest to a person. Who stands beside the origin is moved there, and who reaches below the ground or
+/// floats far above it is put on it. `model` is as imported.
+GuessedPlacement guess_placement(const Model& model, const PlacementChoice& choice = {});
+
+}  // namespace throng::anim

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "engine/render/frame/image_target.h"
+
+namespace throng::render {
+
+/// Sums up surfaces that are seen through, over the depths of a picture. What is nearer and opaque hides them.
+///
+///   sums    RGBA16F   colours and alphas, added up
+///   behind  R16F      share of the picture that stays, multiplied
+class BlendTarget {
+ public:
+  /// Binds the sums as colours 0 and 1, empty. Makes storage of the picture's size and samples at the first call.
+  void bind(const ImageTarget& picture);
+
+  const gl::Texture& sums() const { return sums_; }
+  const gl::Texture& behind() const { return behind_; }
+
+ private:
+  void make_storage(const ImageTarget& picture);
+
+  glm::ivec2 size_{0};
+  gl::Texture sums_;
+  gl::Texture behind_;
+  gl::Framebuffer framebuffer_;
+};
+
+}  // namespace throng::render

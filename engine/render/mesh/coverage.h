@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/render/crowd_mesh_data.h"
+
+namespace throng::render {
+
+/// What is seen of a surface by its alpha.
+enum class Coverage : unsigned char {
+  opaque,   ///< all of it
+  cut_out,  ///< where its alpha reaches the cutoff
+  blended   ///< as much of it as its alpha says
+};
+
+/// Returns what drawing needs to do about a material's alpha. Many files call materials blended or cut out whose alpha
+/// is 1 everywhere; those are opaque, which is drawn fastest.
+Coverage coverage_of(const CrowdMeshData& data, int material);
+
+}  // namespace throng::render

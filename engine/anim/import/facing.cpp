@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -84,23 +85,27 @@ glm::vec4 tangent_of(const TextureAxes& axes, const glm::dvec3& normal) {
 
 void shade_flat(anim::SkinnedMesh& mesh) {
   constexpr float alike = 1e-4F;  // normals of triangles in one plane, which share their vertices
-  std::vector<std::uint32_t> sources;
-  std::vector<std::vector<std::uint32_t>> copies(mesh.positions.size());
-  mesh.normals.clear();
+  std::vector<std::uint32_t> sources(mesh.positions.size());
+  std::iota(sources.begin(), sources.end(), 0U);
+  std::vector<std::vector<std::uint32_t>> copies(sources.size());  // of each vertex, itself among them once it is used
+  mesh.normals.assign(sources.size(), glm::vec3(0.0F, 1.0F, 0.0F));
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const glm::vec3 normal = triangle_normal(mesh.positions, &mesh.indices[i]);
     for (std::size_t corner = i; corner < i + 3; ++corner) {
-      std::vector<std::uint32_t>& of_vertex = copies[mesh.indices[corner]];
-      const auto same = std::ranges::find_if(
-          of_vertex, [&](std::uint32_t copy) { return glm::distance(mesh.normals[copy], normal) < alike; });
-      if (same == of_vertex.end()) {
-        of_vertex.push_back(static_cast<std::uint32_t>(sources.size()));
-        sources.push_back(mesh.indices[corner]);
-        mesh.normals.push_back(normal);
-        mesh.indices[corner] = of_vertex.back();
-      } else {
+      const std::uint32_t vertex = mesh.indices[corner];
+      const auto is_alike = [&](std::uint32_t copy) { return glm::distance(mesh.normals[copy], normal) < alike; };
+      const auto same = std::ranges::find_if(copies[vertex], is_alike);
+      if (same != copies[vertex].end()) {
         mesh.indices[corner] = *same;
+        continue;
       }
+      mesh.indices[corner] = copies[vertex].empty() ? vertex : static_cast<std::uint32_t>(sources.size());
+      copies[vertex].push_back(mesh.indices[corner]);
+      if (mesh.indices[corner] == sources.size()) {
+        sources.push_back(vertex);
+        mesh.normals.push_back(normal);
+      }
+      mesh.normals[mesh.indices[corner]] = normal;
     }
   }
   pick_vertices(mesh, sources);

@@ -9,8 +9,8 @@ namespace throng::import {
 
 // What a mesh needs so that light falls on the right side of it. All functions take a mesh with its influences.
 
-/// Gives every triangle normals of its own, by copies of the vertices that it shares (glTF 2.0, 3.7.2.1: without
-/// normals flat normals, and no tangents of the file).
+/// Gives every triangle normals of its own, by copies of the vertices that it shares, which come last (glTF 2.0,
+/// 3.7.2.1: without normals flat normals, and no tangents of the file).
 void shade_flat(anim::SkinnedMesh& mesh);
 
 /// Says of each palette entry whether it mirrors what it moves in the rest pose.

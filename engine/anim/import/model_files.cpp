@@ -20,8 +20,10 @@ constexpr std::size_t max_uri_length = 1024;
 constexpr std::size_t max_shown_length = 120;
 
 std::string in_quotes(std::string_view uri) {
-  const bool is_long = uri.size() > max_shown_length;
-  return "\"" + std::string(uri.substr(0, max_shown_length)) + (is_long ? "..." : "") + "\"";
+  std::string quoted(1, '"');
+  quoted += uri.substr(0, max_shown_length);
+  if (uri.size() > max_shown_length) quoted += "...";
+  return quoted + '"';
 }
 
 /// A way to read a uri as a file's name, and what is odd about it.

@@ -39,6 +39,7 @@ struct Room {
   glm::dvec3 size{0.0};  ///< of its poses, on average
   glm::dvec3 middle{0.0};
   double lowest = std::numeric_limits<double>::infinity();
+  double top = -std::numeric_limits<double>::infinity();
 };
 
 class ExtentSurvey {
@@ -55,10 +56,11 @@ class ExtentSurvey {
     if (rooms.empty() && rest) rooms.push_back(*rest);
     if (rooms.empty()) return std::nullopt;
     ModelExtent extent = median_of(rooms);
-    if (rest && are_alike(rest->size.y, extent.size.y)) extent.size = rest->size;
     extent.top = extent.lowest + extent.size.y;
-    if (rest && std::abs(rest->lowest - extent.lowest) < same_ground * extent.size.y) {
-      extent.top = rest->lowest + extent.size.y;
+    if (rest && are_alike(rest->size.y, extent.size.y)) {
+      extent.size = rest->size;
+      const bool stands_there = std::abs(rest->lowest - extent.lowest) < same_ground * extent.size.y;
+      extent.top = stands_there ? rest->top : extent.lowest + extent.size.y;
     }
     if (!(std::max({extent.size.x, extent.size.y, extent.size.z}) > no_side)) return std::nullopt;
     return extent;
@@ -78,6 +80,7 @@ class ExtentSurvey {
       if (measured++ == 0) room.middle = box.middle();
       room.size += box.size();
       room.lowest = std::min(room.lowest, box.low.y);
+      room.top = std::max(room.top, box.high.y);
     }
     if (measured == 0) return std::nullopt;
     room.size /= measured;

@@ -107,7 +107,7 @@ class FarthestFirst {
 SurfacePoints sample_surface(const Model& model, std::size_t most) {
   std::size_t vertices = 0;
   for (const SkinnedMesh& mesh : model.meshes) vertices += mesh.positions.size();
-  return vertices == 0 ? joints(model.skeleton) : every_nth_vertex(model, vertices / most + 1);
+  return vertices == 0 ? joints(model.skeleton) : every_nth_vertex(model, std::max<std::size_t>(1, vertices / most));
 }
 
 std::vector<glm::dvec3> places(const SurfacePoints& points, const ReferencePose& pose) {

@@ -34,7 +34,8 @@ struct SurfacePoints {
   }
 };
 
-/// Returns `most` vertices or fewer, evenly through all meshes, or the joints where there is no surface.
+/// Returns about `most` vertices, and less than twice as many, evenly through all meshes, or the joints where there is
+/// no surface.
 SurfacePoints sample_surface(const Model& model, std::size_t most);
 
 /// Returns the place of each point in a pose.

@@ -40,12 +40,12 @@ TEST(LocalStoreNotice, SaysNothingOfAStoreThatWasAskedFor) {
 }
 
 TEST(PlacementNotice, SaysWhoIsShownInAnotherSizeOrPlaceAndHowToOverruleIt) {
-  const std::string file = THRONG_SOURCE_DIR "/tests/data/features/plain.glb";
+  const std::string file = THRONG_SOURCE_DIR "/assets/mannequin.glb";
   std::vector<CharacterSource> people;
   people.push_back(*load_character(file, "plain"));
   EXPECT_EQ(placement_notice(people), "");
   people.push_back(*load_character(file, "large", nullptr, {.placement = {.scale = 2.0}}));
-  EXPECT_THAT(placement_notice(people), testing::MatchesRegex("large: 4.* m tall: scaled by 2 as asked; --scale, "
+  EXPECT_THAT(placement_notice(people), testing::MatchesRegex("large: 3.6 m tall: scaled by 2 as asked; --scale, "
                                                               "--up and --ground overrule it."));
 }
 

@@ -3,9 +3,11 @@
 #include <utility>
 
 #include "app/character/bone_lod.h"
+#include "app/character/clip_files.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "app/files/data_folder.h"
+#include "app/files/joined.h"
 
 namespace throng::app {
 namespace {
@@ -30,8 +32,8 @@ anim::Result<std::vector<std::string>> each_character(std::span<const std::strin
 anim::Status check_can_be_seen(const CharacterSource& character, const std::string& path) {
   if (!character.has_surface()) {
     const std::size_t clips = character.model.clips.size();
-    return anim::Error{path + ": it has a skeleton of " + std::to_string(character.model.skeleton.bone_count()) +
-                       " bones" + (clips > 0 ? " and " + std::to_string(clips) + " clips" : "") +
+    return anim::Error{path + ": it has a skeleton of " + counted(character.model.skeleton.bones.size(), "bone") +
+                       (clips > 0 ? " and " + counted(clips, "clip") : "") +
                        ", but no mesh to draw; open the file that has the mesh, or export both into one"};
   }
   constexpr double least = 1e-9, most = 1e9;  // metres, by which agents are spaced and cameras placed
@@ -59,6 +61,17 @@ anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::
     characters.back().file = file;
   }
   return characters;
+}
+
+anim::Result<std::vector<CharacterSource>> load_dropped(std::span<const std::string> files,
+                                                        const LoadOptions& options) {
+  std::vector<std::string> models;
+  LoadOptions with_clips = options;
+  for (const std::string& file : files) {
+    const bool gives_clips = files.size() > 1 && has_clips_alone(file);
+    (gives_clips ? with_clips.clips_from : models).push_back(file);
+  }
+  return models.empty() ? load_characters(files, options) : load_characters(models, with_clips);
 }
 
 anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options) {

@@ -14,6 +14,10 @@ namespace throng::app {
 anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
                                                            const LoadOptions& options = {});
 
+/// Does the same with files that came together: those that hold clips alone give them to the others.
+anim::Result<std::vector<CharacterSource>> load_dropped(std::span<const std::string> files,
+                                                        const LoadOptions& options = {});
+
 /// Loads the character that comes with the program, from the folders that --data leads.
 anim::Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options = {});
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "engine/anim/import/import.h"
 #include "engine/anim/survey/placement_guess.h"
 
@@ -8,7 +11,8 @@ namespace throng::app {
 /// How the files of characters are read.
 struct LoadOptions {
   import::ImportOptions import{};
-  anim::PlacementChoice placement{};  ///< size and place; what it leaves open is guessed
+  anim::PlacementChoice placement{};      ///< size and place; what it leaves open is guessed
+  std::vector<std::string> clips_from{};  ///< files whose clips every character plays too
 };
 
 }  // namespace throng::app

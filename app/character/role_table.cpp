@@ -1,11 +1,10 @@
 #include "app/character/role_table.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
-#include "app/files/joined.h"
 #include "app/files/json_file.h"
+#include "app/files/nearest_names.h"
 
 namespace throng::app {
 namespace {
@@ -13,30 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int role_table_version = 1;
-
-// Counts the insertions, deletions and exchanges that make one name the other (Levenshtein); case does not count.
-std::size_t difference(std::string_view a, std::string_view b) {
-  const auto lower = [](char letter) { return letter >= 'A' && letter <= 'Z' ? letter - 'A' + 'a' : int{letter}; };
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (const char letter : a) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t exchanged = diagonal + (lower(letter) == lower(b[j]) ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string nearest_names(std::string_view wanted, std::span<const std::string> names) {
-  constexpr std::size_t most = 3;
-  std::vector<std::string> nearest(names.begin(), names.end());
-  std::ranges::stable_sort(nearest, {}, [&](const std::string& name) { return difference(wanted, name); });
-  nearest.resize(std::min(nearest.size(), most));
-  return joined(nearest);
-}
+constexpr JsonRemedies remedies{.malformed = "; delete it to go by the names of clips and bones again"};
 
 anim::Result<std::vector<RoleChoice>> choices_in(const Json& clips, const JsonFile& file) {
   if (!clips.is_object()) return file.wrong("\"clips\" must be an object of roles and clip names");
@@ -81,22 +57,38 @@ std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std:
 
 RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
 
+anim::Result<Json> RoleFile::table(const JsonFile& file) {
+  auto table = file.read();
+  if (!table) return table.error();
+  const anim::Status checked = file.check_table(*table, role_table_version, {"version", "clips", "rig"});
+  if (!checked) return checked.error();
+  return table;
+}
+
 anim::Result<std::vector<RoleChoice>> RoleFile::read() const {
   const fs::path found = file_.found();
   if (found.empty()) return std::vector<RoleChoice>();
-  const JsonFile file(found, {.malformed = "; delete it to go by the clips' names again"});
-  const auto table = file.read();
-  if (!table) return table.error();
-  const anim::Status checked = file.check_table(*table, role_table_version, {"version", "clips"});
-  if (!checked) return checked.error();
-  return table->contains("clips") ? choices_in((*table)["clips"], file) : std::vector<RoleChoice>();
+  const JsonFile file(found, remedies);
+  const auto read = table(file);
+  if (!read) return read.error();
+  return read->contains("clips") ? choices_in((*read)["clips"], file) : std::vector<RoleChoice>();
+}
+
+anim::Result<std::vector<RigChoice>> RoleFile::read_rig() const {
+  const fs::path found = file_.found();
+  if (found.empty()) return std::vector<RigChoice>();
+  const JsonFile file(found, remedies);
+  const auto read = table(file);
+  if (!read) return read.error();
+  return read->contains("rig") ? rig_choices_in((*read)["rig"], file) : std::vector<RigChoice>();
 }
 
 anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
   Json clips = Json::object();
   for (const auto& [role, clip] : choices) clips[role_names.at(index_of(role))] = clip;
-  const Json table = {{"version", role_table_version}, {"clips", clips}};
-  return file_.write(table.dump(2) + "\n");
+  Json written = {{"version", role_table_version}, {"clips", clips}};
+  if (const auto rig = read_rig(); rig && !rig->empty()) written["rig"] = rig_json(*rig);
+  return file_.write(written.dump(2) + "\n");
 }
 
 }  // namespace throng::app

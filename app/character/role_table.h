@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/character/rig_table.h"
 #include "app/character/roles.h"
+#include "app/files/json_file.h"
 #include "app/files/kept_file.h"
 #include "engine/anim/base/result.h"
 
@@ -19,9 +21,10 @@ anim::Status choose_clips(std::span<const RoleChoice> choices, std::span<const s
 /// Returns every role with the name of its clip, or "none".
 std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std::string> clip_names);
 
-/// The file MODEL.throng.json, in which a person says which clip of a model plays which role.
-///     {"version": 1, "clips": {"walk": "Walking_A", "cheer": "none"}}
-/// Roles that are not in it keep what the names suggest.
+/// The file MODEL.throng.json, in which a person says which clip of a model plays which role, and which bone is which
+/// part of the body.
+///     {"version": 1, "clips": {"walk": "Walking_A", "cheer": "none"}, "rig": {"hips": "Bone.003"}}
+/// What is not in it keeps what the names suggest.
 class RoleFile {
  public:
   /// `model` is the file of the model; empty for the built-in character.
@@ -29,10 +32,14 @@ class RoleFile {
 
   /// Returns the choices in the file; none if there is no file. The error names the file and what is wrong in it.
   anim::Result<std::vector<RoleChoice>> read() const;
-  /// Writes the file whole or not at all, and returns its path.
+  /// Returns the parts of the body that the file says; none if there is no file.
+  anim::Result<std::vector<RigChoice>> read_rig() const;
+  /// Writes the file whole or not at all, and returns its path. The parts of the body stay as they are in it.
   anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
 
  private:
+  static anim::Result<Json> table(const JsonFile& file);
+
   KeptFile file_;
 };
 

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "app/character/clip_files.h"
+#include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/plain_text.h"
@@ -140,6 +142,14 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
 
 }  // namespace
 
+anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
+  const auto kept = RoleFile(path).read_rig();
+  if (!kept) return kept.error();
+  const anim::Status chosen = choose_bones(*kept, skeleton);
+  if (chosen) return chosen;
+  return anim::Error{"the rig kept for " + anim::plain_text(path) + ": " + chosen.error().message};
+}
+
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
                                              const LoadOptions& options) {
   const CharacterFile wanted = character_file(file);
@@ -147,6 +157,13 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
   if (!imported) return imported.error();
   const auto chosen = choose_model(*imported, wanted.skin);
   if (!chosen) return chosen.error();
+  anim::face_forward(*imported);
+  if (kept != nullptr) {
+    const anim::Status taken = take_kept_rig(wanted.path, imported->models[*chosen].skeleton);
+    if (!taken) return taken.error();
+  }
+  const anim::Status added = add_clips_from(options.clips_from, *imported, *chosen, options.import);
+  if (!added) return added.error();
   CharacterSource source;
   source.name = anim::plain_text(name);
   source.cast = character_names(*imported);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,13 @@ struct CharacterSource {
   bool has_surface() const { return !model.meshes.empty(); }
 };
 
-/// Imports a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), gives it size and place, and bakes it. `kept` has
-/// the order of its bones that a person chose, if any.
+/// Gives the bones of the model in `path` the parts of the body that a person chose for it, if any. The error names the
+/// file and what cannot be.
+anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
+
+/// Imports a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), adds the clips of other files (clip_files.h),
+/// gives it size and place, and bakes it. `kept` has the order of its bones that a person chose; with it, the parts of
+/// the body that were kept for the file count too.
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
                                              const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
 

@@ -20,6 +20,8 @@ void declare_starting_values(OptionReader& reader, DemoOptions& options) {
 void declare_clips(OptionReader& reader, DemoOptions& options) {
   reader.value("--clips", "ROLE=NAME,...", "Clips to play for what, of each model that has them (guessed from names)",
                role_choices(options.clips));
+  reader.value("--clips-from", "FILE,...", "Files whose clips every model plays too, retargeted where need be",
+               file_names(options.clips_from));
 }
 
 void declare_reading(OptionReader& reader, DemoOptions& options) {
@@ -113,10 +115,10 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not give them too.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",      "--replay",        "--pus",    "--local-store", "--tile",       "--grain",
-      "--schedule", "--double-buffer", "--size",   "--msaa",        "--shadows",    "--ui",
-      "--hide-ui",  "--headless",      "--draw",   "--frames",      "--screenshot", "--stats",
-      "--events",   "--trace",         "--ui-map", "--data"};
+      "MODEL",   "--clips-from", "--replay",        "--pus",    "--local-store", "--tile",
+      "--grain", "--schedule",   "--double-buffer", "--size",   "--msaa",        "--shadows",
+      "--ui",    "--hide-ui",    "--headless",      "--draw",   "--frames",      "--screenshot",
+      "--stats", "--events",     "--trace",         "--ui-map", "--data"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }

@@ -42,6 +42,10 @@ void list(OptionReader& reader, const char* option, std::vector<Value>& target, 
   reader.value(option, hint + "[," + hint + "...]", description(row) + more, list_of(target, read_one));
 }
 
+void clips_from(OptionReader& reader, std::vector<std::string>& target) {
+  reader.value("--clips-from", "FILE,...", "Files whose clips are added, retargeted where need be", file_names(target));
+}
+
 void strict(OptionReader& reader, bool& target) {
   reader.flag("--strict", target, "Refuse a file that would be repaired, and links out of its folder");
 }
@@ -70,6 +74,7 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   OptionReader reader("throng pose", "Writes the joints and palettes of every skin of a file.");
   reader.option_defaults()->group("What is posed");
   reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
+  clips_from(reader, options.clips_from);
   strict(reader, options.strict);
   reader.value("--clip", "NAME|INDEX", "A clip of the file, or none", any_text(options.clip))->required();
   reader.value("--time", "T[,T...]", "Seconds", times_list(options.times))->required();
@@ -86,6 +91,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   OptionReader reader("throng inspect", "Says what was found in a file, what was repaired and what was refused.");
   reader.option_defaults()->group("What is inspected");
   reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
+  clips_from(reader, options.clips_from);
   strict(reader, options.strict);
   reader.flag("--json", options.json, "As one JSON object");
   declare_placement(reader, options.placement);

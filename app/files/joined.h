@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -16,6 +17,11 @@ std::string joined(const Words& words, std::string_view between = ", ", std::str
     if (--left > 0) text += left == 1 ? last : between;
   }
   return text;
+}
+
+/// Returns "1 clip", "2 clips".
+inline std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 }  // namespace throng::app

@@ -174,6 +174,15 @@ ValueReader file_name(std::string& target) {
   };
 }
 
+ValueReader file_names(std::vector<std::string>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    std::vector<std::string> files = parts_between_commas(text);
+    if (std::ranges::count(files, std::string()) > 0) return "must be files, with commas between several";
+    target = std::move(files);
+    return {};
+  };
+}
+
 ValueReader file_that_ends_in(std::string ending, std::string& target) {
   return [ending = std::move(ending), &target](const std::string& text) -> Complaint {
     if (!text.ends_with(ending)) return "must be a file name that ends in " + ending;

@@ -61,7 +61,8 @@ ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1
 ValueReader camera(DemoOptions& options);             ///< a name, or x,y,z,yaw,pitch[,fov]
 ValueReader any_text(std::string& target);
 ValueReader existing_folder(std::string& target);
-ValueReader file_name(std::string& target);  ///< anything but `-`, which elsewhere means standard output
+ValueReader file_name(std::string& target);                ///< anything but `-`, which elsewhere means standard output
+ValueReader file_names(std::vector<std::string>& target);  ///< FILE[,FILE...]
 ValueReader file_that_ends_in(std::string ending, std::string& target);
 ValueReader role_choices(std::vector<RoleChoice>& target);  ///< ROLE=NAME[,ROLE=NAME...], each role once
 

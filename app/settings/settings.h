@@ -107,8 +107,9 @@ inline constexpr std::size_t most_models = 16;     ///< the largest number of mo
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
-  std::vector<std::string> models;  ///< files, a character each; empty: the built-in one
-  anim::PlacementChoice placement;  ///< size and place of all of them; what it leaves open is guessed
+  std::vector<std::string> models;      ///< files, a character each; empty: the built-in one
+  std::vector<std::string> clips_from;  ///< files whose clips every character plays too
+  anim::PlacementChoice placement;      ///< size and place of all of them; what it leaves open is guessed
   Tuning tuning;
   ContextKind context = ContextKind::window;
   std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all

@@ -61,7 +61,9 @@ anim::Status asked(const RecordedBoneOrder& order, Show& show) {
 anim::Status asked(const RecordedCharacters& others, Show& show) {
   std::vector<std::string> files;
   for (const RecordedCharacter& character : others.characters) files.push_back(character.file);
-  auto characters = load_characters(files, {.placement = others.characters.front().placement});
+  LoadOptions options = show.load_options();
+  options.placement = others.characters.front().placement;
+  auto characters = load_characters(files, options);
   if (!characters) return characters.error();
   for (std::size_t i = 0; i < characters->size(); ++i) {
     anim::Status became = become_recorded(others.characters[i], (*characters)[i]);

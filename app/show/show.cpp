@@ -23,7 +23,7 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   std::unique_ptr<Show> show(new Show());
   show->width = options.width;
   show->height = options.height;
-  show->load_options_ = load_options(options);
+  show->load_options_ = app::load_options(options);
   auto characters = load_starting_characters(options, error);
   if (!characters) return nullptr;
   if (!options.trace.empty()) show->figures_.keep_timeline();
@@ -88,7 +88,7 @@ anim::Status Show::replace_models(std::span<const std::string> files) {
     return anim::Error{std::to_string(files.size()) + " models at once: at most " + std::to_string(most_models) +
                        " share a crowd"};
   }
-  auto characters = load_characters(files, load_options_);
+  auto characters = load_dropped(files, load_options_);
   if (!characters) return characters.error();
   for (CharacterSource& character : *characters) {
     if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();

@@ -62,6 +62,8 @@ class Show {
   anim::Status stop_recording() { return recorder_.stop(); }
   bool is_recording() const { return recorder_.is_recording(); }
 
+  /// Returns how files of characters are read.
+  const LoadOptions& load_options() const { return load_options_; }
   const Stage& stage() const { return *stage_; }
   Painter& painter() { return *painter_; }
   const Painter& painter() const { return *painter_; }

@@ -36,7 +36,7 @@ const std::vector<House>& houses() {
        {{"base"},
         {"asset"},
         {"rig", "survey"},
-        {"kernel/lanes", "import"},
+        {"kernel/lanes", "import", "retarget"},
         {"kernel/keyframe", "kernel/pose", "kernel/palette"},
         {"kernel/limb", "kernel/ragdoll"},
         {"kernel"},

@@ -127,12 +127,13 @@ TEST_F(Document, RefusesUnknownValuesThatNoExtensionExplains) {
 
 TEST_F(Document, TakesRequiredExtensionsThatChangeNoShapeAndSaysSo) {
   for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_transmission", "ADOBE_materials_thin_transparency",
-                           "KHR_lights_punctual", "KHR_xmp_json_ld", "VRMC_vrm", "KHR_animation_pointer"}) {
+                           "KHR_lights_punctual", "KHR_xmp_json_ld", "VRMC_springBone", "KHR_animation_pointer"}) {
     document_["extensionsUsed"] = {name};
     document_["extensionsRequired"] = {name};
     EXPECT_THAT(imported().repairs, ElementsAre(HasSubstr(std::string("requires the extension ") + name)));
   }
-  for (const char* name : {"KHR_mesh_quantization", "KHR_texture_transform", "KHR_draco_mesh_compression"}) {
+  for (const char* name :
+       {"KHR_mesh_quantization", "KHR_texture_transform", "KHR_draco_mesh_compression", "VRM", "VRMC_vrm"}) {
     document_["extensionsRequired"] = {name};
     EXPECT_THAT(imported().repairs, IsEmpty()) << name;
   }

@@ -6,12 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "app/character/clip_files.h"
 #include "app/commands/inspect/report.h"
 #include "app/files/exit_status.h"
+#include "app/files/joined.h"
 #include "app/files/json.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/import.h"
+#include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/placement_guess.h"
 
 namespace throng::app {
@@ -24,6 +27,16 @@ std::size_t count_triangles(const std::vector<anim::SkinnedMesh>& meshes) {
 }
 
 const char* path_name(const anim::Skeleton& skeleton) { return skeleton.rigid ? "rigid" : "general"; }
+
+Json rig_json(const anim::Skeleton& skeleton) {
+  const anim::RigMap rig = anim::find_rig(skeleton);
+  Json parts = Json::object();
+  for (std::size_t role = 0; role < anim::body_role_count; ++role) {
+    if (rig.bones[role] < 0) continue;
+    parts[anim::body_role_names[role]] = skeleton.bones[static_cast<std::size_t>(rig.bones[role])].name;
+  }
+  return parts;
+}
 
 Json mesh_lods_json(const anim::Model& model) {
   Json lods = Json::array();
@@ -129,6 +142,7 @@ Json model_json(const InspectedModel& inspected) {
           {"name", model.skeleton.name},
           {"palette_entries", model.skeleton.palette_count()},
           {"path", path_name(model.skeleton)},
+          {"rig", rig_json(model.skeleton)},
           {"size", size_json(inspected.placed)},
           {"skins", skins_json(model)}};
 }
@@ -158,6 +172,9 @@ std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::
 int run_inspect(const InspectOptions& options) {
   auto file = import::import_file(options.model, {.strict = options.strict});
   if (!file) return end_with(exit_job_failed, file.error().message);
+  anim::face_forward(*file);
+  const anim::Status added = add_clips_to(options.model, options.clips_from, *file, {.strict = options.strict});
+  if (!added) return end_with(exit_job_failed, added.error().message);
   const std::vector<InspectedModel> models = placed_models(*file, options.placement);
   const std::string text = options.json ? inspection_json(*file, models) : inspection_text(*file, models);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {

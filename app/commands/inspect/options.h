@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/anim/survey/placement_guess.h"
 
@@ -9,6 +10,7 @@ namespace throng::app {
 /// The options of `throng inspect`.
 struct InspectOptions {
   std::string model;
+  std::vector<std::string> clips_from;   ///< files whose clips are added to the largest model
   anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
   bool strict = false;                   ///< what would be repaired is refused
   bool json = false;                     ///< one JSON object on standard output instead of tables for a person

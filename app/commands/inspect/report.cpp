@@ -10,16 +10,14 @@
 
 #include "app/character/roles.h"
 #include "app/commands/inspect/text_table.h"
+#include "app/files/joined.h"
 #include "engine/anim/bake/character.h"
+#include "engine/anim/rig/rig_map.h"
 
 namespace throng::app {
 namespace {
 
 constexpr std::size_t indent = 2;
-
-std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
 
 /// Names may be empty.
 std::string name_text(const std::string& name) { return name.empty() ? "(no name)" : name; }
@@ -74,6 +72,17 @@ std::string skeleton_text(const anim::Skeleton& skeleton) {
                      " path, " + std::to_string(skeleton.palette_count()) + " palette entries; bone levels";
   for (const int count : skeleton.level_bone_counts) text += " " + std::to_string(count);
   return text;
+}
+
+/// Lists the parts of the body with their bones.
+std::string rig_text(const anim::Skeleton& skeleton, const anim::RigMap& rig) {
+  std::string text;
+  for (std::size_t role = 0; role < anim::body_role_count; ++role) {
+    if (rig.bones[role] < 0) continue;
+    const std::string& bone = skeleton.bones[static_cast<std::size_t>(rig.bones[role])].name;
+    text += (text.empty() ? "rig: " : ", ") + std::string(anim::body_role_names[role]) + " " + name_text(bone);
+  }
+  return text.empty() ? "rig: no part of a body is known" : text;
 }
 
 TextTable skin_table(const anim::Model& model) {
@@ -172,8 +181,13 @@ std::vector<std::string> guesses(const anim::Model& model, const anim::Character
 std::string model_text(const InspectedModel& inspected) {
   const anim::Model& model = inspected.model;
   const anim::Character character = anim::bake_character(model);
-  std::string text = "\nskeleton " + name_text(model.skeleton.name) + "\n  " + placement_text(inspected.placed) +
-                     "\n  " + size_text(character.bounds) + "\n  " + skeleton_text(model.skeleton) + "\n";
+  const anim::RigMap rig = anim::find_rig(model.skeleton);
+  std::string text = "\nskeleton " + name_text(model.skeleton.name) + "\n";
+  for (const std::string& line : {placement_text(inspected.placed), size_text(character.bounds),
+                                  skeleton_text(model.skeleton), rig_text(model.skeleton, rig)}) {
+    text += "  " + line + "\n";
+  }
+  for (const std::string& doubt : rig.limbs.doubts) text += "  noted: " + doubt + "\n";
   for (const TextTable& table :
        {skin_table(model), clip_table(model, character), mesh_table(model), material_table(model)}) {
     if (!table.is_empty()) text += table.text(indent);

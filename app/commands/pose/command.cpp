@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/character/clip_files.h"
 #include "app/commands/pose/dump.h"
 #include "app/commands/pose/pipe.h"
 #include "app/files/atomic_file.h"
@@ -102,8 +103,12 @@ anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optiona
 }
 
 anim::Result<std::string> import_and_pose(const PoseOptions& options) {
-  const auto file = import::import_skins(options.model, {.strict = options.strict});
+  auto file = import::import_skins(options.model, {.strict = options.strict});
   if (!file) return file.error();
+  if (!options.clips_from.empty()) {
+    const anim::Status added = add_clips_to(options.model, options.clips_from, *file, {.strict = options.strict});
+    if (!added) return added.error();
+  }
   const auto animation = find_animation(*file, options.clip);
   if (!animation) return animation.error();
   PosePipe pipe(options.stream);

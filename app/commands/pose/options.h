@@ -10,9 +10,10 @@ namespace throng::app {
 /// The options of `throng pose`.
 struct PoseOptions {
   std::string model;
-  bool strict = false;        ///< what would be repaired is refused
-  std::string clip;           ///< a clip's name or index, or "none" for the pose at rest
-  std::vector<double> times;  ///< seconds, at least one
+  std::vector<std::string> clips_from;  ///< files whose clips are added to the largest model
+  bool strict = false;                  ///< what would be repaired is refused
+  std::string clip;                     ///< a clip's name or index, or "none" for the pose at rest
+  std::vector<double> times;            ///< seconds, at least one
   anim::StreamKind stream = anim::StreamKind::sampled;
   std::string json;  ///< a file, or "-" for standard output
 };

@@ -79,6 +79,11 @@ void CharacterRigs::find_gaze(const Skeleton& skeleton, const Limbs& limbs) {
 void CharacterRigs::find_feet(const Skeleton& skeleton, const Limbs& limbs) {
   std::vector<LegBones> legs;
   for (const auto& leg : {limbs.left_leg, limbs.right_leg}) {
+    if (leg && leg->end_stands_apart) {
+      missing_.push_back("skeleton '" + skeleton.name +
+                         "' has feet that stand apart from its legs, so they keep the clip's place on uneven ground");
+      return;
+    }
     if (leg) legs.push_back(leg_of(*leg));
   }
   const Result<FootPlacementRig> rig = make_foot_placement_rig(skeleton, legs, 0.0F, limbs.forward);
@@ -92,7 +97,7 @@ void CharacterRigs::find_feet(const Skeleton& skeleton, const Limbs& limbs) {
 
 void CharacterRigs::find_limb(const Skeleton& skeleton, const std::optional<LimbBones>& bones, Limb limb,
                               const glm::vec3& bends) {
-  if (!bones) return;
+  if (!bones || bones->end_stands_apart) return;  // find_feet() says so
   const Result<TwoBoneLimb> made = make_two_bone_limb(skeleton, bones->upper, bones->middle, bones->end, bends);
   if (!made) {
     missing_.push_back(made.error().message);

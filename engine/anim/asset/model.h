@@ -110,6 +110,7 @@ struct Model {
   std::vector<BakedMeshLod> mesh_lods;  ///< finest first; empty unless the file has them for all of `meshes`
   std::vector<Material> materials;      ///< at least one if there is a mesh
   std::vector<Image> images;
+  bool faces_backwards = false;  ///< the file's format looks along -Z, as VRM 0.x does (see placement.h)
 };
 
 /// The contents of one .glb or .gltf. Models are sorted by the number of vertices skinned to them, then by joints,

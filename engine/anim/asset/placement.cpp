@@ -45,4 +45,16 @@ void place_model(Model& model, const Placement& placement) {
   for (BakedMeshLod& lod : model.mesh_lods) lod.error *= placement.scale;
 }
 
+void face_forward(ImportedFile& file) {
+  const Placement half_turn{.rotation = {0.0, 0.0, 1.0, 0.0}};
+  bool turned = false;
+  for (Model& model : file.models) {
+    if (!model.faces_backwards) continue;
+    place_model(model, half_turn);
+    model.faces_backwards = false;
+    turned = true;
+  }
+  if (turned) file.repairs.emplace_back("VRM 0.x looks along -Z: turned by half a turn");
+}
+
 }  // namespace throng::anim

@@ -23,4 +23,8 @@ glm::dmat4 as_matrix(const Placement& placement);
 /// keys, because they are relative to the bones above; the roots alone change, and with them root motion.
 void place_model(Model& model, const Placement& placement);
 
+/// Turns the models of a file that face backwards by half a turn about the vertical, so that they face +Z like any
+/// other, and says so in file.repairs.
+void face_forward(ImportedFile& file);
+
 }  // namespace throng::anim

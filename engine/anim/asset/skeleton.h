@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "engine/anim/asset/body_role.h"
 #include "engine/anim/base/transform.h"
 
 namespace throng::anim {
@@ -17,12 +19,13 @@ inline constexpr int max_bone_levels = 4;
 
 struct Bone {
   std::string name;
-  int node = -1;                     ///< index of the glTF node it came from
-  int parent = -1;                   ///< index of its parent bone, always below its own; -1 for a root
-  Transform rest;                    ///< local transform of the file; identity where `prefix` holds the node's matrix
-  glm::dmat4 prefix{1.0};            ///< what never moves between parent and bone: static nodes that are no
-                                     ///< bones, or a matrix that is not a plain TRS. local = prefix * T * R * S
-  bool prefix_holds_matrix = false;  ///< `prefix` has the node's own matrix, which no T, R and S can say
+  int node = -1;                      ///< index of the glTF node it came from
+  int parent = -1;                    ///< index of its parent bone, always below its own; -1 for a root
+  Transform rest;                     ///< local transform of the file; identity where `prefix` holds the node's matrix
+  glm::dmat4 prefix{1.0};             ///< what never moves between parent and bone: static nodes that are no
+                                      ///< bones, or a matrix that is not a plain TRS. local = prefix * T * R * S
+  bool prefix_holds_matrix = false;   ///< `prefix` has the node's own matrix, which no T, R and S can say
+  std::optional<BodyRole> role = {};  ///< as the file or a person says it; else the name may say it (rig/limb_names.h)
 };
 
 /// The place of a bone in the bind pose, in model space, without scale. Animation states are relative to it.

@@ -104,6 +104,7 @@ Document load_document(const std::filesystem::path& path, bool strict) {
   document.data_keys = take_data_keys(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
   document.is_hidden = take_hidden(json_document);
+  document.humanoid = read_humanoid(json_document, document.repairs);
   document.buffer_views = load_buffer_views(json_document, parts.binary, document.files, document.repairs);
   decode_draco_meshes(json_document, document.buffer_views, document.repairs);
   for (const char* key : {"buffers", "cameras", "extensions", "extensionsUsed", "extensionsRequired"}) {

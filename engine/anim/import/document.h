@@ -9,6 +9,7 @@
 
 #include "engine/anim/asset/clip.h"
 #include "engine/anim/import/buffer_views.h"
+#include "engine/anim/import/humanoid.h"
 #include "engine/anim/import/model_files.h"
 
 namespace throng::import {
@@ -37,6 +38,7 @@ struct Document {
   std::vector<std::vector<anim::NamedDataKey>> data_keys;  ///< by animation, as the file has them
   std::vector<std::vector<MeshLodNode>> mesh_lods;         ///< by node, as the file has them
   std::vector<bool> is_hidden;                             ///< by node: KHR_node_visibility hides it and all below
+  Humanoid humanoid;
   std::vector<std::string> repairs;
   mutable std::size_t decoded_values = 0;  ///< numbers of all accessors so far, which the reader bounds
 };

@@ -39,6 +39,7 @@ anim::Model build_model(Document& document, const NodeTree& tree, BuiltSkeleton 
   model.skeleton = std::move(built.skeleton);
   model.skins = std::move(built.skins);
   model.clips = std::move(built.clips);
+  model.faces_backwards = document.humanoid.faces_backwards;
   model.materials = materials.take_materials();
   model.images = materials.take_images();
   anim::reorder_bones(model, anim::order_bones(parents_of(model.skeleton), anim::bone_importance(model)));
@@ -58,11 +59,12 @@ std::size_t vertex_count(const anim::Model& model) {
                 (others > 0 ? " and " + std::to_string(others) + " more" : ""));
 }
 
-anim::ImportedFile import_checked(const std::string& path, const ImportOptions& options) {
+anim::ImportedFile import_checked(const std::string& path, const ImportOptions& options, bool skin_of_nodes) {
   Document document = load_document(path, options.strict);
   const NodeTree tree = build_node_tree(document);
   const std::vector<Animation> animations = read_animations(document, tree);
-  const std::vector<FileSkin> skins = read_skins(document, tree);
+  std::vector<FileSkin> skins = read_skins(document, tree);
+  if (skins.empty() && skin_of_nodes) skins = skin_animated_nodes(document, tree, animations);
   check_reach(document, tree, animations, skins);
 
   anim::ImportedFile file{.file = path, .models = {}, .animations = {}, .repairs = {}};
@@ -86,6 +88,19 @@ anim::Error error_of(const std::string& path, const std::string& reason) {
   return {anim::plain_text(path + ": " + reason)};
 }
 
+anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, const ImportOptions& options,
+                                                  bool skin_of_nodes) {
+  try {
+    return import_checked(path, options, skin_of_nodes);
+  } catch (const Refusal& refusal) {
+    return error_of(path, refusal.what());
+  } catch (const std::bad_alloc&) {
+    return error_of(path, "there is not enough memory to import it; close other programs or split the model");
+  } catch (const std::exception& exception) {
+    return error_of(path, std::string("it cannot be imported: ") + exception.what() + "; export the file again");
+  }
+}
+
 }  // namespace
 
 anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options) {
@@ -95,15 +110,11 @@ anim::Result<anim::ImportedFile> import_file(const std::string& path, const Impo
 }
 
 anim::Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOptions& options) {
-  try {
-    return import_checked(path, options);
-  } catch (const Refusal& refusal) {
-    return error_of(path, refusal.what());
-  } catch (const std::bad_alloc&) {
-    return error_of(path, "there is not enough memory to import it; close other programs or split the model");
-  } catch (const std::exception& exception) {
-    return error_of(path, std::string("it cannot be imported: ") + exception.what() + "; export the file again");
-  }
+  return import_or_refuse(path, options, false);
+}
+
+anim::Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options) {
+  return import_or_refuse(path, options, true);
 }
 
 }  // namespace throng::import

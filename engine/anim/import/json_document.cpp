@@ -48,7 +48,9 @@ constexpr std::array read_extensions{"EXT_meshopt_compression",
                                      "KHR_meshopt_compression",
                                      "KHR_node_visibility",
                                      "KHR_texture_basisu",
-                                     "KHR_texture_transform"};
+                                     "KHR_texture_transform",
+                                     "VRM",
+                                     "VRMC_vrm"};
 
 void keep_read_extensions(json& object) {
   const auto extensions = object.find("extensions");

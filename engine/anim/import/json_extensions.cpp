@@ -21,33 +21,28 @@ namespace {
 using nlohmann::json;
 
 /// Extensions that import follows, or whose parts it names where it leaves them out.
-constexpr std::array<std::string_view, 11> followed{
-    "KHR_texture_transform",      "KHR_mesh_quantization", "EXT_meshopt_compression",
-    "KHR_meshopt_compression",    "KHR_materials_unlit",   "KHR_materials_emissive_strength",
-    "KHR_draco_mesh_compression", "KHR_texture_basisu",    "KHR_materials_pbrSpecularGlossiness",
-    "EXT_texture_webp",           "KHR_node_visibility"};
+constexpr std::array<std::string_view, 13> followed{"KHR_texture_transform",
+                                                    "KHR_mesh_quantization",
+                                                    "EXT_meshopt_compression",
+                                                    "KHR_meshopt_compression",
+                                                    "KHR_materials_unlit",
+                                                    "KHR_materials_emissive_strength",
+                                                    "KHR_draco_mesh_compression",
+                                                    "KHR_texture_basisu",
+                                                    "KHR_materials_pbrSpecularGlossiness",
+                                                    "EXT_texture_webp",
+                                                    "KHR_node_visibility",
+                                                    "VRM",
+                                                    "VRMC_vrm"};
 
 /// Beginnings of the names of extensions that change neither shape nor motion: lights, sounds, physics, metadata, other
 /// forms of a picture, and what avatars do beside their clips.
-constexpr std::array<std::string_view, 19> harmless{"KHR_lights_",
-                                                    "EXT_lights_",
-                                                    "KHR_audio",
-                                                    "MSFT_audio_",
-                                                    "KHR_physics_",
-                                                    "KHR_implicit_",
-                                                    "OMI_",
-                                                    "KHR_xmp",
-                                                    "EXT_texture_",
-                                                    "MSFT_texture_",
-                                                    "KHR_texture_",
-                                                    "MSFT_packing_",
-                                                    "KHR_node_",
-                                                    "KHR_interactivity",
-                                                    "KHR_animation_pointer",
-                                                    "VRM",
-                                                    "VRMC_",
-                                                    "MSFT_lod",
-                                                    "EXT_structural_metadata"};
+constexpr std::array<std::string_view, 18> harmless{"KHR_lights_",   "EXT_lights_",       "KHR_audio",
+                                                    "MSFT_audio_",   "KHR_physics_",      "KHR_implicit_",
+                                                    "OMI_",          "KHR_xmp",           "EXT_texture_",
+                                                    "MSFT_texture_", "KHR_texture_",      "MSFT_packing_",
+                                                    "KHR_node_",     "KHR_interactivity", "KHR_animation_pointer",
+                                                    "VRMC_",         "MSFT_lod",          "EXT_structural_metadata"};
 
 bool is_followed(std::string_view name) { return std::ranges::find(followed, name) != followed.end(); }
 

@@ -164,6 +164,7 @@ class SkeletonBuilder {
       anim::Bone bone;
       bone.name = document_.gltf.nodes[index].name;
       bone.node = node;
+      if (!document_.humanoid.roles.empty()) bone.role = document_.humanoid.roles[index];
       const int above = climb(tree_.parents[index], bone_nodes, bone.prefix);
       bone.parent = above < 0 ? -1 : bone_of_node_[static_cast<std::size_t>(above)];
       bone.rest = transform.trs;
@@ -261,6 +262,44 @@ std::vector<FileSkin> read_skins(Document& document, const NodeTree& tree) {
     check_scene(skins.back(), tree, name);
   }
   return skins;
+}
+
+std::vector<FileSkin> skin_animated_nodes(const Document& document, const NodeTree& tree,
+                                          const std::vector<Animation>& animations) {
+  const std::size_t nodes = tree.parents.size();
+  NodeSet moves(nodes, false), leads(nodes, false);
+  for (const Animation& animation : animations) {
+    for (const auto& [node, tracks] : animation.nodes) {
+      moves[static_cast<std::size_t>(node)] = document.gltf.nodes[static_cast<std::size_t>(node)].mesh < 0;
+    }
+  }
+  const auto parent_of = [&](std::size_t node) { return tree.parents[node]; };
+  leads = moves;
+  for (std::size_t i = nodes; i-- > 0;) {  // what has a moving node below it
+    const auto node = static_cast<std::size_t>(tree.parents_first[i]);
+    if (leads[node] && parent_of(node) >= 0) leads[static_cast<std::size_t>(parent_of(node))] = true;
+  }
+  std::map<int, FileSkin> skins;  // by the root of the tree
+  std::vector<int> roots(nodes);
+  for (const int node : tree.parents_first) {
+    const auto index = static_cast<std::size_t>(node);
+    const int parent = parent_of(index);
+    roots[index] = parent < 0 ? node : roots[static_cast<std::size_t>(parent)];
+    const bool follows = parent >= 0 && has(moves, parent) && document.gltf.nodes[index].mesh < 0;
+    moves[index] = moves[index] || follows;
+    if (!moves[index] && !leads[index]) continue;
+    if (glm::determinant(tree.globals[index]) == 0.0) continue;  // no bind pose
+    FileSkin& skin = skins[roots[index]];
+    skin.name = document.gltf.nodes[static_cast<std::size_t>(roots[index])].name;
+    skin.joints.push_back(node);
+    skin.inverse_binds.push_back(glm::inverse(tree.globals[index]));
+  }
+  std::vector<FileSkin> found;
+  for (auto& [root, skin] : skins) {
+    skin.index = -1 - static_cast<int>(found.size());  // none of the file's
+    found.push_back(std::move(skin));
+  }
+  return found;
 }
 
 std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, const NodeTree& tree) {

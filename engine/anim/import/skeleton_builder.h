@@ -24,6 +24,11 @@ struct FileSkin {
 /// Reads all skins. Throws Refusal, also where the scene draws a skin without holding its joints.
 std::vector<FileSkin> read_skins(Document& document, const NodeTree& tree);
 
+/// Makes a skin of each tree of nodes that holds an animated one, for files of clips alone. Its joints are the animated
+/// nodes without a mesh and those above and below them; its bind pose is the rest pose.
+std::vector<FileSkin> skin_animated_nodes(const Document& document, const NodeTree& tree,
+                                          const std::vector<Animation>& animations);
+
 /// Groups skins that move together: two share a group if a joint of one is a joint, an ancestor or a descendant of a
 /// joint of the other. Returns indices into `skins`, ascending inside a group.
 std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, const NodeTree& tree);

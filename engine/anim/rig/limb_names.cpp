@@ -122,6 +122,18 @@ BodyPart part_of(std::string_view word) {
   return found == part_words.end() ? BodyPart::other : found->part;
 }
 
+constexpr LimbName part_of(BodyRole role) {
+  constexpr std::array trunk{BodyPart::pelvis, BodyPart::spine, BodyPart::spine,
+                             BodyPart::spine,  BodyPart::neck,  BodyPart::head};
+  constexpr std::array limbs{BodyPart::shoulder,  BodyPart::upper_arm, BodyPart::lower_arm, BodyPart::hand,
+                             BodyPart::upper_leg, BodyPart::lower_leg, BodyPart::foot,      BodyPart::toe};
+  const std::size_t index = index_of(role);
+  if (index < trunk.size()) return {.part = trunk[index]};
+  const bool left = role < BodyRole::right_shoulder;
+  return {.part = limbs[index - index_of(left ? BodyRole::left_shoulder : BodyRole::right_shoulder)],
+          .side = left ? BodySide::left : BodySide::right};
+}
+
 }  // namespace
 
 LimbName read_limb_name(std::string_view bone_name) {
@@ -138,6 +150,21 @@ LimbName read_limb_name(std::string_view bone_name) {
   }
   if (name.part == BodyPart::pelvis && name.side != BodySide::none) name.part = BodyPart::upper_leg;  // "LeftHip"
   return name;
+}
+
+std::vector<LimbName> limb_names(const Skeleton& skeleton) {
+  std::vector<LimbName> names;
+  std::vector<LimbName> said;
+  for (const Bone& bone : skeleton.bones) {
+    if (bone.role) said.push_back(part_of(*bone.role));
+    names.push_back(bone.role ? said.back() : read_limb_name(bone.name));
+  }
+  for (std::size_t b = 0; b < names.size(); ++b) {
+    const bool is_spine = names[b].part == BodyPart::spine;  // of which there are several
+    if (skeleton.bones[b].role || is_spine || std::ranges::count(said, names[b]) == 0) continue;
+    names[b].part = BodyPart::helper;
+  }
+  return names;
 }
 
 }  // namespace throng::anim

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
+
+#include "engine/anim/asset/skeleton.h"
 
 namespace throng::anim {
 
@@ -29,10 +32,16 @@ enum class BodySide : unsigned char { none, left, right };
 struct LimbName {
   BodyPart part = BodyPart::other;
   BodySide side = BodySide::none;
+
+  friend bool operator==(const LimbName&, const LimbName&) = default;
 };
 
 /// Reads the common naming schemes: "mixamorig:LeftUpLeg", "DEF-thigh.L.001", "calf_l", "J_Bip_R_LowerArm", "Bip01 L
 /// Foot", "lShin", "upper_arm.L", "LeftKnee".
 LimbName read_limb_name(std::string_view bone_name);
+
+/// Returns the part of every bone: the one that the file or a person says (Bone::role), else the one that its name
+/// says. A part that is said belongs to that bone alone, whatever others are called.
+std::vector<LimbName> limb_names(const Skeleton& skeleton);
 
 }  // namespace throng::anim

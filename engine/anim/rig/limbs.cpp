@@ -30,9 +30,8 @@ constexpr LimbWords arm_words{"arm",          BodyPart::upper_arm, BodyPart::arm
 
 class LimbFinder {
  public:
-  explicit LimbFinder(const Skeleton& skeleton) : skeleton_(skeleton), joints_(skeleton) {
-    for (const Bone& bone : skeleton.bones) names_.push_back(read_limb_name(bone.name));
-  }
+  explicit LimbFinder(const Skeleton& skeleton)
+      : skeleton_(skeleton), joints_(skeleton), names_(limb_names(skeleton)) {}
 
   Limbs find() {
     find_legs();
@@ -73,38 +72,79 @@ class LimbFinder {
     return found == from_below.rend() ? -1 : *found;
   }
 
-  LimbBones joints_of(const LimbWords& words, int end) const {
-    const std::vector<int> above = limb_above(words, end);
-    LimbBones limb{.end = end};
-    limb.upper = topmost(above, words.upper);
-    limb.middle = topmost(above, words.lower);
-    const int either = topmost(above, words.either);
-    if (limb.upper < 0 && limb.middle >= 0) limb.upper = either >= 0 ? either : topmost(above, words.base);
+  /// Takes upper and middle from bones of a limb, listed from below; -1 where their names do not say them.
+  LimbBones halves_among(const LimbWords& words, const std::vector<int>& from_below) const {
+    LimbBones limb;
+    limb.upper = topmost(from_below, words.upper);
+    limb.middle = topmost(from_below, words.lower);
+    const int either = topmost(from_below, words.either);
+    if (limb.upper < 0 && limb.middle >= 0) limb.upper = either >= 0 ? either : topmost(from_below, words.base);
     if (limb.middle < 0 && limb.upper >= 0) limb.middle = either;
-    const bool halves_alike = limb.upper < 0 && limb.middle < 0 && above.size() == 2 &&
-                              name(above[0]).part == words.either && name(above[1]).part == words.either;
+    const bool halves_alike = limb.upper < 0 && limb.middle < 0 && from_below.size() == 2 &&
+                              name(from_below[0]).part == words.either && name(from_below[1]).part == words.either;
     if (halves_alike) {
-      limb.upper = above[1];
-      limb.middle = above[0];
+      limb.upper = from_below[1];
+      limb.middle = from_below[0];
     }
     return limb;
   }
 
-  std::optional<LimbBones> find_named(const LimbWords& words, BodySide side) {
-    std::vector<LimbBones> found;
-    bool has_end = false;
+  static bool has_halves(const LimbBones& limb) { return limb.upper >= 0 && limb.middle > limb.upper; }
+
+  std::vector<int> bones_called(BodyPart part, BodySide side) const {
+    std::vector<int> bones;
     for (int bone = 0; bone < bone_count(); ++bone) {
-      if (name(bone).part != words.end || name(bone).side != side) continue;
-      const LimbBones limb = joints_of(words, bone);
-      has_end = true;
-      if (limb.upper >= 0 && limb.middle > limb.upper) found.push_back(limb);
+      if (name(bone) == LimbName{part, side}) bones.push_back(bone);
     }
+    return bones;
+  }
+
+  std::ptrdiff_t bones_below(int bone) const {
+    std::ptrdiff_t count = 0;
+    for (int b = bone + 1; b < bone_count(); ++b) count += is_below(joints_, b, bone) ? 1 : 0;
+    return count;
+  }
+
+  /// Where several bones could end one limb, as the palms of a hand do, the one that carries most counts.
+  void drop_lesser_ends(std::vector<LimbBones>& found) const {
+    const auto of_one_limb = [&](const LimbBones& limb) {
+      return limb.upper == found.front().upper && limb.middle == found.front().middle;
+    };
+    if (found.size() < 2 || !std::ranges::all_of(found, of_one_limb)) return;
+    const auto carried = [&](const LimbBones& limb) { return bones_below(limb.end); };
+    std::ranges::stable_sort(found, std::ranges::greater{}, carried);
+    if (carried(found[0]) > carried(found[1])) found.resize(1);
+  }
+
+  /// Finds a limb whose end is not below its halves: each must be the only bone that its name says.
+  std::optional<LimbBones> with_end_apart(const LimbWords& words, BodySide side, int end) const {
+    std::vector<int> lower = bones_called(words.lower, side);
+    if (lower.empty()) lower = bones_called(words.either, side);
+    if (lower.empty()) return std::nullopt;
+    std::vector<int> from_below{lower.back()};
+    const std::vector<int> above = limb_above(words, lower.back());
+    from_below.insert(from_below.end(), above.begin(), above.end());
+    LimbBones limb = halves_among(words, from_below);
+    limb.end = end;
+    limb.end_stands_apart = true;
+    return has_halves(limb) ? std::optional(limb) : std::nullopt;
+  }
+
+  std::optional<LimbBones> find_named(const LimbWords& words, BodySide side) {
+    const std::vector<int> ends = bones_called(words.end, side);
+    std::vector<LimbBones> found;
+    for (const int end : ends) {
+      LimbBones limb = halves_among(words, limb_above(words, end));
+      limb.end = end;
+      if (has_halves(limb)) found.push_back(limb);
+    }
+    drop_lesser_ends(found);
     if (found.size() == 1) return found.front();
     if (found.size() > 1) doubt("two bones could end the " + said(words, side) + ", so it is left out");
-    if (found.empty() && has_end) {
-      doubt("the bone that is called the end of the " + said(words, side) + " is not below its two halves");
-    }
-    return std::nullopt;
+    if (!found.empty() || ends.empty()) return std::nullopt;
+    std::optional<LimbBones> apart = ends.size() == 1 ? with_end_apart(words, side, ends.front()) : std::nullopt;
+    if (!apart) doubt("the bone that is called the end of the " + said(words, side) + " is not below its two halves");
+    return apart;
   }
 
   /// Returns the ball of the foot: the first bone below the ankle whose name says a toe or a further part of the foot.

@@ -29,8 +29,9 @@ struct RagdollBone {
   int side = 0;  ///< 1 left, -1 right
 };
 
-/// Chooses a person's bones by their names: both upper arms, forearms, thighs and shins, and the hands, feet, head,
-/// spine and chest that there are. Returns none if one of the first eight is missing or out of place.
+/// Chooses a person's bones by their parts (rig_map.h): both upper arms, forearms, thighs and shins, and the hands,
+/// feet, head, spine and chest that there are. Returns none if one of the first eight is missing or out of place, or
+/// the arms do not begin above the legs.
 std::vector<RagdollBone> choose_humanoid_bones(const Skeleton& skeleton);
 
 /// Chooses bones of any other skeleton. Joins bones with their parents, shortest first, until at most

@@ -1,84 +1,45 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <string>
-#include <string_view>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "engine/anim/rig/ragdoll_bones.h"
+#include "engine/anim/rig/rig_map.h"
 
 namespace throng::anim {
 namespace {
 
-/// A bone's name without its scheme: "mixamorig:LeftUpLeg", "DEF-upleg.L.001" and "upleg_l" are all {"upleg", 1}.
-struct PlainName {
-  std::string word;
+/// The roles of a limb's three bodies; the third may be missing.
+struct LimbBodies {
   int side = 0;
+  std::array<RagdollPart, 3> parts;
+  std::array<BodyRole, 3> roles;
 };
-
-std::vector<std::string> name_words(std::string_view name) {
-  std::vector<std::string> words;
-  char before = ' ';
-  for (const char letter : name) {
-    const auto is = [&](int (*kind)(int), char c) { return kind(static_cast<unsigned char>(c)) != 0; };
-    if (is(std::isalpha, letter)) {
-      const bool starts = !is(std::isalpha, before) || (is(std::isupper, letter) && is(std::islower, before));
-      if (starts) words.emplace_back();
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
-    before = letter;
-  }
-  return words;
-}
-
-PlainName plain_name(std::string_view name) {
-  static constexpr std::array<std::string_view, 9> schemes{"mixamorig", "def",   "b", "bip", "j",
-                                                           "valve",     "biped", "c", "bone"};
-  PlainName plain;
-  for (const std::string& word : name_words(name)) {
-    if (word == "l" || word == "left") {
-      plain.side = 1;
-    } else if (word == "r" || word == "right") {
-      plain.side = -1;
-    } else if (std::ranges::find(schemes, word) == schemes.end()) {
-      plain.word += word;
-    }
-  }
-  return plain;
-}
-
-struct PartNames {
-  RagdollPart part;
-  std::vector<std::string_view> words;
-};
-
-const std::vector<PartNames>& limb_names() {
-  static const std::vector<PartNames> names{
-      {RagdollPart::upper_arm, {"upperarm", "uparm", "arm"}},
-      {RagdollPart::forearm, {"forearm", "lowerarm", "lowarm"}},
-      {RagdollPart::hand, {"hand", "wrist", "palm", "fist"}},
-      {RagdollPart::thigh, {"thigh", "upperleg", "upleg"}},
-      {RagdollPart::shin, {"shin", "calf", "lowerleg", "lowleg", "leg"}},
-      {RagdollPart::foot, {"foot", "ankle"}},
-  };
-  return names;
-}
+constexpr std::array arm_parts{RagdollPart::upper_arm, RagdollPart::forearm, RagdollPart::hand};
+constexpr std::array leg_parts{RagdollPart::thigh, RagdollPart::shin, RagdollPart::foot};
+constexpr std::array arms{
+    LimbBodies{1, arm_parts, {BodyRole::left_upper_arm, BodyRole::left_lower_arm, BodyRole::left_hand}},
+    LimbBodies{-1, arm_parts, {BodyRole::right_upper_arm, BodyRole::right_lower_arm, BodyRole::right_hand}}};
+constexpr std::array legs{
+    LimbBodies{1, leg_parts, {BodyRole::left_upper_leg, BodyRole::left_lower_leg, BodyRole::left_foot}},
+    LimbBodies{-1, leg_parts, {BodyRole::right_upper_leg, BodyRole::right_lower_leg, BodyRole::right_foot}}};
 
 class Humanoid {
  public:
-  explicit Humanoid(const Skeleton& skeleton) : skeleton_(skeleton) {
-    for (const Bone& bone : skeleton.bones) names_.push_back(plain_name(bone.name));
-  }
+  explicit Humanoid(const Skeleton& skeleton) : skeleton_(skeleton), rig_(find_rig(skeleton)) {}
 
   std::vector<RagdollBone> choose() {
-    const int pelvis = common_ancestor(find(RagdollPart::thigh, 1), find(RagdollPart::thigh, -1));
-    const int chest = common_ancestor(find(RagdollPart::upper_arm, 1), find(RagdollPart::upper_arm, -1));
-    if (pelvis < 0 || chest < 0 || (pelvis != chest && !is_below(chest, pelvis))) return {};
+    const int pelvis = carrier(legs);
+    const int chest = carrier(arms);
+    if (pelvis < 0 || chest < 0 || (pelvis != chest && !is_below(chest, pelvis)) || !is_upright()) return {};
     add(pelvis, -1, RagdollPart::pelvis, 0);
     const int top = add_trunk(pelvis, chest);
-    for (const int side : {1, -1}) {
-      const bool whole = add_limb(top, side, {RagdollPart::upper_arm, RagdollPart::forearm, RagdollPart::hand}) &&
-                         add_limb(0, side, {RagdollPart::thigh, RagdollPart::shin, RagdollPart::foot});
-      if (!whole) return {};
+    for (std::size_t side = 0; side < arms.size(); ++side) {
+      if (!add_limb(top, arms[side]) || !add_limb(0, legs[side])) return {};
     }
     if (!follows_the_skeleton()) return {};
     return std::move(chosen_);
@@ -86,30 +47,27 @@ class Humanoid {
 
  private:
   int parent(int bone) const { return skeleton_.bones[static_cast<std::size_t>(bone)].parent; }
+  glm::dvec3 place(BodyRole role) const { return skeleton_.references[static_cast<std::size_t>(rig_.at(role))].origin; }
 
   bool is_below(int bone, int ancestor) const {
     while (bone > ancestor) bone = parent(bone);
     return bone == ancestor;
   }
 
-  int first_named(int side, const std::vector<std::string_view>& words) const {
-    const auto named = [&](const PlainName& name) {
-      return name.side == side && std::ranges::find(words, name.word) != words.end();
-    };
-    const auto found = std::ranges::find_if(names_, named);
-    return found == names_.end() ? -1 : static_cast<int>(found - names_.begin());
-  }
-
-  int find(RagdollPart part, int side) const {
-    return first_named(side, std::ranges::find(limb_names(), part, &PartNames::part)->words);
-  }
-
-  /// Returns the lowest bone above both, or -1.
-  int common_ancestor(int left, int right) const {
+  /// Returns the lowest bone above both limbs, or -1.
+  int carrier(const std::array<LimbBodies, 2>& limbs) const {
+    const int left = rig_.at(limbs[0].roles[0]), right = rig_.at(limbs[1].roles[0]);
     if (left < 0 || right < 0) return -1;
     int ancestor = parent(left);
     while (ancestor >= 0 && !is_below(right, ancestor)) ancestor = parent(ancestor);
     return ancestor;
+  }
+
+  /// Says whether the arms begin above the legs. An animal's front legs begin before its hind legs.
+  bool is_upright() const {
+    const glm::dvec3 trunk = place(BodyRole::left_upper_arm) + place(BodyRole::right_upper_arm) -
+                             place(BodyRole::left_upper_leg) - place(BodyRole::right_upper_leg);
+    return std::abs(trunk.y) > std::hypot(trunk.x, trunk.z);
   }
 
   int add(int bone, int hangs_on, RagdollPart part, int side) {
@@ -124,21 +82,19 @@ class Humanoid {
     int top = 0;
     if (between.size() > 1) top = add(between[(between.size() + 1) / 2], top, RagdollPart::spine, 0);
     if (!between.empty()) top = add(chest, top, RagdollPart::chest, 0);
-    const int head = first_named(0, {"head"});
+    const int head = rig_.at(BodyRole::head);
     if (head >= 0 && is_below(head, chest)) add(head, top, RagdollPart::head, 0);
     return top;
   }
 
-  /// Adds a limb. Returns false if the first two of its three parts are missing or not below one another. The third may
-  /// be missing, or lie elsewhere in the skeleton, because some rigs move feet by themselves.
-  bool add_limb(int hangs_on, int side, std::array<RagdollPart, 3> parts) {
-    const int upper = find(parts[0], side);
-    const int lower = find(parts[1], side);
-    if (upper < 0 || lower < 0 || upper == lower || !is_below(lower, upper)) return false;
-    const int upper_entry = add(upper, hangs_on, parts[0], side);
-    const int lower_entry = add(lower, upper_entry, parts[1], side);
-    const int end = find(parts[2], side);
-    if (end >= 0) add(end, lower_entry, parts[2], side);
+  /// Adds a limb. Returns false if one of the first two of its three parts is missing. The third may be missing, or lie
+  /// elsewhere in the skeleton, because some rigs move feet by themselves.
+  bool add_limb(int hangs_on, const LimbBodies& limb) {
+    const int upper = rig_.at(limb.roles[0]), lower = rig_.at(limb.roles[1]), end = rig_.at(limb.roles[2]);
+    if (upper < 0 || lower < 0 || !is_below(lower, upper)) return false;
+    const int upper_entry = add(upper, hangs_on, limb.parts[0], limb.side);
+    const int lower_entry = add(lower, upper_entry, limb.parts[1], limb.side);
+    if (end >= 0) add(end, lower_entry, limb.parts[2], limb.side);
     return true;
   }
 
@@ -153,7 +109,7 @@ class Humanoid {
   }
 
   const Skeleton& skeleton_;
-  std::vector<PlainName> names_;
+  RigMap rig_;
   std::vector<RagdollBone> chosen_;
 };
 

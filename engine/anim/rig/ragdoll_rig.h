@@ -66,7 +66,7 @@ struct RagdollOptions {
   double metre = 1.0;  ///< length of a metre in model space; gravity is 9.81 of these per second squared
 };
 
-/// Builds a rig of the main bones of a person, found by their names (Mixamo, Rigify, Unreal, VRM and the like). Where
+/// Builds a rig of the main bones of a person, found by their parts (rig_map.h). Where
 /// some are missing, takes the longest groups of bones instead. Fits capsules to the surface, or guesses them from the
 /// bones where there is none. Refuses, with a sentence, skeletons that are not rigid or have a single bone.
 Result<RagdollRig> build_ragdoll_rig(const Model& model, const RagdollOptions& options = {});

@@ -88,5 +88,29 @@ TEST(Placement, ScalesRootMotionAndTurnsIt) {
   EXPECT_LT(glm::distance(character.clips.front().loop_displacement, glm::dvec3(1.2, 0.0, 0.0)), 1e-4);
 }
 
+TEST(FaceForward, TurnsPosesAndSurfaceByHalfATurnAndSaysSo) {
+  for (const Model& model :
+       {with_vertices(synthetic_model(20, 1)), with_vertices(as_general(synthetic_model(20, 1)))}) {
+    ImportedFile file;
+    file.models = {model};
+    file.models.front().faces_backwards = true;
+    face_forward(file);
+    EXPECT_FALSE(file.models.front().faces_backwards);
+    EXPECT_EQ(file.repairs.size(), 1U);
+    const std::vector<glm::dvec3> before = places_of(model), after = places_of(file.models.front());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_LT(glm::distance(after[i], glm::dvec3(-before[i].x, before[i].y, -before[i].z)), 1e-6) << i;
+    }
+  }
+}
+
+TEST(FaceForward, LeavesAModelThatFacesForward) {
+  ImportedFile file;
+  file.models = {synthetic_model(5, 1)};
+  face_forward(file);
+  EXPECT_EQ(file.models.front().skeleton.bones.front().prefix, glm::dmat4(1.0));
+  EXPECT_TRUE(file.repairs.empty());
+}
+
 }  // namespace
 }  // namespace throng::anim::placement_test

@@ -30,6 +30,22 @@ TEST(LimbNames, AreReadInTheCommonSchemes) {
   expect_name("Skeleton_neck_joint_1", BodyPart::neck, BodySide::none);
 }
 
+TEST(LimbNames, AreReadInTheSchemesOfGameCharacters) {
+  expect_name("UpperLeg.L", BodyPart::upper_leg, BodySide::left);  // Quaternius
+  expect_name("Abdomen", BodyPart::spine, BodySide::none);
+  expect_name("Fist.R", BodyPart::hand, BodySide::right);
+  expect_name("upperleg.r", BodyPart::upper_leg, BodySide::right);  // KayKit
+  expect_name("wrist.l", BodyPart::hand, BodySide::left);
+  expect_name("toes.l", BodyPart::toe, BodySide::left);
+  expect_name("LeftUpLeg", BodyPart::upper_leg, BodySide::left);  // Ready Player Me
+  expect_name("RightToeBase", BodyPart::toe, BodySide::right);
+  expect_name("CC_Base_L_Thigh", BodyPart::upper_leg, BodySide::left);
+  expect_name("ValveBiped.Bip01_R_Calf", BodyPart::lower_leg, BodySide::right);
+  expect_name("lForearmBend", BodyPart::lower_arm, BodySide::left);
+  expect_name("Left knee", BodyPart::lower_leg, BodySide::left);
+  expect_name("upperarm01.L", BodyPart::upper_arm, BodySide::left);
+}
+
 TEST(LimbNames, TellAHipFromTheHips) {
   expect_name("Hips", BodyPart::pelvis, BodySide::none);
   expect_name("LeftHip", BodyPart::upper_leg, BodySide::left);

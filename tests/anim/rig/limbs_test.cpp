@@ -125,6 +125,82 @@ TEST(Limbs, AreFoundByNamesOfRigifyWhichHasNoHead) {
   expect_person(find_limbs(renamed(names)));
 }
 
+/// Gives the person's bones names that say nothing, and these roles.
+Skeleton with_roles(const std::map<std::string, BodyRole>& roles) {
+  Skeleton skeleton = named_skeleton(person_joints());
+  for (Bone& bone : skeleton.bones) {
+    if (const auto role = roles.find(bone.name); role != roles.end()) bone.role = role->second;
+    bone.name = "node " + std::to_string(bone.node);
+  }
+  return skeleton;
+}
+
+const std::map<std::string, BodyRole>& roles_of_the_person() {
+  static const std::map<std::string, BodyRole> roles{
+      {"hips", BodyRole::hips},
+      {"head", BodyRole::head},
+      {"thigh.L", BodyRole::left_upper_leg},
+      {"shin.L", BodyRole::left_lower_leg},
+      {"foot.L", BodyRole::left_foot},
+      {"toe.L", BodyRole::left_toes},
+      {"upper_arm.L", BodyRole::left_upper_arm},
+      {"forearm.L", BodyRole::left_lower_arm},
+      {"hand.L", BodyRole::left_hand},
+      {"thigh.R", BodyRole::right_upper_leg},
+      {"shin.R", BodyRole::right_lower_leg},
+      {"foot.R", BodyRole::right_foot},
+      {"toe.R", BodyRole::right_toes},
+      {"upper_arm.R", BodyRole::right_upper_arm},
+      {"forearm.R", BodyRole::right_lower_arm},
+      {"hand.R", BodyRole::right_hand},
+  };
+  return roles;
+}
+
+TEST(Limbs, AreThoseThatTheFileOrAPersonSays) {
+  const Limbs limbs = find_limbs(with_roles(roles_of_the_person()));
+  expect_person(limbs);
+  EXPECT_TRUE(limbs.named);
+}
+
+TEST(Limbs, BelieveWhatIsSaidBeforeNames) {
+  Skeleton skeleton = with_roles(roles_of_the_person());
+  skeleton.bones[static_cast<std::size_t>(find_bone(named_skeleton(person_joints()), "toe.L"))].name = "LeftFoot";
+  skeleton.bones[0].name = "Head";
+  expect_person(find_limbs(skeleton));
+}
+
+/// The person with feet that hang on the root, as rigs have them whose IK was baked.
+Skeleton with_feet_apart() {
+  std::vector<NamedJoint> joints = person_joints();
+  for (NamedJoint& joint : joints) {
+    if (joint.name.starts_with("foot")) joint.parent = "root";
+  }
+  return named_skeleton(joints);
+}
+
+TEST(Limbs, KnowFeetThatStandApartFromTheirLegs) {
+  const Skeleton skeleton = with_feet_apart();
+  const Limbs limbs = find_limbs(skeleton);
+  expect_limb(limbs.left_leg, skeleton, "thigh.L", "shin.L", "foot.L", find_bone(skeleton, "toe.L"));
+  expect_limb(limbs.right_leg, skeleton, "thigh.R", "shin.R", "foot.R", find_bone(skeleton, "toe.R"));
+  EXPECT_TRUE(limbs.left_leg->end_stands_apart && limbs.right_leg->end_stands_apart);
+  EXPECT_FALSE(limbs.left_arm->end_stands_apart);
+  EXPECT_EQ(limbs.pelvis, find_bone(skeleton, "hips"));
+}
+
+TEST(Limbs, EndInThePalmThatCarriesMostFingers) {
+  std::vector<NamedJoint> joints = person_joints();
+  for (NamedJoint& joint : joints) {
+    if (joint.name == "hand.L") joint.name = "Palm2.L";
+  }
+  joints.push_back({"Palm1.L", "forearm.L", {0.2F, 0.86F, 0.02F}});
+  joints.push_back({"Palm3.L", "forearm.L", {0.2F, 0.86F, 0.0F}});
+  joints.push_back({"Thumb.L", "Palm2.L", {0.2F, 0.8F, 0.03F}});
+  const Skeleton skeleton = named_skeleton(joints);
+  expect_limb(find_limbs(skeleton).left_arm, skeleton, "upper_arm.L", "forearm.L", "Palm2.L");
+}
+
 TEST(Limbs, AreFoundByShapeWhereBonesHaveNoNames) {
   const Limbs limbs = find_limbs(nameless());
   expect_person(limbs);
@@ -147,12 +223,16 @@ TEST(Limbs, AreLeftOutWhereLeftAndRightAreSwapped) {
   EXPECT_THAT(limbs.doubts, Contains(HasSubstr("left and right of the legs seem swapped")));
 }
 
-TEST(Limbs, AreLeftOutWhereFeetHangOnControlsInsteadOfLegs) {
+TEST(Limbs, AreLeftOutWhereFeetHangOnControlsAndLegsHaveNoHalves) {
   std::vector<NamedJoint> joints = person_joints();
   for (NamedJoint& joint : joints) {
     if (joint.name.starts_with("foot")) joint.parent = "root";
   }
-  const Limbs limbs = find_limbs(named_skeleton(joints));
+  Skeleton skeleton = named_skeleton(joints);
+  for (const char* shin : {"shin.L", "shin.R"}) {
+    skeleton.bones[static_cast<std::size_t>(find_bone(skeleton, shin))].name = "unknown";
+  }
+  const Limbs limbs = find_limbs(skeleton);
   EXPECT_FALSE(limbs.left_leg || limbs.right_leg);
   EXPECT_THAT(limbs.doubts,
               Contains(HasSubstr("'person': the bone that is called the end of the left leg is not below")));

@@ -82,6 +82,40 @@ TEST_F(RoleFileTest, IsReadAsItWasWritten) {
   EXPECT_EQ(*read, choices);
 }
 
+TEST_F(RoleFileTest, SaysTheBonesOfTheBodyAndKeepsThemWhenRolesAreWritten) {
+  put(beside, R"({"version": 1, "rig": {"hips": "Bone.003", "leftFoot": "ankle"}})");
+  const std::vector<RigChoice> rig{{anim::BodyRole::hips, "Bone.003"}, {anim::BodyRole::left_foot, "ankle"}};
+  EXPECT_EQ(*RoleFile(model).read_rig(), rig);
+  EXPECT_TRUE(RoleFile(model).read()->empty());
+  ASSERT_TRUE(RoleFile(model).write(std::vector<RoleChoice>{{Role::walk, "Walk"}}));
+  EXPECT_EQ(*RoleFile(model).read_rig(), rig);
+}
+
+TEST_F(RoleFileTest, RefusesPartsThatNoBodyHas) {
+  const auto refusal = [&](const std::string& text) {
+    put(beside, text);
+    const auto read = RoleFile(model).read_rig();
+    return read ? "(taken)" : read.error().message;
+  };
+  EXPECT_THAT(refusal(R"({"version": 1, "rig": {"tail": "Tail"}})"), HasSubstr("\"rig\" has no part \"tail\""));
+  EXPECT_THAT(refusal(R"({"version": 1, "rig": {"hips": 3}})"), HasSubstr("\"hips\" must be the name of a bone"));
+  EXPECT_THAT(refusal(R"({"version": 1, "rig": []})"), HasSubstr("\"rig\" must be an object"));
+}
+
+TEST(ChooseBones, GivesThePartToThatBoneAlone) {
+  anim::Skeleton skeleton;
+  skeleton.bones.resize(2);
+  skeleton.bones[0].name = "Pelvis";
+  skeleton.bones[1].name = "Torso";
+  skeleton.bones[1].role = anim::BodyRole::hips;
+  ASSERT_TRUE(choose_bones(std::vector<RigChoice>{{anim::BodyRole::hips, "Pelvis"}}, skeleton));
+  EXPECT_EQ(skeleton.bones[0].role, anim::BodyRole::hips);
+  EXPECT_EQ(skeleton.bones[1].role, std::nullopt);
+  const anim::Status refused = choose_bones(std::vector<RigChoice>{{anim::BodyRole::head, "pelvs"}}, skeleton);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "head=pelvs: the skeleton has no such bone; nearest are Pelvis, Torso");
+}
+
 TEST_F(RoleFileTest, IsEmptyWhereThereIsNone) {
   const auto read = RoleFile(model).read();
   ASSERT_TRUE(read);
@@ -105,11 +139,13 @@ TEST_F(RoleFileTest, IsTheUsersOwnWhereTheModelsFolderCannotBeWritten) {
 
 TEST_F(RoleFileTest, SaysWhatIsWrongInIt) {
   const std::string file = beside.string() + ": ";
-  EXPECT_EQ(refusal_of_table("{"), file + "is not JSON at line 1, column 2; delete it to go by the clips' names again");
-  EXPECT_EQ(refusal_of_table("[]"), file + "must be an object with \"version\" and \"clips\"");
+  EXPECT_EQ(refusal_of_table("{"),
+            file + "is not JSON at line 1, column 2; delete it to go by the names of clips and bones again");
+  EXPECT_EQ(refusal_of_table("[]"), file + "must be an object with \"version\", \"clips\" and \"rig\"");
   EXPECT_EQ(refusal_of_table("{}"), file + "\"version\" must be 1");
   EXPECT_EQ(refusal_of_table(R"({"version": 2})"), file + "\"version\" must be 1");
-  EXPECT_EQ(refusal_of_table(R"({"version": 1, "clip": {}})"), file + "unknown key \"clip\"; it knows version, clips");
+  EXPECT_EQ(refusal_of_table(R"({"version": 1, "clip": {}})"),
+            file + "unknown key \"clip\"; it knows version, clips, rig");
   EXPECT_EQ(refusal_of_table(R"({"version": 1, "clips": []})"),
             file + "\"clips\" must be an object of roles and clip names");
   EXPECT_EQ(refusal_of_table(R"({"version": 1, "clips": {"fly": "Idle"}})"),

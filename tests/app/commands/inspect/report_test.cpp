@@ -1,6 +1,8 @@
 #include "app/commands/inspect/report.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,12 +25,23 @@ TEST(TextTable, PutsColumnsBelowEachOther) {
             " 11    a       1200\n");
 }
 
+/// Takes the models out of the file, as they are.
+std::string report_of(anim::ImportedFile file) {
+  std::vector<InspectedModel> models;
+  for (anim::Model& model : file.models) {
+    const anim::GuessedPlacement placed = anim::guess_placement(model);
+    models.push_back({std::move(model), placed});
+  }
+  return inspection_text(file, models);
+}
+
 TEST(Inspection, SaysSizeClipsMaterialsAndGuesses) {
   const auto file = import::import_file(std::string(THRONG_SOURCE_DIR) + "/assets/mannequin.glb");
   ASSERT_TRUE(file) << file.error().message;
-  const std::string text = inspection_text(*file);
-  for (const char* part : {": 1 skeleton, ", "nothing to repair", "\n  height 1.", "bone levels", "played from",
-                           "root motion", "triangles", "base colour", "guessed: roles by the names of clips: stand "}) {
+  const std::string text = report_of(*file);
+  for (const char* part :
+       {": 1 skeleton, ", "nothing to repair", "\n  1.", " m tall", "bone levels", "\n  rig: hips ", "played from",
+        "root motion", "triangles", "base colour", "guessed: roles by the names of clips: stand "}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
 }
@@ -37,7 +50,7 @@ TEST(Inspection, TellsWhatWasRepairedFromWhatWasLeftOut) {
   auto file = import::import_file(std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb");
   ASSERT_TRUE(file) << file.error().message;
   file->repairs = {"node 1: its rotation has length 2, normalised", "image 0: left out, because it is missing"};
-  const std::string text = inspection_text(*file);
+  const std::string text = report_of(*file);
   EXPECT_THAT(text, HasSubstr("2 repairs\n"));
   EXPECT_THAT(text, HasSubstr("\nrepaired: node 1: its rotation"));
   EXPECT_THAT(text, HasSubstr("\nleft out: image 0: left out, because"));

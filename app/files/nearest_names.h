@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace throng::app {
+
+/// Returns the three of `names` that come nearest to `wanted`, with commas between them. Case does not count.
+std::string nearest_names(std::string_view wanted, std::span<const std::string> names);
+
+}  // namespace throng::app

@@ -1,0 +1,65 @@
+#include "app/character/clip_files.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/character/files.h"
+#include "engine/anim/import/import.h"
+
+namespace throng::app::clip_files_test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+const std::string mannequin = THRONG_SOURCE_DIR "/assets/mannequin.glb";
+const std::string other = THRONG_SOURCE_DIR "/tests/data/features/data-uri.gltf";
+
+std::string refusal_of(const std::string& file, const std::vector<std::string>& clips) {
+  anim::ImportedFile imported = *import::import_skins(file);
+  const anim::Status added = add_clips_to(file, clips, imported);
+  return added ? "(added)" : added.error().message;
+}
+
+TEST(ClipFiles, AddTheirClipsUnderNamesThatNoOtherHas) {
+  anim::ImportedFile file = *import::import_file(mannequin);
+  const std::size_t clips = file.models.front().clips.size();
+  ASSERT_TRUE(add_clips_to(mannequin, std::vector<std::string>{mannequin}, file));
+  const std::vector<anim::Clip>& all = file.models.front().clips;
+  ASSERT_EQ(all.size(), 2 * clips);
+  EXPECT_EQ(all[clips].name, "mannequin " + all[0].name);
+  EXPECT_EQ(std::set<std::string>(file.animations.begin(), file.animations.end()).size(), file.animations.size());
+  EXPECT_EQ(file.animations[static_cast<std::size_t>(all.back().animation)], all.back().name);
+  EXPECT_EQ(all[clips].tracks.size(), all[0].tracks.size());
+  EXPECT_THAT(file.repairs, Contains(HasSubstr("clips taken, with their keys as they are")));
+}
+
+TEST(ClipFiles, GoToTheModelThatIsMeant) {
+  anim::ImportedFile file = *import::import_file(mannequin);
+  file.models.push_back(file.models.front());
+  const std::size_t clips = file.models.front().clips.size();
+  ASSERT_TRUE(add_clips_from(std::vector<std::string>{mannequin}, file, 1));
+  EXPECT_EQ(file.models[0].clips.size(), clips);
+  EXPECT_EQ(file.models[1].clips.size(), 2 * clips);
+}
+
+TEST(ClipFiles, OfWhomNobodyFollowsAreRefused) {
+  EXPECT_THAT(refusal_of(mannequin, {other}), HasSubstr("\"rig\", which is which"));
+}
+
+TEST(ClipFiles, ThatAreNotThereAreRefusedByName) {
+  EXPECT_THAT(refusal_of(mannequin, {"no-such-file.glb"}), HasSubstr("no-such-file.glb"));
+}
+
+TEST(ClipFiles, OfACharacterAreNoClipsAlone) {
+  EXPECT_FALSE(has_clips_alone(mannequin));
+  EXPECT_FALSE(has_clips_alone("no-such-file.glb"));
+}
+
+}  // namespace
+}  // namespace throng::app::clip_files_test

@@ -69,7 +69,7 @@ TEST(Characters, WithoutAMeshAreRefusedInWords) {
   const auto characters = load_characters({&file, 1});
   ASSERT_FALSE(characters);
   EXPECT_EQ(characters.error().message, file +
-                                            ": it has a skeleton of 1 bones, but no mesh to draw; open the file "
+                                            ": it has a skeleton of 1 bone, but no mesh to draw; open the file "
                                             "that has the mesh, or export both into one");
 }
 

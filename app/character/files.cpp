@@ -34,7 +34,8 @@ anim::Status check_can_be_seen(const CharacterSource& character, const std::stri
     const std::size_t clips = character.model.clips.size();
     return anim::Error{path + ": it has a skeleton of " + counted(character.model.skeleton.bones.size(), "bone") +
                        (clips > 0 ? " and " + counted(clips, "clip") : "") +
-                       ", but no mesh to draw; open the file that has the mesh, or export both into one"};
+                       ", but no mesh to draw; open the file that has the mesh" +
+                       (clips > 0 ? ", with --clips-from and this file" : ", or export both into one")};
   }
   constexpr double least = 1e-9, most = 1e9;  // metres, by which agents are spaced and cameras placed
   const auto is_sensible = [&](double length) { return length > least && length < most; };

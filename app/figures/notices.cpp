@@ -21,6 +21,12 @@ void add_repairs(std::string& lines, const std::vector<std::string>& repairs, co
                       " more things were repaired or left out; throng inspect lists them.");
 }
 
+// The built-in character has no file.
+std::string short_name(const CharacterSource& character) {
+  const std::string file = std::filesystem::path(character_file(character.file).path).filename().string();
+  return file.empty() ? character.name : anim::plain_text(file);
+}
+
 // Nothing where the file has no other character, or a person chose this one.
 std::string cast_sentence(const CharacterSource& character, const std::string& name) {
   if (character.cast.size() < 2 || !character_file(character.file).skin.empty()) return {};
@@ -47,10 +53,9 @@ std::string import_notice(std::span<const CharacterSource> characters) {
   std::string lines;
   std::set<std::string> said;
   for (const CharacterSource& character : characters) {
-    const std::string path = character_file(character.file).path;
-    const std::string name = anim::plain_text(std::filesystem::path(path).filename().string());
+    const std::string name = short_name(character);
     add_line(lines, cast_sentence(character, name));
-    if (said.insert(path).second) add_repairs(lines, character.repairs, name);
+    if (said.insert(character_file(character.file).path).second) add_repairs(lines, character.repairs, name);
   }
   return lines;
 }
@@ -61,7 +66,7 @@ std::string placement_notice(std::span<const CharacterSource> characters) {
     if (character.placement.is_plain) continue;
     const bool has_extent = character.placement.extent.has_value();
     const std::string remedy = has_extent ? "; --scale, --up and --ground overrule it." : ".";
-    add_line(lines, character.name + ": " + character.placement.reasons + remedy);
+    add_line(lines, short_name(character) + ": " + character.placement.reasons + remedy);
   }
   return lines;
 }

@@ -88,9 +88,10 @@ bool is_hit(const SurfaceCell& cell, const glm::vec3& from, const glm::vec3& dir
   if (determinant == 0.0F) return false;
   const glm::vec3 t = from - cell.corners[0];
   const float u = glm::dot(t, p) / determinant;
+  if (u < 0.0F || u > 1.0F) return false;
   const glm::vec3 q = glm::cross(t, ab);
   const float v = glm::dot(direction, q) / determinant;
-  return u >= 0.0F && v >= 0.0F && u + v <= 1.0F && glm::dot(ac, q) / determinant > 0.0F;
+  return v >= 0.0F && u + v <= 1.0F && glm::dot(ac, q) / determinant > 0.0F;
 }
 
 CellTree::CellTree(std::vector<SurfaceCell> cells) : cells_(std::move(cells)) {
@@ -121,20 +122,21 @@ void CellTree::build(std::uint32_t first, std::uint32_t count) {
   build(first + half, count - half);
 }
 
-bool CellTree::is_crossed(const Node& node, const glm::vec3& from, const glm::vec3& direction) {
-  const glm::vec3 a = (node.low - from) / direction, b = (node.high - from) / direction;
+bool CellTree::is_crossed(const Node& node, const glm::vec3& from, const glm::vec3& inverse_direction) {
+  const glm::vec3 a = (node.low - from) * inverse_direction, b = (node.high - from) * inverse_direction;
   const glm::vec3 in = glm::min(a, b), out = glm::max(a, b);
   return std::max({in.x, in.y, in.z, 0.0F}) <= std::min({out.x, out.y, out.z});
 }
 
 bool CellTree::meets_a_cell(const glm::vec3& from, const glm::vec3& direction) const {
   if (nodes_.empty()) return false;
+  const glm::vec3 inverse_direction = 1.0F / direction;
   std::array<std::uint32_t, deepest> waiting{};
   std::size_t count = 1;
   while (count > 0) {
     const std::uint32_t index = waiting[--count];
     const Node& node = nodes_[index];
-    if (!is_crossed(node, from, direction)) continue;
+    if (!is_crossed(node, from, inverse_direction)) continue;
     if (node.second != 0) {
       waiting[count++] = node.second;
       waiting[count++] = index + 1;

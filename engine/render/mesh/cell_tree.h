@@ -69,7 +69,7 @@ class CellTree {
   static constexpr std::size_t deepest = 64;
 
   void build(std::uint32_t first, std::uint32_t count);
-  static bool is_crossed(const Node& node, const glm::vec3& from, const glm::vec3& direction);
+  static bool is_crossed(const Node& node, const glm::vec3& from, const glm::vec3& inverse_direction);
   static float distance_to(const Node& node, const glm::vec3& point);
 
   std::vector<SurfaceCell> cells_;

@@ -106,11 +106,12 @@ float MeshErrorMeter::error_in_pose(std::span<const Pair> pairs, std::size_t pos
 
 MeshErrorMeter::Side MeshErrorMeter::side_of(std::span<const std::uint32_t> indices) const {
   const float longest_edge = std::max(extent_ / cells_of_extent, 1e-9F);
-  Side side{.indices = indices, .tree = CellTree({}), .looks = {}};
+  Side side{.indices = indices, .tree = CellTree({}), .looks = {}, .seen = {}};
   std::vector<SurfaceCell> cells = cut_into_cells(positions_.front(), indices, longest_edge);
   for (SurfaceCell& cell : cells) cell.hides = !look_of(point_of(side, cell, middle)).seen_through;
   side.tree = CellTree(std::move(cells));
   for (const SurfaceCell& cell : side.tree.cells()) side.looks.push_back(look_of(point_of(side, cell, middle)));
+  side.seen = std::make_unique<std::atomic<Seen>[]>(side.tree.cells().size());
   return side;
 }
 
@@ -189,13 +190,17 @@ float MeshErrorMeter::recolored_by(const Sample& sample, const PointLook& look, 
   return std::min(to_edge * 2.0F, most);
 }
 
-bool MeshErrorMeter::is_seen(const Side& side, const SurfaceCell& cell, const glm::vec3& weights) const {
-  const auto from = [&](const glm::vec3& direction) { return is_seen_from(direction, side, cell, weights, false); };
+bool MeshErrorMeter::is_seen(const Side& side, const SurfaceCell& cell) const {
+  std::atomic<Seen>& known = side.seen[static_cast<std::size_t>(&cell - side.tree.cells().data())];
+  if (const Seen seen = known.load(std::memory_order_relaxed); seen != Seen::unknown) return seen == Seen::yes;
+  const auto from = [&](const glm::vec3& direction) { return is_seen_from(direction, side, cell, middle, false); };
   // Light from straight ahead is the likeliest to arrive.
   const glm::vec3 normal = normal_of(cell);
   const glm::vec3 ahead = *std::ranges::max_element(
       view_directions(), {}, [&](const glm::vec3& direction) { return glm::dot(direction, normal); });
-  return from(ahead) || std::ranges::any_of(view_directions(), from);
+  const bool seen = from(ahead) || std::ranges::any_of(view_directions(), from);
+  known.store(seen ? Seen::yes : Seen::no, std::memory_order_relaxed);
+  return seen;
 }
 
 float MeshErrorMeter::largest_distance(const SurfacePoint& a, const SurfacePoint& b, float below) const {
@@ -217,7 +222,7 @@ float MeshErrorMeter::distance_to_alike(const SurfacePoint& point, const PointLo
     }
     // The skin that an eye covers is not where its edge is.
     const float away = glm::distance(position_in(cell, weights), from);
-    return away < below && is_seen(side, cell, weights) ? away : INFINITY;
+    return away < below && is_seen(side, cell) ? away : INFINITY;
   };
   return side.tree.closest(from, limit, distance).distance;
 }

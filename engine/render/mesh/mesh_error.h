@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,11 +41,13 @@ class MeshErrorMeter {
   float extent() const { return extent_; }
 
  private:
+  enum class Seen : std::uint8_t { unknown, yes, no };
   /// A surface that can be searched.
   struct Side {
     std::span<const std::uint32_t> indices;
     CellTree tree{{}};
-    std::vector<PointLook> looks;  // [cell], of its middle
+    std::vector<PointLook> looks;               // [cell], of its middle
+    std::unique_ptr<std::atomic<Seen>[]> seen;  // [cell], as found so far by any thread
   };
   struct Sample {
     const SurfaceCell* cell;
@@ -63,7 +67,7 @@ class MeshErrorMeter {
   std::vector<Sample> samples_of(const Side& side) const;
   Sample sample_at(const Side& side, const SurfaceCell& cell, const glm::vec3& weights) const;
   float seen_area(const Side& side, const Sample& sample) const;
-  bool is_seen(const Side& side, const SurfaceCell& cell, const glm::vec3& weights) const;
+  bool is_seen(const Side& side, const SurfaceCell& cell) const;
   bool is_seen_from(const glm::vec3& direction, const Side& side, const SurfaceCell& cell, const glm::vec3& weights,
                     bool double_sided) const;
   void pair(const Sample& sample, const Side& own, const Side& other, std::vector<Pair>& pairs) const;

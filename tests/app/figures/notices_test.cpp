@@ -49,6 +49,14 @@ TEST(PlacementNotice, SaysWhoIsShownInAnotherSizeOrPlaceAndHowToOverruleIt) {
                                                               "--up and --ground overrule it."));
 }
 
+TEST(ImportNotice, NamesTheFileOrTheBuiltInCharacter) {
+  std::vector<CharacterSource> people(2);
+  people[0].name = "mannequin (built in)";
+  people[1].name = people[1].file = "somewhere/person.glb";
+  for (CharacterSource& person : people) person.repairs = {"clips were taken"};
+  EXPECT_EQ(import_notice(people), "mannequin (built in): clips were taken.\nperson.glb: clips were taken.");
+}
+
 class PaletteFormatNotice : public testing::Test {
  protected:
   PaletteFormatNotice() {

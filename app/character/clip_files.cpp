@@ -99,9 +99,9 @@ anim::Status add_clips(const std::string& clip_file, anim::ImportedFile& file, a
     lost.insert(fitted.lost.begin(), fitted.lost.end());
     as_they_were = as_they_were && fitted.as_it_was;
   }
-  file.repairs.push_back(anim::plain_text(clip_file) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
-                         how_they_fit(*source.retargeter, as_they_were) +
-                         (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)));
+  file.notes.push_back(anim::plain_text(clip_file) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
+                       how_they_fit(*source.retargeter, as_they_were) +
+                       (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)));
   return anim::Done{};
 }
 

@@ -11,7 +11,7 @@
 namespace throng::app {
 
 /// Adds the clips of other files to one of the models of `file`, for its own skeleton: as they are where both rest
-/// alike, else retargeted. A file of clips needs no mesh and no skin. Sentences in file.repairs say for each file how
+/// alike, else retargeted. A file of clips needs no mesh and no skin. Sentences in file.notes say for each file how
 /// its clips fit and which of its bones nobody follows. Clips without a name of their own are called as their file.
 /// The model is in the space of its file, with no size or place yet.
 /// Errors: a file that cannot be read, has no clips, or has no bone that the model knows.

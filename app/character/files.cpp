@@ -13,7 +13,8 @@ namespace throng::app {
 namespace {
 
 // A file all of whose characters are cast stands once for each of them.
-anim::Result<std::vector<std::string>> each_character(std::span<const std::string> files) {
+anim::Result<std::vector<std::string>> each_character(std::span<const std::string> files,
+                                                      const import::ImportOptions& options) {
   std::vector<std::string> every_file;
   for (const std::string& file : files) {
     const CharacterFile wanted = character_file(file);
@@ -21,7 +22,7 @@ anim::Result<std::vector<std::string>> each_character(std::span<const std::strin
       every_file.push_back(file);
       continue;
     }
-    const auto imported = import::import_file(wanted.path);
+    const auto imported = import::import_file(wanted.path, options);
     if (!imported) return imported.error();
     for (const std::string& name : character_names(*imported)) every_file.push_back(with_skin(wanted.path, name));
     if (every_file.empty()) every_file.push_back(wanted.path);  // which is then refused in words
@@ -50,7 +51,7 @@ anim::Status check_can_be_seen(const CharacterSource& character, const std::stri
 
 anim::Result<std::vector<CharacterSource>> load_characters(std::span<const std::string> files,
                                                            const LoadOptions& options) {
-  const auto every_file = each_character(files);
+  const auto every_file = each_character(files, options.import);
   if (!every_file) return every_file.error();
   std::vector<CharacterSource> characters;
   for (const std::string& file : *every_file) {

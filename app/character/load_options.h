@@ -8,7 +8,7 @@
 
 namespace throng::app {
 
-/// How the files of characters are read.
+/// Says how the files of characters are read.
 struct LoadOptions {
   import::ImportOptions import{};
   anim::PlacementChoice placement{};      ///< size and place; what it leaves open is guessed

@@ -57,37 +57,29 @@ std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std:
 
 RoleFile::RoleFile(const fs::path& model) : file_(model, ".throng.json", "The roles") {}
 
-anim::Result<Json> RoleFile::table(const JsonFile& file) {
-  auto table = file.read();
+template <typename Choice, typename Parse>
+anim::Result<std::vector<Choice>> RoleFile::read_key(const char* key, const Parse& parse) const {
+  const fs::path found = file_.found();
+  if (found.empty()) return std::vector<Choice>();
+  const JsonFile file(found, remedies);
+  const auto table = file.read();
   if (!table) return table.error();
   const anim::Status checked = file.check_table(*table, role_table_version, {"version", "clips", "rig"});
   if (!checked) return checked.error();
-  return table;
+  return table->contains(key) ? parse((*table)[key], file) : std::vector<Choice>();
 }
 
-anim::Result<std::vector<RoleChoice>> RoleFile::read() const {
-  const fs::path found = file_.found();
-  if (found.empty()) return std::vector<RoleChoice>();
-  const JsonFile file(found, remedies);
-  const auto read = table(file);
-  if (!read) return read.error();
-  return read->contains("clips") ? choices_in((*read)["clips"], file) : std::vector<RoleChoice>();
-}
+anim::Result<std::vector<RoleChoice>> RoleFile::read() const { return read_key<RoleChoice>("clips", choices_in); }
 
-anim::Result<std::vector<RigChoice>> RoleFile::read_rig() const {
-  const fs::path found = file_.found();
-  if (found.empty()) return std::vector<RigChoice>();
-  const JsonFile file(found, remedies);
-  const auto read = table(file);
-  if (!read) return read.error();
-  return read->contains("rig") ? rig_choices_in((*read)["rig"], file) : std::vector<RigChoice>();
-}
+anim::Result<std::vector<RigChoice>> RoleFile::read_rig() const { return read_key<RigChoice>("rig", rig_choices_in); }
 
 anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
+  const auto rig = read_rig();
+  if (!rig) return rig.error();
   Json clips = Json::object();
   for (const auto& [role, clip] : choices) clips[role_names.at(index_of(role))] = clip;
   Json written = {{"version", role_table_version}, {"clips", clips}};
-  if (const auto rig = read_rig(); rig && !rig->empty()) written["rig"] = rig_json(*rig);
+  if (!rig->empty()) written["rig"] = rig_json(*rig);
   return file_.write(written.dump(2) + "\n");
 }
 

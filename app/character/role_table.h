@@ -24,7 +24,7 @@ std::vector<RoleChoice> all_choices(const RoleClips& clips, std::span<const std:
 /// The file MODEL.throng.json, in which a person says which clip of a model plays which role, and which bone is which
 /// part of the body.
 ///     {"version": 1, "clips": {"walk": "Walking_A", "cheer": "none"}, "rig": {"hips": "Bone.003"}}
-/// What is not in it keeps what the names suggest.
+/// Roles and bones that it does not name are guessed from the names of clips and bones.
 class RoleFile {
  public:
   /// `model` is the file of the model; empty for the built-in character.
@@ -34,11 +34,14 @@ class RoleFile {
   anim::Result<std::vector<RoleChoice>> read() const;
   /// Returns the parts of the body that the file says; none if there is no file.
   anim::Result<std::vector<RigChoice>> read_rig() const;
-  /// Writes the file whole or not at all, and returns its path. The parts of the body stay as they are in it.
+  /// Writes the file whole or not at all, and returns its path. The parts of the body stay as
+  /// they are in it, so a file that cannot be read is not written over.
   anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
 
  private:
-  static anim::Result<Json> table(const JsonFile& file);
+  /// Returns what `parse(value, file)` makes of one key of the file; nothing where there is no file or no such key.
+  template <typename Choice, typename Parse>
+  anim::Result<std::vector<Choice>> read_key(const char* key, const Parse& parse) const;
 
   KeptFile file_;
 };

@@ -116,6 +116,7 @@ render::PosedPalettes posed_palettes(const anim::Model& model) {
   render::PosedPalettes palettes;
   const std::vector<glm::dmat4> rest = anim::reference_pose(model.skeleton, nullptr, 0.0).palette;
   palettes.emplace_back(rest.begin(), rest.end());
+  if (model.clips.empty()) return palettes;
   anim::visit_surveyed_poses(
       model, [&](std::span<const glm::dmat4> palette) { palettes.emplace_back(palette.begin(), palette.end()); });
   const std::size_t stride = palettes.size() / most_measured_poses + 1;
@@ -180,6 +181,7 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
   anim::keep_surveyed_keys(source.model);
   guess_roles(source);
   source.repairs = std::move(imported->repairs);
+  source.notes = std::move(imported->notes);
   return source;
 }
 

@@ -28,6 +28,7 @@ struct CharacterSource {
   RoleClips suggested;               ///< the roles' clips, as their names suggest
   std::array<Passage, 2> passages;   ///< into the suggested seat and out of it
   std::vector<std::string> repairs;  ///< of its file, a sentence each
+  std::vector<std::string> notes;    ///< anim::ImportedFile::notes
   std::vector<std::string> cast;     ///< names of all characters of its file
   std::size_t cast_index = 0;        ///< which of them it is
 

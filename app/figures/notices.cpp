@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::size_t most_repairs_said = 3;  // of a file
 
-void add_repairs(std::string& lines, const std::vector<std::string>& repairs, const std::string& name) {
+void add_repairs(std::string& lines, const CharacterSource& character, const std::string& name) {
+  const std::vector<std::string>& repairs = character.repairs;
+  for (const std::string& note : character.notes) add_line(lines, name + ": " + note + ".");
   const std::size_t said = repairs.size() <= most_repairs_said + 1 ? repairs.size() : most_repairs_said;
   for (std::size_t i = 0; i < said; ++i) add_line(lines, name + ": " + repairs[i] + ".");
   if (said == repairs.size()) return;
@@ -55,7 +57,7 @@ std::string import_notice(std::span<const CharacterSource> characters) {
   for (const CharacterSource& character : characters) {
     const std::string name = short_name(character);
     add_line(lines, cast_sentence(character, name));
-    if (said.insert(character_file(character.file).path).second) add_repairs(lines, character.repairs, name);
+    if (said.insert(character_file(character.file).path).second) add_repairs(lines, character, name);
   }
   return lines;
 }

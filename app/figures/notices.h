@@ -17,8 +17,8 @@ struct Spared {
 };
 std::string software_notice(const std::string& renderer, const Spared& spared);
 
-/// Says what import repaired and left out of the characters' files, up to three lines each, and which other characters
-/// the files have.
+/// Says what import repaired and left out of the characters' files, up to three lines each, what was done to them
+/// after import, and which other characters the files have.
 std::string import_notice(std::span<const CharacterSource> characters);
 
 /// Says, in a line each, which characters are not shown in the size and place of their files, and why.

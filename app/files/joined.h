@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -16,6 +17,13 @@ std::string joined(const Words& words, std::string_view between = ", ", std::str
     text += word;
     if (--left > 0) text += left == 1 ? last : between;
   }
+  return text;
+}
+
+/// Returns a number with so many digits after the point.
+inline std::string fixed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", decimals, value);
   return text;
 }
 

@@ -1,9 +1,7 @@
 #include "app/overlay/numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <iterator>
 
@@ -29,12 +27,6 @@ std::string without_separators(const std::string& text) {
 }
 
 }  // namespace
-
-std::string fixed(double value, int decimals) {
-  std::array<char, 64> text = {};
-  const int length = std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return {text.data(), static_cast<std::size_t>(std::clamp(length, 0, static_cast<int>(text.size()) - 1))};
-}
 
 std::string with_thousands(std::uint64_t value) {
   std::string text = std::to_string(value);

@@ -6,9 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "app/files/joined.h"
+
 namespace throng::app {
 
-std::string fixed(double value, int decimals);
 inline std::string fixed(float value, int decimals) { return fixed(static_cast<double>(value), decimals); }
 std::string with_thousands(std::uint64_t value);  ///< 12,345
 std::string as_bytes(std::uint64_t bytes);        ///< "640 B", "12.3 KiB", "1.5 MiB"

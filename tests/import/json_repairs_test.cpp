@@ -11,7 +11,7 @@
 
 #include "tests/import/test_files.h"
 
-// What is wrong, but means one thing, is mended and said; what could mean anything is refused.
+// Import mends and reports a mistake that means one thing. It refuses a mistake that could mean anything.
 
 namespace throng::import::testing::json_repairs_test {
 namespace {

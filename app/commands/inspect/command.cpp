@@ -151,8 +151,11 @@ Json model_json(const InspectedModel& inspected) {
 std::string inspection_json(const anim::ImportedFile& file, const std::vector<InspectedModel>& inspected) {
   Json models = Json::array();
   for (const InspectedModel& model : inspected) models.push_back(model_json(model));
-  const Json inspection = {
-      {"animations", file.animations}, {"file", file.file}, {"models", std::move(models)}, {"repairs", file.repairs}};
+  const Json inspection = {{"animations", file.animations},
+                           {"file", file.file},
+                           {"models", std::move(models)},
+                           {"notes", file.notes},
+                           {"repairs", file.repairs}};
   return inspection.dump(2) + "\n";
 }
 

@@ -31,11 +31,11 @@ std::size_t count_keys(const anim::Clip& clip) {
 }
 
 std::string rate_text(const anim::BakedClip& clip) {
-  return clip.sampled() == nullptr ? "its keys" : decimal(clip.sampled_rate, 0) + " Hz";
+  return clip.sampled() == nullptr ? "its keys" : fixed(clip.sampled_rate, 0) + " Hz";
 }
 
 std::string error_text(const anim::BakedClip& clip) {
-  return clip.sampled() == nullptr ? "exact" : decimal(clip.sampled_error * 1000.0, 2) + " mm";
+  return clip.sampled() == nullptr ? "exact" : fixed(clip.sampled_error * 1000.0, 2) + " mm";
 }
 
 /// Says how far a loop of the clip leads.
@@ -47,14 +47,14 @@ std::string root_text(const anim::BakedClip& clip) {
   if (metres < least && turn < least) return "returns";
   std::string text;
   if (metres >= least) {
-    text = decimal(metres, 2) + " m, " + decimal(metres / anim::to_seconds(clip.duration), 2) + " m/s";
+    text = fixed(metres, 2) + " m, " + fixed(metres / anim::to_seconds(clip.duration), 2) + " m/s";
   }
-  if (turn >= least) text += (text.empty() ? "" : ", ") + decimal(glm::degrees(turn), 0) + " deg";
+  if (turn >= least) text += (text.empty() ? "" : ", ") + fixed(glm::degrees(turn), 0) + " deg";
   return text;
 }
 
 std::string size_text(const anim::CharacterBounds& bounds) {
-  return "body radius " + decimal(bounds.body_radius, 2) + " m, no pose leaves " + decimal(bounds.reach, 2) +
+  return "body radius " + fixed(bounds.body_radius, 2) + " m, no pose leaves " + fixed(bounds.reach, 2) +
          " m around its middle";
 }
 
@@ -62,7 +62,7 @@ std::string placement_text(const anim::GuessedPlacement& placed) {
   std::string text = placed.reasons;
   if (placed.extent) {
     const glm::dvec3 size = placed.placement.scale * placed.extent->size;
-    text += "; " + decimal(size.x, 2) + " m wide, " + decimal(size.z, 2) + " m deep";
+    text += "; " + fixed(size.x, 2) + " m wide, " + fixed(size.z, 2) + " m deep";
   }
   return text + "; --scale, --up and --ground overrule it";
 }
@@ -98,7 +98,7 @@ TextTable clip_table(const anim::Model& model, const anim::Character& character)
   for (std::size_t i = 0; i < model.clips.size(); ++i) {
     const anim::Clip& clip = model.clips[i];
     const anim::BakedClip& baked = character.clips[i];
-    table.add({std::to_string(clip.animation), name_text(clip.name), decimal(clip.length(), 2) + " s",
+    table.add({std::to_string(clip.animation), name_text(clip.name), fixed(clip.length(), 2) + " s",
                std::to_string(clip.tracks.size()), std::to_string(count_keys(clip)), rate_text(baked),
                error_text(baked), root_text(baked), baked.loops ? "yes" : "no"});
   }
@@ -122,13 +122,13 @@ std::string image_text(const anim::Model& model, int image) {
 
 std::string color_text(const glm::vec4& color) {
   std::string text;
-  for (int i = 0; i < 4; ++i) text += (i > 0 ? " " : "") + decimal(static_cast<double>(color[i]), 2);
+  for (int i = 0; i < 4; ++i) text += (i > 0 ? " " : "") + fixed(static_cast<double>(color[i]), 2);
   return text;
 }
 
 std::string alpha_text(const anim::Material& material) {
   if (material.blended) return "blended";
-  return material.alpha_cutoff > 0.0F ? "cut at " + decimal(static_cast<double>(material.alpha_cutoff), 2) : "opaque";
+  return material.alpha_cutoff > 0.0F ? "cut at " + fixed(static_cast<double>(material.alpha_cutoff), 2) : "opaque";
 }
 
 std::string light_text(const anim::Material& material) {
@@ -204,7 +204,8 @@ std::string inspection_text(const anim::ImportedFile& file, std::span<const Insp
                      counted(file.animations.size(), "animation") + ", " +
                      (file.repairs.empty() ? "nothing to repair" : counted(file.repairs.size(), "repair")) + "\n";
   for (const InspectedModel& model : models) text += model_text(model);
-  if (!file.repairs.empty()) text += '\n';
+  if (!file.notes.empty() || !file.repairs.empty()) text += '\n';
+  for (const std::string& note : file.notes) text += "noted: " + note + "\n";
   for (const std::string& repair : file.repairs) {
     text += (repair.find("left out") == std::string::npos ? "repaired: " : "left out: ") + repair + "\n";
   }

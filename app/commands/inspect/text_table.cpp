@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
-#include <cstdio>
 
 namespace throng::app {
 namespace {
@@ -40,12 +39,6 @@ std::string TextTable::text(std::size_t indent) const {
 
 bool TextTable::heads_numbers(std::size_t column) const {
   return std::all_of(lines_.begin() + 1, lines_.end(), [&](const auto& line) { return is_number(line[column]); });
-}
-
-std::string decimal(double number, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, number);
-  return text;
 }
 
 }  // namespace throng::app

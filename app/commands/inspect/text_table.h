@@ -25,7 +25,4 @@ class TextTable {
   std::vector<std::vector<std::string>> lines_;  ///< headings first
 };
 
-/// Returns a number with so many digits after the point.
-std::string decimal(double number, int digits);
-
 }  // namespace throng::app

@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// What levels of detail of a character take and show.
+/// Holds the bone levels and the mesh LODs of a character, with what each takes and shows.
 struct LodCurve {
   std::vector<LodLevel> bones;
   std::vector<MeshLevel> meshes;

@@ -32,10 +32,10 @@ struct Image {
   std::vector<std::uint8_t> rgba;  ///< width * height * 4, top row first; sRGB where it is a colour
 };
 
-/// What a texture shows beyond 0..1. The numbers are those of glTF 2.0, 5.26, and of OpenGL.
+/// Says how a texture goes on outside of coordinates 0 to 1. The numbers are those of glTF 2.0, 5.26, and of OpenGL.
 enum class Wrap : std::uint16_t { clamp = 33071, mirror = 33648, repeat = 10497 };
 
-/// How a texture is read between its texels and, from `nearest_of_nearest` on, between its mip levels.
+/// Says how a texture is read between its texels and, from `nearest_of_nearest` on, between its mip levels.
 enum class Filter : std::uint16_t {
   nearest = 9728,
   linear = 9729,
@@ -120,6 +120,7 @@ struct ImportedFile {
   std::vector<Model> models;            ///< at least one
   std::vector<std::string> animations;  ///< name of every animation of the file, by index
   std::vector<std::string> repairs;     ///< one sentence each: what import found odd and mended
+  std::vector<std::string> notes;       ///< one sentence each: what was done to the models after import
 };
 
 }  // namespace throng::anim

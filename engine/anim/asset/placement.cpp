@@ -54,7 +54,7 @@ void face_forward(ImportedFile& file) {
     model.faces_backwards = false;
     turned = true;
   }
-  if (turned) file.repairs.emplace_back("VRM 0.x looks along -Z: turned by half a turn");
+  if (turned) file.notes.emplace_back("VRM 0.x looks along -Z: turned by half a turn");
 }
 
 }  // namespace throng::anim

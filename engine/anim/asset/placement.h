@@ -24,7 +24,7 @@ glm::dmat4 as_matrix(const Placement& placement);
 void place_model(Model& model, const Placement& placement);
 
 /// Turns the models of a file that face backwards by half a turn about the vertical, so that they face +Z like any
-/// other, and says so in file.repairs.
+/// other, and says so in file.notes.
 void face_forward(ImportedFile& file);
 
 }  // namespace throng::anim

@@ -5,7 +5,7 @@
 
 namespace throng::anim {
 
-/// How the rotations of a sampled stream are rounded to 16 bits.
+/// Says how the rotations of a sampled stream are rounded to 16 bits.
 enum class Rounding : unsigned char {
   nearest,  ///< each by itself, so that errors add up along a chain of bones
   carried,  ///< each takes up what rounding turned its parents by, so that a bone errs by its own rounding alone

@@ -11,8 +11,8 @@ namespace throng::anim {
 
 namespace {
 
-/// Of the height. Every bone carries something so long: a hand without a vertex of its own may hold a sword.
-constexpr double least_reach = 0.1;
+// Every bone counts as carrying something at least so long: a hand without a vertex of its own may hold a sword.
+constexpr double least_reach = 0.1;  // of the height
 
 /// Returns how far a track leads from its first key at most, in its own units. A CUBICSPLINE segment lies inside of its
 /// Bezier points, which are its keys and a third of each tangent beyond them.
@@ -43,7 +43,7 @@ StateClip at_its_largest(const StateClip& clip) {
   return large;
 }
 
-/// How far tracks move what their bones carry. Limbs count as stretched out, so that it holds for every pose.
+/// Bounds how far tracks move what their bones carry. Limbs count as stretched out, so that it holds for every pose.
 class Levers {
  public:
   Levers(const Skeleton& skeleton, const SurfaceProxy& proxy, const StateClip& clip)

@@ -6,7 +6,7 @@
 
 namespace throng::import {
 
-/// What the head of a Draco mesh says of its size.
+/// Holds the numbers of triangles and points that the head of a Draco mesh states.
 struct DracoCounts {
   std::uint64_t faces = 0;
   std::uint64_t points = 0;  ///< those of the connectivity; seams add others

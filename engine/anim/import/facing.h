@@ -7,7 +7,7 @@
 
 namespace throng::import {
 
-// What a mesh needs so that light falls on the right side of it. All functions take a mesh with its influences.
+// These functions let light fall on the right side of a mesh. All of them take a mesh with its influences.
 
 /// Gives every triangle normals of its own, by copies of the vertices that it shares, which come last (glTF 2.0,
 /// 3.7.2.1: without normals flat normals, and no tangents of the file).

@@ -10,7 +10,7 @@
 
 namespace throng::import {
 
-/// What a VRM extension says of the character in a file.
+/// Holds the map of bones and the facing that a VRM extension states.
 struct Humanoid {
   std::vector<std::optional<anim::BodyRole>> roles;  ///< by node; empty where the file says nothing
   bool faces_backwards = false;                      ///< VRM 0.x looks along -Z, VRM 1.0 along +Z as glTF demands

@@ -67,7 +67,8 @@ anim::ImportedFile import_checked(const std::string& path, const ImportOptions& 
   if (skins.empty() && skin_of_nodes) skins = skin_animated_nodes(document, tree, animations);
   check_reach(document, tree, animations, skins);
 
-  anim::ImportedFile file{.file = path, .models = {}, .animations = {}, .repairs = {}};
+  anim::ImportedFile file;
+  file.file = path;
   for (const Animation& animation : animations) file.animations.push_back(animation.name);
   const std::vector<std::vector<int>> groups = group_skins(skins, tree);
   const std::vector<std::vector<int>> carried = find_carried_meshes(document, tree, skins, groups);

@@ -16,7 +16,7 @@ namespace throng::import {
 
 using Extensions = tinygltf::ExtensionMap;
 
-/// How a property of a material names a texture, in the material itself or in one of its extensions.
+/// Names the texture of a property, in a material or in one of its extensions.
 struct TextureReference {
   int texture = -1;
   int set = 0;

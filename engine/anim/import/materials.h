@@ -12,7 +12,7 @@
 
 namespace throng::import {
 
-/// Where a texture's coordinates come from: the attribute TEXCOORD_`set`, moved by `transform`.
+/// Names the source of a texture's coordinates: the attribute TEXCOORD_`set`, moved by `transform`.
 struct CoordsSource {
   int set = 0;
   glm::mat3 transform{1.0F};

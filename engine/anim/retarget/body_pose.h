@@ -11,7 +11,7 @@
 
 namespace throng::anim {
 
-/// Where the joints of a skeleton are, in model space, one element a bone.
+/// Holds the places and rotations of a skeleton's joints, in model space, one element a bone.
 struct BodyPose {
   std::vector<glm::dquat> rotations;  ///< unit
   std::vector<glm::dvec3> places;     ///< metres

@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// Which bone of one skeleton follows which of another.
+/// Says which bone of one skeleton follows which of another.
 struct RigMatch {
   RigMap from;
   RigMap to;

@@ -12,7 +12,7 @@ struct LegPlaces {
   glm::dvec3 ankle{0.0};
 };
 
-/// How far both bones of a leg turn, model space.
+/// Holds the turns of both bones of a leg, in model space.
 struct LegTurns {
   glm::dquat upper{1.0, 0.0, 0.0, 0.0};
   glm::dquat lower{1.0, 0.0, 0.0, 0.0};

@@ -105,7 +105,7 @@ class LimbFinder {
     return count;
   }
 
-  /// Where several bones could end one limb, as the palms of a hand do, the one that carries most counts.
+  /// Keeps the end that carries most, where several bones could end one limb, as the palms of a hand do.
   void drop_lesser_ends(std::vector<LimbBones>& found) const {
     const auto of_one_limb = [&](const LimbBones& limb) {
       return limb.upper == found.front().upper && limb.middle == found.front().middle;

@@ -34,7 +34,7 @@ struct Box {
   glm::dvec3 middle() const { return (low + high) * 0.5; }
 };
 
-/// What is measured of one clip, or of the rest pose.
+/// Holds the measurements of one clip, or of the rest pose.
 struct Room {
   glm::dvec3 size{0.0};  ///< of its poses, on average
   glm::dvec3 middle{0.0};

@@ -11,10 +11,11 @@ namespace throng::anim {
 /// The axis of a file that points up in the scene. glTF 2.0, 3.4: +Y.
 enum class UpAxis : unsigned char { x, y, z, minus_x, minus_y, minus_z };
 
-/// What stands at the agent's place. `guess`: the file's origin, unless the body is far from it or reaches below it.
+/// Says which point stands at the agent's place. `guess` is the file's origin, unless the body is far from it or
+/// reaches below it.
 enum class GroundRule : unsigned char { guess, file, feet };
 
-/// What a person says about a model's size and place; the rest is guessed.
+/// Holds what a person asks about a model's size and place. The rest is guessed.
 struct PlacementChoice {
   std::optional<double> scale = std::nullopt;  ///< metres a unit of the file, above 0
   UpAxis up = UpAxis::y;
@@ -23,7 +24,7 @@ struct PlacementChoice {
   friend bool operator==(const PlacementChoice&, const PlacementChoice&) = default;
 };
 
-/// Where a model is put, and why.
+/// Holds the placement of a model, and the reasons for it.
 struct GuessedPlacement {
   Placement placement;
   double height = 0.0;                  ///< metres; 0 for a model without extent

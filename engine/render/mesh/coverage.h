@@ -4,7 +4,7 @@
 
 namespace throng::render {
 
-/// What is seen of a surface by its alpha.
+/// Says how much of a surface its alpha shows.
 enum class Coverage : unsigned char {
   opaque,   ///< all of it
   cut_out,  ///< where its alpha reaches the cutoff

@@ -36,7 +36,7 @@ static_assert(sizeof(SurfaceVertex) == 56);
 static_assert(offsetof(SurfaceVertex, region) == 48);
 static_assert(offsetof(SurfaceVertex, hair) == 52);
 
-/// Where a vertex reads the emission's texture: u v.
+/// The coordinates u v at which a vertex reads the emission's texture.
 using EmissionCoord = std::array<float, 2>;
 
 using PaletteEntries = std::array<std::uint16_t, 4>;

@@ -20,7 +20,7 @@ struct SurfacePoint {
   glm::vec3 weights{1.0F, 0.0F, 0.0F};
 };
 
-/// What a person sees of a point.
+/// Describes a point as a person sees it.
 struct PointLook {
   glm::vec3 color{1.0F};  ///< square roots of linear values, about as bright as they look
   std::uint8_t region = untinted_region;

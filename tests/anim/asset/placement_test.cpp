@@ -96,7 +96,7 @@ TEST(FaceForward, TurnsPosesAndSurfaceByHalfATurnAndSaysSo) {
     file.models.front().faces_backwards = true;
     face_forward(file);
     EXPECT_FALSE(file.models.front().faces_backwards);
-    EXPECT_EQ(file.repairs.size(), 1U);
+    EXPECT_EQ(file.notes.size(), 1U);
     const std::vector<glm::dvec3> before = places_of(model), after = places_of(file.models.front());
     for (std::size_t i = 0; i < before.size(); ++i) {
       EXPECT_LT(glm::distance(after[i], glm::dvec3(-before[i].x, before[i].y, -before[i].z)), 1e-6) << i;
@@ -109,7 +109,7 @@ TEST(FaceForward, LeavesAModelThatFacesForward) {
   file.models = {synthetic_model(5, 1)};
   face_forward(file);
   EXPECT_EQ(file.models.front().skeleton.bones.front().prefix, glm::dmat4(1.0));
-  EXPECT_TRUE(file.repairs.empty());
+  EXPECT_TRUE(file.notes.empty());
 }
 
 }  // namespace

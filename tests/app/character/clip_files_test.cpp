@@ -36,7 +36,7 @@ TEST(ClipFiles, AddTheirClipsUnderNamesThatNoOtherHas) {
   EXPECT_EQ(std::set<std::string>(file.animations.begin(), file.animations.end()).size(), file.animations.size());
   EXPECT_EQ(file.animations[static_cast<std::size_t>(all.back().animation)], all.back().name);
   EXPECT_EQ(all[clips].tracks.size(), all[0].tracks.size());
-  EXPECT_THAT(file.repairs, Contains(HasSubstr("clips taken, with their keys as they are")));
+  EXPECT_THAT(file.notes, Contains(HasSubstr("clips taken, with their keys as they are")));
 }
 
 TEST(ClipFiles, GoToTheModelThatIsMeant) {

@@ -28,7 +28,8 @@ anim::Model model_named(const std::string& skin, const std::string& mesh, bool h
 }
 
 anim::ImportedFile cast() {
-  anim::ImportedFile file{.file = "scene.glb", .models = {}, .animations = {}, .repairs = {}};
+  anim::ImportedFile file;
+  file.file = "scene.glb";
   file.models.push_back(model_named("Knight", "body"));
   file.models.push_back(model_named("Armature", "mage"));
   file.models.push_back(model_named("Armature", ""));

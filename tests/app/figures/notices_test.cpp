@@ -53,7 +53,7 @@ TEST(ImportNotice, NamesTheFileOrTheBuiltInCharacter) {
   std::vector<CharacterSource> people(2);
   people[0].name = "mannequin (built in)";
   people[1].name = people[1].file = "somewhere/person.glb";
-  for (CharacterSource& person : people) person.repairs = {"clips were taken"};
+  for (CharacterSource& person : people) person.notes = {"clips were taken"};
   EXPECT_EQ(import_notice(people), "mannequin (built in): clips were taken.\nperson.glb: clips were taken.");
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/command_line/options.h"
+#include "app/commands/bake/command.h"
 #include "app/commands/bench/command.h"
 #include "app/commands/inspect/command.h"
 #include "app/commands/lod/command.h"
@@ -57,6 +58,10 @@ struct Run {
   int operator()(const BenchOptions& options) const {
     return run_if_writable({{"--json", options.json}, {"--plot", options.plot}, {"--trace", options.trace}},
                            [&] { return run_bench(options); });
+  }
+
+  int operator()(const BakeOptions& options) const {
+    return run_if_writable({{"-o", options.pack}}, [&] { return run_bake(options); });
   }
 
   int operator()(const ShowText& shown) const {

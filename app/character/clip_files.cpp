@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/character/model_file.h"
 #include "app/character/source.h"
 #include "app/files/joined.h"
 #include "engine/anim/base/plain_text.h"
@@ -73,7 +74,7 @@ anim::Error no_bone_in_common(const std::string& clip_file, const std::string& f
 }
 
 anim::Result<anim::ImportedFile> import_clip_file(const std::string& clip_file, const import::ImportOptions& options) {
-  auto clips = import::import_clips(clip_file, options);
+  auto clips = read_model_file(clip_file, options, ModelFileUse::clips);
   if (!clips) return clips.error();
   for (anim::Model& model : clips->models) {
     if (const anim::Status taken = take_kept_rig(clip_file, model.skeleton); !taken) return taken.error();
@@ -128,7 +129,7 @@ anim::Status add_clips_to(const std::string& path, std::span<const std::string> 
 }
 
 bool has_clips_alone(const std::string& file) {
-  const auto imported = import::import_clips(file);
+  const auto imported = read_model_file(file, {}, ModelFileUse::clips);
   if (!imported || imported->models.empty()) return false;
   const auto draws = [](const anim::Model& model) { return !model.meshes.empty(); };
   const auto plays = [](const anim::Model& model) { return !model.clips.empty(); };

@@ -4,6 +4,7 @@
 
 #include "app/character/bone_lod.h"
 #include "app/character/clip_files.h"
+#include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "app/files/data_folder.h"
@@ -12,12 +13,25 @@
 namespace throng::app {
 namespace {
 
+// A pack stands for the first character of each file in it.
+void add_packed(const pack::Pack& pack, const CharacterFile& wanted, std::vector<std::string>& every_file) {
+  const std::vector<std::string> names = packed_names(pack, wanted.skin == all_skins);
+  if (names.size() == 1) return every_file.push_back(wanted.path);
+  for (const std::string& name : names) every_file.push_back(with_skin(wanted.path, name));
+}
+
 // A file all of whose characters are cast stands once for each of them.
 anim::Result<std::vector<std::string>> each_character(std::span<const std::string> files,
                                                       const import::ImportOptions& options) {
   std::vector<std::string> every_file;
   for (const std::string& file : files) {
     const CharacterFile wanted = character_file(file);
+    if (pack::is_pack(wanted.path) && (wanted.skin.empty() || wanted.skin == all_skins)) {
+      const auto pack = pack::Pack::open(wanted.path);
+      if (!pack) return pack.error();
+      add_packed(*pack, wanted, every_file);
+      continue;
+    }
     if (wanted.skin != all_skins) {
       every_file.push_back(file);
       continue;

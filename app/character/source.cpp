@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "app/character/clip_files.h"
+#include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/base/plain_text.h"
+#include "engine/anim/pack/pack.h"
 #include "engine/anim/survey/lod_survey.h"
 
 namespace throng::app {
@@ -29,26 +31,6 @@ std::vector<int> loopable(const anim::Character& character, const std::vector<in
 double gait_speed(const CharacterSource& source, Role gait) {
   const int clip = source.roles.clip(gait);
   return clip == no_clip ? 0.0 : anim::ground_speed(*source.character, clip);
-}
-
-void guess_roles(CharacterSource& source) {
-  for (const anim::BakedClip& clip : source.character->clips) source.clip_names.push_back(clip.name);
-  source.roles = roles_by_name(source.clip_names);
-  source.roles.others = loopable(*source.character, source.roles.others);
-  source.roles.height = source.character->bounds.height;
-  source.roles.radius = source.character->bounds.body_radius;
-  source.suggested = source.roles.clips;
-  source.passages = {source.roles.sit_down, source.roles.stand_up};
-  for (Passage& passage : source.passages) {
-    if (passage.clip == no_clip) continue;
-    passage.seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(passage.clip)].duration);
-  }
-  assign_roles(source, source.suggested);
-}
-
-std::shared_ptr<const anim::Character> reordered(const anim::Character& character, const anim::Model& model,
-                                                 const BoneLodChoice& choice) {
-  return std::make_shared<const anim::Character>(anim::reorder_character(character, model, choice));
 }
 
 template <typename Float, typename Vector>
@@ -151,25 +133,50 @@ anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
   return anim::Error{"the rig kept for " + anim::plain_text(path) + ": " + chosen.error().message};
 }
 
+void guess_roles(CharacterSource& source) {
+  for (const anim::BakedClip& clip : source.character->clips) source.clip_names.push_back(clip.name);
+  source.roles = roles_by_name(source.clip_names);
+  source.roles.others = loopable(*source.character, source.roles.others);
+  source.roles.height = source.character->bounds.height;
+  source.roles.radius = source.character->bounds.body_radius;
+  source.suggested = source.roles.clips;
+  source.passages = {source.roles.sit_down, source.roles.stand_up};
+  for (Passage& passage : source.passages) {
+    if (passage.clip == no_clip) continue;
+    passage.seconds = anim::to_seconds(source.character->clips[static_cast<std::size_t>(passage.clip)].duration);
+  }
+  assign_roles(source, source.suggested);
+}
+
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
                                              const LoadOptions& options) {
   const CharacterFile wanted = character_file(file);
-  anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options.import);
-  if (!imported) return imported.error();
-  const auto chosen = choose_model(*imported, wanted.skin);
-  if (!chosen) return chosen.error();
-  anim::face_forward(*imported);
+  const auto load = [&]() -> anim::Result<CharacterSource> {
+    if (pack::is_pack(wanted.path)) return load_packed(wanted, kept, options);
+    anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options.import);
+    if (!imported) return imported.error();
+    const auto chosen = choose_model(*imported, wanted.skin);
+    if (!chosen) return chosen.error();
+    return bake_source(std::move(*imported), *chosen, wanted.path, kept, options);
+  };
+  anim::Result<CharacterSource> source = load();
+  if (source) source->name = anim::plain_text(name);
+  return source;
+}
+
+anim::Result<CharacterSource> bake_source(anim::ImportedFile imported, std::size_t model, const std::string& path,
+                                          const BoneLodFile* kept, const LoadOptions& options) {
+  anim::face_forward(imported);
   if (kept != nullptr) {
-    const anim::Status taken = take_kept_rig(wanted.path, imported->models[*chosen].skeleton);
+    const anim::Status taken = take_kept_rig(path, imported.models[model].skeleton);
     if (!taken) return taken.error();
   }
-  const anim::Status added = add_clips_from(options.clips_from, *imported, *chosen, options.import);
+  const anim::Status added = add_clips_from(options.clips_from, imported, model, options.import);
   if (!added) return added.error();
   CharacterSource source;
-  source.name = anim::plain_text(name);
-  source.cast = character_names(*imported);
-  source.cast_index = *chosen;
-  source.model = std::move(imported->models[*chosen]);
+  source.cast = character_names(imported);
+  source.cast_index = model;
+  source.model = std::move(imported.models[model]);
   source.placement = anim::guess_placement(source.model, options.placement);
   anim::place_model(source.model, source.placement.placement);
   if (kept != nullptr) {
@@ -180,8 +187,8 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
   anim::keep_surveyed_keys(source.model);
   guess_roles(source);
-  source.repairs = std::move(imported->repairs);
-  source.notes = std::move(imported->notes);
+  source.repairs = std::move(imported.repairs);
+  source.notes = std::move(imported.notes);
   return source;
 }
 
@@ -192,12 +199,18 @@ ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& 
   model.clips = source.model.clips;
   model.meshes = source.model.meshes;
   anim::reorder_bones(model, choice);
-  return {.character = reordered(*source.character, model, choice), .places = anim::bone_places(choice)};
+  auto reordered = std::make_shared<const anim::Character>(anim::reorder_character(*source.character, model, choice));
+  return {.character = std::move(reordered), .places = anim::bone_places(choice)};
+}
+
+void take_reordered(CharacterSource& source, const ReorderedCharacter& reordered, const BoneLodChoice& choice) {
+  anim::reorder_bones(source.model, choice);
+  source.character = reordered.character;
+  source.surface = {};  // its vertices read the palette in the former order
 }
 
 void take_order(CharacterSource& source, const BoneLodChoice& choice) {
-  anim::reorder_bones(source.model, choice);
-  source.character = reordered(*source.character, source.model, choice);
+  take_reordered(source, in_order(source, choice), choice);
 }
 
 void assign_roles(CharacterSource& source, const RoleClips& clips) {
@@ -222,8 +235,10 @@ std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& 
   return levels;
 }
 
-render::CrowdMeshData mesh_data(const anim::Model& model) {
+render::CrowdMeshData mesh_data(const CharacterSource& source) {
+  const anim::Model& model = source.model;
   render::CrowdMeshData data;
+  data.packed_surface = source.surface.bytes;
   const auto part_of = [&model](const anim::SkinnedMesh& mesh) {
     return part_data(mesh, model.materials[static_cast<std::size_t>(mesh.material)]);
   };
@@ -240,6 +255,7 @@ render::CrowdMeshData mesh_data(const anim::Model& model) {
   for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
     data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
   }
+  if (!data.packed_surface.empty()) return data;
   data.poses = posed_palettes(model);
   data.bone_ends = bone_ends(model.skeleton);
   return data;

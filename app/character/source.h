@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -16,6 +17,12 @@
 
 namespace throng::app {
 
+/// A surface that a pack holds ready for drawing; empty where it is built of the model.
+struct PackedSurface {
+  std::span<const std::byte> bytes;
+  std::shared_ptr<const void> lender = {};  ///< keeps the bytes
+};
+
 /// A character as the demo needs it: the imported model, its baked clips, and the clip that is played for each role.
 struct CharacterSource {
   std::string name;   ///< shown to people
@@ -23,6 +30,7 @@ struct CharacterSource {
   anim::Model model;  ///< has the surface that drawing reads, and the parts of clips that anim::reorder_character reads
   anim::GuessedPlacement placement;  ///< the size and place that it was given
   std::shared_ptr<const anim::Character> character;
+  PackedSurface surface;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
   RoleClips suggested;               ///< the roles' clips, as their names suggest
@@ -39,9 +47,15 @@ struct CharacterSource {
 /// file and what cannot be.
 anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
 
-/// Imports a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), adds the clips of other files (clip_files.h),
-/// gives it size and place, and bakes it. `kept` has the order of its bones that a person chose; with it, the parts of
-/// the body that were kept for the file count too.
+/// Adds the clips of other files (clip_files.h) to a model of `imported`, gives it size and place, and bakes it. `kept`
+/// has the order of its bones that a person chose; with it, the parts of the body that were kept for `path` count too.
+anim::Result<CharacterSource> bake_source(anim::ImportedFile imported, std::size_t model, const std::string& path,
+                                          const BoneLodFile* kept, const LoadOptions& options);
+
+/// Finds the clips that the roles play, once the character is there.
+void guess_roles(CharacterSource& source);
+
+/// Imports and bakes a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), or takes it from a pack (packed.h).
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
                                              const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
 
@@ -54,6 +68,9 @@ struct ReorderedCharacter {
 /// was.
 ReorderedCharacter in_order(const CharacterSource& source, const BoneLodChoice& choice);
 
+/// Puts what in_order() returned in the place of the character as it is.
+void take_reordered(CharacterSource& source, const ReorderedCharacter& reordered, const BoneLodChoice& choice);
+
 /// Brings a character that is on no stage into an order that check_bone_lod() let pass.
 void take_order(CharacterSource& source, const BoneLodChoice& choice);
 
@@ -63,7 +80,7 @@ void assign_roles(CharacterSource& source, const RoleClips& clips);
 /// Returns, for each bone level and palette entry, the entry that a mesh reads at that level.
 std::vector<std::vector<std::uint16_t>> entries_at_levels(const anim::Skeleton& skeleton);
 
-/// Returns the surface as drawing takes it. Its spans point into `model`, which must outlive the call that uses them.
-render::CrowdMeshData mesh_data(const anim::Model& model);
+/// Returns the surface as drawing takes it. Its spans point into `source`, which must outlive the call that uses them.
+render::CrowdMeshData mesh_data(const CharacterSource& source);
 
 }  // namespace throng::app

@@ -11,7 +11,7 @@ ParsedCommand parse_command_line(const std::vector<std::string>& arguments) {
   if (command == "inspect") return parse_inspect(rest);
   if (command == "lod") return parse_lod(rest);
   if (command == "bench") return parse_bench(rest);
-  if (command == "bake") return UsageError{"bake: is not built yet"};
+  if (command == "bake") return parse_bake(rest);
   return parse_demo(arguments);
 }
 

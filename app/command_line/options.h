@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/commands/bake/options.h"
 #include "app/commands/bench/options.h"
 #include "app/commands/inspect/options.h"
 #include "app/commands/lod/options.h"
@@ -24,7 +25,7 @@ struct UsageError {
 };
 
 using ParsedCommand =
-    std::variant<DemoOptions, PoseOptions, InspectOptions, LodOptions, BenchOptions, ShowText, UsageError>;
+    std::variant<DemoOptions, PoseOptions, InspectOptions, LodOptions, BenchOptions, BakeOptions, ShowText, UsageError>;
 
 /// Reads a command line as README.md beside it documents it. `arguments` are without the program's own name.
 ParsedCommand parse_command_line(const std::vector<std::string>& arguments);

@@ -13,6 +13,7 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments);
 ParsedCommand parse_pose(const std::vector<std::string>& arguments);
 ParsedCommand parse_inspect(const std::vector<std::string>& arguments);
 ParsedCommand parse_lod(const std::vector<std::string>& arguments);
+ParsedCommand parse_bake(const std::vector<std::string>& arguments);
 ParsedCommand parse_bench(const std::vector<std::string>& arguments);
 
 /// Adds the options that say in what size and where the models of files stand.

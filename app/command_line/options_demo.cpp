@@ -174,7 +174,8 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       "  throng pose MODEL       the joints and palettes of every skin, as JSON\n"
       "  throng inspect MODEL    what is in a file, what was repaired, what was refused\n"
       "  throng lod [MODEL]      what each bone level of a character saves and shows\n"
-      "  throng bench [MODEL]    what an update of many agents costs");
+      "  throng bench [MODEL]    what an update of many agents costs\n"
+      "  throng bake MODEL...    models made ready to play, in one file that opens at once");
 }
 
 }  // namespace

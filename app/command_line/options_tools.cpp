@@ -73,7 +73,7 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   PoseOptions options;
   OptionReader reader("throng pose", "Writes the joints and palettes of every skin of a file.");
   reader.option_defaults()->group("What is posed");
-  reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
+  reader.model(options.model, "A glTF file (.glb or .gltf), or a pack")->required();
   clips_from(reader, options.clips_from);
   strict(reader, options.strict);
   reader.value("--clip", "NAME|INDEX", "A clip of the file, or none", any_text(options.clip))->required();
@@ -90,7 +90,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   InspectOptions options;
   OptionReader reader("throng inspect", "Says what was found in a file, what was repaired and what was refused.");
   reader.option_defaults()->group("What is inspected");
-  reader.model(options.model, "A glTF file (.glb or .gltf)")->required();
+  reader.model(options.model, "A glTF file (.glb or .gltf), or a pack")->required();
   clips_from(reader, options.clips_from);
   strict(reader, options.strict);
   reader.flag("--json", options.json, "As one JSON object");
@@ -103,7 +103,7 @@ ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
   LodOptions options;
   OptionReader reader("throng lod", "Measures what each bone level of a character saves, and what it shows.");
   reader.option_defaults()->group("What is measured");
-  reader.model(options.model, "A glTF file (.glb or .gltf); without it, the built-in character");
+  reader.model(options.model, "A glTF file (.glb or .gltf), or a pack; without it, the built-in character");
   reader.value("--pixels", "N", "Height on screen for errors in pixels, 1 to 10000 (200)",
                whole_number(options.pixels, 1, 10000));
   reader.option_defaults()->group("Files");
@@ -116,11 +116,30 @@ ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
   return options;
 }
 
+ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
+  BakeOptions options;
+  OptionReader reader("throng bake",
+                      "Writes all that is made of models before they play into one file that opens at once.");
+  reader.option_defaults()->group("What is baked");
+  const auto add = [&](const std::string& text) { return any_text(options.models.emplace_back())(text); };
+  reader.value("MODEL", "...", "glTF files (.glb or .gltf), or packs", add)
+      ->expected(1, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args()
+      ->required()
+      ->group("Model");
+  reader.value("-o", "FILE.pack", "The file to write", file_that_ends_in(".pack", options.pack))->required();
+  clips_from(reader, options.clips_from);
+  strict(reader, options.strict);
+  declare_placement(reader, options.placement);
+  if (auto stop = reader.read(arguments)) return *stop;
+  return options;
+}
+
 namespace {
 
 void declare_measured(OptionReader& reader, BenchOptions& options) {
   reader.option_defaults()->group("What is measured");
-  reader.model(options.model, "A glTF file; without it, a branching skeleton is built");
+  reader.model(options.model, "A glTF file or a pack; without it, a branching skeleton is built");
   list(
       reader, "--agents", options.agents, [](const Tuning& tuning) { return tuning.agents; },
       "; of every list each, in every combination");

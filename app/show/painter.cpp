@@ -102,7 +102,7 @@ void Painter::reset_palette_pages() {
 anim::Status Painter::load_meshes(Stage& stage) {
   if (renderer_ == nullptr) return anim::Done{};
   std::vector<render::CrowdMeshData> meshes;
-  for (const CharacterSource& character : stage.characters()) meshes.push_back(mesh_data(character.model));
+  for (const CharacterSource& character : stage.characters()) meshes.push_back(mesh_data(character));
   if (anim::Status loaded = renderer_->load_characters(meshes); !loaded) return loaded;
   if (spared_.mesh_lods) stage.mesh_lods().allow_more(software_mesh_error);
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {

@@ -88,8 +88,7 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   if (anim::Status checked = check_bone_lod(source.character->skeleton, choice); !checked) return checked;
   const ReorderedCharacter reordered = in_order(source, choice);
   if (anim::Status replaced = animated_->reorder_bones(character, reordered); !replaced) return replaced;
-  anim::reorder_bones(source.model, choice);
-  source.character = reordered.character;
+  take_reordered(source, reordered, choice);
   learn_level_of_detail();
   meter_.set_character(character, source);
   meter_.reset(crowd().size());

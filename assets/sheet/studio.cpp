@@ -63,7 +63,7 @@ std::unique_ptr<Studio> Studio::open() {
   auto renderer = render::Renderer::create(*studio->context_, {.data = source, .size = {64, 64}, .samples = 4});
   if (!renderer) return complain(renderer.error().message), nullptr;
   studio->renderer_ = std::move(*renderer);
-  const render::CrowdMeshData mesh = app::mesh_data(studio->character_.model);
+  const render::CrowdMeshData mesh = app::mesh_data(studio->character_);
   const auto loaded = studio->renderer_->load_characters({&mesh, 1});
   if (!loaded) return complain(loaded.error().message), nullptr;
   return studio;

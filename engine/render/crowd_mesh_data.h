@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -84,6 +85,8 @@ struct CrowdMeshData {
   std::vector<PackingFrameData> packing_frames;  ///< one a palette entry; empty if no slot is ever packed
   PosedPalettes poses;                           ///< the rest pose first; mesh LODs are measured in them
   std::vector<BoneEndData> bone_ends;  ///< joint and parent of each bone, for CrowdFrame::bones_as_lines; or empty
+  /// A surface that pack_surface made of all this. Where it is given, LODs, poses and bone ends are not read.
+  std::span<const std::byte> packed_surface;
 };
 
 }  // namespace throng::render

@@ -27,11 +27,11 @@ Value value_of(anim::Result<Value> result) {
   return std::move(*result);
 }
 
-std::unique_ptr<render::Renderer> create_renderer(render::gl::Context& context, const anim::Model& model) {
+std::unique_ptr<render::Renderer> create_renderer(render::gl::Context& context, const CharacterSource& character) {
   auto renderer = render::Renderer::create(
       context, {.data = THRONG_SOURCE_DIR, .size = {width, height}, .samples = 0, .shadows = false});
   if (!renderer) throw std::runtime_error(renderer.error().message);
-  const render::CrowdMeshData mesh = mesh_data(model);
+  const render::CrowdMeshData mesh = mesh_data(character);
   const anim::Status loaded = (*renderer)->load_characters({&mesh, 1});
   if (!loaded) throw std::runtime_error(loaded.error().message);
   return std::move(*renderer);
@@ -66,7 +66,7 @@ anim::PaletteMatrix rows_of(const glm::dmat4& matrix) {
 StagedCrowd::StagedCrowd(render::gl::Context& context, const Tuning& tuning) {
   std::vector<CharacterSource> characters;
   characters.push_back(value_of(load_character(model_file, "mannequin")));
-  renderer_ = create_renderer(context, characters.front().model);
+  renderer_ = create_renderer(context, characters.front());
   read_back_ = std::make_unique<render::test::SkinningReadBack>(*renderer_);
   pages_ = std::make_unique<RememberedPages>(renderer_->palette_pages());
   stage_ = value_of(Stage::create(std::move(characters), tuning, *pages_));

@@ -41,7 +41,7 @@ const std::vector<House>& houses() {
         {"kernel/limb", "kernel/ragdoll"},
         {"kernel"},
         {"bake"},
-        {"entity"},
+        {"entity", "pack"},
         {"run/program"},
         {"run/store"},
         {"run/levels", "run/fused"},
@@ -64,7 +64,7 @@ const std::vector<House>& houses() {
         {"show"},
         {"demo"},
         {"commands/bench", "commands/pose", "commands/inspect"},
-        {"commands/lod"},
+        {"commands/bake", "commands/lod"},
         {"command_line"}}},
   };
   return all;

@@ -14,6 +14,7 @@ namespace {
 using nlohmann::json;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -165,7 +166,7 @@ TEST(Images, AreDecodedByWhatTheyAre) {
     const anim::ImportedFile file = imported(document_with(with_base_texture({{"index", 0}}), image));
     EXPECT_THAT(file.repairs, IsEmpty());
     ASSERT_THAT(file.models.at(0).images, SizeIs(1));
-    EXPECT_EQ(file.models.at(0).images[0].rgba, red_and_blue);
+    EXPECT_THAT(file.models.at(0).images[0].rgba, ElementsAreArray(red_and_blue));
   }
 }
 

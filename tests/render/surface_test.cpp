@@ -76,9 +76,10 @@ TEST(Surface, StoresWeightsThatSumToOneExactly) {
 
 TEST(Surface, SendsDroppedJointsToTheirKeptAncestorAtEachLevel) {
   const Surface surface = build_surface(TwoQuads().data);
-  ASSERT_EQ(surface.entries_by_level.size(), 2U);
-  EXPECT_EQ(surface.entries_by_level[0][0], (PaletteEntries{0, 1, 2, 0}));
-  EXPECT_EQ(surface.entries_by_level[1][0], (PaletteEntries{0, 0, 2, 0}));
+  const std::size_t vertices = surface.vertices.size();
+  ASSERT_EQ(surface.entries.size(), 2 * vertices);
+  EXPECT_EQ(surface.entries[0], (PaletteEntries{0, 1, 2, 0}));
+  EXPECT_EQ(surface.entries[vertices], (PaletteEntries{0, 0, 2, 0}));
 }
 
 TEST(Surface, MarksVerticesWithoutRegionAsUntinted) {
@@ -92,8 +93,8 @@ TEST(Surface, PutsEndsOfBonesBehindItsVerticesMovedByTheirEntryAlone) {
   EXPECT_EQ(surface.first_bone_end, 8U);
   EXPECT_EQ(surface.bone_end_count, 2U);
   EXPECT_EQ(surface.vertices[8].weights[0], 65535);
-  EXPECT_EQ(surface.entries_by_level[0][8][0], 1);
-  EXPECT_EQ(surface.entries_by_level[1][8][0], 0);
+  EXPECT_EQ(surface.entries[8][0], 1);
+  EXPECT_EQ(surface.entries[surface.vertices.size() + 8][0], 0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/character/source.h"
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/held.h"
 #include "app/commands/bench/rounds.h"
@@ -12,7 +13,6 @@
 #include "app/settings/choices.h"
 #include "app/stage/stage.h"
 #include "engine/anim/asset/synthetic_model.h"
-#include "engine/anim/import/import.h"
 
 namespace throng::app {
 namespace {
@@ -203,12 +203,13 @@ anim::Result<BenchCharacter> bench_character(const std::string& model, int bones
   BenchCharacter result;
   if (model.empty()) {
     result.model = anim::synthetic_model(bones, clips);
+    result.character = std::make_shared<const anim::Character>(anim::bake_character(result.model));
   } else {
-    auto file = import::import_file(model);
-    if (!file) return file.error();
-    result.model = std::move(file->models.front());
+    auto source = load_character(model, model);
+    if (!source) return source.error();
+    result.model = std::move(source->model);
+    result.character = std::move(source->character);
   }
-  result.character = std::make_shared<const anim::Character>(anim::bake_character(result.model));
   return result;
 }
 

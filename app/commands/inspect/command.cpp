@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "app/character/clip_files.h"
+#include "app/character/model_file.h"
 #include "app/commands/inspect/report.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
 #include "app/files/json.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
-#include "engine/anim/import/import.h"
 #include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/placement_guess.h"
 
@@ -173,7 +173,7 @@ std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::
 }  // namespace
 
 int run_inspect(const InspectOptions& options) {
-  auto file = import::import_file(options.model, {.strict = options.strict});
+  auto file = read_model_file(options.model, {.strict = options.strict});
   if (!file) return end_with(exit_job_failed, file.error().message);
   anim::face_forward(*file);
   const anim::Status added = add_clips_to(options.model, options.clips_from, *file, {.strict = options.strict});

@@ -12,7 +12,7 @@
 #include "app/files/exit_status.h"
 #include "app/stage/stage.h"
 #include "engine/render/camera.h"
-#include "engine/render/mesh/surface.h"
+#include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app {
 namespace {
@@ -47,8 +47,9 @@ int run_lod(const LodOptions& options) {
   if (!source) return end_with(exit_job_failed, source.error().message);
   LodCurve curve{.bones = lod_levels(*source), .meshes = {}};
   if (source->has_surface()) {
-    const render::Surface surface = render::build_surface(mesh_data(source->model));
-    curve.meshes = mesh_levels(surface.triangles_by_lod, surface.error_by_lod);
+    const auto surface = render::surface_parts(mesh_data(*source));
+    if (!surface) return end_with(exit_job_failed, surface.error().message);
+    curve.meshes = mesh_levels(surface->triangles_by_lod, surface->error_by_lod);
   }
   const auto timed = time_levels(*source, curve.bones);
   if (!timed) return end_with(exit_job_failed, timed.error().message);

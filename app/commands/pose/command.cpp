@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "app/character/clip_files.h"
+#include "app/character/model_file.h"
 #include "app/commands/pose/dump.h"
 #include "app/commands/pose/pipe.h"
 #include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
 #include "app/files/json.h"
-#include "engine/anim/import/import.h"
 
 namespace throng::app {
 
@@ -103,7 +103,7 @@ anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optiona
 }
 
 anim::Result<std::string> import_and_pose(const PoseOptions& options) {
-  auto file = import::import_skins(options.model, {.strict = options.strict});
+  auto file = read_model_file(options.model, {.strict = options.strict}, ModelFileUse::skins);
   if (!file) return file.error();
   if (!options.clips_from.empty()) {
     const anim::Status added = add_clips_to(options.model, options.clips_from, *file, {.strict = options.strict});

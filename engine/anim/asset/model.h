@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,8 @@ struct Skin {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;  ///< width * height * 4, top row first; sRGB where it is a colour
+  std::span<const std::uint8_t> rgba;       ///< width * height * 4, top row first; sRGB where it is a colour
+  std::shared_ptr<const void> lender = {};  ///< keeps the memory that `rgba` lies in
 };
 
 /// Says how a texture goes on outside of coordinates 0 to 1. The numbers are those of glTF 2.0, 5.26, and of OpenGL.

@@ -45,15 +45,17 @@ void place_model(Model& model, const Placement& placement) {
   for (BakedMeshLod& lod : model.mesh_lods) lod.error *= placement.scale;
 }
 
-void face_forward(ImportedFile& file) {
+bool face_forward(Model& model) {
+  if (!model.faces_backwards) return false;
   const Placement half_turn{.rotation = {0.0, 0.0, 1.0, 0.0}};
+  place_model(model, half_turn);
+  model.faces_backwards = false;
+  return true;
+}
+
+void face_forward(ImportedFile& file) {
   bool turned = false;
-  for (Model& model : file.models) {
-    if (!model.faces_backwards) continue;
-    place_model(model, half_turn);
-    model.faces_backwards = false;
-    turned = true;
-  }
+  for (Model& model : file.models) turned |= face_forward(model);
   if (turned) file.notes.emplace_back("VRM 0.x looks along -Z: turned by half a turn");
 }
 

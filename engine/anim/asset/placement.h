@@ -23,8 +23,10 @@ glm::dmat4 as_matrix(const Placement& placement);
 /// keys, because they are relative to the bones above; the roots alone change, and with them root motion.
 void place_model(Model& model, const Placement& placement);
 
-/// Turns the models of a file that face backwards by half a turn about the vertical, so that they face +Z like any
-/// other, and says so in file.notes.
+/// Turns a model that faces backwards by half a turn about the vertical, so that it faces +Z like any other. Returns
+/// whether it did.
+bool face_forward(Model& model);
+/// Turns the models of a file, and says so in file.notes.
 void face_forward(ImportedFile& file);
 
 }  // namespace throng::anim

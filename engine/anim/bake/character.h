@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,7 @@ struct Character {
   CharacterBounds bounds = {};
   SurfacePoints surface_points = {};              ///< points where the errors of drawn poses are measured
   std::vector<std::uint32_t> level_entries = {};  ///< palette entries of each level, descending
+  std::shared_ptr<const void> lender = {};        ///< keeps the memory that lent streams lie in, for example a pack
 };
 
 /// Bakes every clip of `model`, on as many threads as the machine has cores. Never fails on what import accepted.

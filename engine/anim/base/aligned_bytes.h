@@ -9,14 +9,22 @@ namespace throng::anim {
 inline constexpr std::size_t block_alignment = 64;
 
 struct AlignedDelete {
-  void operator()(std::byte* bytes) const { std::free(bytes); }
+  bool lent = false;  ///< the bytes belong to somebody else, who keeps them for longer
+  void operator()(std::byte* bytes) const {
+    if (!lent) std::free(bytes);
+  }
 };
 
-/// Owns bytes that are aligned to a cache line.
+/// Owns bytes that are aligned to a cache line, or holds lent ones.
 using AlignedBytes = std::unique_ptr<std::byte[], AlignedDelete>;
 
 /// Allocates `size` zeroed bytes, in huge pages where they fill half of one and the system has them.
 AlignedBytes allocate_aligned(std::size_t size);
+
+/// Holds aligned bytes that belong to somebody else, who keeps them for longer. Nobody writes to them.
+inline AlignedBytes lend_aligned(const std::byte* bytes) {
+  return {const_cast<std::byte*>(bytes), AlignedDelete{.lent = true}};
+}
 
 /// Gives pages that lie whole in these bytes back to the system, although the rest of their allocation stays. The
 /// caller does not use the bytes again.

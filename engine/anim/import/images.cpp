@@ -34,16 +34,19 @@ const std::uint8_t* unsigned_bytes(std::span<const std::byte> bytes) {
 
 bool is_webp(std::string_view text) { return text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP"); }
 
-/// Makes an image without pixels yet. Throws Refusal.
-anim::Image blank_image(int width, int height) {
-  if (width > max_image_side || height > max_image_side) {
-    throw Refusal("its sides exceed " + std::to_string(max_image_side) + " pixels");
-  }
-  return {.width = width, .height = height, .rgba = {}};
+/// Throws Refusal.
+void check_sides(int width, int height) {
+  if (width <= max_image_side && height <= max_image_side) return;
+  throw Refusal("its sides exceed " + std::to_string(max_image_side) + " pixels");
 }
 
-std::size_t byte_count(const anim::Image& image) {
-  return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
+/// Makes an image of the pixels that a decoder allocated.
+anim::Image owning_image(int width, int height, std::uint8_t* rgba, void (*free_pixels)(void*)) {
+  const std::size_t bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
+  return {.width = width,
+          .height = height,
+          .rgba = {rgba, bytes},
+          .lender = std::shared_ptr<const void>(static_cast<void*>(rgba), free_pixels)};
 }
 
 anim::Image decode_webp(std::span<const std::byte> bytes) {
@@ -51,12 +54,10 @@ anim::Image decode_webp(std::span<const std::byte> bytes) {
   int height = 0;
   if (WebPGetInfo(unsigned_bytes(bytes), bytes.size(), &width, &height) == 0)
     throw Refusal("its WebP header is broken");
-  anim::Image image = blank_image(width, height);
-  image.rgba.resize(byte_count(image));
-  const auto* decoded =
-      WebPDecodeRGBAInto(unsigned_bytes(bytes), bytes.size(), image.rgba.data(), image.rgba.size(), width * 4);
-  if (decoded == nullptr) throw Refusal("its WebP does not decode");
-  return image;
+  check_sides(width, height);
+  std::uint8_t* const pixels = WebPDecodeRGBA(unsigned_bytes(bytes), bytes.size(), &width, &height);
+  if (pixels == nullptr) throw Refusal("its WebP does not decode");
+  return owning_image(width, height, pixels, &WebPFree);
 }
 
 anim::Image decode_png_or_jpeg(std::span<const std::byte> bytes) {
@@ -68,12 +69,10 @@ anim::Image decode_png_or_jpeg(std::span<const std::byte> bytes) {
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) {
     throw Refusal("it is neither PNG nor JPEG nor WebP");
   }
-  anim::Image image = blank_image(width, height);
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 4), &stbi_image_free);
+  check_sides(width, height);
+  stbi_uc* const pixels = stbi_load_from_memory(data, size, &width, &height, &channels, 4);
   if (pixels == nullptr) throw Refusal(std::string("it does not decode: ") + stbi_failure_reason());
-  image.rgba.assign(pixels.get(), pixels.get() + byte_count(image));
-  return image;
+  return owning_image(width, height, pixels, &stbi_image_free);
 }
 
 std::vector<std::byte> read_image_bytes(Document& document, int image) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/render/frame/frame_data.h"
+#include "engine/render/mesh/packed_surface.h"
 
 namespace throng::render {
 namespace {
@@ -43,10 +44,9 @@ gl::VertexArray describe_vertices(const gl::Buffer& vertices, const gl::Buffer& 
   return array;
 }
 
-gl::Buffer create_entries(std::span<const std::vector<PaletteEntries>> by_level) {
-  std::vector<PaletteEntries> all;
-  for (const std::vector<PaletteEntries>& level : by_level) all.insert(all.end(), level.begin(), level.end());
-  return gl::create_buffer(all.data(), all.size() * sizeof(PaletteEntries));
+template <typename T>
+gl::Buffer create_buffer_of(std::span<const T> elements) {
+  return gl::create_buffer(elements.data(), elements.size_bytes());
 }
 
 /// Makes a buffer that is never empty, because a storage block may not be.
@@ -62,29 +62,31 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   Result<MaterialSet> materials = MaterialSet::create(data);
   if (!materials) return materials.error();
   mesh.materials_ = std::move(*materials);
-  Surface surface = build_surface(data);
-  mesh.vertices_ = gl::create_buffer(surface.vertices.data(), surface.vertices.size() * sizeof(SurfaceVertex));
-  mesh.indices_ = gl::create_buffer(surface.indices.data(), surface.indices.size() * sizeof(std::uint32_t));
-  mesh.palette_entries_ = create_entries(surface.entries_by_level);
   mesh.packing_frames_ = create_packing_frames(data.packing_frames);
-  if (!surface.emission_coords.empty()) {
-    mesh.emission_coords_ =
-        gl::create_buffer(surface.emission_coords.data(), surface.emission_coords.size() * sizeof(EmissionCoord));
+  if (data.packed_surface.empty()) {
+    mesh.copy_to_device(view_of(build_surface(data)));
+    return mesh;
   }
-  mesh.array_ = describe_vertices(mesh.vertices_, mesh.indices_, mesh.emission_coords_);
-  surface.vertices = {};
-  surface.emission_coords = {};
-  surface.entries_by_level = {};
-  surface.indices = {};
-  mesh.surface_ = std::move(surface);
+  const Result<SurfaceView> packed = view_packed_surface(data.packed_surface);
+  if (!packed) return packed.error();
+  mesh.copy_to_device(*packed);
   return mesh;
+}
+
+void CrowdMesh::copy_to_device(const SurfaceView& surface) {
+  vertices_ = create_buffer_of(surface.vertices);
+  indices_ = create_buffer_of(surface.indices);
+  palette_entries_ = create_buffer_of(surface.entries);
+  if (!surface.emission_coords.empty()) emission_coords_ = create_buffer_of(surface.emission_coords);
+  array_ = describe_vertices(vertices_, indices_, emission_coords_);
+  parts_ = surface;
 }
 
 void CrowdMesh::bind() const {
   glBindVertexArray(array_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_entries_binding, palette_entries_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, packing_frames_binding, packing_frames_.id());
-  glUniform1ui(vertex_count_location, surface_.first_bone_end + surface_.bone_end_count);
+  glUniform1ui(vertex_count_location, parts_.first_bone_end + parts_.bone_end_count);
 }
 
 }  // namespace throng::render

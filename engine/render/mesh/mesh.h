@@ -16,15 +16,15 @@ namespace throng::render {
 /// LODs and materials.
 class CrowdMesh {
  public:
-  /// Makes a mesh on the device. Errors: an image is larger than the device takes.
+  /// Makes a mesh on the device. Errors: an image is larger than the device takes, or a packed surface is damaged.
   static Result<CrowdMesh> create(const CrowdMeshData& data);
 
-  std::size_t lod_count() const { return surface_.runs_by_lod.size(); }
-  std::span<const std::uint32_t> triangles_by_lod() const { return surface_.triangles_by_lod; }
-  std::span<const float> error_by_lod() const { return surface_.error_by_lod; }  ///< metres
+  std::size_t lod_count() const { return parts_.runs_by_lod.size(); }
+  std::span<const std::uint32_t> triangles_by_lod() const { return parts_.triangles_by_lod; }
+  std::span<const float> error_by_lod() const { return parts_.error_by_lod; }  ///< metres
 
   /// Gives the runs that draw mesh LOD `lod`, one a material.
-  std::span<const MaterialRun> runs(std::size_t lod) const { return surface_.runs_by_lod[lod]; }
+  std::span<const MaterialRun> runs(std::size_t lod) const { return parts_.runs_by_lod[lod]; }
   const MaterialSet& materials() const { return materials_; }
 
   /// Binds the vertices and 32-bit indices and, for the program in use, the palette entries of all bone levels and the
@@ -32,14 +32,15 @@ class CrowdMesh {
   void bind() const;
 
   /// Counts the vertices of the full surface, which come first in the vertex array; those of baked mesh LODs follow.
-  std::uint32_t vertex_count() const { return surface_.vertex_count; }
+  std::uint32_t vertex_count() const { return parts_.vertex_count; }
 
   /// These two functions name the ends of the bones' lines, two a bone, which come last.
-  std::uint32_t first_bone_end() const { return surface_.first_bone_end; }
-  std::uint32_t bone_end_count() const { return surface_.bone_end_count; }
+  std::uint32_t first_bone_end() const { return parts_.first_bone_end; }
+  std::uint32_t bone_end_count() const { return parts_.bone_end_count; }
 
  private:
   CrowdMesh() = default;
+  void copy_to_device(const SurfaceView& surface);
 
   gl::Buffer vertices_;
   gl::Buffer emission_coords_;  // has a name only where the surface has them
@@ -47,7 +48,7 @@ class CrowdMesh {
   gl::Buffer palette_entries_;  // [bone level][vertex]
   gl::Buffer packing_frames_;   // [palette entry]
   gl::VertexArray array_;
-  Surface surface_;  // without vertices, entries and indices, which only the device has
+  SurfaceParts parts_;
   MaterialSet materials_;
 };
 

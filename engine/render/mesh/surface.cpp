@@ -182,19 +182,29 @@ std::vector<MeshLod> simplified_lods(const CrowdMeshData& data, const Surface& s
   return build_mesh_lods(view_of(merged), MeshErrorMeter(view_of(merged), &paint, data.poses));
 }
 
-std::vector<PaletteEntries> entries_at(std::span<const PaletteEntries> entries,
-                                       std::span<const std::uint16_t> entry_at_level) {
-  std::vector<PaletteEntries> moved(entries.begin(), entries.end());
-  for (PaletteEntries& of_vertex : moved) {
+/// Appends the entries that the vertices read at one bone level.
+void append_entries(std::span<const PaletteEntries> entries, std::span<const std::uint16_t> entry_at_level,
+                    std::vector<PaletteEntries>& all) {
+  for (PaletteEntries of_vertex : entries) {
     for (std::uint16_t& entry : of_vertex) {
       assert(entry < entry_at_level.size());
       entry = entry_at_level[entry];
     }
+    all.push_back(of_vertex);
   }
-  return moved;
 }
 
 }  // namespace
+
+SurfaceView view_of(const Surface& surface) {
+  SurfaceView view;
+  static_cast<SurfaceParts&>(view) = surface;
+  view.vertices = surface.vertices;
+  view.emission_coords = surface.emission_coords;
+  view.entries = surface.entries;
+  view.indices = surface.indices;
+  return view;
+}
 
 Surface build_surface(const CrowdMeshData& data) {
   Surface surface;
@@ -214,7 +224,7 @@ Surface build_surface(const CrowdMeshData& data) {
   append_bone_ends(data.bone_ends, surface, merged);
   if (!surface.emission_coords.empty()) surface.emission_coords.resize(surface.vertices.size());
   for (const std::vector<std::uint16_t>& entry_at_level : data.entry_at_level) {
-    surface.entries_by_level.push_back(entries_at(merged.palette_entries, entry_at_level));
+    append_entries(merged.palette_entries, entry_at_level, surface.entries);
   }
   return surface;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/render/crowd_mesh_data.h"
@@ -48,20 +49,35 @@ struct MaterialRun {
   std::uint32_t index_count = 0;
 };
 
-/// Holds all parts of a character in one set of vertices, ready to be copied to the device. The ends of the bones'
-/// lines are vertices too, and come last.
-struct Surface {
-  std::vector<SurfaceVertex> vertices;
-  std::vector<EmissionCoord> emission_coords;  ///< one a vertex, or empty: the vertices' own texture coordinates
-  std::vector<std::vector<PaletteEntries>> entries_by_level;  ///< one element a vertex
-  std::vector<std::uint32_t> indices;                         ///< indices of all mesh LODs
-  std::vector<std::vector<MaterialRun>> runs_by_lod;          ///< at most one run a material
+/// Says which vertices and indices of a surface are what.
+struct SurfaceParts {
+  std::vector<std::vector<MaterialRun>> runs_by_lod;  ///< at most one run a material
   std::vector<std::uint32_t> triangles_by_lod;
   std::vector<float> error_by_lod;  ///< metres
   std::uint32_t vertex_count = 0;   ///< vertices of the full surface, which come first; those of baked LODs follow
   std::uint32_t first_bone_end = 0;
   std::uint32_t bone_end_count = 0;
 };
+
+/// Holds all parts of a character in one set of vertices, ready to be copied to the device. The ends of the bones'
+/// lines are vertices too, and come last.
+struct Surface : SurfaceParts {
+  std::vector<SurfaceVertex> vertices;
+  std::vector<EmissionCoord> emission_coords;  ///< one a vertex, or empty: the vertices' own texture coordinates
+  std::vector<PaletteEntries> entries;         ///< [bone level][vertex]
+  std::vector<std::uint32_t> indices;          ///< indices of all mesh LODs
+};
+
+/// Points to the arrays of a surface, wherever they lie.
+struct SurfaceView : SurfaceParts {
+  std::span<const SurfaceVertex> vertices;
+  std::span<const EmissionCoord> emission_coords;
+  std::span<const PaletteEntries> entries;
+  std::span<const std::uint32_t> indices;
+};
+
+/// Returns the view of a surface, which must outlive it.
+SurfaceView view_of(const Surface& surface);
 
 /// Merges the parts, simplifies them and sorts them by material. It asserts that the spans of a part fit each other and
 /// that indices and entries are in range.

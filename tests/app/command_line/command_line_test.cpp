@@ -49,7 +49,7 @@ TEST_F(CommandLine, RefusesWrongUsage) {
   expect_refusal({"--headless=none", "--clips", "walk=moonwalk"}, 2, "walk=moonwalk");
   expect_refusal({"--headless", "--camera", "nowhere"}, 2, "nowhere");
   expect_refusal({"--headless=none", "--agents", "5", "--select", "5"}, 2, "--select 5: the crowd has agents 0 to 4");
-  expect_refusal({"bake", "model.glb"}, 2, "bake");
+  expect_refusal({"bake", "model.glb"}, 2, "-o");
 }
 
 TEST_F(CommandLine, RefusesAWordWithALineBreakInOneLine) { expect_refusal({"--scene", "a\nb"}, 2, "--scene a b"); }

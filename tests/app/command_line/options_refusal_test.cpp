@@ -179,8 +179,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"BonesOfAModel", "bench a.glb --bones 5", "MODEL excludes --bones; give one of them"}),
     name_of);
 
-INSTANTIATE_TEST_SUITE_P(NotBuiltYet, Refusal,
-                         testing::Values(Refused{"Baking", "bake model.glb -o model.pack", "bake: is not built yet"}),
+INSTANTIATE_TEST_SUITE_P(Bake, Refusal,
+                         testing::Values(Refused{"WithoutAModel", "bake -o a.pack", "MODEL is required"},
+                                         Refused{"WithoutAPack", "bake a.glb", "-o is required"},
+                                         Refused{"IntoAnotherKindOfFile", "bake a.glb -o a.glb",
+                                                 "-o a.glb: must be a file name that ends in .pack"}),
                          name_of);
 
 TEST(EmptyText, IsRefusedWhereANameIsDue) {

@@ -1,6 +1,6 @@
 #include "every_header.h"
 
 int main() {
-  // A file that is not there, so that the importer is linked and answers in words.
-  return throng::import::import_file("no-such-model.glb") ? 1 : 0;
+  // Files that are not there, so that both libraries are linked and answer in words.
+  return throng::import::import_file("no-such-model.glb") || throng::pack::Pack::open("no-such.pack") ? 1 : 0;
 }

@@ -1,0 +1,130 @@
+#include "app/character/packed.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/character/role_table.h"
+#include "app/files/joined.h"
+#include "engine/anim/base/plain_text.h"
+
+namespace throng::app {
+namespace {
+
+std::size_t index_in(std::span<const std::string> names, const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+std::vector<std::string> file_names(const pack::Pack& pack) {
+  std::vector<std::string> names;
+  for (std::size_t file = 0; file < pack.file_count(); ++file) names.push_back(pack.file_name(file));
+  return names;
+}
+
+/// Says whether the character can be taken as it was baked.
+anim::Result<bool> is_as_asked(const pack::BakedModel& baked, const std::string& path, const BoneLodFile* kept,
+                               const LoadOptions& options) {
+  const bool as_placed =
+      options.placement == anim::PlacementChoice{} || options.placement == baked.prepared.placement.choice;
+  if (!as_placed || !options.clips_from.empty()) return false;
+  if (kept == nullptr) return true;
+  const auto rig = RoleFile(path).read_rig();
+  if (!rig) return rig.error();
+  return rig->empty();
+}
+
+/// Returns the order of bones that was kept for the pack, if any.
+anim::Result<std::optional<BoneLodChoice>> kept_order(const BoneLodFile* kept, const anim::Skeleton& skeleton) {
+  if (kept == nullptr) return std::optional<BoneLodChoice>();
+  return kept->read(skeleton);
+}
+
+/// `order` is the one that was baked, which counts unless another was kept since.
+anim::Result<CharacterSource> bake_anew(const pack::Pack& pack, const PackedCharacter& chosen,
+                                        const std::optional<BoneLodChoice>& order, const std::string& path,
+                                        const BoneLodFile* kept, const LoadOptions& options) {
+  auto imported = pack.imported(chosen.file);
+  if (!imported) return imported.error();
+  const auto since = kept_order(kept, imported->models[chosen.model].skeleton);
+  if (!since) return since.error();
+  auto source = bake_source(std::move(*imported), chosen.model, path, kept, options);
+  if (source && order && !*since) take_order(*source, *order);
+  return source;
+}
+
+anim::Result<CharacterSource> as_baked(const pack::Pack& pack, const PackedCharacter& chosen, pack::BakedModel baked,
+                                       const BoneLodFile* kept) {
+  auto model = pack.model(chosen.file, chosen.model, baked);
+  if (!model) return model.error();
+  CharacterSource source;
+  source.model = std::move(*model);
+  source.placement = std::move(baked.prepared.placement);
+  source.character = std::make_shared<const anim::Character>(std::move(baked.character));
+  source.surface = {.bytes = pack.surface(chosen.file, chosen.model), .lender = pack.lender()};
+  source.repairs = pack.header(chosen.file).repairs;
+  source.notes = pack.header(chosen.file).notes;
+  const auto names = pack.names(chosen.file);
+  source.cast.assign(names.begin(), names.end());
+  source.cast_index = chosen.model;
+  const auto order = kept_order(kept, source.model.skeleton);
+  if (!order) return order.error();
+  if (*order) take_order(source, **order);
+  guess_roles(source);
+  return source;
+}
+
+}  // namespace
+
+anim::Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::string& path, const std::string& skin) {
+  if (skin.empty()) return PackedCharacter{};
+  const std::vector<std::string> files = file_names(pack);
+  if (const std::size_t file = index_in(files, skin); file < files.size()) return PackedCharacter{file, 0};
+  std::vector<std::string> all;
+  for (std::size_t file = 0; file < pack.file_count(); ++file) {
+    const auto names = pack.names(file);
+    if (const std::size_t model = index_in(names, skin); model < names.size()) return PackedCharacter{file, model};
+    all.insert(all.end(), names.begin(), names.end());
+  }
+  return anim::Error{anim::plain_text(path) + ": it has no character \"" + anim::plain_text(skin) + "\"; it has " +
+                     joined(pack.file_count() > 1 ? files : all, ", ", " and ")};
+}
+
+anim::Status check_strictly(const pack::Pack& pack, std::size_t file, const std::string& path) {
+  const std::vector<std::string>& repairs = pack.header(file).repairs;
+  if (repairs.empty()) return anim::Done{};
+  return anim::Error{anim::plain_text(path) + ": it was baked of a file that was repaired: " + repairs.front() +
+                     "; mend the file and bake it again, or leave --strict out"};
+}
+
+std::vector<std::string> packed_names(const pack::Pack& pack, bool all) {
+  std::vector<std::string> names;
+  for (std::size_t file = 0; file < pack.file_count(); ++file) {
+    const auto characters = pack.names(file);
+    const bool by_file = !all || (characters.size() == 1 && pack.file_count() > 1);
+    if (by_file) {
+      names.push_back(pack.file_name(file));
+    } else {
+      names.insert(names.end(), characters.begin(), characters.end());
+    }
+  }
+  return names;
+}
+
+anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const BoneLodFile* kept,
+                                          const LoadOptions& options) {
+  const auto pack = pack::Pack::open(wanted.path);
+  if (!pack) return pack.error();
+  const auto chosen = choose_packed(*pack, wanted.path, wanted.skin);
+  if (!chosen) return chosen.error();
+  if (options.import.strict) {
+    if (const anim::Status clean = check_strictly(*pack, chosen->file, wanted.path); !clean) return clean.error();
+  }
+  auto baked = pack->baked(chosen->file, chosen->model);
+  if (!baked) return baked.error();
+  const auto usable = is_as_asked(*baked, wanted.path, kept, options);
+  if (!usable) return usable.error();
+  if (*usable) return as_baked(*pack, *chosen, std::move(*baked), kept);
+  return bake_anew(*pack, *chosen, baked->prepared.order, wanted.path, kept, options);
+}
+
+}  // namespace throng::app

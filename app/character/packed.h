@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/character/skin_choice.h"
+#include "app/character/source.h"
+#include "engine/anim/pack/pack.h"
+
+namespace throng::app {
+
+/// Says which character of a pack is meant.
+struct PackedCharacter {
+  std::size_t file = 0;   ///< of those that were baked into the pack
+  std::size_t model = 0;  ///< of that file
+};
+
+/// Finds the character that `skin` names: the first of the file of that name, or else the character of that name;
+/// without a name, the first of all. The error lists the names that there are.
+anim::Result<PackedCharacter> choose_packed(const pack::Pack& pack, const std::string& path, const std::string& skin);
+
+/// Returns what to write behind "FILE#" for the first character of each file of a pack, or, with `all`, for each
+/// character.
+std::vector<std::string> packed_names(const pack::Pack& pack, bool all);
+
+/// A strict run takes no character of a file that was repaired. The error names one of the repairs.
+anim::Status check_strictly(const pack::Pack& pack, std::size_t file, const std::string& path);
+
+/// Takes a character out of a pack. What a person asks now about its size, clips or parts of the body has it baked
+/// anew, of the file that the pack keeps whole.
+anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const BoneLodFile* kept,
+                                          const LoadOptions& options);
+
+}  // namespace throng::app

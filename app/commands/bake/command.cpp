@@ -1,0 +1,153 @@
+#include "app/commands/bake/command.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/character/clip_files.h"
+#include "app/character/model_file.h"
+#include "app/character/skin_choice.h"
+#include "app/character/source.h"
+#include "app/figures/notices.h"
+#include "app/files/atomic_file.h"
+#include "app/files/exit_status.h"
+#include "app/files/joined.h"
+#include "engine/anim/asset/placement.h"
+#include "engine/anim/base/plain_text.h"
+#include "engine/anim/pack/pack.h"
+#include "engine/render/mesh/packed_surface.h"
+
+namespace throng::app {
+namespace {
+
+/// Clips of other files belong to the file that is packed, so that it can be baked anew with them.
+anim::Status add_clips(const std::string& path, const BakeOptions& options, std::size_t characters,
+                       anim::ImportedFile& file) {
+  if (options.clips_from.empty()) return anim::Done{};
+  anim::face_forward(file);
+  for (std::size_t model = 0; model < characters; ++model) {
+    if (const anim::Status taken = take_kept_rig(path, file.models[model].skeleton); !taken) return taken;
+    const anim::Status added = add_clips_from(options.clips_from, file, model, {.strict = options.strict});
+    if (!added) return added;
+  }
+  return anim::Done{};
+}
+
+anim::Result<pack::CharacterToPack> bake_model(const std::string& path, const BakeOptions& options,
+                                               const anim::ImportedFile& file, std::size_t model) {
+  const BoneLodFile kept(path);
+  auto order = kept.read(file.models[model].skeleton);
+  if (!order) return order.error();
+  const LoadOptions load{.import = {.strict = options.strict}, .placement = options.placement, .clips_from = {}};
+  auto source = bake_source(file, model, path, &kept, load);
+  if (!source) return source.error();
+  pack::CharacterToPack character{.name = {},
+                                  .prepared = {std::move(source->placement), std::move(*order)},
+                                  .character = source->character,
+                                  .surface = {}};
+  if (source->has_surface()) {
+    character.surface = render::pack_surface(render::view_of(render::build_surface(mesh_data(*source))));
+  }
+  return character;
+}
+
+/// Returns names of the characters of a file; of its first skeleton where nothing has a mesh.
+std::vector<std::string> names_of(const anim::ImportedFile& file) {
+  std::vector<std::string> names = character_names(file);
+  if (names.empty()) names.push_back(file.models.front().skeleton.name);
+  return names;
+}
+
+/// Returns the file's name without folder and ending, made one that no other file has.
+std::string name_for(const std::string& path, const std::vector<pack::FileToPack>& files) {
+  const std::string stem = anim::plain_text(std::filesystem::path(character_file(path).path).stem().string());
+  std::string name = stem;
+  const auto is_taken = [&] { return std::ranges::count(files, name, &pack::FileToPack::name) > 0; };
+  for (int number = 2; is_taken(); ++number) name = stem + " " + std::to_string(number);
+  return name;
+}
+
+anim::Result<pack::FileToPack> bake_file(const std::string& path, const BakeOptions& options) {
+  auto file = read_model_file(path, {.strict = options.strict});
+  if (!file) return file.error();
+  pack::FileToPack packed{.name = {}, .file = std::move(*file), .characters = {}};
+  const std::vector<std::string> names = names_of(packed.file);
+  if (anim::Status added = add_clips(path, options, names.size(), packed.file); !added) return added.error();
+  for (std::size_t model = 0; model < names.size(); ++model) {
+    auto character = bake_model(path, options, packed.file, model);
+    if (!character) return character.error();
+    character->name = names[model];
+    packed.characters.push_back(std::move(*character));
+  }
+  return packed;
+}
+
+std::string size_of(std::size_t bytes) {
+  const auto count = static_cast<double>(bytes);
+  return bytes < 1'000'000 ? fixed(count / 1e3, 0) + " KB" : fixed(count / 1e6, 1) + " MB";
+}
+
+/// Counts the bytes of what a pack is made of.
+struct PackSizes {
+  std::size_t streams = 0, surfaces = 0, texels = 0;
+
+  void add(const pack::FileToPack& file) {
+    for (const pack::CharacterToPack& packed : file.characters) {
+      surfaces += packed.surface.size();
+      for (const anim::BakedClip& clip : packed.character->clips) {
+        streams += clip.keyframe().total_size + (clip.sampled() == nullptr ? 0 : clip.sampled()->total_size);
+      }
+    }
+    for (const anim::Model& model : file.file.models) {
+      for (const anim::Image& image : model.images) texels += image.rgba.size();
+    }
+  }
+};
+
+/// Says what was baked of a file, and what a person should know of it.
+void tell(const std::string& path, const pack::FileToPack& file) {
+  std::size_t clips = 0;
+  for (const pack::CharacterToPack& packed : file.characters) clips += packed.character->clips.size();
+  std::printf("%s: %s, %s\n", file.name.c_str(), counted(file.characters.size(), "character").c_str(),
+              counted(clips, "clip").c_str());
+  CharacterSource told;
+  told.file = path;
+  told.repairs = file.file.repairs;
+  told.notes = file.file.notes;
+  const std::string notice = import_notice({&told, 1});
+  if (!notice.empty()) std::printf("%s\n", notice.c_str());
+}
+
+anim::Status bake(const BakeOptions& options) {
+  std::vector<pack::FileToPack> files;
+  PackSizes sizes;
+  for (const std::string& path : options.models) {
+    auto file = bake_file(path, options);
+    if (!file) return file.error();
+    file->name = name_for(path, files);
+    tell(path, *file);
+    sizes.add(*file);
+    files.push_back(std::move(*file));
+  }
+  const std::vector<std::byte> pack = pack::write_pack(files);
+  anim::Status written = write_whole_file(options.pack, {reinterpret_cast<const char*>(pack.data()), pack.size()});
+  if (!written) return written;
+  std::printf("%s: %s, of which streams %s, surfaces %s, texels %s\n", anim::plain_text(options.pack).c_str(),
+              size_of(pack.size()).c_str(), size_of(sizes.streams).c_str(), size_of(sizes.surfaces).c_str(),
+              size_of(sizes.texels).c_str());
+  return written;
+}
+
+}  // namespace
+
+int run_bake(const BakeOptions& options) {
+  const anim::Status baked = bake(options);
+  return baked ? static_cast<int>(exit_done) : end_with(exit_job_failed, baked.error().message);
+}
+
+}  // namespace throng::app

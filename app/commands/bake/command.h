@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/commands/bake/options.h"
+
+namespace throng::app {
+
+/// Bakes all characters of the models into one pack, and says what is in it. Returns the exit status. The pack is
+/// written whole or not at all.
+int run_bake(const BakeOptions& options);
+
+}  // namespace throng::app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/anim/survey/placement_guess.h"
+
+namespace throng::app {
+
+/// The options of `throng bake`.
+struct BakeOptions {
+  std::vector<std::string> models;
+  std::string pack;                     ///< the file to write
+  std::vector<std::string> clips_from;  ///< files whose clips every model plays too
+  anim::PlacementChoice placement;
+  bool strict = false;  ///< what would be repaired is refused
+};
+
+}  // namespace throng::app

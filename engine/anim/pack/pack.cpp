@@ -1,0 +1,194 @@
+#include "engine/anim/pack/pack.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <fstream>
+#include <string_view>
+
+#include "engine/anim/asset/placement.h"
+#include "engine/anim/base/plain_text.h"
+#include "engine/anim/base/pose.h"
+#include "engine/anim/pack/mapped_file.h"
+#include "engine/anim/pack/tables.h"
+#include "engine/anim/survey/lod_survey.h"
+
+namespace throng::pack {
+
+template <typename Archive, Same<Preparation> T>
+void describe(Archive& archive, T& prepared) {
+  archive(prepared.placement, prepared.order);
+}
+
+namespace {
+
+/// Returns the form of all tables, and of the blocks and lanes in them.
+std::uint64_t layout_of_tables() {
+  static const std::uint64_t hash = [] {
+    PackLayout layout;
+    anim::ImportedFile file;
+    anim::Model model;
+    std::vector<anim::Clip> clips;
+    const BakedModel baked;
+    layout(file, model, clips, baked.prepared, baked.character);
+    layout.note('t', anim::packet_bones);
+    layout.note('e', sizeof(anim::KeyEvent));
+    layout.note('p', sizeof(anim::SampledPacket));
+    return layout.hash();
+  }();
+  return hash;
+}
+
+/// The tables of a pack, which its sections point into until it is joined.
+class Tables {
+ public:
+  template <typename... Values>
+  void add(SectionKind kind, std::size_t file, std::size_t model, const Values&... values) {
+    PackWriter writer;
+    writer(values...);
+    entries_.push_back({kind, static_cast<std::uint32_t>(file), static_cast<std::uint32_t>(model), writer.bytes()});
+  }
+  void add_bytes(SectionKind kind, std::size_t file, std::size_t model, const std::vector<std::byte>& bytes) {
+    entries_.push_back({kind, static_cast<std::uint32_t>(file), static_cast<std::uint32_t>(model), bytes});
+  }
+  std::vector<std::byte> join() const {
+    std::vector<SectionBytes> sections;
+    for (const Entry& entry : entries_) sections.push_back({entry.kind, entry.file, entry.model, entry.bytes});
+    return join_sections(sections, layout_of_tables());
+  }
+
+ private:
+  struct Entry {
+    SectionKind kind;
+    std::uint32_t file, model;
+    std::vector<std::byte> bytes;
+  };
+  std::vector<Entry> entries_;
+};
+
+std::vector<anim::Clip> with_surveyed_keys(const anim::Model& model) {
+  anim::Model surveyed;
+  surveyed.clips = model.clips;
+  anim::keep_surveyed_keys(surveyed);
+  return std::move(surveyed.clips);
+}
+
+void add_file(const FileToPack& packed, std::size_t file, Tables& tables) {
+  assert(!packed.characters.empty() && packed.characters.size() <= packed.file.models.size());
+  const auto models = static_cast<std::uint32_t>(packed.file.models.size());
+  std::vector<std::string> names;
+  for (const CharacterToPack& character : packed.characters) names.push_back(character.name);
+  tables.add(SectionKind::file, file, 0, packed.name, models, names, packed.file);
+  for (std::size_t i = 0; i < packed.characters.size(); ++i) {
+    const CharacterToPack& character = packed.characters[i];
+    tables.add(SectionKind::character, file, i, character.prepared, *character.character);
+    tables.add(SectionKind::surveyed_keys, file, i, with_surveyed_keys(packed.file.models[i]));
+    tables.add_bytes(SectionKind::surface, file, i, character.surface);
+  }
+  for (std::size_t i = 0; i < packed.file.models.size(); ++i) {
+    tables.add(SectionKind::model, file, i, packed.file.models[i]);
+    tables.add(SectionKind::clips, file, i, packed.file.models[i].clips);
+  }
+}
+
+}  // namespace
+
+std::vector<std::byte> write_pack(std::span<const FileToPack> files) {
+  Tables tables;
+  for (std::size_t file = 0; file < files.size(); ++file) add_file(files[file], file, tables);
+  return tables.join();
+}
+
+bool is_pack(const std::string& path) {
+  std::array<char, 8> start{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return false;
+  file.read(start.data(), start.size());
+  return path.ends_with(".pack") || begins_a_pack({start.data(), start.size()});
+}
+
+anim::Result<Pack> Pack::open(const std::string& path) {
+  Pack pack(anim::plain_text(path));
+  const auto refused = [&](const anim::Error& why) { return anim::Error{pack.path_ + ": " + why.message}; };
+  auto mapped = map_file(path);
+  if (!mapped) return refused(mapped.error());
+  const auto sections = check_sections(mapped->bytes, layout_of_tables());
+  if (!sections) return refused(sections.error());
+  pack.bytes_ = mapped->bytes;
+  pack.lender_ = std::move(mapped->owner);
+  pack.sections_ = *sections;
+  if (const anim::Status read = pack.read_files(); !read) return read.error();
+  return pack;
+}
+
+anim::Status Pack::read_files() {
+  const auto files = std::ranges::count(sections_, SectionKind::file, &Section::kind);
+  if (files == 0) return damaged();
+  for (std::size_t file = 0; file < static_cast<std::size_t>(files); ++file) {
+    PackedFile& packed = files_.emplace_back();
+    anim::Status taken = read(SectionKind::file, file, 0, packed.name, packed.models, packed.names, packed.header);
+    if (!taken) return taken;
+    packed.header.file = path_;
+    if (packed.names.empty() || packed.names.size() > packed.models) return damaged();
+  }
+  return anim::Done{};
+}
+
+std::span<const std::byte> Pack::section(SectionKind kind, std::size_t file, std::size_t model) const {
+  for (const Section& section : sections_) {
+    if (section.kind != kind || section.file != file || section.model != model) continue;
+    return bytes_.subspan(section.offset, section.size);
+  }
+  return {};
+}
+
+template <typename... Values>
+anim::Status Pack::read(SectionKind kind, std::size_t file, std::size_t model, Values&... values) const {
+  PackReader reader(section(kind, file, model), lender_);
+  reader(values...);
+  return reader.read_all() ? anim::Status(anim::Done{}) : damaged();
+}
+
+anim::Error Pack::damaged() const { return {path_ + ": it is damaged: its tables do not fit together; bake it again"}; }
+
+anim::Result<BakedModel> Pack::baked(std::size_t file, std::size_t model) const {
+  BakedModel baked;
+  const anim::Status taken = read(SectionKind::character, file, model, baked.prepared, baked.character);
+  if (!taken) return taken.error();
+  baked.character.lender = lender_;
+  return baked;
+}
+
+anim::Result<anim::Character> Pack::character(std::size_t file, std::size_t model) const {
+  anim::Result<BakedModel> taken = baked(file, model);
+  if (!taken) return taken.error();
+  return std::move(taken->character);
+}
+
+anim::Result<anim::Model> Pack::model(std::size_t file, std::size_t model, const BakedModel& baked) const {
+  anim::Model packed;
+  if (const anim::Status taken = read(SectionKind::model, file, model, packed); !taken) return taken.error();
+  anim::Status taken = read(SectionKind::surveyed_keys, file, model, packed.clips);
+  if (!taken) return taken.error();
+  anim::face_forward(packed);
+  anim::place_model(packed, baked.prepared.placement.placement);
+  if (baked.prepared.order) anim::reorder_bones(packed, *baked.prepared.order);
+  packed.skeleton = baked.character.skeleton;  // which has the parts of the body that a person chose
+  return packed;
+}
+
+std::span<const std::byte> Pack::surface(std::size_t file, std::size_t model) const {
+  return section(SectionKind::surface, file, model);
+}
+
+anim::Result<anim::ImportedFile> Pack::imported(std::size_t file) const {
+  anim::ImportedFile imported = files_[file].header;
+  for (std::size_t i = 0; i < files_[file].models; ++i) {
+    anim::Model& model = imported.models.emplace_back();
+    if (const anim::Status taken = read(SectionKind::model, file, i, model); !taken) return taken.error();
+    if (const anim::Status taken = read(SectionKind::clips, file, i, model.clips); !taken) return taken.error();
+  }
+  return imported;
+}
+
+}  // namespace throng::pack

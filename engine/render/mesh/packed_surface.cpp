@@ -1,0 +1,131 @@
+#include "engine/render/mesh/packed_surface.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace throng::render {
+namespace {
+
+constexpr std::size_t array_alignment = alignof(PackedSurface);
+
+/// Appends arrays, each from a multiple of array_alignment.
+class ArrayWriter {
+ public:
+  template <typename T>
+  void add(std::span<const T> elements) {
+    bytes_.resize((bytes_.size() + array_alignment - 1) / array_alignment * array_alignment);
+    const std::span<const std::byte> bytes = std::as_bytes(elements);
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
+  std::vector<std::byte> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+/// Finds the arrays again. An array that does not fit leaves this and all that follow empty.
+class ArrayReader {
+ public:
+  explicit ArrayReader(std::span<const std::byte> bytes) : bytes_(bytes), at_(sizeof(PackedSurface)) {}
+
+  template <typename T>
+  std::span<const T> take(std::size_t count) {
+    at_ = (at_ + array_alignment - 1) / array_alignment * array_alignment;
+    if (failed_ || at_ > bytes_.size() || count > (bytes_.size() - at_) / sizeof(T))
+      return failed_ = true, std::span<const T>();
+    const auto* first = reinterpret_cast<const T*>(bytes_.data() + at_);
+    at_ += count * sizeof(T);
+    return {first, count};
+  }
+  bool read_all() const { return !failed_ && at_ == bytes_.size(); }
+
+ private:
+  std::span<const std::byte> bytes_;
+  std::size_t at_;
+  bool failed_ = false;
+};
+
+std::uint32_t count_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
+
+/// Deals out the runs of all LODs. Returns false if they are not as many as there should be.
+bool deal_runs(std::span<const MaterialRun> runs, std::span<const PackedSurfaceLod> lods, SurfaceParts& parts) {
+  for (const PackedSurfaceLod& lod : lods) {
+    if (lod.runs > runs.size()) return false;
+    parts.runs_by_lod.emplace_back(runs.begin(), runs.begin() + lod.runs);
+    parts.triangles_by_lod.push_back(lod.triangles);
+    parts.error_by_lod.push_back(lod.error);
+    runs = runs.subspan(lod.runs);
+  }
+  return runs.empty() && !lods.empty();
+}
+
+bool lies_within(const MaterialRun& run, std::size_t indices) {
+  return run.first_index <= indices && run.index_count <= indices - run.first_index;
+}
+
+}  // namespace
+
+std::vector<std::byte> pack_surface(const SurfaceView& surface) {
+  std::vector<MaterialRun> runs;
+  std::vector<PackedSurfaceLod> lods;
+  for (std::size_t lod = 0; lod < surface.runs_by_lod.size(); ++lod) {
+    const std::vector<MaterialRun>& of_lod = surface.runs_by_lod[lod];
+    runs.insert(runs.end(), of_lod.begin(), of_lod.end());
+    lods.push_back({count_of(of_lod.size()), surface.triangles_by_lod[lod], surface.error_by_lod[lod]});
+  }
+  const std::size_t levels = surface.vertices.empty() ? 0 : surface.entries.size() / surface.vertices.size();
+  const PackedSurface header{.layout = packed_surface_layout,
+                             .emission_coords = count_of(surface.emission_coords.size()),
+                             .levels = count_of(levels),
+                             .indices = count_of(surface.indices.size()),
+                             .runs = count_of(runs.size()),
+                             .vertices = count_of(surface.vertices.size()),
+                             .lods = count_of(lods.size()),
+                             .vertex_count = surface.vertex_count,
+                             .first_bone_end = surface.first_bone_end,
+                             .bone_end_count = surface.bone_end_count,
+                             .unused = {}};
+  ArrayWriter writer;
+  writer.add(std::span(&header, 1));
+  writer.add(surface.vertices);
+  writer.add(surface.emission_coords);
+  writer.add(surface.entries);
+  writer.add(surface.indices);
+  writer.add(std::span<const MaterialRun>(runs));
+  writer.add(std::span<const PackedSurfaceLod>(lods));
+  return writer.take();
+}
+
+Result<SurfaceView> view_packed_surface(std::span<const std::byte> packed) {
+  const Error damaged{"its packed surface is damaged; bake it again"};
+  PackedSurface header;
+  if (packed.size() < sizeof header) return damaged;
+  std::memcpy(&header, packed.data(), sizeof header);
+  if (header.layout != packed_surface_layout) {
+    return Error{"its packed surface is of another version of throng; bake it again"};
+  }
+  ArrayReader reader(packed);
+  SurfaceView surface;
+  surface.vertices = reader.take<SurfaceVertex>(header.vertices);
+  surface.emission_coords = reader.take<EmissionCoord>(header.emission_coords);
+  surface.entries = reader.take<PaletteEntries>(std::size_t{header.levels} * header.vertices);
+  surface.indices = reader.take<std::uint32_t>(header.indices);
+  const auto runs = reader.take<MaterialRun>(header.runs);
+  const auto lods = reader.take<PackedSurfaceLod>(header.lods);
+  surface.vertex_count = header.vertex_count;
+  surface.first_bone_end = header.first_bone_end;
+  surface.bone_end_count = header.bone_end_count;
+  const auto fits = [&](const MaterialRun& run) { return lies_within(run, surface.indices.size()); };
+  if (!reader.read_all() || !deal_runs(runs, lods, surface) || !std::ranges::all_of(runs, fits)) return damaged;
+  return surface;
+}
+
+Result<SurfaceParts> surface_parts(const CrowdMeshData& data) {
+  if (data.packed_surface.empty()) return static_cast<SurfaceParts>(build_surface(data));
+  const Result<SurfaceView> packed = view_packed_surface(data.packed_surface);
+  if (!packed) return packed.error();
+  return static_cast<SurfaceParts>(*packed);
+}
+
+}  // namespace throng::render

@@ -1,0 +1,179 @@
+// `throng bake`, and what every command makes of the pack.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/character/files.h"
+#include "app/character/model_file.h"
+#include "app/character/packed.h"
+#include "app/commands/bake/command.h"
+#include "engine/render/mesh/packed_surface.h"
+#include "tests/app/program_run.h"
+#include "tests/app/temporary_folder.h"
+
+namespace throng::app::bake_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string features = THRONG_SOURCE_DIR "/tests/data/features/";
+const std::string person = features + "linear-trs.glb", other = features + "late-start.glb";
+
+class Bake : public test::TemporaryFolder {
+ protected:
+  /// Bakes some models into a pack, and returns its path.
+  std::string baked(const std::vector<std::string>& models, const std::vector<std::string>& options = {}) {
+    const std::string pack = (folder_ / "town.pack").string();
+    std::vector<std::string> arguments{"bake"};
+    arguments.insert(arguments.end(), models.begin(), models.end());
+    arguments.insert(arguments.end(), {"-o", pack});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    run_ = run_program(arguments);
+    EXPECT_EQ(run_.exit_status, 0) << run_.errors;
+    return pack;
+  }
+  ProgramRun run_;
+};
+
+nlohmann::json posed(const std::string& model, const std::string& stream) {
+  const ProgramRun run =
+      run_program({"pose", model, "--clip", "0", "--time", "0,0.3,1.7", "--stream", stream, "--json", "-"});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  nlohmann::json json = nlohmann::json::parse(run.output, nullptr, false);
+  json.erase("file");
+  return json;
+}
+
+CharacterSource loaded(const std::string& file, const LoadOptions& options = {}) {
+  auto character = load_character(file, file, nullptr, options);
+  EXPECT_TRUE(character) << (character ? "" : character.error().message);
+  return std::move(*character);
+}
+
+TEST_F(Bake, SaysWhatThePackHolds) {
+  baked({person, other});
+  EXPECT_THAT(run_.output, StartsWith("linear-trs: 1 character, 1 clip\nlate-start: 1 character, "));
+  EXPECT_THAT(run_.output, HasSubstr("town.pack: "));
+  EXPECT_THAT(run_.output, HasSubstr(", of which streams "));
+}
+
+TEST_F(Bake, KeepsPosesToTheBit) {
+  for (const char* const file : {"linear-trs.glb", "cubic-trs.glb", "step-trs.glb", "negative-scale-joint.glb",
+                                 "late-start.glb", "two-skins-one-skeleton.glb"}) {
+    const std::string pack = baked({features + file});
+    for (const char* const stream : {"sampled", "keyframe"}) {
+      EXPECT_EQ(posed(pack, stream), posed(features + file, stream)) << file << " " << stream;
+    }
+  }
+}
+
+TEST_F(Bake, MakesTheCharacterThatTheFileMakes) {
+  const CharacterSource from_file = loaded(person), from_pack = loaded(baked({person}));
+  EXPECT_EQ(from_pack.clip_names, from_file.clip_names);
+  EXPECT_EQ(from_pack.placement.reasons, from_file.placement.reasons);
+  EXPECT_EQ(from_pack.character->bounds.height, from_file.character->bounds.height);
+  EXPECT_EQ(from_pack.model.meshes[0].positions, from_file.model.meshes[0].positions);
+  EXPECT_EQ(from_pack.roles.clips, from_file.roles.clips);
+  EXPECT_FALSE(from_pack.surface.bytes.empty());
+  const auto drawn = render::surface_parts(mesh_data(from_pack)), built = render::surface_parts(mesh_data(from_file));
+  EXPECT_EQ(drawn->triangles_by_lod, built->triangles_by_lod);
+  EXPECT_EQ(drawn->error_by_lod, built->error_by_lod);
+}
+
+TEST_F(Bake, GivesACastWhereThePackHoldsSeveralFiles) {
+  const std::string pack = baked({person, other, person});
+  const std::vector<std::string> files{pack};
+  const auto characters = load_characters(files);
+  ASSERT_TRUE(characters) << characters.error().message;
+  std::vector<std::string> names;
+  for (const CharacterSource& character : *characters) names.push_back(character.file);
+  EXPECT_THAT(names, ElementsAre(pack + "#linear-trs", pack + "#late-start", pack + "#linear-trs 2"));
+  EXPECT_EQ(loaded(pack + "#late-start").clip_names, loaded(other).clip_names);
+}
+
+TEST_F(Bake, AsksWhichFileOfAPackIsMeant) {
+  const std::string pack = baked({person, other});
+  EXPECT_THAT(read_model_file(pack).error().message,
+              HasSubstr("town.pack: it holds 2 files; say which behind a #: linear-trs or late-start"));
+  EXPECT_TRUE(read_model_file(pack + "#late-start"));
+  EXPECT_THAT(read_model_file(pack + "#nobody").error().message,
+              HasSubstr("town.pack: it has no character \"nobody\"; it has linear-trs and late-start"));
+}
+
+TEST_F(Bake, TakesSizeAndPlaceFromTheCommandLine) {
+  const std::string pack = baked({person}, {"--scale", "3"});
+  EXPECT_EQ(loaded(pack).placement.placement.scale, 3.0);
+  EXPECT_EQ(loaded(pack).character->bounds.height,
+            loaded(person, {.placement = {.scale = 3.0}}).character->bounds.height);
+}
+
+TEST_F(Bake, IsDoneAnewWhereTheRunAsksForAnotherSize) {
+  const std::string pack = baked({person}, {"--scale", "3"});
+  const CharacterSource smaller = loaded(pack, {.placement = {.scale = 0.5}});
+  EXPECT_EQ(smaller.placement.placement.scale, 0.5);
+  EXPECT_TRUE(smaller.surface.bytes.empty()) << "it is of the former size";
+}
+
+TEST_F(Bake, PacksTheClipsOfOtherFiles) {
+  const std::string pack = baked({person}, {"--clips-from", person});
+  EXPECT_EQ(loaded(pack).clip_names.size(), 2 * loaded(person).clip_names.size());
+}
+
+TEST_F(Bake, PacksTheOrderOfBonesThatAPersonKept) {
+  const std::string model = (folder_ / "person.glb").string();
+  fs::copy_file(person, model);
+  const CharacterSource before = loaded(model);
+  BoneLodChoice choice = present_bone_lod(before.model.skeleton.bones.size(), {before.model.skeleton.bone_count(), 1});
+  CharacterSource kept = loaded(model);
+  take_order(kept, choice);
+  ASSERT_TRUE(BoneLodFile(model).write(kept.character->skeleton));
+  const CharacterSource packed = loaded(baked({model}));
+  EXPECT_THAT(packed.character->skeleton.level_bone_counts, ElementsAre(before.model.skeleton.bone_count(), 1));
+  EXPECT_EQ(packed.model.skeleton.level_bone_counts, packed.character->skeleton.level_bone_counts);
+}
+
+TEST_F(Bake, DropsThePackedSurfaceWhenBonesGetAnotherOrder) {
+  CharacterSource packed = loaded(baked({person}));
+  take_order(packed, present_bone_lod(packed.model.skeleton.bones.size(), {packed.model.skeleton.bone_count()}));
+  EXPECT_TRUE(packed.surface.bytes.empty());
+}
+
+TEST_F(Bake, WritesNothingWhereAModelIsRefused) {
+  const std::string pack = (folder_ / "none.pack").string();
+  const ProgramRun run = run_program({"bake", person, (folder_ / "absent.glb").string(), "-o", pack});
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("absent.glb"));
+  EXPECT_FALSE(fs::exists(pack));
+}
+
+TEST_F(Bake, IsRefusedInEveryCommandOnceABitIsFlipped) {
+  const std::string pack = baked({person});
+  const auto size = static_cast<std::streamoff>(fs::file_size(pack));
+  std::fstream stream(pack, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekg(size / 2);
+  const char byte = static_cast<char>(stream.get() ^ 1);
+  stream.seekp(size / 2);
+  stream.put(byte);
+  stream.close();
+  for (const std::vector<std::string>& command : {std::vector<std::string>{pack, "--headless=none"},
+                                                  {"inspect", pack},
+                                                  {"bench", pack},
+                                                  {"lod", pack},
+                                                  {"pose", pack, "--clip", "0", "--time", "0", "--json", "-"}}) {
+    const ProgramRun run = run_program(command);
+    EXPECT_EQ(run.exit_status, 1) << command.front();
+    EXPECT_THAT(run.errors, HasSubstr("town.pack: it is damaged: its checksum does not fit; bake it again"));
+    EXPECT_EQ(run.output, "");
+  }
+}
+
+}  // namespace
+}  // namespace throng::app::bake_test

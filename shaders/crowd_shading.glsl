@@ -28,5 +28,5 @@ vec3 seen(vec3 light) {
   float metres = length(from_eye);
   float facing = sun_share(facing_normal());
   vec3 color = mix(light, debug_color.rgb * (0.35 + 0.65 * facing), debug_color.a);
-  return exposed(through_haze(color, from_eye / metres, metres));
+  return exposed(through_haze(color, from_eye / metres, metres / distance_scale));
 }

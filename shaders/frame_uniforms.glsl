@@ -6,4 +6,5 @@ layout(std140, binding = 0) uniform FrameUniforms {
   vec4 ray_up;
   vec4 ray_forward;
   uint now;  // microseconds, modulo 2^32
+  float distance_scale;  // the haze is thinner by it
 };

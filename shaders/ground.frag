@@ -20,5 +20,5 @@ void main() {
     return;
   }
   vec3 light = sun_light * to_sun.y + ambient_light(vec3(0.0, 1.0, 0.0));
-  color = vec4(exposed(through_haze(paving(ground, footprint) * light, direction, metres)), 1.0);
+  color = vec4(exposed(through_haze(paving(ground, footprint) * light, direction, metres / distance_scale)), 1.0);
 }

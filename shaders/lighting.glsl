@@ -16,6 +16,7 @@ vec3 sky_color(vec3 direction) {
   return sky + sun_haze * glow * glow;
 }
 
+// `metres` are those of a scene of people.
 vec3 through_haze(vec3 color, vec3 direction, float metres) {
   float clear = exp2(-metres * metres * 2.2e-5 / (1.0 + metres * 0.006));
   return mix(sky_color(vec3(direction.x, 0.0, direction.z)), color, clear);

@@ -20,12 +20,20 @@ namespace {
 constexpr std::size_t most_measured_poses = 48;  // of mesh LODs
 constexpr double least_gain = 1.15;              // of a gait over the one before it, to be worth changing to
 
-// Clips that end where they began can be repeated in place; where there are none, any.
-std::vector<int> loopable(const anim::Character& character, const std::vector<int>& clips) {
-  std::vector<int> loops;
-  const auto repeats = [&](int clip) { return character.clips[static_cast<std::size_t>(clip)].loops; };
-  std::ranges::copy_if(clips, std::back_inserter(loops), repeats);
-  return loops.empty() ? clips : loops;
+// Returns those clips that are so, or all where none is.
+template <typename IsSo>
+std::vector<int> preferably(const anim::Character& character, const std::vector<int>& clips, IsSo is_so) {
+  std::vector<int> chosen;
+  const auto is_chosen = [&](int clip) { return is_so(character.clips[static_cast<std::size_t>(clip)]); };
+  std::ranges::copy_if(clips, std::back_inserter(chosen), is_chosen);
+  return chosen.empty() ? clips : chosen;
+}
+
+// A file may keep its bind pose as a clip. Clips that end where they began can be repeated in place.
+std::vector<int> to_be_repeated(const anim::Character& character, const std::vector<int>& clips) {
+  const auto moves = [](const anim::BakedClip& clip) { return clip.keyframe().track_count > 0; };
+  const auto loops = [](const anim::BakedClip& clip) { return clip.loops; };
+  return preferably(character, preferably(character, clips, moves), loops);
 }
 
 double gait_speed(const CharacterSource& source, Role gait) {
@@ -136,7 +144,7 @@ anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
 void guess_roles(CharacterSource& source) {
   for (const anim::BakedClip& clip : source.character->clips) source.clip_names.push_back(clip.name);
   source.roles = roles_by_name(source.clip_names);
-  source.roles.others = loopable(*source.character, source.roles.others);
+  source.roles.others = to_be_repeated(*source.character, source.roles.others);
   source.roles.height = source.character->bounds.height;
   source.roles.radius = source.character->bounds.body_radius;
   source.suggested = source.roles.clips;

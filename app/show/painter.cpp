@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
 
 namespace throng::app {
@@ -104,6 +105,8 @@ anim::Status Painter::load_meshes(Stage& stage) {
   std::vector<render::CrowdMeshData> meshes;
   for (const CharacterSource& character : stage.characters()) meshes.push_back(mesh_data(character));
   if (anim::Status loaded = renderer_->load_characters(meshes); !loaded) return loaded;
+  const CharacterRoles common = common_roles(roles_of(stage.characters()));
+  distance_scale_ = std::max(1.0F, static_cast<float>(common.spacing()));
   if (spared_.mesh_lods) stage.mesh_lods().allow_more(software_mesh_error);
   for (std::size_t i = 0; i < stage.characters().size(); ++i) {
     const auto height = static_cast<float>(stage.characters()[i].character->bounds.height);
@@ -131,6 +134,7 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .instances = picture.instances(),
           .batches = picture.batches(),
           .now = stage.now(),
+          .distance_scale = distance_scale_,
           .bones_as_lines = stage.tuning().bones_as_lines,
           .fill_pixels = !stage.tuning().taken_away.pixels,
           .lines = lines_};

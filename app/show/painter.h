@@ -80,6 +80,7 @@ class Painter {
   SceneLines lines_;
   ThresholdsInView thresholds_;
   Spared spared_;
+  float distance_scale_ = 1.0F;  // of the characters whose meshes are loaded
   render::DrawCounts draw_counts_;
 };
 

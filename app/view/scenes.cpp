@@ -26,14 +26,16 @@ std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
   };
 }
 
-std::vector<NamedCamera> grid_cameras(std::size_t agents, double spacing) {
-  const auto unit = static_cast<float>(spacing);
-  const auto side = static_cast<float>(static_cast<double>(grid_columns(agents)) * grid_pitch(spacing));
+// Who is long and low is seen from nearer than the room that it needs, and from a height that its own goes with.
+std::vector<NamedCamera> grid_cameras(std::size_t agents, const CharacterRoles& roles) {
+  const auto unit = static_cast<float>(roles.spacing()), tall = static_cast<float>(roles.size());
+  const auto side = static_cast<float>(static_cast<double>(grid_columns(agents)) * grid_pitch(roles.spacing()));
   const float above = 0.75F * side + 6.0F * unit;
+  const float near = std::max(tall, 0.5F * unit), lower = near - tall;
   return {
-      {"front", {0.0F, 2.2F * unit, 5.0F * unit, 0.0F, -9.0F, 50.0F}},
+      {"front", {0.0F, 2.2F * near - 1.4F * lower, 5.0F * near, 0.0F, -9.0F, 50.0F}},
       {"above", {0.0F, above, 0.5F * (above - side), 0.0F, -64.0F, 50.0F}},
-      {"close", {0.0F, 1.3F * unit, 3.0F * unit, 0.0F, -4.0F, 45.0F}},
+      {"close", {0.0F, 1.3F * near - 1.1F * lower, 3.0F * near, 0.0F, -4.0F, 45.0F}},
       {"far", {0.0F, 0.35F * side + 4.0F * unit, 0.6F * side + 10.0F * unit, 0.0F, -20.0F, 45.0F}},
   };
 }
@@ -93,7 +95,7 @@ std::vector<NamedCamera> scene_cameras(Scene scene, std::size_t agents, const Ch
     case Scene::grid:
       break;
   }
-  return grid_cameras(agents, roles.spacing());
+  return grid_cameras(agents, roles);
 }
 
 const NamedCamera* find_camera(std::span<const NamedCamera> cameras, std::string_view name) {

@@ -89,11 +89,12 @@ class ExtentSurvey {
 
   static bool are_alike(double a, double b) { return a <= alike * b && b <= alike * a; }
 
+  /// Returns the median; of two in the middle the lower one, or the upper one.
   template <typename Value>
-  static double median(const std::vector<Room>& rooms, const Value& value) {
+  static double median(const std::vector<Room>& rooms, const Value& value, bool upper = false) {
     std::vector<double> values;
     for (const Room& room : rooms) values.push_back(value(room));
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - (upper ? 0 : 1)) / 2);
     std::ranges::nth_element(values, middle);
     return *middle;
   }
@@ -104,7 +105,9 @@ class ExtentSurvey {
       extent.size[axis] = median(rooms, [axis](const Room& room) { return room.size[axis]; });
       extent.middle[axis] = median(rooms, [axis](const Room& room) { return room.middle[axis]; });
     }
-    extent.lowest = median(rooms, [](const Room& room) { return room.lowest; });
+    // Of a walk and a handstand that reaches below the ground, the walk says where it is.
+    extent.lowest = median(
+        rooms, [](const Room& room) { return room.lowest; }, true);
     return extent;
   }
 

@@ -5,7 +5,8 @@
 namespace throng::render {
 namespace {
 
-FrameUniforms frame_uniforms(const CameraView& camera, std::uint32_t now) {
+FrameUniforms frame_uniforms(const CrowdFrame& frame) {
+  const CameraView& camera = frame.camera;
   const glm::mat4 axes = glm::transpose(camera.view);
   FrameUniforms uniforms{};
   uniforms.view_projection = camera.projection * camera.view;
@@ -13,14 +14,15 @@ FrameUniforms frame_uniforms(const CameraView& camera, std::uint32_t now) {
   uniforms.ray_right = axes[0] / camera.projection[0][0];
   uniforms.ray_up = axes[1] / camera.projection[1][1];
   uniforms.ray_forward = -axes[2];
-  uniforms.now = now;
+  uniforms.now = frame.now;
+  uniforms.distance_scale = frame.distance_scale;
   return uniforms;
 }
 
 }  // namespace
 
 void FrameData::upload(const CrowdFrame& frame) {
-  const FrameUniforms uniforms = frame_uniforms(frame.camera, frame.now);
+  const FrameUniforms uniforms = frame_uniforms(frame);
   glNamedBufferSubData(uniforms_.id(), 0, sizeof(uniforms), &uniforms);
   glBindBufferBase(GL_UNIFORM_BUFFER, frame_uniforms_binding, uniforms_.id());
   turn_ = (turn_ + 1) % instances_.size();

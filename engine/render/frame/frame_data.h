@@ -26,7 +26,7 @@ enum StorageBinding : unsigned {
 ///      0  view projection
 ///     64  camera position x y z, unused
 ///     80  right, up, forward, w unused: forward + x * right + y * up is the ray of place (x, y) in clip space
-///    128  now in microseconds, three unused
+///    128  now in microseconds, distance scale, two unused
 struct FrameUniforms {
   glm::mat4 view_projection;
   glm::vec4 camera_position;
@@ -34,7 +34,8 @@ struct FrameUniforms {
   glm::vec4 ray_up;
   glm::vec4 ray_forward;
   std::uint32_t now;
-  std::uint32_t unused[3];
+  float distance_scale;
+  std::uint32_t unused[2];
 };
 static_assert(sizeof(FrameUniforms) == 144);
 static_assert(offsetof(FrameUniforms, camera_position) == 64);

@@ -92,6 +92,11 @@ TEST(PlacementGuess, MeasuresWhatClipsShowRatherThanTheRestPose) {
   EXPECT_LT(placed_bounds(model).reach, 1.2) << "the sphere is around the clip, not around the rest pose";
 }
 
+TEST(PlacementGuess, IsThatOfAWalkWhereOneOtherClipReachesBelowTheGround) {
+  const Model model = with_clip_at(with_clip_at(body(1.8F), {0.0F, 0.0F, 0.0F}), {0.0F, -0.3F, 0.0F});
+  EXPECT_EQ(guess_placement(model).placement.offset.y, 0.0);
+}
+
 TEST(PlacementGuess, ObeysAChoice) {
   const Model hips = box({-0.3F, -0.95F, -0.2F}, {0.3F, 0.85F, 0.2F});
   EXPECT_EQ(guess_placement(hips, {.ground = GroundRule::file}).placement, Placement{});

@@ -77,5 +77,20 @@ TEST(SceneCameras, GrowWithTheCharacter) {
   }
 }
 
+TEST(SceneCameras, LookAtAnAnimalThatIsLongAndLow) {
+  CharacterRoles wolf = person();
+  wolf.height = 1.0;
+  wolf.radius = 2.0;
+  for (const char* const name : {"front", "close"}) {
+    const auto cameras = scene_cameras(Scene::grid, 1, wolf);
+    const CameraPlace& place = find_camera(cameras, name)->place;
+    const float seen = place.y + place.z * std::tan(place.pitch * std::numbers::pi_v<float> /
+                                                    180.0F);  // where the middle of the picture is
+    EXPECT_GT(seen, 0.0F) << name;
+    EXPECT_LT(seen, 1.0F) << name;
+    EXPECT_LT(place.z, 5.0F * static_cast<float>(wolf.spacing())) << name;
+  }
+}
+
 }  // namespace
 }  // namespace throng::app::scenes_test

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/rig/limbs.h"
 #include "engine/anim/survey/surface_points.h"
 
 namespace throng::anim {
@@ -42,10 +43,32 @@ struct Room {
   double top = -std::numeric_limits<double>::infinity();
 };
 
+/// Says of each bone whether a character stands on it: on its legs where both are known, for a sword may hang lower.
+std::vector<bool> bones_to_stand_on(const Skeleton& skeleton) {
+  const Limbs limbs = find_limbs(skeleton);
+  if (!limbs.left_leg || !limbs.right_leg) return std::vector<bool>(skeleton.bones.size(), true);
+  std::vector<bool> stands(skeleton.bones.size(), false);
+  for (const LimbBones* leg : {&*limbs.left_leg, &*limbs.right_leg}) {
+    for (const int bone : {leg->upper, leg->end}) stands[static_cast<std::size_t>(bone)] = true;
+  }
+  for (std::size_t bone = 0; bone < stands.size(); ++bone) {
+    const int parent = skeleton.bones[bone].parent;
+    if (parent >= 0 && stands[static_cast<std::size_t>(parent)]) stands[bone] = true;
+  }
+  return stands;
+}
+
 class ExtentSurvey {
  public:
   ExtentSurvey(const Model& model, const glm::dquat& upright)
-      : model_(model), upright_(upright), points_(sample_surface(model, most_places)) {}
+      : model_(model), upright_(upright), points_(sample_surface(model, most_places)) {
+    const std::vector<bool> bones = bones_to_stand_on(model.skeleton);
+    for (std::size_t point = 0; point < points_.count(); ++point) {
+      const auto influences = points_.of(point);
+      stands_.push_back(!influences.empty() && bones[static_cast<std::size_t>(main_bone(model.skeleton, influences))]);
+    }
+    if (std::ranges::count(stands_, true) == 0) stands_.assign(points_.count(), true);
+  }
 
   std::optional<ModelExtent> measure() const {
     const std::optional<Room> rest = room_of(nullptr, 1);
@@ -72,14 +95,16 @@ class ExtentSurvey {
     int measured = 0;
     for (int i = 0; i < samples; ++i) {
       const double seconds = clip == nullptr ? 0.0 : clip->start + (clip->duration - clip->start) * i / samples;
-      Box box;
-      for (const glm::dvec3& place : places(points_, reference_pose(model_.skeleton, clip, seconds))) {
-        box.add(upright_ * place);
+      Box box, standing;
+      const std::vector<glm::dvec3> at = places(points_, reference_pose(model_.skeleton, clip, seconds));
+      for (std::size_t point = 0; point < at.size(); ++point) {
+        box.add(upright_ * at[point]);
+        if (stands_[point]) standing.add(upright_ * at[point]);
       }
       if (box.is_empty()) continue;
       if (measured++ == 0) room.middle = box.middle();
       room.size += box.size();
-      room.lowest = std::min(room.lowest, box.low.y);
+      room.lowest = std::min(room.lowest, standing.low.y);
       room.top = std::max(room.top, box.high.y);
     }
     if (measured == 0) return std::nullopt;
@@ -114,6 +139,7 @@ class ExtentSurvey {
   const Model& model_;
   glm::dquat upright_;
   SurfacePoints points_;
+  std::vector<bool> stands_;  // [point] it belongs to what the character stands on
 };
 
 }  // namespace

@@ -50,11 +50,6 @@ SurfacePoints joints(const Skeleton& skeleton) {
   return points;
 }
 
-int main_bone(const Skeleton& skeleton, std::span<const PointInfluence> influences) {
-  const auto weight = [](const PointInfluence& influence) { return influence.weighted.w; };
-  return skeleton.palette[std::ranges::max_element(influences, {}, weight)->entry].bone;
-}
-
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 /// Returns for each bone that carries any candidate the one farthest from its joint.
@@ -108,6 +103,11 @@ SurfacePoints sample_surface(const Model& model, std::size_t most) {
   std::size_t vertices = 0;
   for (const SkinnedMesh& mesh : model.meshes) vertices += mesh.positions.size();
   return vertices == 0 ? joints(model.skeleton) : every_nth_vertex(model, std::max<std::size_t>(1, vertices / most));
+}
+
+int main_bone(const Skeleton& skeleton, std::span<const PointInfluence> influences) {
+  const auto weight = [](const PointInfluence& influence) { return influence.weighted.w; };
+  return skeleton.palette[std::ranges::max_element(influences, {}, weight)->entry].bone;
 }
 
 std::vector<glm::dvec3> places(const SurfacePoints& points, const ReferencePose& pose) {

@@ -38,6 +38,9 @@ struct SurfacePoints {
 /// no surface.
 SurfacePoints sample_surface(const Model& model, std::size_t most);
 
+/// Returns the bone that moves a point most.
+int main_bone(const Skeleton& skeleton, std::span<const PointInfluence> influences);
+
 /// Returns the place of each point in a pose.
 std::vector<glm::dvec3> places(const SurfacePoints& points, const ReferencePose& pose);
 

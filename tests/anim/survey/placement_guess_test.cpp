@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/bake/character.h"
+#include "engine/anim/rig/limbs.h"
+#include "tests/anim/rig/named_skeleton.h"
 
 namespace throng::anim::placement_guess_test {
 namespace {
@@ -78,6 +80,33 @@ TEST(PlacementGuess, PutsFeetOnTheGroundWhereTheOriginIsAtTheHips) {
   const GuessedPlacement guessed = guess_placement(box({-0.3F, -0.95F, -0.2F}, {0.3F, 0.85F, 0.2F}));
   EXPECT_NEAR(guessed.placement.offset.y, 0.95, 1e-6);
   EXPECT_THAT(guessed.reasons, HasSubstr("raised 0.95 m to stand on the ground"));
+}
+
+/// A person whose sword, a vertex of the hand, hangs so far below the ground as the lowest joint is above it.
+Model swordsman() {
+  Model model;
+  model.skeleton = named_skeleton(person_joints());
+  SkinnedMesh& mesh = model.meshes.emplace_back();
+  const auto add_vertex = [&](int bone, const glm::vec3& position) {
+    mesh.positions.push_back(position);
+    mesh.normals.emplace_back(0.0F, 1.0F, 0.0F);
+    mesh.palette_entries.emplace_back(bone, 0, 0, 0);
+    mesh.weights.emplace_back(1.0F, 0.0F, 0.0F, 0.0F);
+    mesh.indices.push_back(static_cast<std::uint32_t>(mesh.indices.size()));
+  };
+  for (int bone = 0; bone < model.skeleton.bone_count(); ++bone) {
+    const auto joint = glm::vec3(joint_place(model.skeleton, bone).position);
+    add_vertex(bone, joint);
+    if (find_limbs(model.skeleton).right_arm->end == bone) add_vertex(bone, {joint.x, -0.4F, joint.z});
+    if (find_limbs(model.skeleton).left_leg->end == bone) add_vertex(bone, {joint.x, 0.0F, joint.z});
+  }
+  return model;
+}
+
+TEST(PlacementGuess, StandsAPersonOnItsFeetAndNotOnItsSword) {
+  const Model model = swordsman();
+  EXPECT_NEAR(measure_extent(model)->lowest, 0.0, 1e-6);
+  EXPECT_EQ(guess_placement(model).placement.offset.y, 0.0);
 }
 
 TEST(PlacementGuess, LeavesSolesALittleBelowAndWhoHoversALittle) {

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "app/character/clip_files.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "engine/anim/asset/reference_pose.h"
@@ -37,6 +36,7 @@ void guess_roles(CharacterSource& source) {
   source.roles.others = loopable(*source.character, source.roles.others);
   source.roles.height = source.character->bounds.height;
   source.roles.radius = source.character->bounds.body_radius;
+  source.roles.is_painted = std::ranges::all_of(source.model.meshes, std::ranges::empty, &anim::SkinnedMesh::regions);
   source.suggested = source.roles.clips;
   source.passages = {source.roles.sit_down, source.roles.stand_up};
   for (Passage& passage : source.passages) {
@@ -141,6 +141,16 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
   return ends;
 }
 
+anim::ImportedFile with_model_of(anim::ImportedFile& file, std::size_t model) {
+  anim::ImportedFile one{.file = file.file,
+                         .models = {},
+                         .animations = file.animations,
+                         .repairs = file.repairs,
+                         .notes = file.notes};
+  one.models.push_back(std::move(file.models[model]));
+  return one;
+}
+
 }  // namespace
 
 anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
@@ -151,6 +161,34 @@ anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
   return anim::Error{"the rig kept for " + anim::plain_text(path) + ": " + chosen.error().message};
 }
 
+anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how) {
+  anim::ImportedFile one = with_model_of(file, model);
+  anim::face_forward(one);
+  if (how.kept != nullptr) {
+    const anim::Status taken = take_kept_rig(how.path, one.models.front().skeleton);
+    if (!taken) return taken.error();
+  }
+  auto added = add_clips_from(how.clips, one, 0);
+  if (!added) return added.error();
+  CharacterSource source;
+  source.name = anim::plain_text(how.name);
+  source.clip_files = std::move(*added);
+  source.model = std::move(one.models.front());
+  source.placement = anim::guess_placement(source.model, how.placement);
+  anim::place_model(source.model, source.placement.placement);
+  if (how.kept != nullptr) {
+    const auto choice = how.kept->read(source.model.skeleton);
+    if (!choice) return choice.error();
+    if (*choice) anim::reorder_bones(source.model, **choice);
+  }
+  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
+  anim::keep_surveyed_keys(source.model);
+  guess_roles(source);
+  source.repairs = std::move(one.repairs);
+  source.notes = std::move(one.notes);
+  return source;
+}
+
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
                                              const LoadOptions& options) {
   const CharacterFile wanted = character_file(file);
@@ -158,30 +196,19 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
   if (!imported) return imported.error();
   const auto chosen = choose_model(*imported, wanted.skin);
   if (!chosen) return chosen.error();
-  anim::face_forward(*imported);
-  if (kept != nullptr) {
-    const anim::Status taken = take_kept_rig(wanted.path, imported->models[*chosen].skeleton);
-    if (!taken) return taken.error();
-  }
-  const anim::Status added = add_clips_from(options.clips_from, *imported, *chosen, options.import);
-  if (!added) return added.error();
-  CharacterSource source;
-  source.name = anim::plain_text(name);
-  source.cast = character_names(*imported);
-  source.cast_index = *chosen;
-  source.model = std::move(imported->models[*chosen]);
-  source.placement = anim::guess_placement(source.model, options.placement);
-  anim::place_model(source.model, source.placement.placement);
-  if (kept != nullptr) {
-    const auto choice = kept->read(source.model.skeleton);
-    if (!choice) return choice.error();
-    if (*choice) anim::reorder_bones(source.model, **choice);
-  }
-  source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
-  anim::keep_surveyed_keys(source.model);
-  guess_roles(source);
-  source.repairs = std::move(imported->repairs);
-  source.notes = std::move(imported->notes);
+  const auto clips = read_clip_files(options.clips_from, options.import);
+  if (!clips) return clips.error();
+  const std::vector<std::string> names = character_names(*imported);
+  const std::vector<const ClipFile*> pointers = pointers_to(*clips);
+  const CharacterMaking how{.path = wanted.path,
+                            .name = name,
+                            .kept = kept,
+                            .placement = options.placement,
+                            .clips = pointers};
+  auto source = make_character(*imported, *chosen, how);
+  if (!source) return source.error();
+  source->cast = names;
+  source->cast_index = *chosen;
   return source;
 }
 

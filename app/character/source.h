@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/character/bone_lod.h"
+#include "app/character/clip_files.h"
 #include "app/character/load_options.h"
 #include "app/character/roles.h"
 #include "engine/anim/asset/model.h"
@@ -31,6 +32,7 @@ struct CharacterSource {
   std::vector<std::string> notes;    ///< anim::ImportedFile::notes
   std::vector<std::string> cast;     ///< names of all characters of its file
   std::size_t cast_index = 0;        ///< which of them it is
+  std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
 
   bool has_surface() const { return !model.meshes.empty(); }
 };
@@ -44,6 +46,16 @@ anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
 /// the body that were kept for the file count too.
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
                                              const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
+
+/// Says how a model that was read becomes a character.
+struct CharacterMaking {
+  std::string path, name;
+  const BoneLodFile* kept = nullptr;
+  anim::PlacementChoice placement = {};
+  std::span<const ClipFile* const> clips = {};
+};
+/// Does the same with one of the models of a file that was read, which it takes out of it.
+anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how);
 
 /// A character whose bones are in another order, and the new index of each bone.
 struct ReorderedCharacter {

@@ -109,6 +109,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   remember(report_.frame_ms_history, frame_ms);
   remember(report_.update_ms_history, show.figures().times().animation_ms);
   report_.agents = static_cast<int>(show.stage().crowd().size());
+  add_cast(show.stage());
   report_.drawn = static_cast<int>(show.painter().picture().instances().size());
   report_.work = system.figures().report();
   report_.pose_hash = system.figures().pose_hash();
@@ -125,6 +126,14 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
   report_.snapshots = static_cast<int>(show.moments().count());
   report_.snapshot_seconds = static_cast<float>(anim::to_seconds(show.moments().age(show.stage())));
+}
+
+void FrameReporter::add_cast(const Stage& stage) {
+  report_.cast.clear();
+  for (const CharacterSource& person : stage.people()) report_.cast.push_back({.share = person.roles.share});
+  for (const std::uint8_t number : stage.crowd().characters()) {
+    if (number < report_.cast.size()) ++report_.cast[number].agents;
+  }
 }
 
 void FrameReporter::add_level_of_detail(const Stage& stage) {

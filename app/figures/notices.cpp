@@ -11,16 +11,19 @@
 namespace throng::app {
 namespace {
 
-constexpr std::size_t most_repairs_said = 3;  // of a file
+constexpr std::size_t most_said = 3;  // of one kind, of a file
+
+void add_some(std::string& lines, const std::vector<std::string>& sentences, const std::string& name,
+              const std::string& about_the_others) {
+  const std::size_t said = sentences.size() <= most_said + 1 ? sentences.size() : most_said;
+  for (std::size_t i = 0; i < said; ++i) add_line(lines, name + ": " + sentences[i] + ".");
+  if (said == sentences.size()) return;
+  add_line(lines, name + ": " + std::to_string(sentences.size() - said) + about_the_others);
+}
 
 void add_repairs(std::string& lines, const CharacterSource& character, const std::string& name) {
-  const std::vector<std::string>& repairs = character.repairs;
-  for (const std::string& note : character.notes) add_line(lines, name + ": " + note + ".");
-  const std::size_t said = repairs.size() <= most_repairs_said + 1 ? repairs.size() : most_repairs_said;
-  for (std::size_t i = 0; i < said; ++i) add_line(lines, name + ": " + repairs[i] + ".");
-  if (said == repairs.size()) return;
-  add_line(lines, name + ": " + std::to_string(repairs.size() - said) +
-                      " more things were repaired or left out; throng inspect lists them.");
+  add_some(lines, character.notes, name, " more such notes; throng inspect --clips-from lists them.");
+  add_some(lines, character.repairs, name, " more things were repaired or left out; throng inspect lists them.");
 }
 
 // The built-in character has no file.

@@ -88,7 +88,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "--pus: unknown option; throng pose --help lists them all"},
         Refused{"SecondModel", "inspect a.glb b.glb",
                 "b.glb: unexpected; options begin with --, and one model is the most"},
-        Refused{"SeventeenthModel", "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 q.glb", "q.glb: 16 models are the most"}),
+        Refused{"ModelTooMany",
+                "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 q.glb",
+                "q.glb: 30 models are the most"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -160,6 +162,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"OverlayOfNoFrame", "--headless --ui --draw none", "--ui: --draw none draws nothing"},
         Refused{"MapOfNoFrame", "--headless --ui --ui-map a.json --draw none", "--ui: --draw none draws nothing"},
         Refused{"MapOfNoOverlay", "--headless --ui-map a.json", "--ui-map: no overlay is drawn; add --ui"},
+        Refused{"CastBesideModels", "a.glb --cast b.glb", "--cast: takes the place of MODEL; give one of them"},
+        Refused{"SkinOfNobody", "--skin all", "--skin: goes with a MODEL or --cast"},
+        Refused{"CastOfAReplay", "--replay a.rec --cast b.glb",
+                "--cast: the recording says it; leave it out with --replay"},
+        Refused{"NoShare", "--cast a.glb*0",
+                "--cast a.glb*0: the share of a.glb must be a number, 0.01 to 100000, as in a.glb*2"},
+        Refused{"OddVariety", "--variety some", "--variety some: must be on or off"},
         Refused{"DataThatIsNotThere", "--data no/such/folder", "--data no/such/folder: must be a folder that is there"},
         Refused{"PictureThatIsNoPng", "--headless --screenshot a.jpg",
                 "--screenshot a.jpg: must be a file name that ends in .png"},

@@ -204,8 +204,7 @@ class CastLoader {
 
   anim::Status make(ReadMember& read, std::size_t model, std::span<const ClipFile* const> clips) {
     const CharacterFile wanted = character_file(read.member.file);
-    const std::string file =
-        wanted.skin == all_skins ? with_skin(wanted.path, read.names[model]) : read.member.file;
+    const std::string file = wanted.skin == all_skins ? with_skin(wanted.path, read.names[model]) : read.member.file;
     const BoneLodFile kept(file);
     auto character = make_character(
         read.imported, model,

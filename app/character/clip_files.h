@@ -34,8 +34,8 @@ std::optional<ClipFile> read_clips_alone(const std::string& path, const import::
 /// follows. Clips without a name of their own are called as their file. The model is in the space of its file, with no
 /// size or place yet. Returns the paths of those whose clips were taken.
 /// Errors: a file that has no clips, or that must fit and has no bone that the model knows.
-anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files, anim::ImportedFile& file,
-                                                      std::size_t model);
+anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files,
+                                                      anim::ImportedFile& file, std::size_t model);
 
 /// Does the same with the largest model and files that are yet to be read, after giving it the parts of the body that a
 /// person chose for `path`, the file of `file`.

@@ -142,11 +142,8 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
 }
 
 anim::ImportedFile with_model_of(anim::ImportedFile& file, std::size_t model) {
-  anim::ImportedFile one{.file = file.file,
-                         .models = {},
-                         .animations = file.animations,
-                         .repairs = file.repairs,
-                         .notes = file.notes};
+  anim::ImportedFile one{
+      .file = file.file, .models = {}, .animations = file.animations, .repairs = file.repairs, .notes = file.notes};
   one.models.push_back(std::move(file.models[model]));
   return one;
 }
@@ -200,11 +197,8 @@ anim::Result<CharacterSource> load_character(const std::string& file, const std:
   if (!clips) return clips.error();
   const std::vector<std::string> names = character_names(*imported);
   const std::vector<const ClipFile*> pointers = pointers_to(*clips);
-  const CharacterMaking how{.path = wanted.path,
-                            .name = name,
-                            .kept = kept,
-                            .placement = options.placement,
-                            .clips = pointers};
+  const CharacterMaking how{
+      .path = wanted.path, .name = name, .kept = kept, .placement = options.placement, .clips = pointers};
   auto source = make_character(*imported, *chosen, how);
   if (!source) return source.error();
   source->cast = names;

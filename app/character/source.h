@@ -26,12 +26,12 @@ struct CharacterSource {
   std::shared_ptr<const anim::Character> character;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
-  RoleClips suggested;               ///< the roles' clips, as their names suggest
-  std::array<Passage, 2> passages;   ///< into the suggested seat and out of it
-  std::vector<std::string> repairs;  ///< of its file, a sentence each
-  std::vector<std::string> notes;    ///< anim::ImportedFile::notes
-  std::vector<std::string> cast;     ///< names of all characters of its file
-  std::size_t cast_index = 0;        ///< which of them it is
+  RoleClips suggested;                       ///< the roles' clips, as their names suggest
+  std::array<Passage, 2> passages;           ///< into the suggested seat and out of it
+  std::vector<std::string> repairs;          ///< of its file, a sentence each
+  std::vector<std::string> notes;            ///< anim::ImportedFile::notes
+  std::vector<std::string> cast;             ///< names of all characters of its file
+  std::size_t cast_index = 0;                ///< which of them it is
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
 
   bool has_surface() const { return !model.meshes.empty(); }

@@ -88,8 +88,8 @@ class BodyLooks {
   std::array<Tints, 256> first_tints_{};
 };
 
-CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed,
-                    const CrowdCast& cast, bool variety) {
+CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed, const CrowdCast& cast,
+                    bool variety) {
   Random random(seed, looks_stream);
   BodyLooks bodies(seed, variety);
   CrowdLooks looks;

@@ -77,8 +77,8 @@ void show_cast(const TabContext& context) {
   for (std::size_t character = 0; character < report.cast.size(); ++character) {
     const CastMember& member = report.cast[character];
     const std::string label = cast_label(report.characters, character);
-    const std::string agents = counted(static_cast<std::size_t>(member.agents), "agent") +
-                               " now. A share counts beside those of the others.";
+    const std::string agents =
+        counted(static_cast<std::size_t>(member.agents), "agent") + " now. A share counts beside those of the others.";
     double share = member.share;
     const Help help{.what = agents.c_str(), .cost = "Changing it places all agents anew."};
     if (widgets.number(label.c_str(), share, 1.0, scale, help)) commands.share = NewShare{character, share};

@@ -18,10 +18,10 @@ struct RecordedCharacter {
   std::string file;
   std::string fingerprint;  ///< of bones and clips, whatever the bones' order; 16 hexadecimal digits
   RoleClips roles = no_clips();
-  std::vector<std::string> bones;        ///< in order, as bone_keys() has them
-  std::vector<int> level_counts;         ///< as in BoneLodChoice
-  anim::PlacementChoice placement = {};  ///< what was asked of its size and place
-  double share = 1.0;                    ///< of the crowd
+  std::vector<std::string> bones;            ///< in order, as bone_keys() has them
+  std::vector<int> level_counts;             ///< as in BoneLodChoice
+  anim::PlacementChoice placement = {};      ///< what was asked of its size and place
+  double share = 1.0;                        ///< of the crowd
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
 
   friend bool operator==(const RecordedCharacter&, const RecordedCharacter&) = default;

@@ -117,7 +117,7 @@ struct NewShare {
 struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
   std::optional<NewShare> share;
-  std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown
+  std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
   bool save_roles = false;
   std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
   bool save_bone_lod = false;             ///< beside the model

@@ -7,8 +7,8 @@
 
 namespace throng::app {
 
-/// Reads ENTRY[*SHARE][,ENTRY[*SHARE]...]; an entry is a file, FILE#SKIN, or a folder. A file whose own name ends like a
-/// share goes first.
+/// Reads ENTRY[*SHARE][,ENTRY[*SHARE]...]; an entry is a file, FILE#SKIN, or a folder. A file whose own name ends like
+/// a share goes first.
 ValueReader cast_entries(std::vector<CastEntry>& target);
 
 }  // namespace throng::app

@@ -93,7 +93,7 @@ class Show {
   Recorder recorder_;
   RunFigures figures_;
   Rewind rewind_;
-  LoadOptions load_options_;            // of models that are dropped too
+  LoadOptions load_options_;           // of models that are dropped too
   std::vector<std::string> left_out_;  // of the files that were named or dropped
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;

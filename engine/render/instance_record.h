@@ -7,8 +7,8 @@ namespace throng::render {
 
 inline constexpr std::uint32_t packed_slot = 0x80000000U;  ///< see InstanceRecord
 
-inline constexpr int tint_regions = 5;  ///< skin, hair, shirt, trousers, shoes
-inline constexpr float shade_reach = 0.35F;     ///< see InstanceRecord; shaders/variants.glsl repeats it
+inline constexpr int tint_regions = 5;       ///< skin, hair, shirt, trousers, shoes
+inline constexpr float shade_reach = 0.35F;  ///< see InstanceRecord; shaders/variants.glsl repeats it
 
 /// Tells the vertex shader about one drawn agent. `shaders/instance_record.glsl` repeats the layout (std430).
 /// app/ writes it once a frame for every drawn agent.

@@ -11,7 +11,7 @@ namespace throng::app {
 inline constexpr std::size_t most_models = 30;
 
 /// The range of a share. It may be a number of heads as well as a part.
-inline constexpr double least_share = 0.01, most_share = 100'000;
+inline constexpr double least_share = 0.01, most_share = 10'000;
 /// Returns whether it can be the share of one character, which may be a part of a folder's.
 constexpr bool is_share(double share) { return share > 0.0 && share <= most_share; }
 

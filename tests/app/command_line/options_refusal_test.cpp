@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"CastOfAReplay", "--replay a.rec --cast b.glb",
                 "--cast: the recording says it; leave it out with --replay"},
         Refused{"NoShare", "--cast a.glb*0",
-                "--cast a.glb*0: the share of a.glb must be a number, 0.01 to 100000, as in a.glb*2"},
+                "--cast a.glb*0: the share of a.glb must be a number, 0.01 to 10000, as in a.glb*2"},
         Refused{"OddVariety", "--variety some", "--variety some: must be on or off"},
         Refused{"DataThatIsNotThere", "--data no/such/folder", "--data no/such/folder: must be a folder that is there"},
         Refused{"PictureThatIsNoPng", "--headless --screenshot a.jpg",

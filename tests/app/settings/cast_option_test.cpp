@@ -35,7 +35,7 @@ TEST(CastOption, ReadsFilesFoldersSkinsAndShares) {
 }
 
 TEST(CastOption, RefusesSharesThatAreNoneAndSaysHowTheyAreWritten) {
-  const std::string remedy = " must be a number, 0.01 to 100000, as in ";
+  const std::string remedy = " must be a number, 0.01 to 10000, as in ";
   for (const char* const share : {"0", "-1", "x", "", "nan", "inf", "1e9", "2x"}) {
     EXPECT_EQ(refusal(std::string("a.glb,man.glb*") + share), "the share of man.glb" + remedy + "man.glb*2") << share;
   }

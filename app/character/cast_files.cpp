@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 /// How the names of files end that a folder is searched for.
 constexpr std::array<std::string_view, 2> model_endings{".glb", ".gltf"};
 
+constexpr std::size_t most_explained = 6;  // of the files that are left out
+
 /// A file of the cast.
 struct Member {
   std::string file;  // "FILE" or "FILE#SKIN"
@@ -105,6 +107,9 @@ class CastLoader {
       if (const anim::Status done = (this->*step)(); !done) return done.error();
     }
     if (cast_.characters.empty()) return nobody();
+    if (!unexplained_.empty()) {
+      cast_.left_out.push_back("Left out as well: " + joined(unexplained_, ", ", " and ") + ".");
+    }
     share_out();
     return std::move(cast_);
   }
@@ -170,7 +175,11 @@ class CastLoader {
   // What was named must be shown; of a folder, what can be.
   anim::Status take(const Member& member, const anim::Status& status) {
     if (status || member.is_named || options_.import.strict) return status;
-    cast_.left_out.push_back(status.error().message + "; it is left out.");
+    if (cast_.left_out.size() < most_explained) {
+      cast_.left_out.push_back(status.error().message + "; it is left out.");
+    } else {
+      unexplained_.push_back(anim::plain_text(fs::path(member.file).filename().string()));
+    }
     return anim::Done{};
   }
 
@@ -242,6 +251,7 @@ class CastLoader {
   std::map<std::string, ClipFile> wanted_clips_;         // by path
   std::map<std::size_t, std::vector<ClipFile>> beside_;  // by entry
   std::vector<std::size_t> entry_of_;                    // [character]
+  std::vector<std::string> unexplained_;                 // names of files
   LoadedCast cast_;
 };
 

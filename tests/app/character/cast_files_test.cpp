@@ -141,6 +141,16 @@ TEST_F(CastFiles, OfAFolderThatCannotBeReadAreLeftOutAndNamed) {
   EXPECT_THAT(refusal(load_cast({&folder, 1}, {.import = {.strict = true}})), HasSubstr("broken.glb"));
 }
 
+TEST_F(CastFiles, ThatAreLeftOutAreAllNamedAndTheFirstExplained) {
+  put("plain.glb", "a.glb");
+  for (int i = 0; i < 9; ++i) put_text("broken" + std::to_string(i) + ".glb", "no glTF");
+  const CastEntry folder{.file = folder_.string()};
+  const auto cast = load_cast({&folder, 1});
+  ASSERT_TRUE(cast) << cast.error().message;
+  ASSERT_EQ(cast->left_out.size(), 7U);
+  EXPECT_EQ(cast->left_out.back(), "Left out as well: broken6.glb, broken7.glb and broken8.glb.");
+}
+
 TEST_F(CastFiles, ThatWereNamedAreRefusedWhereTheyCannotBeRead) {
   const fs::path good = put("plain.glb", "a.glb");
   put_text("broken.glb", "no glTF");

@@ -66,7 +66,11 @@ FrameReporter::FrameReporter(const Show& show) {
 
 void FrameReporter::describe_characters(const Show& show) {
   report_.characters.clear();
-  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
+  report_.cast.clear();
+  for (const CharacterSource& character : show.stage().people()) {
+    report_.characters.push_back(character.name);
+    report_.cast.push_back({.share = character.roles.share, .starting_share = character.roles.share});
+  }
   describe_character(show, 0);
 }
 
@@ -99,6 +103,9 @@ void FrameReporter::describe_bones(const anim::Character& character) {
 
 void FrameReporter::update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice) {
   const anim::AnimationSystem& system = show.stage().system();
+  if (!std::ranges::equal(show.stage().people(), report_.characters, {}, &CharacterSource::name)) {
+    describe_characters(show);  // a replay has others from here on
+  }
   ++report_.frame;
   report_.notice = notice;
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
@@ -129,8 +136,10 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
 }
 
 void FrameReporter::add_cast(const Stage& stage) {
-  report_.cast.clear();
-  for (const CharacterSource& person : stage.people()) report_.cast.push_back({.share = person.roles.share});
+  for (std::size_t i = 0; i < report_.cast.size(); ++i) {
+    report_.cast[i].share = stage.people()[i].roles.share;
+    report_.cast[i].agents = 0;
+  }
   for (const std::uint8_t number : stage.crowd().characters()) {
     if (number < report_.cast.size()) ++report_.cast[number].agents;
   }

@@ -81,7 +81,8 @@ void show_cast(const TabContext& context) {
         counted(static_cast<std::size_t>(member.agents), "agent") + " now. A share counts beside those of the others.";
     double share = member.share;
     const Help help{.what = agents.c_str(), .cost = "Changing it places all agents anew."};
-    if (widgets.number(label.c_str(), share, 1.0, scale, help)) commands.share = NewShare{character, share};
+    if (widgets.number(label.c_str(), share, member.starting_share, scale, help))
+      commands.share = NewShare{character, share};
   }
   std::string counts;
   for (const CastMember& member : report.cast) {

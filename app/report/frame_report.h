@@ -53,6 +53,7 @@ struct HeadFigures {
 /// A character of the cast.
 struct CastMember {
   double share = 1.0;
+  double starting_share = 1.0;  ///< as it was loaded
   int agents = 0;
 };
 

@@ -71,8 +71,9 @@ TEST(ImportNotice, OfALargeCastKeepsToAFewLines) {
   }
   const std::string lines = import_notice(people);
   EXPECT_EQ(std::ranges::count(lines, '\n'), 12);
-  EXPECT_TRUE(lines.ends_with("11.glb: clips were taken.\n8 more lines are about other models; throng inspect says what "
-                              "is in a file."))
+  EXPECT_TRUE(
+      lines.ends_with("11.glb: clips were taken.\n8 more lines are about other models; throng inspect says what "
+                      "is in a file."))
       << lines;
 }
 

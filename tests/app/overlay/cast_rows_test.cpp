@@ -22,5 +22,16 @@ TEST(CastRows, ShowAndChangeTheShareOfEachCharacter) {
   EXPECT_NEAR(dragged.share->share, 1.0, 0.1);
 }
 
+TEST(CastRows, GoBackToTheShareThatTheCastWasLoadedWith) {
+  OverlayDriver driver;
+  driver.report.characters = {"person.glb", "knight.glb"};
+  driver.report.cast = {{.share = 3, .starting_share = 3}, {.share = 5, .starting_share = 2}};
+  driver.frames();
+  EXPECT_FALSE(driver.sees("person.glb.reset"));
+  const OverlayCommands reset = driver.click("knight.glb.reset");
+  ASSERT_TRUE(reset.share);
+  EXPECT_EQ(reset.share->share, 2.0);
+}
+
 }  // namespace
 }  // namespace throng::app::cast_rows_test

@@ -123,10 +123,11 @@ class CastLoader {
         continue;
       }
       const auto files = models_in(wanted.path);
-      if (!files && came_together_) cast_.left_out.push_back(files.error().message + ".");
       if (!files && !came_together_) return files.error();
-      if (!files) continue;
-      for (const std::string& file : *files) members_.push_back({with_skin(file, wanted.skin), entry, false});
+      if (!files) cast_.left_out.push_back(files.error().message + ".");
+      for (const std::string& file : files ? *files : std::vector<std::string>()) {
+        members_.push_back({with_skin(file, wanted.skin), entry, false});
+      }
     }
     return anim::Done{};
   }
@@ -144,7 +145,7 @@ class CastLoader {
     const CharacterFile wanted = character_file(member.file);
     auto imported = import::import_file(wanted.path, options_.import);
     if (imported && has_surface(*imported)) return choose(member, wanted.skin, std::move(*imported));
-    if (!member.is_named && take_clips(member, wanted.path)) return anim::Done{};
+    if (!member.is_named && take_clips(member, wanted.path, imported)) return anim::Done{};
     return imported ? no_mesh(*imported) : imported.error();
   }
 
@@ -164,8 +165,8 @@ class CastLoader {
   }
 
   // Clips that lie beside characters are theirs.
-  bool take_clips(const Member& member, const std::string& path) {
-    auto clips = read_clips_alone(path, options_.import);
+  bool take_clips(const Member& member, const std::string& path, anim::Result<anim::ImportedFile>& imported) {
+    auto clips = imported ? take_clips_alone(path, *imported) : read_clips_alone(path, options_.import);
     if (!clips) return false;
     clips->must_fit = false;
     beside_[came_together_ ? 0 : member.entry].push_back(std::move(*clips));
@@ -207,7 +208,9 @@ class CastLoader {
       clips.push_back(&file->second);
     }
     if (own) return clips;
-    for (const ClipFile& file : beside_[came_together_ ? 0 : entry]) clips.push_back(&file);
+    for (const ClipFile& file : beside_[came_together_ ? 0 : entry]) {
+      if (!wanted_clips_.contains(file.path)) clips.push_back(&file);
+    }
     return clips;
   }
 

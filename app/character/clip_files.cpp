@@ -72,12 +72,17 @@ anim::Error no_bone_in_common(const std::string& clip_file, const std::string& f
                            ".throng.json, under \"rig\", which is which")};
 }
 
+anim::Status take_kept_rigs(const std::string& path, anim::ImportedFile& file) {
+  for (anim::Model& model : file.models) {
+    if (anim::Status taken = take_kept_rig(path, model.skeleton); !taken) return taken;
+  }
+  return anim::Done{};
+}
+
 anim::Result<ClipFile> read_clip_file(const std::string& path, const import::ImportOptions& options) {
   auto clips = import::import_clips(path, options);
   if (!clips) return clips.error();
-  for (anim::Model& model : clips->models) {
-    if (const anim::Status taken = take_kept_rig(path, model.skeleton); !taken) return taken.error();
-  }
+  if (const anim::Status taken = take_kept_rigs(path, *clips); !taken) return taken.error();
   return ClipFile{.path = path, .imported = std::move(*clips)};
 }
 
@@ -120,13 +125,16 @@ anim::Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string>
 }
 
 std::optional<ClipFile> read_clips_alone(const std::string& path, const import::ImportOptions& options) {
-  auto file = read_clip_file(path, options);
-  if (!file) return {};
+  auto file = import::import_clips(path, options);
+  return file ? take_clips_alone(path, *file) : std::nullopt;
+}
+
+std::optional<ClipFile> take_clips_alone(const std::string& path, anim::ImportedFile& file) {
   const auto draws = [](const anim::Model& model) { return !model.meshes.empty(); };
   const auto plays = [](const anim::Model& model) { return !model.clips.empty(); };
-  const std::vector<anim::Model>& models = file->imported.models;
-  if (std::ranges::any_of(models, draws) || std::ranges::none_of(models, plays)) return {};
-  return std::move(*file);
+  if (std::ranges::any_of(file.models, draws) || std::ranges::none_of(file.models, plays)) return {};
+  if (!take_kept_rigs(path, file)) return {};
+  return ClipFile{.path = path, .imported = std::move(file)};
 }
 
 std::vector<const ClipFile*> pointers_to(std::span<const ClipFile> files) {

@@ -26,7 +26,10 @@ anim::Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string>
 
 std::vector<const ClipFile*> pointers_to(std::span<const ClipFile> files);
 
-/// Returns the file if it has clips and nothing to draw; nothing where it has no clips or cannot be read.
+/// Takes a file that was read for its clips if it has some and nothing to draw; else leaves it as it is.
+std::optional<ClipFile> take_clips_alone(const std::string& path, anim::ImportedFile& file);
+
+/// Reads such a file; returns nothing where it is none or cannot be read.
 std::optional<ClipFile> read_clips_alone(const std::string& path, const import::ImportOptions& options = {});
 
 /// Adds the clips of other files to one of the models of `file`, for its own skeleton: as they are where both rest

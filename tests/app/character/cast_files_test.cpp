@@ -105,6 +105,10 @@ TEST_F(CastFiles, ThatHoldClipsAloneGiveThemToTheOthersOfTheirFolder) {
   EXPECT_THAT(cast->characters[0].clip_files, ElementsAre((folder_ / "people/moves.gltf").string()));
   EXPECT_FALSE(cast->characters[0].model.clips.empty());
   EXPECT_THAT(cast->characters[1].clip_files, IsEmpty());
+  const std::vector<std::string> named{(folder_ / "people/moves.gltf").string()};
+  const auto once = load_cast({entries.data(), 1}, {.clips_from = named});
+  ASSERT_TRUE(once) << once.error().message;
+  EXPECT_EQ(once->characters[0].clip_files, named) << "once, though it is named too";
 }
 
 TEST_F(CastFiles, ThatHoldClipsOfOtherBonesLeaveAsTheyAreWhoHasNone) {

@@ -18,7 +18,7 @@ out vec4 passed_color;
 flat out vec4 debug_color;
 
 vec4 tinted(const InstanceRecord instance) {
-  if (region >= tint_regions) return color;
+  if (region >= tint_regions) return vec4(shaded(instance, color.rgb), color.a);
   return vec4(color.rgb * to_linear(unpackUnorm4x8(instance.tints[region]).rgb), color.a);
 }
 

@@ -1,4 +1,4 @@
-// Repeats the layout of engine/render/instance_record.h: 84 bytes, scalars only, so that std430 adds no gaps.
+// Repeats the layout of engine/render/instance_record.h: 88 bytes, scalars only, so that std430 adds no gaps.
 struct InstanceRecord {
   float position_x, position_y, position_z;
   float scale;
@@ -12,6 +12,7 @@ struct InstanceRecord {
   uint shape;
   uint hair;
   float contact_scale;
+  uint shade;
 };
 
 layout(std430, binding = 0) readonly buffer Instances { InstanceRecord instances[]; };

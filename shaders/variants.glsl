@@ -1,4 +1,4 @@
-// Makes the bodies of instances differ, in the space of the bind pose. Include instance_record.glsl before it.
+// Makes the bodies of instances differ, in the space of the bind pose, and their colours. Include instance_record.glsl before it.
 
 // A vertex with a share of 1 in a variation moves this many metres.
 const float stout_reach = 0.048;
@@ -14,4 +14,11 @@ vec3 varied(const InstanceRecord instance, vec3 position, vec3 normal, vec3 shap
   float outward = stout_reach * body.x * shape.x + broad_reach * body.y * shape.y;
   outward += style.x * hair.x * (style.x < 0.0 ? cropped_hair_reach : full_hair_reach);
   return position + normal * outward + stooped_reach * (body.z * shape.z) + long_hair_reach * (style.y * hair.y);
+}
+
+// Colours that are the file's own get a little lighter or darker, warmer or cooler; at most by this share.
+const float shade_reach = 0.35;
+
+vec3 shaded(const InstanceRecord instance, vec3 color) {
+  return color * (1.0 + shade_reach * unpackSnorm4x8(instance.shade).rgb);
 }

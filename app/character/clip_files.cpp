@@ -73,37 +73,39 @@ anim::Error no_bone_in_common(const std::string& clip_file, const std::string& f
                            ".throng.json, under \"rig\", which is which")};
 }
 
-anim::Result<anim::ImportedFile> import_clip_file(const std::string& clip_file, const import::ImportOptions& options) {
-  auto clips = read_model_file(clip_file, options, ModelFileUse::clips);
-  if (!clips) return clips.error();
-  for (anim::Model& model : clips->models) {
-    if (const anim::Status taken = take_kept_rig(clip_file, model.skeleton); !taken) return taken.error();
+anim::Status take_kept_rigs(const std::string& path, anim::ImportedFile& file) {
+  for (anim::Model& model : file.models) {
+    if (anim::Status taken = take_kept_rig(path, model.skeleton); !taken) return taken;
   }
-  return clips;
+  return anim::Done{};
 }
 
-anim::Status add_clips(const std::string& clip_file, anim::ImportedFile& file, anim::Model& model,
-                       const import::ImportOptions& options) {
-  const auto clips = import_clip_file(clip_file, options);
+anim::Result<ClipFile> read_clip_file(const std::string& path, const import::ImportOptions& options) {
+  auto clips = read_model_file(path, options, ModelFileUse::clips);
   if (!clips) return clips.error();
-  const ClipSource source = best_source(*clips, model.skeleton);
-  if (!source.model) return no_clips(clip_file);
-  if (source.retargeter->match().matched() == 0) return no_bone_in_common(clip_file, file.file);
+  if (const anim::Status taken = take_kept_rigs(path, *clips); !taken) return taken.error();
+  return ClipFile{.path = path, .imported = std::move(*clips)};
+}
+
+std::string plays_none(const ClipFile& clips) {
+  return "it plays none of the clips of " + anim::plain_text(clips.path) + ", because no bone matches";
+}
+
+void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedFile& file, anim::Model& model) {
   std::set<std::string> lost;
   bool as_they_were = true;
   for (const anim::Clip& clip : source.model->clips) {
     anim::RetargetedClip fitted = source.retargeter->retarget(clip);
-    fitted.clip.name = name_for(clip, clip_file, file.animations);
+    fitted.clip.name = name_for(clip, clips.path, file.animations);
     fitted.clip.animation = static_cast<int>(file.animations.size());
     file.animations.push_back(fitted.clip.name);
     model.clips.push_back(std::move(fitted.clip));
     lost.insert(fitted.lost.begin(), fitted.lost.end());
     as_they_were = as_they_were && fitted.as_it_was;
   }
-  file.notes.push_back(anim::plain_text(clip_file) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
+  file.notes.push_back(anim::plain_text(clips.path) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
                        how_they_fit(*source.retargeter, as_they_were) +
                        (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)));
-  return anim::Done{};
 }
 
 anim::Error no_skeleton(const std::string& path) {
@@ -112,28 +114,62 @@ anim::Error no_skeleton(const std::string& path) {
 
 }  // namespace
 
-anim::Status add_clips_from(std::span<const std::string> clip_files, anim::ImportedFile& file, std::size_t model,
-                            const import::ImportOptions& options) {
-  for (const std::string& clip_file : clip_files) {
-    const anim::Status added = add_clips(clip_file, file, file.models[model], options);
-    if (!added) return added;
+anim::Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string> paths,
+                                                    const import::ImportOptions& options) {
+  std::vector<ClipFile> files;
+  for (const std::string& path : paths) {
+    auto file = read_clip_file(path, options);
+    if (!file) return file.error();
+    files.push_back(std::move(*file));
   }
-  return anim::Done{};
+  return files;
+}
+
+std::optional<ClipFile> read_clips_alone(const std::string& path, const import::ImportOptions& options) {
+  auto file = import::import_clips(path, options);
+  return file ? take_clips_alone(path, *file) : std::nullopt;
+}
+
+std::optional<ClipFile> take_clips_alone(const std::string& path, anim::ImportedFile& file) {
+  const auto draws = [](const anim::Model& model) { return !model.meshes.empty(); };
+  const auto plays = [](const anim::Model& model) { return !model.clips.empty(); };
+  if (std::ranges::any_of(file.models, draws) || std::ranges::none_of(file.models, plays)) return {};
+  if (!take_kept_rigs(path, file)) return {};
+  return ClipFile{.path = path, .imported = std::move(file)};
+}
+
+std::vector<const ClipFile*> pointers_to(std::span<const ClipFile> files) {
+  std::vector<const ClipFile*> pointers;
+  for (const ClipFile& file : files) pointers.push_back(&file);
+  return pointers;
+}
+
+anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files,
+                                                      anim::ImportedFile& file, std::size_t model) {
+  std::vector<std::string> taken;
+  for (const ClipFile* const clips : clip_files) {
+    const ClipSource source = best_source(clips->imported, file.models[model].skeleton);
+    if (!source.model) return no_clips(clips->path);
+    const bool fits = source.retargeter->match().matched() > 0;
+    if (!fits && clips->must_fit) return no_bone_in_common(clips->path, file.file);
+    if (fits) {
+      take_clips(*clips, source, file, file.models[model]);
+      taken.push_back(clips->path);
+    } else {
+      file.notes.push_back(plays_none(*clips));
+    }
+  }
+  return taken;
 }
 
 anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
                           const import::ImportOptions& options) {
   if (file.models.empty()) return clip_files.empty() ? anim::Status(anim::Done{}) : no_skeleton(path);
   if (const anim::Status taken = take_kept_rig(path, file.models.front().skeleton); !taken) return taken;
-  return add_clips_from(clip_files, file, 0, options);
-}
-
-bool has_clips_alone(const std::string& file) {
-  const auto imported = read_model_file(file, {}, ModelFileUse::clips);
-  if (!imported || imported->models.empty()) return false;
-  const auto draws = [](const anim::Model& model) { return !model.meshes.empty(); };
-  const auto plays = [](const anim::Model& model) { return !model.clips.empty(); };
-  return std::ranges::none_of(imported->models, draws) && std::ranges::any_of(imported->models, plays);
+  const auto clips = read_clip_files(clip_files, options);
+  if (!clips) return clips.error();
+  const auto added = add_clips_from(pointers_to(*clips), file, 0);
+  return added ? anim::Status(anim::Done{}) : anim::Status(added.error());
 }
 
 }  // namespace throng::app

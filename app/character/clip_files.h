@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/anim/asset/model.h"
 #include "engine/anim/base/result.h"
@@ -10,20 +12,37 @@
 
 namespace throng::app {
 
-/// Adds the clips of other files to one of the models of `file`, for its own skeleton: as they are where both rest
-/// alike, else retargeted. A file of clips needs no mesh and no skin. Sentences in file.notes say for each file how
-/// its clips fit and which of its bones nobody follows. Clips without a name of their own are called as their file.
-/// The model is in the space of its file, with no size or place yet.
-/// Errors: a file that cannot be read, has no clips, or has no bone that the model knows.
-anim::Status add_clips_from(std::span<const std::string> clip_files, anim::ImportedFile& file, std::size_t model,
-                            const import::ImportOptions& options = {});
+/// A file of clips, read once for all characters that play them.
+struct ClipFile {
+  std::string path;
+  anim::ImportedFile imported;
+  bool must_fit = true;  ///< false: a character that has none of its bones goes without
+};
 
-/// Does the same with the largest model, after giving it the parts of the body that a person chose for `path`, the file
-/// of `file`.
+/// Reads files of clips, which need no mesh and no skin, with the parts of the body that a person chose for them.
+/// Errors: a file that cannot be read.
+anim::Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string> paths,
+                                                    const import::ImportOptions& options = {});
+
+std::vector<const ClipFile*> pointers_to(std::span<const ClipFile> files);
+
+/// Takes a file that was read for its clips if it has some and nothing to draw; else leaves it as it is.
+std::optional<ClipFile> take_clips_alone(const std::string& path, anim::ImportedFile& file);
+
+/// Reads such a file; returns nothing where it is none or cannot be read.
+std::optional<ClipFile> read_clips_alone(const std::string& path, const import::ImportOptions& options = {});
+
+/// Adds the clips of other files to one of the models of `file`, for its own skeleton: as they are where both rest
+/// alike, else retargeted. Sentences in file.notes say for each file how its clips fit and which of its bones nobody
+/// follows. Clips without a name of their own are called as their file. The model is in the space of its file, with no
+/// size or place yet. Returns the paths of those whose clips were taken.
+/// Errors: a file that has no clips, or that must fit and has no bone that the model knows.
+anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files,
+                                                      anim::ImportedFile& file, std::size_t model);
+
+/// Does the same with the largest model and files that are yet to be read, after giving it the parts of the body that a
+/// person chose for `path`, the file of `file`.
 anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
                           const import::ImportOptions& options = {});
-
-/// Returns whether a file has clips and nothing to draw. A file that cannot be read has none.
-bool has_clips_alone(const std::string& file);
 
 }  // namespace throng::app

@@ -45,9 +45,14 @@ anim::Result<CharacterSource> bake_anew(const pack::Pack& pack, const PackedChar
                                         const BoneLodFile* kept, const LoadOptions& options) {
   auto imported = pack.imported(chosen.file);
   if (!imported) return imported.error();
+  const auto clips = read_clip_files(options.clips_from, options.import);
+  if (!clips) return clips.error();
+  const std::vector<const ClipFile*> pointers = pointers_to(*clips);
   const auto since = kept_order(kept, imported->models[chosen.model].skeleton);
   if (!since) return since.error();
-  auto source = bake_source(std::move(*imported), chosen.model, path, kept, options);
+  auto source =
+      make_character(*imported, chosen.model,
+                     {.path = path, .name = {}, .kept = kept, .placement = options.placement, .clips = pointers});
   if (source && order && !*since) take_order(*source, *order);
   return source;
 }
@@ -63,9 +68,6 @@ anim::Result<CharacterSource> as_baked(const pack::Pack& pack, const PackedChara
   source.surface = {.bytes = pack.surface(chosen.file, chosen.model), .lender = pack.lender()};
   source.repairs = pack.header(chosen.file).repairs;
   source.notes = pack.header(chosen.file).notes;
-  const auto names = pack.names(chosen.file);
-  source.cast.assign(names.begin(), names.end());
-  source.cast_index = chosen.model;
   const auto order = kept_order(kept, source.model.skeleton);
   if (!order) return order.error();
   if (*order) take_order(source, **order);
@@ -110,7 +112,7 @@ std::vector<std::string> packed_names(const pack::Pack& pack, bool all) {
   return names;
 }
 
-anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const BoneLodFile* kept,
+anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const std::string& name, const BoneLodFile* kept,
                                           const LoadOptions& options) {
   const auto pack = pack::Pack::open(wanted.path);
   if (!pack) return pack.error();
@@ -123,8 +125,14 @@ anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const Bon
   if (!baked) return baked.error();
   const auto usable = is_as_asked(*baked, wanted.path, kept, options);
   if (!usable) return usable.error();
-  if (*usable) return as_baked(*pack, *chosen, std::move(*baked), kept);
-  return bake_anew(*pack, *chosen, baked->prepared.order, wanted.path, kept, options);
+  auto source = *usable ? as_baked(*pack, *chosen, std::move(*baked), kept)
+                        : bake_anew(*pack, *chosen, baked->prepared.order, wanted.path, kept, options);
+  if (!source) return source;
+  const auto names = pack->names(chosen->file);
+  source->name = anim::plain_text(name);
+  source->cast.assign(names.begin(), names.end());
+  source->cast_index = chosen->model;
+  return source;
 }
 
 }  // namespace throng::app

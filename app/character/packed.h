@@ -29,7 +29,7 @@ anim::Status check_strictly(const pack::Pack& pack, std::size_t file, const std:
 
 /// Takes a character out of a pack. What a person asks now about its size, clips or parts of the body has it baked
 /// anew, of the file that the pack keeps whole.
-anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const BoneLodFile* kept,
+anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const std::string& name, const BoneLodFile* kept,
                                           const LoadOptions& options);
 
 }  // namespace throng::app

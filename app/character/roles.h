@@ -60,6 +60,8 @@ struct CharacterRoles {
   double height = person_height;  ///< metres
   double radius = 0.3;            ///< metres; radius of the body seen from above, arms down
   bool is_prop = false;           ///< a thing: it stands only where a scene asks for one
+  bool is_painted = false;        ///< its colours are its file's own: agents differ in shade, not in clothes
+  double share = 1.0;             ///< of the crowd, beside the shares of the others
 
   int clip(Role role) const { return role == Role::other ? no_clip : clips[index_of(role)]; }
   /// Returns the character's height over that of a person.

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "app/character/clip_files.h"
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
@@ -131,6 +130,13 @@ std::vector<render::BoneEndData> bone_ends(const anim::Skeleton& skeleton) {
   return ends;
 }
 
+anim::ImportedFile with_model_of(anim::ImportedFile& file, std::size_t model) {
+  anim::ImportedFile one{
+      .file = file.file, .models = {}, .animations = file.animations, .repairs = file.repairs, .notes = file.notes};
+  one.models.push_back(std::move(file.models[model]));
+  return one;
+}
+
 }  // namespace
 
 anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
@@ -147,6 +153,7 @@ void guess_roles(CharacterSource& source) {
   source.roles.others = to_be_repeated(*source.character, source.roles.others);
   source.roles.height = source.character->bounds.height;
   source.roles.radius = source.character->bounds.body_radius;
+  source.roles.is_painted = std::ranges::all_of(source.model.meshes, std::ranges::empty, &anim::SkinnedMesh::regions);
   source.suggested = source.roles.clips;
   source.passages = {source.roles.sit_down, source.roles.stand_up};
   for (Passage& passage : source.passages) {
@@ -156,47 +163,52 @@ void guess_roles(CharacterSource& source) {
   assign_roles(source, source.suggested);
 }
 
-anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
-                                             const LoadOptions& options) {
-  const CharacterFile wanted = character_file(file);
-  const auto load = [&]() -> anim::Result<CharacterSource> {
-    if (pack::is_pack(wanted.path)) return load_packed(wanted, kept, options);
-    anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options.import);
-    if (!imported) return imported.error();
-    const auto chosen = choose_model(*imported, wanted.skin);
-    if (!chosen) return chosen.error();
-    return bake_source(std::move(*imported), *chosen, wanted.path, kept, options);
-  };
-  anim::Result<CharacterSource> source = load();
-  if (source) source->name = anim::plain_text(name);
-  return source;
-}
-
-anim::Result<CharacterSource> bake_source(anim::ImportedFile imported, std::size_t model, const std::string& path,
-                                          const BoneLodFile* kept, const LoadOptions& options) {
-  anim::face_forward(imported);
-  if (kept != nullptr) {
-    const anim::Status taken = take_kept_rig(path, imported.models[model].skeleton);
+anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how) {
+  anim::ImportedFile one = with_model_of(file, model);
+  anim::face_forward(one);
+  if (how.kept != nullptr) {
+    const anim::Status taken = take_kept_rig(how.path, one.models.front().skeleton);
     if (!taken) return taken.error();
   }
-  const anim::Status added = add_clips_from(options.clips_from, imported, model, options.import);
+  auto added = add_clips_from(how.clips, one, 0);
   if (!added) return added.error();
   CharacterSource source;
-  source.cast = character_names(imported);
-  source.cast_index = model;
-  source.model = std::move(imported.models[model]);
-  source.placement = anim::guess_placement(source.model, options.placement);
+  source.name = anim::plain_text(how.name);
+  source.clip_files = std::move(*added);
+  source.model = std::move(one.models.front());
+  source.placement = anim::guess_placement(source.model, how.placement);
   anim::place_model(source.model, source.placement.placement);
-  if (kept != nullptr) {
-    const auto choice = kept->read(source.model.skeleton);
+  if (how.kept != nullptr) {
+    const auto choice = how.kept->read(source.model.skeleton);
     if (!choice) return choice.error();
     if (*choice) anim::reorder_bones(source.model, **choice);
   }
   source.character = std::make_shared<const anim::Character>(anim::bake_character(source.model));
   anim::keep_surveyed_keys(source.model);
   guess_roles(source);
-  source.repairs = std::move(imported.repairs);
-  source.notes = std::move(imported.notes);
+  source.repairs = std::move(one.repairs);
+  source.notes = std::move(one.notes);
+  return source;
+}
+
+anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
+                                             const LoadOptions& options) {
+  const CharacterFile wanted = character_file(file);
+  if (pack::is_pack(wanted.path)) return load_packed(wanted, name, kept, options);
+  anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options.import);
+  if (!imported) return imported.error();
+  const auto chosen = choose_model(*imported, wanted.skin);
+  if (!chosen) return chosen.error();
+  const auto clips = read_clip_files(options.clips_from, options.import);
+  if (!clips) return clips.error();
+  const std::vector<std::string> names = character_names(*imported);
+  const std::vector<const ClipFile*> pointers = pointers_to(*clips);
+  const CharacterMaking how{
+      .path = wanted.path, .name = name, .kept = kept, .placement = options.placement, .clips = pointers};
+  auto source = make_character(*imported, *chosen, how);
+  if (!source) return source.error();
+  source->cast = names;
+  source->cast_index = *chosen;
   return source;
 }
 

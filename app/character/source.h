@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/character/bone_lod.h"
+#include "app/character/clip_files.h"
 #include "app/character/load_options.h"
 #include "app/character/roles.h"
 #include "engine/anim/asset/model.h"
@@ -33,12 +34,13 @@ struct CharacterSource {
   PackedSurface surface;
   std::vector<std::string> clip_names;  ///< in the character's order
   CharacterRoles roles;
-  RoleClips suggested;               ///< the roles' clips, as their names suggest
-  std::array<Passage, 2> passages;   ///< into the suggested seat and out of it
-  std::vector<std::string> repairs;  ///< of its file, a sentence each
-  std::vector<std::string> notes;    ///< anim::ImportedFile::notes
-  std::vector<std::string> cast;     ///< names of all characters of its file
-  std::size_t cast_index = 0;        ///< which of them it is
+  RoleClips suggested;                       ///< the roles' clips, as their names suggest
+  std::array<Passage, 2> passages;           ///< into the suggested seat and out of it
+  std::vector<std::string> repairs;          ///< of its file, a sentence each
+  std::vector<std::string> notes;            ///< anim::ImportedFile::notes
+  std::vector<std::string> cast;             ///< names of all characters of its file
+  std::size_t cast_index = 0;                ///< which of them it is
+  std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
 
   bool has_surface() const { return !model.meshes.empty(); }
 };
@@ -47,17 +49,24 @@ struct CharacterSource {
 /// file and what cannot be.
 anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
 
-/// Adds the clips of other files (clip_files.h) to a model of `imported`, gives it size and place, and bakes it. `kept`
-/// has the order of its bones that a person chose; with it, the parts of the body that were kept for `path` count too.
-anim::Result<CharacterSource> bake_source(anim::ImportedFile imported, std::size_t model, const std::string& path,
-                                          const BoneLodFile* kept, const LoadOptions& options);
-
 /// Finds the clips that the roles play, once the character is there.
 void guess_roles(CharacterSource& source);
 
-/// Imports and bakes a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), or takes it from a pack (packed.h).
+/// Imports a model of `file`, "FILE" or "FILE#SKIN" (skin_choice.h), adds the clips of other files (clip_files.h),
+/// gives it size and place, and bakes it; or takes it out of a pack (packed.h). `kept` has the order of its bones that
+/// a person chose; with it, the parts of the body that were kept for the file count too.
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name,
                                              const BoneLodFile* kept = nullptr, const LoadOptions& options = {});
+
+/// Says how a model that was read becomes a character.
+struct CharacterMaking {
+  std::string path, name;
+  const BoneLodFile* kept = nullptr;
+  anim::PlacementChoice placement = {};
+  std::span<const ClipFile* const> clips = {};
+};
+/// Does the same with one of the models of a file that was read, which it takes out of it.
+anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how);
 
 /// A character whose bones are in another order, and the new index of each bone.
 struct ReorderedCharacter {

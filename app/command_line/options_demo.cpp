@@ -3,6 +3,7 @@
 
 #include "app/command_line/option_reader.h"
 #include "app/command_line/options_commands.h"
+#include "app/settings/cast_option.h"
 #include "app/settings/preset.h"
 #include "app/settings/tuning_values.h"
 
@@ -15,6 +16,11 @@ void declare_starting_values(OptionReader& reader, DemoOptions& options) {
   reader.value("--preset", "NAME|FILE", "A preset by its name in the overlay, or a file (none)",
                preset_values(options));
   reader.value("--set", "KEY=VALUE,...", "Any value of a preset by its key", set_values(options.tuning));
+}
+
+void declare_cast(OptionReader& reader, DemoOptions& options) {
+  reader.value("--cast", "MODEL*SHARE,...", "Models with their shares of the agents, in place of MODEL (even shares)",
+               cast_entries(options.cast));
 }
 
 void declare_clips(OptionReader& reader, DemoOptions& options) {
@@ -130,7 +136,10 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (options.models.size() > most_models) {
     return options.models[most_models] + ": " + std::to_string(most_models) + " models are the most";
   }
-  if (options.models.empty() && !options.skin.empty()) return "--skin: goes with a MODEL";
+  if (!options.models.empty() && !options.cast.empty()) return "--cast: takes the place of MODEL; give one of them";
+  if (options.models.empty() && options.cast.empty() && !options.skin.empty()) {
+    return "--skin: goes with a MODEL or --cast";
+  }
   if (!options.replay.empty()) {
     if (auto contradiction = contradiction_of_replay(options)) return contradiction;
   }
@@ -154,7 +163,8 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
 
 void declare_demo(OptionReader& reader, DemoOptions& options) {
   const auto add = [&](const std::string& text) { return any_text(options.models.emplace_back())(text); };
-  const char* const models = "glTF files (.glb or .gltf), up to 16 in one crowd; without any, the built-in character";
+  const std::string models = "glTF files (.glb or .gltf), packs, and folders of them, up to " +
+                             std::to_string(most_models) + " characters; without any, the built-in one";
   reader.value("MODEL", "...", models, add)
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args()
@@ -162,6 +172,7 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
   declare_placement(reader, options.placement);
   declare_starting_values(reader, options);
   reader.tuning("Crowd", options.tuning);
+  declare_cast(reader, options);
   declare_clips(reader, options);
   declare_reading(reader, options);
   reader.tuning("Level of detail", options.tuning);

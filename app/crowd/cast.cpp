@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "app/crowd/random.h"
+#include "app/crowd/shares.h"
 
 namespace throng::app {
 namespace {
@@ -23,10 +24,6 @@ Numbers those_who(std::span<const CharacterRoles> characters, bool (*do_it)(cons
 bool is_person(const CharacterRoles& character) { return !character.is_prop; }
 bool is_prop(const CharacterRoles& character) { return character.is_prop; }
 bool can_walk(const CharacterRoles& character) { return is_person(character) && character.can_walk(); }
-
-std::uint8_t one_of(std::span<const std::uint8_t> numbers, Random& random) {
-  return numbers[random.below(static_cast<std::uint32_t>(numbers.size()))];
-}
 
 }  // namespace
 
@@ -48,12 +45,19 @@ CrowdCast::CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayo
   assert(!walking.empty() || (layout.walkers.empty() && layout.marchers.empty()));
   const std::uint8_t leader = walking.empty() ? people.front() : walking.front();
   Random random(seed, cast_stream);
-  for (std::size_t walker = 0; walker < layout.walkers.size(); ++walker) numbers_.push_back(one_of(walking, random));
+  ShareDealer dealer(characters);
+  const auto is = [&](Part part) {
+    return static_cast<std::size_t>(std::ranges::count(layout.standers, part, &StanderPlace::part));
+  };
+  numbers_ = dealer.deal(walking, layout.walkers.size(), random);
   numbers_.insert(numbers_.end(), layout.marchers.size(), leader);
+  const Numbers bystanders = dealer.deal(people, is(Part::bystander), random);
+  const Numbers things = dealer.deal(props, is(Part::prop), random);
+  auto bystander = bystanders.begin(), thing = things.begin();
   for (const StanderPlace& place : layout.standers) {
-    assert(place.part != Part::prop || !props.empty());
-    const bool leads = place.part == Part::actor;
-    numbers_.push_back(leads ? leader : one_of(place.part == Part::prop ? props : people, random));
+    if (place.part == Part::actor) numbers_.push_back(leader);
+    if (place.part == Part::bystander) numbers_.push_back(*bystander++);
+    if (place.part == Part::prop) numbers_.push_back(*thing++);
   }
 }
 

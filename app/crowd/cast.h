@@ -13,9 +13,10 @@ namespace throng::app {
 /// The characters of a crowd. It says which of them each agent is.
 class CrowdCast {
  public:
-  /// Draws a character for every place of `layout`; the same seed draws the same. Walkers are characters that can walk,
-  /// standers are people, and a place for a prop gets a prop. Marchers keep step, so all are one character, the first
-  /// that can walk; an actor is that one too. `characters`: 1 to 256, the first is no prop.
+  /// Gives every place of `layout` a character; the same seed gives the same. Walkers are characters that can walk,
+  /// standers are people, and a place for a prop gets a prop. Each has its share of both, as exactly as whole numbers
+  /// can be, in an order that the seed shuffles. Marchers keep step, so all are one character, the first that can walk;
+  /// an actor is that one too. `characters`: 1 to 256, the first is no prop.
   CrowdCast(std::span<const CharacterRoles> characters, const CrowdLayout& layout, std::uint32_t seed);
 
   const CharacterRoles& of(std::size_t agent) const { return characters_[numbers_[agent]]; }

@@ -81,4 +81,19 @@ Variant random_variant(Random& random) {
   return variant;
 }
 
+std::uint32_t random_shade(Random& random) {
+  constexpr float lightest = 0.10F, warmest = 0.04F;
+  const float lightness = 1.0F + random.between(-lightest, lightest), warmth = random.between(-warmest, warmest);
+  // Linear light goes nearly as the square of what the screen is told.
+  const auto word = [](float on_screen) { return snorm8((on_screen * on_screen - 1.0F) / render::shade_reach); };
+  return word(lightness * (1.0F + warmth)) | word(lightness) << 8U | word(lightness * (1.0F - warmth)) << 16U;
+}
+
+// A sum of four even draws is close to the bell curve, on every machine alike.
+float random_size(Random& random) {
+  constexpr float deviation = 0.04F, most = 0.10F, deviation_of_sum = 0.57735F;
+  const float sum = random.unit() + random.unit() + random.unit() + random.unit() - 2.0F;
+  return 1.0F + std::clamp(sum * (deviation / deviation_of_sum), -most, most);
+}
+
 }  // namespace throng::app

@@ -33,4 +33,11 @@ struct Variant {
 /// Draws a woman or a man of any build; most are near the middle.
 Variant random_variant(Random& random);
 
+/// Draws InstanceRecord::shade for colours that are a file's own: up to 10% lighter or darker and 4% warmer or cooler,
+/// as the screen counts, so that they stay what they are.
+std::uint32_t random_shade(Random& random);
+
+/// Draws the height over that of the file, of people as they differ: 4% in standard deviation, 10% at most.
+float random_size(Random& random);
+
 }  // namespace throng::app

@@ -1,6 +1,7 @@
 #include "app/crowd/crowd.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -25,6 +26,7 @@ constexpr anim::Ticks slowness_to_catch_up = 4;  // who is behind makes up one s
 
 constexpr std::uint64_t looks_stream = 4;
 constexpr std::uint64_t variants_stream = 9;
+constexpr std::uint64_t painted_stream = 11;
 
 // The wave: how long somebody is up, and how unevenly they rise.
 constexpr anim::Ticks up_in_wave = anim::ticks_per_second * 9 / 5;
@@ -53,23 +55,59 @@ std::vector<Habit> habits_of(const CrowdLayout& layout) {
   return habits;
 }
 
-CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed,
-                    const CrowdCast& cast) {
+/// The size and the colours of a body, and the shape of one that was made for it.
+struct BodyLook {
+  float scale = 1.0F;
+  Tints tints{};
+  Variant variant{};
+  std::uint32_t shade = 0;
+};
+
+/// Makes bodies differ. Streams of their own draw what not every character has, so that nobody else's draws change.
+class BodyLooks {
+ public:
+  BodyLooks(std::uint32_t seed, bool variety)
+      : variety_(variety), variants_(seed, variants_stream), painted_(seed, painted_stream) {}
+
+  /// Returns the look of the next agent, of character `number`. `scale` and `tints` were drawn for it.
+  BodyLook next(const CharacterRoles& character, std::uint8_t number, float scale, const Tints& tints) {
+    const Variant variant = random_variant(variants_);
+    const float size = random_size(painted_);
+    const std::uint32_t shade = random_shade(painted_);
+    const bool is_first = !std::exchange(met_[number], true);
+    if (is_first) first_tints_[number] = tints;
+    if (!variety_) return {1.0F, first_tints_[number], {}, 0};
+    if (!character.is_painted) return {scale, tints, variant, 0};
+    return is_first ? BodyLook{1.0F, tints, variant, 0} : BodyLook{size, tints, variant, shade};
+  }
+
+ private:
+  bool variety_;
+  Random variants_, painted_;
+  std::array<bool, 256> met_{};
+  std::array<Tints, 256> first_tints_{};
+};
+
+CrowdLooks looks_of(const CrowdLayout& layout, std::span<const Habit> habits, std::uint32_t seed, const CrowdCast& cast,
+                    bool variety) {
   Random random(seed, looks_stream);
-  Random bodies(seed, variants_stream);
+  BodyLooks bodies(seed, variety);
   CrowdLooks looks;
   for (std::size_t agent = 0; agent < habits.size(); ++agent) {
     const CharacterRoles& character = cast.of(agent);
     const double radius = std::min(character.radius, widest_in_spacings * character.spacing());
     const bool marches = habits[agent] == Habit::march, walks = agent < layout.walkers.size();
     const float scale = random.between(shortest, tallest), phase = random.unit();
+    const float pace = walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest);
+    const BodyLook body = bodies.next(character, cast.numbers()[agent], scale, random_tints(random));
     // Those who march have steps of one length, and a script counts on that of those who act.
-    looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : scale);
+    looks.scales.push_back(marches || habits[agent] == Habit::act ? 1.0F : body.scale);
     looks.radii.push_back(static_cast<float>(radius) * looks.scales.back());
-    looks.paces.push_back(walks ? random.between(slowest_pace, fastest_pace) : random.between(slowest, fastest));
+    looks.paces.push_back(pace);
     looks.start_phases.push_back(phase);
-    looks.tints.push_back(random_tints(random));
-    looks.variants.push_back(random_variant(bodies));
+    looks.tints.push_back(body.tints);
+    looks.variants.push_back(body.variant);
+    looks.shades.push_back(body.shade);
     if (!marches) continue;
     const double in_step = marcher_phase(layout.route, layout.marchers[agent - layout.walkers.size()], character);
     const double ragged = in_step + static_cast<double>(out_of_step * phase);
@@ -96,16 +134,17 @@ CrowdWalkers walkers_of(const CrowdLayout& layout, const CrowdLooks& looks, cons
 
 }  // namespace
 
-Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters)
-    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters) {
+Crowd::Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
+             bool variety)
+    : Crowd(layout_of(scene, agents, seed, common_roles(characters)), seed, characters, variety) {
   assert(size() == agents);
 }
 
-Crowd::Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters)
+Crowd::Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters, bool variety)
     : cast_(characters, layout, seed),
       route_(layout.route),
       marchers_(layout.marchers),
-      looks_(looks_of(layout, habits_of(layout), seed, cast_)),
+      looks_(looks_of(layout, habits_of(layout), seed, cast_, variety)),
       state_{.behind = std::vector<anim::Ticks>(marchers_.size()),
              .next_waves = {},
              .minds = CrowdMinds(cast_, habits_of(layout), seed),

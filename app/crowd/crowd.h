@@ -22,12 +22,13 @@ namespace throng::app {
 
 /// The properties of each agent that never change.
 struct CrowdLooks {
-  std::vector<float> scales;        ///< 0.9 to 1.08
+  std::vector<float> scales;        ///< 0.9 to 1.1
   std::vector<float> radii;         ///< metres
   std::vector<float> paces;         ///< playback speed of what is done in place; of walkers, speed over the clip's
   std::vector<float> start_phases;  ///< 0 to below 1
   std::vector<Tints> tints;
   std::vector<Variant> variants;
+  std::vector<std::uint32_t> shades;  ///< InstanceRecord::shade
 };
 
 /// Everything in a crowd that changes as time passes.
@@ -48,8 +49,10 @@ using CrowdMoment = std::optional<CrowdState>;
 /// state after the last `advance`, and live as long as the crowd.
 class Crowd {
  public:
-  /// Makes a crowd of 1 to 256 `characters`. CrowdCast gives each agent one of them.
-  Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters);
+  /// Makes a crowd of 1 to 256 `characters`. CrowdCast gives each agent one of them. `variety`: agents of one character
+  /// differ in size and colours, but for the first of a painted one, who is as its file has it.
+  Crowd(Scene scene, std::size_t agents, std::uint32_t seed, std::span<const CharacterRoles> characters,
+        bool variety = true);
   Crowd(Scene scene, std::size_t agents, std::uint32_t seed, const CharacterRoles& character)
       : Crowd(scene, agents, seed, std::span(&character, 1)) {}
   Crowd(const Crowd&) = delete;  // its parts point at the cast
@@ -79,7 +82,7 @@ class Crowd {
   std::size_t size() const { return state_.positions.size(); }
   std::span<const glm::vec3> positions() const { return state_.positions; }  ///< metres, between the feet
   std::span<const Heading> headings() const { return state_.headings; }
-  std::span<const float> scales() const { return looks_.scales; }  ///< 0.9 to 1.08
+  std::span<const float> scales() const { return looks_.scales; }  ///< 0.9 to 1.1
   std::span<const float> radii() const { return looks_.radii; }    ///< metres, of the body seen from above
   std::span<const float> speeds() const { return state_.speeds; }  ///< metres a second over the ground
   /// Returns the speeds at which the shown clips play. A gait plays at 0.4 to 1.7, so that feet do not slide; other
@@ -89,6 +92,7 @@ class Crowd {
   std::span<const std::uint8_t> characters() const { return cast_.numbers(); }  ///< index among the characters
   std::span<const Tints> tints() const { return looks_.tints; }
   std::span<const Variant> variants() const { return looks_.variants; }
+  std::span<const std::uint32_t> shades() const { return looks_.shades; }
   std::span<const Role> roles() const { return state_.minds.roles(); }
   std::span<const Habit> habits() const { return state_.minds.habits(); }
   std::span<const int> clips() const {
@@ -100,7 +104,7 @@ class Crowd {
   std::size_t marchers() const { return marchers_.size(); }       ///< those after them: rank and file; all others stay
 
  private:
-  Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters);
+  Crowd(const CrowdLayout& layout, std::uint32_t seed, std::span<const CharacterRoles> characters, bool variety);
   void place(const CrowdLayout& layout);
   void expect_wave(const CrowdLayout& layout);
   void lead_wave();

@@ -66,7 +66,11 @@ FrameReporter::FrameReporter(const Show& show) {
 
 void FrameReporter::describe_characters(const Show& show) {
   report_.characters.clear();
-  for (const CharacterSource& character : show.stage().people()) report_.characters.push_back(character.name);
+  report_.cast.clear();
+  for (const CharacterSource& character : show.stage().people()) {
+    report_.characters.push_back(character.name);
+    report_.cast.push_back({.share = character.roles.share, .starting_share = character.roles.share});
+  }
   describe_character(show, 0);
 }
 
@@ -99,6 +103,9 @@ void FrameReporter::describe_bones(const anim::Character& character) {
 
 void FrameReporter::update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice) {
   const anim::AnimationSystem& system = show.stage().system();
+  if (!std::ranges::equal(show.stage().people(), report_.characters, {}, &CharacterSource::name)) {
+    describe_characters(show);  // a replay has others from here on
+  }
   ++report_.frame;
   report_.notice = notice;
   report_.role_clips = show.stage().characters()[report_.character].roles.clips;
@@ -109,6 +116,7 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   remember(report_.frame_ms_history, frame_ms);
   remember(report_.update_ms_history, show.figures().times().animation_ms);
   report_.agents = static_cast<int>(show.stage().crowd().size());
+  add_cast(show.stage());
   report_.drawn = static_cast<int>(show.painter().picture().instances().size());
   report_.work = system.figures().report();
   report_.pose_hash = system.figures().pose_hash();
@@ -125,6 +133,16 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   if (report_.selected) selection_log_.update(show.stage(), *report_.selected);
   report_.snapshots = static_cast<int>(show.moments().count());
   report_.snapshot_seconds = static_cast<float>(anim::to_seconds(show.moments().age(show.stage())));
+}
+
+void FrameReporter::add_cast(const Stage& stage) {
+  for (std::size_t i = 0; i < report_.cast.size(); ++i) {
+    report_.cast[i].share = stage.people()[i].roles.share;
+    report_.cast[i].agents = 0;
+  }
+  for (const std::uint8_t number : stage.crowd().characters()) {
+    if (number < report_.cast.size()) ++report_.cast[number].agents;
+  }
 }
 
 void FrameReporter::add_level_of_detail(const Stage& stage) {

@@ -42,6 +42,7 @@ class FrameReporter {
  private:
   void describe_device(const Show& show);
   void describe_bones(const anim::Character& character);
+  void add_cast(const Stage& stage);
   void add_level_of_detail(const Stage& stage);
   void add_heads(const Stage& stage);
   void add_units(const anim::AnimationSystem& system);

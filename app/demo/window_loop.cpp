@@ -207,6 +207,7 @@ class WindowLoop {
     obey_sweep(commands);
     obey_presets(commands);
     const std::size_t character = reporter_.report().character;
+    if (commands.share) show_.set_share(commands.share->character, commands.share->share);
     if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) say_where(save_roles(show_.stage().characters()[character]));
     obey_bone_lod(commands, character);

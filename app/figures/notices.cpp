@@ -1,7 +1,9 @@
 #include "app/figures/notices.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "app/character/skin_choice.h"
@@ -11,16 +13,31 @@
 namespace throng::app {
 namespace {
 
-constexpr std::size_t most_repairs_said = 3;  // of a file
+constexpr std::size_t most_said = 3;    // of one kind, of a file
+constexpr std::size_t most_lines = 12;  // of one kind, of a cast
+
+void add_some(std::string& lines, const std::vector<std::string>& sentences, const std::string& name,
+              const std::string& about_the_others) {
+  const std::size_t said = sentences.size() <= most_said + 1 ? sentences.size() : most_said;
+  for (std::size_t i = 0; i < said; ++i) add_line(lines, name + ": " + sentences[i] + ".");
+  if (said == sentences.size()) return;
+  add_line(lines, name + ": " + std::to_string(sentences.size() - said) + about_the_others);
+}
 
 void add_repairs(std::string& lines, const CharacterSource& character, const std::string& name) {
-  const std::vector<std::string>& repairs = character.repairs;
-  for (const std::string& note : character.notes) add_line(lines, name + ": " + note + ".");
-  const std::size_t said = repairs.size() <= most_repairs_said + 1 ? repairs.size() : most_repairs_said;
-  for (std::size_t i = 0; i < said; ++i) add_line(lines, name + ": " + repairs[i] + ".");
-  if (said == repairs.size()) return;
-  add_line(lines, name + ": " + std::to_string(repairs.size() - said) +
-                      " more things were repaired or left out; throng inspect lists them.");
+  add_some(lines, character.notes, name, " more such notes; throng inspect --clips-from lists them.");
+  add_some(lines, character.repairs, name, " more things were repaired or left out; throng inspect lists them.");
+}
+
+// A large cast must not cover the picture with lines.
+std::string shortened(const std::string& lines, const std::string& about) {
+  std::size_t end = 0, count = 0;
+  for (std::size_t at = 0; at < lines.size(); at = std::min(lines.find('\n', at), lines.size()) + 1) {
+    if (++count == most_lines + 1) end = at - 1;
+  }
+  if (count <= most_lines + 1) return lines;
+  return lines.substr(0, end) + "\n" + std::to_string(count - most_lines) + " more lines are about " + about +
+         "; throng inspect says what is in a file.";
 }
 
 // The built-in character has no file.
@@ -59,18 +76,23 @@ std::string import_notice(std::span<const CharacterSource> characters) {
     add_line(lines, cast_sentence(character, name));
     if (said.insert(character_file(character.file).path).second) add_repairs(lines, character, name);
   }
-  return lines;
+  return shortened(lines, "other models");
 }
 
 std::string placement_notice(std::span<const CharacterSource> characters) {
-  std::string lines;
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;  // with all to whom they apply
   for (const CharacterSource& character : characters) {
     if (character.placement.is_plain) continue;
     const bool has_extent = character.placement.extent.has_value();
     const std::string remedy = has_extent ? "; --scale, --up and --ground overrule it." : ".";
-    add_line(lines, short_name(character) + ": " + character.placement.reasons + remedy);
+    const std::string reason = character.placement.reasons + remedy;
+    auto same = std::ranges::find(reasons, reason, &decltype(reasons)::value_type::first);
+    if (same == reasons.end()) same = reasons.insert(same, {reason, {}});
+    same->second.push_back(short_name(character));
   }
-  return lines;
+  std::string lines;
+  for (const auto& [reason, names] : reasons) add_line(lines, joined(names, ", ", " and ") + ": " + reason);
+  return shortened(lines, "sizes and places of other models");
 }
 
 std::string local_store_notice(const anim::AnimationSystem& system) {

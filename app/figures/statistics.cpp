@@ -34,6 +34,19 @@ Json bones_per_agent(const Stage& stage) {
   return mean(bones, agents);
 }
 
+// Each with its share and how many agents are it.
+Json characters_of(const Stage& stage) {
+  Json characters = Json::array();
+  const auto numbers = stage.crowd().characters();
+  for (const CharacterSource& person : stage.people()) {
+    const std::size_t number = characters.elements().size();
+    characters.push_back({{"name", person.name},
+                          {"share", person.roles.share},
+                          {"agents", std::ranges::count(numbers, static_cast<std::uint8_t>(number))}});
+  }
+  return characters;
+}
+
 const char* palette_format(const Stage& stage) {
   std::size_t packed = 0;
   const std::size_t characters = stage.people().size();
@@ -129,6 +142,7 @@ void Statistics::add_report(const Stage& stage) {
 anim::Status Statistics::write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const {
   Json json;
   json["agents"] = stage.crowd().size();
+  json["characters"] = characters_of(stage);
   json["bones_per_agent"] = bones_per_agent(stage);
   json["frames"] = frames_;
   add_scheduling(json, stage);

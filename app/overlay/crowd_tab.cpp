@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "app/character/cast_entry.h"
+#include "app/files/joined.h"
 #include "app/overlay/numbers.h"
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
@@ -43,10 +46,49 @@ void show_who(const TabContext& context) {
               {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
                .unit = "0 to 9,999",
                .cost = "Changing it places all agents anew."});
+  context.row("variety", "Variety",
+              {.what = "Agents of one character differ in height and colours. Off: they are all as its file has it.",
+               .cost = "Changing it places all agents anew."});
   context.row("placed_feet", "Placed feet",
               {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
                        "them, and slide in turns.",
                .cost = "Some microseconds an agent."});
+}
+
+constexpr double usual_most_share = 100;
+
+// Names that two share are told apart by the place in the cast.
+std::string cast_label(const std::vector<std::string>& names, std::size_t character) {
+  const std::string name = file_name(names[character]);
+  const auto is_same = [&](const std::string& other) { return file_name(other) == name; };
+  return std::ranges::count_if(names, is_same) < 2 ? name : std::to_string(character + 1) + " " + name;
+}
+
+void show_cast(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, commands, memory] = context;
+  if (report.characters.size() < 2 || report.cast.size() != report.characters.size()) return;
+  widgets.section("Cast");
+  const bool counts_heads =
+      std::ranges::any_of(report.cast, [](const CastMember& member) { return member.share > usual_most_share; });
+  const NumberScale scale{.lowest = least_share,
+                          .highest = counts_heads ? most_share : usual_most_share,
+                          .decimals = 2,
+                          .logarithmic = true};
+  for (std::size_t character = 0; character < report.cast.size(); ++character) {
+    const CastMember& member = report.cast[character];
+    const std::string label = cast_label(report.characters, character);
+    const std::string agents =
+        counted(static_cast<std::size_t>(member.agents), "agent") + " now. A share counts beside those of the others.";
+    double share = member.share;
+    const Help help{.what = agents.c_str(), .cost = "Changing it places all agents anew."};
+    if (widgets.number(label.c_str(), share, member.starting_share, scale, help))
+      commands.share = NewShare{character, share};
+  }
+  std::string counts;
+  for (const CastMember& member : report.cast) {
+    counts += (counts.empty() ? "" : " + ") + with_thousands(static_cast<std::uint64_t>(member.agents));
+  }
+  widgets.caption(counts + " agents");
 }
 
 void show_time(const TabContext& context) {
@@ -144,6 +186,7 @@ void show_in_view(const TabContext& context) {
 
 void show_crowd_tab(const TabContext& context) {
   show_who(context);
+  show_cast(context);
   show_time(context);
   show_picture(context);
   show_in_view(context);

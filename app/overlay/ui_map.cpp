@@ -71,9 +71,16 @@ Json sweep_json(const SweepCurve& sweep) {
   return {{"value", word(swept_value_words, sweep.value)}, {"runs", sweep.runs}, {"stops", stops}};
 }
 
+Json cast_json(const std::vector<CastMember>& cast) {
+  Json members = Json::array();
+  for (const CastMember& member : cast) members.push_back({{"share", member.share}, {"agents", member.agents}});
+  return members;
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"characters", report.characters},
+          {"cast", cast_json(report.cast)},
           {"drawn", report.drawn},
           {"visible", report.visible},
           {"agents_updated", report.work.agents_updated},

@@ -46,6 +46,12 @@ std::optional<RecordedRequest> push(NumberReader& numbers) {
   return is_near(push.direction) ? std::optional<RecordedRequest>(push) : std::nullopt;
 }
 
+std::optional<RecordedRequest> share(NumberReader& numbers) {
+  const auto character = numbers.next<std::uint32_t>();
+  const RecordedShare share{.character = character, .share = numbers.next<double>()};
+  return is_share(share.share) ? std::optional<RecordedRequest>(share) : std::nullopt;
+}
+
 RecordedRoles roles(NumberReader& numbers) {
   RecordedRoles roles{.character = numbers.next<std::uint32_t>()};
   for (int& clip : roles.clips) clip = numbers.next<std::int32_t>();
@@ -97,6 +103,8 @@ std::optional<RecordedRequest> request_of_numbers(RecordKind kind, NumberReader&
       return RecordedRewind{};
     case RecordKind::bone_order:
       return bone_order(numbers);
+    case RecordKind::share:
+      return share(numbers);
     default:
       return {};
   }

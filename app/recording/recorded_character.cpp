@@ -58,6 +58,12 @@ bool read_placement(const Json& json, anim::PlacementChoice& placement) {
   return true;
 }
 
+bool read_share(const Json& json, double& share) {
+  if (!json.is<double>() || !is_share(json.get<double>())) return false;
+  share = json.get<double>();
+  return true;
+}
+
 bool read_character(const Json& json, RecordedCharacter& character) {
   constexpr int most_clips = 65535;
   const Json& roles = json["roles"];
@@ -65,6 +71,11 @@ bool read_character(const Json& json, RecordedCharacter& character) {
   if (!json["bones"].is<std::vector<std::string>>() || !json["level_counts"].are_whole(1, anim::max_bones))
     return false;
   if (!roles.are_whole(no_clip, most_clips) || roles.elements().size() != character.roles.size()) return false;
+  if (json.contains("share") && !read_share(json["share"], character.share)) return false;
+  if (json.contains("clip_files")) {
+    if (!json["clip_files"].is<std::vector<std::string>>()) return false;
+    character.clip_files = json["clip_files"].get<std::vector<std::string>>();
+  }
   if (json.contains("placement") && !read_placement(json["placement"], character.placement)) return false;
   character.file = json["file"].get<std::string>();
   character.fingerprint = json["fingerprint"].get<std::string>();
@@ -92,7 +103,9 @@ RecordedCharacter recorded(const CharacterSource& character) {
           .roles = character.roles.clips,
           .bones = bone_keys(skeleton),
           .level_counts = skeleton.level_bone_counts,
-          .placement = character.placement.choice};
+          .placement = character.placement.choice,
+          .share = character.roles.share,
+          .clip_files = character.clip_files};
 }
 
 std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> characters) {
@@ -118,7 +131,16 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
   }
   if (!has_clips(character, as_recorded.roles)) return anim::Error{"plays a clip that " + character.name + " has not"};
   assign_roles(character, as_recorded.roles);
+  character.roles.share = as_recorded.share;
   return anim::Done{};
+}
+
+std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters) {
+  std::vector<CastEntry> entries;
+  for (const RecordedCharacter& character : characters) {
+    entries.push_back({.file = character.file, .share = character.share, .clip_files = character.clip_files});
+  }
+  return entries;
 }
 
 Json to_json(std::span<const RecordedCharacter> characters) {
@@ -129,7 +151,9 @@ Json to_json(std::span<const RecordedCharacter> characters) {
                     {"roles", character.roles},
                     {"bones", character.bones},
                     {"level_counts", character.level_counts},
-                    {"placement", to_json(character.placement)}});
+                    {"placement", to_json(character.placement)},
+                    {"share", character.share},
+                    {"clip_files", character.clip_files}});
   }
   return json;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/character/cast_entry.h"
 #include "app/character/roles.h"
 #include "app/character/source.h"
 #include "app/files/json.h"
@@ -17,9 +18,11 @@ struct RecordedCharacter {
   std::string file;
   std::string fingerprint;  ///< of bones and clips, whatever the bones' order; 16 hexadecimal digits
   RoleClips roles = no_clips();
-  std::vector<std::string> bones;        ///< in order, as bone_keys() has them
-  std::vector<int> level_counts;         ///< as in BoneLodChoice
-  anim::PlacementChoice placement = {};  ///< what was asked of its size and place
+  std::vector<std::string> bones;            ///< in order, as bone_keys() has them
+  std::vector<int> level_counts;             ///< as in BoneLodChoice
+  anim::PlacementChoice placement = {};      ///< what was asked of its size and place
+  double share = 1.0;                        ///< of the crowd
+  std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
 
   friend bool operator==(const RecordedCharacter&, const RecordedCharacter&) = default;
 };
@@ -34,7 +37,10 @@ bool has_clips(const CharacterSource& character, const RoleClips& roles);
 /// the recording asks for.
 anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
 
-/// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts" and
+/// Returns the entries that load these characters again, with the clips that they play.
+std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters);
+
+/// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts", "share", "clip_files" and
 /// "placement": scale (0: guessed), up axis and ground rule as numbers.
 Json to_json(std::span<const RecordedCharacter> characters);
 /// Reads 1 to most_models characters; returns false where the JSON is no such list.

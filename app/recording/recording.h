@@ -35,6 +35,7 @@ namespace throng::app {
 ///     bone order  character u32, bones u32, levels u32, each bone's index in the order of before u16, the levels'
 ///                 counts u16
 ///     characters  JSON, as in the header
+///     share       character u32, share of the crowd f64
 ///     frame       delta i64 (ticks), camera 6 x f32, width u32, height u32, pose hash u64, agents u32,
 ///                 a bit for each agent whose hash changed, from the lowest; their hashes, u16
 ///     end         frames u64, ByteHash u64 of all bytes of the file before it
@@ -52,7 +53,8 @@ enum class RecordKind : std::uint8_t {
   bone_order,
   characters,
   frame,
-  end
+  end,
+  share
 };
 
 struct RecordingHeader {
@@ -87,13 +89,17 @@ struct RecordedBoneOrder {
   std::uint32_t character = 0;
   BoneLodChoice choice;
 };
+struct RecordedShare {
+  std::uint32_t character = 0;
+  double share = 1.0;
+};
 /// Other characters for all agents.
 struct RecordedCharacters {
   std::vector<RecordedCharacter> characters;  ///< 1 to most_models, each from a file
 };
 /// A request that a person made between two frames.
 using RecordedRequest = std::variant<Tuning, RecordedSelection, RecordedPush, RecordedRoles, RecordedHold,
-                                     RecordedRewind, RecordedBoneOrder, RecordedCharacters>;
+                                     RecordedRewind, RecordedBoneOrder, RecordedCharacters, RecordedShare>;
 
 struct RecordedFrame {
   anim::Ticks delta = 0;  ///< 0 while paused

@@ -84,6 +84,12 @@ void RecordingWriter::add(const RecordedCharacters& characters) {
   write_item(RecordKind::characters);
 }
 
+void RecordingWriter::add(const RecordedShare& share) {
+  append_number(payload_, share.character);
+  append_number(payload_, share.share);
+  write_item(RecordKind::share);
+}
+
 void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes) {
   const render::Camera& camera = frame.view.camera;
   append_number(payload_, std::int64_t{frame.delta});

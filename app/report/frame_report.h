@@ -50,10 +50,18 @@ struct HeadFigures {
   int bone_level = 0;
 };
 
+/// A character of the cast.
+struct CastMember {
+  double share = 1.0;
+  double starting_share = 1.0;  ///< as it was loaded
+  int agents = 0;
+};
+
 /// All that the overlay shows. The demo fills it once a frame, and the overlay only reads it.
 struct FrameReport {
   std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
   std::size_t character = 0;            ///< the one of these whose roles and bones are below
+  std::vector<CastMember> cast;         ///< [character]
   std::string context;                  ///< "window", "egl", "osmesa"
   std::string gl_version, gl_renderer;
   std::string notice;  ///< lines worth showing, such as what a software renderer turns down; may be empty
@@ -100,10 +108,17 @@ struct PicturePoint {
   float x = 0, y = 0;
 };
 
+/// A character gets another share of the crowd.
+struct NewShare {
+  std::size_t character = 0;
+  double share = 1.0;
+};
+
 /// The commands that a person gives the overlay in a frame. The tuning is not among them, because the overlay edits it.
 struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
-  std::optional<RoleClips> roles;        ///< other clips for the roles of the character shown
+  std::optional<NewShare> share;
+  std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
   bool save_roles = false;
   std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
   bool save_bone_lod = false;             ///< beside the model

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/character/cast_entry.h"
 #include "app/character/roles.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/lod/lod.h"
@@ -62,6 +63,7 @@ struct Tuning {
   Scene scene = Scene::plaza;
   int agents = 1000;  ///< 1 to 100,000
   std::uint32_t seed = 1;
+  bool variety = true;  ///< agents of one character differ in size and colours
   bool paused = false;
   float time_scale = 1.0F;  ///< 0 to 4
   bool placed_feet = true;  ///< feet near by stand where they came down; with LOD off everyone's
@@ -103,11 +105,11 @@ inline Tuning without_level_of_detail(Tuning tuning) {
 }
 
 inline constexpr int most_picture_pixels = 16384;  ///< the largest width and height of a picture
-inline constexpr std::size_t most_models = 16;     ///< the largest number of models of people in one crowd
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
-  std::vector<std::string> models;      ///< files, a character each; empty: the built-in one
+  std::vector<std::string> models;      ///< files and folders, even shares; empty: `cast`
+  std::vector<CastEntry> cast;          ///< files and folders with shares; empty: the built-in character
   std::vector<std::string> clips_from;  ///< files whose clips every character plays too
   anim::PlacementChoice placement;      ///< size and place of all of them; what it leaves open is guessed
   Tuning tuning;

@@ -32,9 +32,20 @@ Difference difference(std::span<const std::uint64_t> hashes, std::span<const std
 bool are_equal(std::span<const CharacterSource> people, std::span<const RecordedCharacter> recorded_people) {
   const auto is_equal = [](const CharacterSource& person, RecordedCharacter as_recorded) {
     as_recorded.file = person.file;
+    as_recorded.clip_files = person.clip_files;
     return recorded(person) == as_recorded;
   };
   return std::ranges::equal(people, recorded_people, is_equal);
+}
+
+// Files that the command line names stand in for those recorded.
+void take_files(std::span<const RecordedCharacter> characters, DemoOptions& options) {
+  const bool is_built_in = characters.front().file.empty();
+  if (is_built_in && options.clips_from.empty()) options.clips_from = characters.front().clip_files;
+  if (is_built_in) return;
+  options.cast = entries_of(characters);
+  if (options.clips_from.empty()) return;
+  for (CastEntry& entry : options.cast) entry.clip_files.reset();
 }
 
 std::string name_of(std::uint32_t agent, const Stage& stage) {
@@ -54,11 +65,7 @@ DemoOptions Replay::options(const DemoOptions& given) {
   given_ = given;
   const RecordingHeader& header = reader_->header();
   DemoOptions options = given;
-  if (options.models.empty()) {
-    for (const RecordedCharacter& character : header.characters) {
-      if (!character.file.empty()) options.models.push_back(character.file);
-    }
-  }
+  if (options.models.empty()) take_files(header.characters, options);
   options.tuning = with_own_scheduling(header.tuning);
   options.placement = header.characters.front().placement;
   options.agents_given = true;

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "app/character/files.h"
+#include "app/character/cast_files.h"
 
 namespace throng::app {
 namespace {
@@ -59,17 +59,24 @@ anim::Status asked(const RecordedBoneOrder& order, Show& show) {
 }
 
 anim::Status asked(const RecordedCharacters& others, Show& show) {
-  std::vector<std::string> files;
-  for (const RecordedCharacter& character : others.characters) files.push_back(character.file);
   LoadOptions options = show.load_options();
   options.placement = others.characters.front().placement;
-  auto characters = load_characters(files, options);
-  if (!characters) return characters.error();
-  for (std::size_t i = 0; i < characters->size(); ++i) {
-    anim::Status became = become_recorded(others.characters[i], (*characters)[i]);
+  auto cast = load_cast(entries_of(others.characters), options);
+  if (!cast) return cast.error();
+  if (cast->characters.size() != others.characters.size()) return anim::Error{"has a folder among its characters"};
+  for (std::size_t i = 0; i < cast->characters.size(); ++i) {
+    anim::Status became = become_recorded(others.characters[i], cast->characters[i]);
     if (!became) return became;
   }
-  return show.replace_characters(std::move(*characters));
+  return show.replace_characters(std::move(cast->characters));
+}
+
+anim::Status asked(const RecordedShare& share, Show& show) {
+  if (share.character >= show.stage().people().size()) {
+    return anim::Error{"gives a share to a character that is not there"};
+  }
+  show.set_share(share.character, share.share);
+  return anim::Done{};
 }
 
 }  // namespace

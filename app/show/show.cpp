@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/character/cast_files.h"
 #include "app/character/files.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
@@ -24,13 +25,14 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
   show->width = options.width;
   show->height = options.height;
   show->load_options_ = app::load_options(options);
-  auto characters = load_starting_characters(options, error);
-  if (!characters) return nullptr;
+  auto cast = load_starting_characters(options, error);
+  if (!cast) return nullptr;
+  show->left_out_ = std::move(cast->left_out);
   if (!options.trace.empty()) show->figures_.keep_timeline();
   auto painter = Painter::create(options);
   if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
   show->painter_ = std::move(*painter);
-  if (!show->open_stage(std::move(*characters), options, error)) return nullptr;
+  if (!show->open_stage(std::move(cast->characters), options, error)) return nullptr;
   if (const anim::Status loaded = show->painter_->load_meshes(*show->stage_); !loaded) {
     return fail(error, exit_job_failed, loaded.error().message), nullptr;
   }
@@ -84,16 +86,15 @@ anim::Status Show::apply(const Tuning& tuning) {
 }
 
 anim::Status Show::replace_models(std::span<const std::string> files) {
-  if (files.size() > most_models) {
-    return anim::Error{std::to_string(files.size()) + " models at once: at most " + std::to_string(most_models) +
-                       " share a crowd"};
-  }
-  auto characters = load_dropped(files, load_options_);
-  if (!characters) return characters.error();
-  for (CharacterSource& character : *characters) {
+  auto cast = load_dropped(files, load_options_);
+  if (!cast) return cast.error();
+  for (CharacterSource& character : cast->characters) {
     if (const anim::Status kept = take_kept_roles(character); !kept) return kept.error();
   }
-  return replace_characters(std::move(*characters));
+  if (anim::Status replaced = replace_characters(std::move(cast->characters)); !replaced) return replaced;
+  left_out_ = std::move(cast->left_out);
+  update_notice();
+  return anim::Done{};
 }
 
 anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
@@ -102,6 +103,7 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
   painter_->reset_palette_pages();  // the new stage has asked for none yet
   stage_ = std::move(*stage);
+  left_out_.clear();
   rewind_.forget();
   if (recorder_.is_recording()) recorder_.add(RecordedCharacters{recorded(stage_->people())});
   update_notice();
@@ -111,6 +113,11 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
 void Show::set_roles(std::size_t character, const RoleClips& clips) {
   stage_->set_roles(character, clips);
   recorder_.add(RecordedRoles{static_cast<std::uint32_t>(character), clips});
+}
+
+void Show::set_share(std::size_t character, double share) {
+  stage_->set_roles(character, stage_->people()[character].roles.clips, share);
+  recorder_.add(RecordedShare{static_cast<std::uint32_t>(character), share});
 }
 
 anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
@@ -180,6 +187,7 @@ void Show::freeze_lod_camera() {
 void Show::update_notice() {
   notice.clear();
   add_line(notice, painter_->notice());
+  for (const std::string& sentence : left_out_) add_line(notice, sentence);
   add_line(notice, import_notice(stage_->people()));
   add_line(notice, placement_notice(stage_->people()));
   add_line(notice, local_store_notice(stage_->system()));

@@ -28,14 +28,16 @@ class Show {
   /// Takes new values at a frame boundary. Errors: they cannot be; then nothing has changed.
   anim::Status apply(const Tuning& tuning);
 
-  /// Gives everyone other characters, a file each, at a frame boundary; the crowd starts anew. Errors: a file cannot be
-  /// used, which the error names; then nothing has changed.
+  /// Gives everyone other characters, those of files and folders that came together (load_dropped), at a frame
+  /// boundary; the crowd starts anew. Errors: a file cannot be used, which the error names; then nothing has changed.
   anim::Status replace_models(std::span<const std::string> files);
   /// Does the same with characters that are loaded already, 1 to most_models.
   anim::Status replace_characters(std::vector<CharacterSource> characters);
 
   /// Gives the roles of a character other clips, at a frame boundary.
   void set_roles(std::size_t character, const RoleClips& clips);
+  /// Gives a character another share of the crowd, least_share to most_share, at a frame boundary.
+  void set_share(std::size_t character, double share);
   /// Does what Stage::set_bone_lod does, and changes what is drawn as well.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
   /// Returns what a person can do to single agents. Ask for it anew each time.
@@ -91,7 +93,8 @@ class Show {
   Recorder recorder_;
   RunFigures figures_;
   Rewind rewind_;
-  LoadOptions load_options_;  // of models that are dropped too
+  LoadOptions load_options_;           // of models that are dropped too
+  std::vector<std::string> left_out_;  // of the files that were named or dropped
   bool keeps_moments_ = false;
   std::optional<render::Camera> frozen_camera_;
   CameraPath path_ = CameraPath::none;

@@ -11,17 +11,20 @@
 namespace throng::app {
 namespace {
 
-anim::Result<std::vector<CharacterSource>> load(const DemoOptions& options) {
-  if (!options.models.empty()) {
-    std::vector<std::string> files;
-    for (const std::string& model : options.models) files.push_back(with_skin(model, options.skin));
-    return load_characters(files, load_options(options));
-  }
+std::vector<CastEntry> entries_of(const DemoOptions& options) {
+  std::vector<CastEntry> entries = options.models.empty() ? options.cast : cast_of(options.models);
+  for (CastEntry& entry : entries) entry.file = with_skin(entry.file, options.skin);
+  return entries;
+}
+
+anim::Result<LoadedCast> load(const DemoOptions& options) {
+  const std::vector<CastEntry> entries = entries_of(options);
+  if (!entries.empty()) return load_cast(entries, load_options(options));
   auto character = load_built_in(options.data, load_options(options));
   if (!character) return character.error();
-  std::vector<CharacterSource> characters;
-  characters.push_back(std::move(*character));
-  return characters;
+  LoadedCast cast;
+  cast.characters.push_back(std::move(*character));
+  return cast;
 }
 
 // The command line chooses for every character that has such a clip.
@@ -58,17 +61,11 @@ bool fail(StartError& error, int status, std::string message) {
   return false;
 }
 
-std::optional<std::vector<CharacterSource>> load_starting_characters(const DemoOptions& options, StartError& error) {
-  auto characters = load(options);
-  if (!characters) return fail(error, exit_job_failed, characters.error().message), std::nullopt;
-  if (characters->size() > most_models) {
-    const std::string count = std::to_string(characters->size());
-    const std::string most = std::to_string(most_models);
-    return fail(error, exit_usage, "--skin all: that is " + count + " characters, and " + most + " are the most"),
-           std::nullopt;
-  }
-  if (!choose_roles(options, *characters, error)) return {};
-  return std::move(*characters);
+std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, StartError& error) {
+  auto cast = load(options);
+  if (!cast) return fail(error, exit_job_failed, cast.error().message), std::nullopt;
+  if (!choose_roles(options, cast->characters, error)) return {};
+  return std::move(*cast);
 }
 
 }  // namespace throng::app

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/character/source.h"
+#include "app/character/cast_files.h"
 #include "app/settings/settings.h"
 
 namespace throng::app {
@@ -21,6 +21,6 @@ LoadOptions load_options(const DemoOptions& options);
 
 /// Loads the characters that the command line names, or the built-in one, with the roles that were kept and those that
 /// the command line chooses.
-std::optional<std::vector<CharacterSource>> load_starting_characters(const DemoOptions& options, StartError& error);
+std::optional<LoadedCast> load_starting_characters(const DemoOptions& options, StartError& error);
 
 }  // namespace throng::app

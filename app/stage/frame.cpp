@@ -159,7 +159,8 @@ bool Stage::record(const anim::VisibleAgent& agent, render::InstanceRecord& reco
             .bone_level = pose.level(),
             .shape = crowd().variants()[agent.agent].shape(),
             .hair = crowd().variants()[agent.agent].hair(),
-            .contact_scale = contact_scale(character_of(agent.agent))};
+            .contact_scale = contact_scale(character_of(agent.agent)),
+            .shade = crowd().shades()[agent.agent]};
   std::ranges::copy(crowd().tints()[agent.agent], record.tints);
   return true;
 }

@@ -26,7 +26,7 @@ std::vector<std::size_t> palette_sizes(std::span<const CharacterSource> characte
 }
 
 bool same_crowd(const Tuning& a, const Tuning& b) {
-  return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed;
+  return a.scene == b.scene && a.agents == b.agents && a.seed == b.seed && a.variety == b.variety;
 }
 
 }  // namespace
@@ -77,8 +77,9 @@ anim::Status Stage::apply(const Tuning& tuning) {
   return anim::Done{};
 }
 
-void Stage::set_roles(std::size_t character, const RoleClips& clips) {
+void Stage::set_roles(std::size_t character, const RoleClips& clips, std::optional<double> share) {
   assign_roles(characters_[character], clips);
+  if (share) characters_[character].roles.share = *share;
   populate();
 }
 

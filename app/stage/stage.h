@@ -34,8 +34,9 @@ class Stage {
   /// then the old tuning goes on.
   anim::Status apply(const Tuning& tuning);
 
-  /// Takes other clips for the roles of a character, at a frame boundary. The crowd starts anew.
-  void set_roles(std::size_t character, const RoleClips& clips);
+  /// Takes other clips for the roles of a character, and another share of the crowd where one is given, at a frame
+  /// boundary. The crowd starts anew.
+  void set_roles(std::size_t character, const RoleClips& clips, std::optional<double> share = {});
 
   /// Takes another order of a character's bones, and other levels, at a frame boundary. The character is baked anew,
   /// and the crowd goes on. Pictures need its meshes loaded again. Errors: those of check_bone_lod and

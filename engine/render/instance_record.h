@@ -7,7 +7,8 @@ namespace throng::render {
 
 inline constexpr std::uint32_t packed_slot = 0x80000000U;  ///< see InstanceRecord
 
-inline constexpr int tint_regions = 5;  ///< skin, hair, shirt, trousers, shoes
+inline constexpr int tint_regions = 5;       ///< skin, hair, shirt, trousers, shoes
+inline constexpr float shade_reach = 0.35F;  ///< see InstanceRecord; shaders/variants.glsl repeats it
 
 /// Tells the vertex shader about one drawn agent. `shaders/instance_record.glsl` repeats the layout (std430).
 /// app/ writes it once a frame for every drawn agent.
@@ -28,6 +29,8 @@ inline constexpr int tint_regions = 5;  ///< skin, hair, shirt, trousers, shoes
 ///     76  hair                    fullness and length: RG8_SNORM in the low bytes; 0 in both leaves the
 ///                                 surface as it is
 ///     80  contact scale           of the dark spot below; 1 fits a person of 1.8 metres
+///     84  shade                   of what no tint region colours: RGB8_SNORM in the low bytes; 1 makes linear red,
+///                                 green or blue 1 + shade_reach times as bright, 0 leaves it as it is
 struct InstanceRecord {
   float position[3];
   float scale;
@@ -44,13 +47,15 @@ struct InstanceRecord {
   std::uint32_t shape;
   std::uint32_t hair;
   float contact_scale;
+  std::uint32_t shade;
 };
-static_assert(sizeof(InstanceRecord) == 84);
+static_assert(sizeof(InstanceRecord) == 88);
 static_assert(offsetof(InstanceRecord, palette_from) == 24);
 static_assert(offsetof(InstanceRecord, blend_start) == 32);
 static_assert(offsetof(InstanceRecord, tints) == 48);
 static_assert(offsetof(InstanceRecord, bone_level) == 68);
 static_assert(offsetof(InstanceRecord, shape) == 72);
 static_assert(offsetof(InstanceRecord, contact_scale) == 80);
+static_assert(offsetof(InstanceRecord, shade) == 84);
 
 }  // namespace throng::render

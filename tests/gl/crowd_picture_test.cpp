@@ -51,6 +51,11 @@ TEST_F(CrowdPicture, ShowsSwappedTintRegions) {
   EXPECT_FALSE(looks_the_same(difference_now()));
 }
 
+TEST_F(CrowdPicture, ShowsNoShadeOnWhatATintColours) {
+  for (InstanceRecord& record : crowd().instances) record.shade = 0x7F7F7FU;
+  EXPECT_EQ(difference_now().worst_block, 0.0);
+}
+
 TEST_F(CrowdPicture, ShowsAPaletteOffByOneBone) {
   for (DollPalette& palette : crowd().to) std::rotate(palette.begin(), palette.begin() + 1, palette.end());
   crowd().write_palettes();

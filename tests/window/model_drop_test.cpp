@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 
 #include "tests/window/window_driver.h"
@@ -18,6 +19,23 @@ TEST_F(DroppedModel, ReplacesTheCharacterAndTheCrowdGoesOn) {
   });
   EXPECT_EQ(map["report"]["agents"], 50);
   next_map(5);
+}
+
+TEST_F(DroppedModel, MayBeAFolderWhoseSharesAreDragged) {
+  const std::filesystem::path people = folder() / "people";
+  std::filesystem::create_directories(people);
+  for (const char* const name : {"a.glb", "b.glb"}) {
+    std::filesystem::copy_file(THRONG_SOURCE_DIR "/tests/data/features/plain.glb", people / name);
+  }
+  drop(people.string());
+  const Json map = wait_for("both characters", [](const Json& now) {
+    return now["report"]["cast"].size() == 2 && now["report"]["drawn"] > 0;
+  });
+  EXPECT_EQ(map["report"]["cast"][1]["agents"], 25);
+  drag("b.glb", 0.0);
+  wait_for("nobody of the smallest share", [](const Json& now) {
+    return now["report"]["cast"][1]["agents"] == 0 && now["report"]["cast"][0]["agents"] == 50;
+  });
 }
 
 TEST_F(DroppedModel, ABadOneChangesNothingAndSaysWhy) {

@@ -29,11 +29,12 @@ namespace {
 anim::Status add_clips(const std::string& path, const BakeOptions& options, std::size_t characters,
                        anim::ImportedFile& file) {
   if (options.clips_from.empty()) return anim::Done{};
+  const auto clips = read_clip_files(options.clips_from, {.strict = options.strict});
+  if (!clips) return clips.error();
   anim::face_forward(file);
   for (std::size_t model = 0; model < characters; ++model) {
     if (const anim::Status taken = take_kept_rig(path, file.models[model].skeleton); !taken) return taken;
-    const anim::Status added = add_clips_from(options.clips_from, file, model, {.strict = options.strict});
-    if (!added) return added;
+    if (const auto added = add_clips_from(pointers_to(*clips), file, model); !added) return added.error();
   }
   return anim::Done{};
 }
@@ -43,8 +44,9 @@ anim::Result<pack::CharacterToPack> bake_model(const std::string& path, const Ba
   const BoneLodFile kept(path);
   auto order = kept.read(file.models[model].skeleton);
   if (!order) return order.error();
-  const LoadOptions load{.import = {.strict = options.strict}, .placement = options.placement, .clips_from = {}};
-  auto source = bake_source(file, model, path, &kept, load);
+  anim::ImportedFile baked = file;
+  auto source = make_character(baked, model,
+                               {.path = path, .name = {}, .kept = &kept, .placement = options.placement, .clips = {}});
   if (!source) return source.error();
   pack::CharacterToPack character{.name = {},
                                   .prepared = {std::move(source->placement), std::move(*order)},

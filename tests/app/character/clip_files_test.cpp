@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
 #include "engine/anim/import/import.h"
 
 namespace throng::app::clip_files_test {
@@ -43,7 +42,10 @@ TEST(ClipFiles, GoToTheModelThatIsMeant) {
   anim::ImportedFile file = *import::import_file(mannequin);
   file.models.push_back(file.models.front());
   const std::size_t clips = file.models.front().clips.size();
-  ASSERT_TRUE(add_clips_from(std::vector<std::string>{mannequin}, file, 1));
+  const std::vector<ClipFile> clip_files = *read_clip_files({&mannequin, 1});
+  const auto taken = add_clips_from(pointers_to(clip_files), file, 1);
+  ASSERT_TRUE(taken) << taken.error().message;
+  EXPECT_EQ(*taken, std::vector<std::string>{mannequin});
   EXPECT_EQ(file.models[0].clips.size(), clips);
   EXPECT_EQ(file.models[1].clips.size(), 2 * clips);
 }
@@ -57,8 +59,8 @@ TEST(ClipFiles, ThatAreNotThereAreRefusedByName) {
 }
 
 TEST(ClipFiles, OfACharacterAreNoClipsAlone) {
-  EXPECT_FALSE(has_clips_alone(mannequin));
-  EXPECT_FALSE(has_clips_alone("no-such-file.glb"));
+  EXPECT_FALSE(read_clips_alone(mannequin));
+  EXPECT_FALSE(read_clips_alone("no-such-file.glb"));
 }
 
 }  // namespace

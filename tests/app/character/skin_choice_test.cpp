@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/character/files.h"
 #include "app/figures/notices.h"
 #include "engine/anim/asset/synthetic_model.h"
 
@@ -63,24 +62,6 @@ TEST(CharacterFile, IsAFileAndASkin) {
   EXPECT_EQ(character_file(odd).path, odd) << "a file of that name goes first";
 }
 
-TEST(Characters, WithoutAMeshAreRefusedInWords) {
-  const std::string file = testing::TempDir() + "no_mesh.gltf";
-  std::ofstream(file) << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"a"}],)"
-                      << R"("skins":[{"joints":[0]}]})";
-  const auto characters = load_characters({&file, 1});
-  ASSERT_FALSE(characters);
-  EXPECT_EQ(characters.error().message, file +
-                                            ": it has a skeleton of 1 bone, but no mesh to draw; open the file "
-                                            "that has the mesh, or export both into one");
-}
-
-TEST(Characters, CanAllBeCast) {
-  const std::string file = std::string(THRONG_SOURCE_DIR) + "/assets/mannequin.glb#all";
-  const auto characters = load_characters({&file, 1});
-  ASSERT_TRUE(characters) << characters.error().message;
-  EXPECT_EQ(characters->size(), 1U);
-}
-
 CharacterSource source_with(std::vector<std::string> repairs, std::vector<std::string> names = {}) {
   CharacterSource source;
   source.file = "folder/person.glb";
@@ -100,6 +81,12 @@ TEST(ImportNotice, KeepsToAFewLines) {
   EXPECT_EQ(import_notice({&source, 1}),
             "person.glb: a.\nperson.glb: b.\nperson.glb: c.\nperson.glb: 2 more things "
             "were repaired or left out; throng inspect lists them.");
+}
+
+TEST(ImportNotice, KeepsToAFewLinesAboutClipsOfOtherFiles) {
+  CharacterSource source = source_with({});
+  source.notes = {"a", "b", "c", "d", "e"};
+  EXPECT_THAT(import_notice({&source, 1}), HasSubstr("person.glb: c.\nperson.glb: 2 more such notes; throng inspect"));
 }
 
 TEST(ImportNotice, ListsTheOtherCharactersOfAFile) {

@@ -1,5 +1,6 @@
 #include "app/figures/notices.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -47,6 +48,33 @@ TEST(PlacementNotice, SaysWhoIsShownInAnotherSizeOrPlaceAndHowToOverruleIt) {
   people.push_back(*load_character(file, "large", nullptr, {.placement = {.scale = 2.0}}));
   EXPECT_THAT(placement_notice(people), testing::MatchesRegex("large: 3.6 m tall: scaled by 2 as asked; --scale, "
                                                               "--up and --ground overrule it."));
+}
+
+TEST(PlacementNotice, SaysOnceWhatHoldsForSeveral) {
+  std::vector<CharacterSource> people(3);
+  for (CharacterSource& person : people) {
+    person.placement.is_plain = false;
+    person.placement.reasons = "raised 1 m";
+  }
+  people[0].file = "a.glb";
+  people[1].file = "b.glb";
+  people[2].file = "c.glb";
+  people[1].placement.reasons = "turned";
+  EXPECT_EQ(placement_notice(people), "a.glb and c.glb: raised 1 m.\nb.glb: turned.");
+}
+
+TEST(ImportNotice, OfALargeCastKeepsToAFewLines) {
+  std::vector<CharacterSource> people(20);
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    people[i].file = std::to_string(i) + ".glb";
+    people[i].notes = {"clips were taken"};
+  }
+  const std::string lines = import_notice(people);
+  EXPECT_EQ(std::ranges::count(lines, '\n'), 12);
+  EXPECT_TRUE(
+      lines.ends_with("11.glb: clips were taken.\n8 more lines are about other models; throng inspect says what "
+                      "is in a file."))
+      << lines;
 }
 
 TEST(ImportNotice, NamesTheFileOrTheBuiltInCharacter) {

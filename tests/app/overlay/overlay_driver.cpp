@@ -40,6 +40,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.delete_preset) all.delete_preset = commands.delete_preset;
     if (!commands.models.empty()) all.models = commands.models;
     if (commands.select_at) all.select_at = commands.select_at;
+    if (commands.share) all.share = commands.share;
     if (commands.character) all.character = commands.character;
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);
   }

@@ -11,10 +11,10 @@ namespace {
 
 TEST(StartingCharacters, AreTheBuiltInOneWhereNoneIsNamed) {
   StartError error;
-  const auto characters = load_starting_characters(test::demo("--agents 2"), error);
-  ASSERT_TRUE(characters) << error.message;
-  ASSERT_EQ(characters->size(), 1U);
-  EXPECT_EQ((*characters)[0].name, "mannequin (built in)");
+  const auto cast = load_starting_characters(test::demo("--agents 2"), error);
+  ASSERT_TRUE(cast) << error.message;
+  ASSERT_EQ(cast->characters.size(), 1U);
+  EXPECT_EQ(cast->characters[0].name, "mannequin (built in)");
 }
 
 TEST(StartingCharacters, EndTheRunWhereOneCannotBeLoaded) {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/character/files.h"
+#include "app/character/cast_files.h"
 #include "app/character/model_file.h"
 #include "app/character/packed.h"
 #include "app/commands/bake/command.h"
@@ -91,12 +91,20 @@ TEST_F(Bake, MakesTheCharacterThatTheFileMakes) {
 TEST_F(Bake, GivesACastWhereThePackHoldsSeveralFiles) {
   const std::string pack = baked({person, other, person});
   const std::vector<std::string> files{pack};
-  const auto characters = load_characters(files);
-  ASSERT_TRUE(characters) << characters.error().message;
+  const auto cast = load_cast(cast_of(files));
+  ASSERT_TRUE(cast) << cast.error().message;
   std::vector<std::string> names;
-  for (const CharacterSource& character : *characters) names.push_back(character.file);
+  for (const CharacterSource& character : cast->characters) names.push_back(character.file);
   EXPECT_THAT(names, ElementsAre(pack + "#linear-trs", pack + "#late-start", pack + "#linear-trs 2"));
   EXPECT_EQ(loaded(pack + "#late-start").clip_names, loaded(other).clip_names);
+}
+
+TEST_F(Bake, PutsPacksOfAFolderIntoItsCast) {
+  baked({person, other});
+  const std::vector<std::string> folder{folder_.string()};
+  const auto cast = load_cast(cast_of(folder));
+  ASSERT_TRUE(cast) << cast.error().message;
+  EXPECT_EQ(cast->characters.size(), 2U);
 }
 
 TEST_F(Bake, AsksWhichFileOfAPackIsMeant) {

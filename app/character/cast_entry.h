@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace throng::app {
+
+/// The most characters of people in one crowd. A system animates 32; the balloon and the camera of the film are two.
+inline constexpr std::size_t most_models = 30;
+
+/// The range of a share. It may be a number of heads as well as a part.
+inline constexpr double least_share = 0.01, most_share = 10'000;
+/// Returns whether it can be the share of one character, which may be a part of a folder's.
+constexpr bool is_share(double share) { return share > 0.0 && share <= most_share; }
+
+/// An entry of a cast: "FILE", "FILE#SKIN", or a folder of such files.
+struct CastEntry {
+  std::string file;
+  /// The share of the entry as a whole, split evenly among its characters; none: 1 for each of them.
+  std::optional<double> share = {};
+  /// The files whose clips its characters play too, in place of all others.
+  std::optional<std::vector<std::string>> clip_files = {};
+
+  friend bool operator==(const CastEntry&, const CastEntry&) = default;
+};
+
+}  // namespace throng::app

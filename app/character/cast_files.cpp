@@ -1,0 +1,315 @@
+#include "app/character/cast_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "app/character/bone_lod.h"
+#include "app/character/clip_files.h"
+#include "app/character/packed.h"
+#include "app/character/skin_choice.h"
+#include "app/files/joined.h"
+#include "engine/anim/base/plain_text.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How the names of files end that a folder is searched for.
+constexpr std::array<std::string_view, 3> model_endings{".glb", ".gltf", ".pack"};
+
+constexpr std::size_t most_explained = 6;  // of the files that are left out
+
+/// A file of the cast.
+struct Member {
+  std::string file;  // "FILE" or "FILE#SKIN"
+  std::size_t entry = 0;
+  bool is_named = true;  // false: a folder holds it, or it came with others
+};
+
+/// A file that holds characters, read once.
+struct ReadMember {
+  Member member;
+  bool is_packed = false;  // then nothing more is read of it until its character is taken out
+  anim::ImportedFile imported;
+  std::vector<std::string> names;   // of all its characters
+  std::vector<std::size_t> chosen;  // the models that are shown
+};
+
+bool is_model(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return std::ranges::find(model_endings, ending) != model_endings.end();
+}
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+// In the order of their names, whatever the order of the folder. Hidden files are other programs' notes.
+anim::Result<std::vector<std::string>> models_in(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const bool is_hidden = entry->path().filename().string().starts_with('.');
+    if (!is_hidden && is_model(entry->path()) && !is_folder(entry->path().string())) {
+      files.push_back(entry->path().string());
+    }
+  }
+  if (error) return anim::Error{anim::plain_text(folder) + ": the folder cannot be read: " + error.message()};
+  if (files.empty()) {
+    return anim::Error{anim::plain_text(folder) + ": the folder holds no " + joined(model_endings, ", ", " or ") +
+                       " file; name one that holds models, not in folders below it"};
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+bool has_surface(const anim::ImportedFile& file) {
+  return std::ranges::any_of(file.models, [](const anim::Model& model) { return !model.meshes.empty(); });
+}
+
+anim::Error no_mesh(const std::string& path, const anim::Model& model) {
+  const std::size_t clips = model.clips.size();
+  return {anim::plain_text(path) + ": it has a skeleton of " + counted(model.skeleton.bones.size(), "bone") +
+          (clips > 0 ? " and " + counted(clips, "clip") : "") +
+          ", but no mesh to draw; open the file that has the mesh" +
+          (clips > 0 ? ", with --clips-from and this file" : ", or export both into one")};
+}
+
+anim::Status check_extent(const CharacterSource& character, const std::string& path) {
+  constexpr double least = 1e-9, most = 1e9;  // metres, by which agents are spaced and cameras placed
+  const auto is_sensible = [&](double length) { return length > least && length < most; };
+  const anim::CharacterBounds& bounds = character.character->bounds;
+  if (is_sensible(bounds.height) && is_sensible(bounds.reach)) return anim::Done{};
+  return anim::Error{anim::plain_text(path) +
+                     ": its mesh has no height, or one beyond all measure, so it cannot be shown; export it again"};
+}
+
+anim::Error too_many(const std::string& entry) {
+  return {anim::plain_text(entry) + ": with it there are more than " + std::to_string(most_models) +
+          " characters, the most of one crowd; name fewer, as in --cast FILE,FILE"};
+}
+
+class CastLoader {
+ public:
+  CastLoader(std::span<const CastEntry> entries, const LoadOptions& options, bool came_together)
+      : entries_(entries), options_(options), came_together_(came_together) {}
+
+  anim::Result<LoadedCast> load() {
+    for (const auto step : {&CastLoader::list, &CastLoader::read_all, &CastLoader::make_all}) {
+      if (const anim::Status done = (this->*step)(); !done) return done.error();
+    }
+    if (cast_.characters.empty()) return nobody();
+    if (!unexplained_.empty()) {
+      cast_.left_out.push_back("Left out as well: " + joined(unexplained_, ", ", " and ") + ".");
+    }
+    share_out();
+    return std::move(cast_);
+  }
+
+ private:
+  anim::Status list() {
+    for (std::size_t entry = 0; entry < entries_.size(); ++entry) {
+      const CharacterFile wanted = character_file(entries_[entry].file);
+      if (!is_folder(wanted.path)) {
+        add_member({entries_[entry].file, entry, !came_together_});
+        continue;
+      }
+      const auto files = models_in(wanted.path);
+      if (!files && !came_together_) return files.error();
+      if (!files) cast_.left_out.push_back(files.error().message + ".");
+      for (const std::string& file : files ? *files : std::vector<std::string>()) {
+        add_member({with_skin(file, wanted.skin), entry, false});
+      }
+    }
+    return anim::Done{};
+  }
+
+  // A pack stands for the first character of each file in it. One that cannot be opened is refused when it is read.
+  void add_member(const Member& member) {
+    const CharacterFile wanted = character_file(member.file);
+    const bool is_whole = wanted.skin.empty() || wanted.skin == all_skins;
+    const auto pack = is_whole && pack::is_pack(wanted.path) ? pack::Pack::open(wanted.path)
+                                                             : anim::Result<pack::Pack>(anim::Error{});
+    const auto names = pack ? packed_names(*pack, wanted.skin == all_skins) : std::vector<std::string>();
+    if (names.size() < 2) return members_.push_back({pack ? wanted.path : member.file, member.entry, member.is_named});
+    for (const std::string& name : names) {
+      members_.push_back({with_skin(wanted.path, name), member.entry, member.is_named});
+    }
+  }
+
+  anim::Status read_all() {
+    for (const Member& member : members_) {
+      const anim::Status read = this->read(member);
+      if (const anim::Status taken = take(member, read); !taken) return taken;
+      if (characters_ > most_models) return too_many(entries_[member.entry].file);
+    }
+    return anim::Done{};
+  }
+
+  anim::Status read(const Member& member) {
+    const CharacterFile wanted = character_file(member.file);
+    if (pack::is_pack(wanted.path)) {
+      read_.push_back({.member = member, .is_packed = true, .imported = {}, .names = {}, .chosen = {0}});
+      ++characters_;
+      return anim::Done{};
+    }
+    auto imported = import::import_file(wanted.path, options_.import);
+    if (imported && has_surface(*imported)) return choose(member, wanted.skin, std::move(*imported));
+    if (!member.is_named && take_clips(member, wanted.path, imported)) return anim::Done{};
+    return imported ? no_mesh(imported->file, imported->models.front()) : imported.error();
+  }
+
+  anim::Status choose(const Member& member, const std::string& skin, anim::ImportedFile imported) {
+    ReadMember read{
+        .member = member, .is_packed = false, .imported = {}, .names = character_names(imported), .chosen = {}};
+    if (skin == all_skins) {
+      for (std::size_t i = 0; i < read.names.size(); ++i) read.chosen.push_back(i);
+    } else {
+      const auto chosen = choose_model(imported, skin);
+      if (!chosen) return chosen.error();
+      read.chosen.push_back(*chosen);
+    }
+    characters_ += read.chosen.size();
+    read.imported = std::move(imported);
+    read_.push_back(std::move(read));
+    return anim::Done{};
+  }
+
+  // Clips that lie beside characters are theirs.
+  bool take_clips(const Member& member, const std::string& path, anim::Result<anim::ImportedFile>& imported) {
+    auto clips = imported ? take_clips_alone(path, *imported) : read_clips_alone(path, options_.import);
+    if (!clips) return false;
+    clips->must_fit = false;
+    beside_[came_together_ ? 0 : member.entry].push_back(std::move(*clips));
+    return true;
+  }
+
+  // What was named must be shown; of a folder, what can be.
+  anim::Status take(const Member& member, const anim::Status& status) {
+    if (status || member.is_named || options_.import.strict) return status;
+    if (cast_.left_out.size() < most_explained) {
+      cast_.left_out.push_back(status.error().message + "; it is left out.");
+    } else {
+      unexplained_.push_back(anim::plain_text(fs::path(member.file).filename().string()));
+    }
+    return anim::Done{};
+  }
+
+  anim::Status make_all() {
+    for (ReadMember& read : read_) {
+      const auto clips = clips_for(read.member.entry);
+      if (!clips) return clips.error();
+      for (const std::size_t model : read.chosen) {
+        if (const anim::Status taken = take(read.member, make(read, model, *clips)); !taken) return taken;
+      }
+    }
+    return anim::Done{};
+  }
+
+  anim::Result<std::vector<const ClipFile*>> clips_for(std::size_t entry) {
+    const auto& own = entries_[entry].clip_files;
+    std::vector<const ClipFile*> clips;
+    for (const std::string& path : own ? *own : options_.clips_from) {
+      const auto [file, is_new] = wanted_clips_.try_emplace(path);
+      if (is_new) {
+        auto read = read_clip_files({&path, 1}, options_.import);
+        if (!read) return read.error();
+        file->second = std::move(read->front());
+      }
+      clips.push_back(&file->second);
+    }
+    if (own) return clips;
+    for (const ClipFile& file : beside_[came_together_ ? 0 : entry]) {
+      if (!wanted_clips_.contains(file.path)) clips.push_back(&file);
+    }
+    return clips;
+  }
+
+  // Clips that lie beside a pack are not lent to it, for it is baked.
+  anim::Result<CharacterSource> take_packed(const Member& member) const {
+    const BoneLodFile kept(member.file);
+    LoadOptions options = options_;
+    if (const auto& own = entries_[member.entry].clip_files) options.clips_from = *own;
+    return load_packed(character_file(member.file), member.file, &kept, options);
+  }
+
+  anim::Result<CharacterSource> make_imported(ReadMember& read, std::size_t model, const std::string& file,
+                                              std::span<const ClipFile* const> clips) const {
+    const BoneLodFile kept(file);
+    const std::string path = character_file(read.member.file).path;
+    auto character =
+        make_character(read.imported, model,
+                       {.path = path, .name = file, .kept = &kept, .placement = options_.placement, .clips = clips});
+    if (!character) return character;
+    character->cast = read.names;
+    character->cast_index = model;
+    return character;
+  }
+
+  anim::Status make(ReadMember& read, std::size_t model, std::span<const ClipFile* const> clips) {
+    const CharacterFile wanted = character_file(read.member.file);
+    const std::string file = wanted.skin == all_skins ? with_skin(wanted.path, read.names[model]) : read.member.file;
+    auto character = read.is_packed ? take_packed(read.member) : make_imported(read, model, file, clips);
+    if (!character) return character.error();
+    if (!character->has_surface()) return no_mesh(wanted.path, character->model);
+    if (const anim::Status seen = check_extent(*character, wanted.path); !seen) return seen;
+    character->file = file;
+    cast_.characters.push_back(std::move(*character));
+    entry_of_.push_back(read.member.entry);
+    return anim::Done{};
+  }
+
+  void share_out() {
+    for (std::size_t i = 0; i < entry_of_.size(); ++i) {
+      const auto all = static_cast<double>(std::ranges::count(entry_of_, entry_of_[i]));
+      const std::optional<double>& share = entries_[entry_of_[i]].share;
+      cast_.characters[i].roles.share = share ? *share / all : 1.0;
+    }
+  }
+
+  anim::Error nobody() const {
+    if (!cast_.left_out.empty()) return {"there is nobody to show: " + cast_.left_out.front()};
+    const std::string first = entries_.empty() ? "" : anim::plain_text(entries_.front().file) + ": ";
+    return {first + "there are clips and nobody to play them; give the file of a character with them"};
+  }
+
+  std::span<const CastEntry> entries_;
+  const LoadOptions& options_;
+  bool came_together_;
+  std::vector<Member> members_;
+  std::vector<ReadMember> read_;
+  std::size_t characters_ = 0;
+  std::map<std::string, ClipFile> wanted_clips_;         // by path
+  std::map<std::size_t, std::vector<ClipFile>> beside_;  // by entry
+  std::vector<std::size_t> entry_of_;                    // [character]
+  std::vector<std::string> unexplained_;                 // names of files
+  LoadedCast cast_;
+};
+
+}  // namespace
+
+anim::Result<LoadedCast> load_cast(std::span<const CastEntry> entries, const LoadOptions& options) {
+  return CastLoader(entries, options, false).load();
+}
+
+anim::Result<LoadedCast> load_dropped(std::span<const std::string> files, const LoadOptions& options) {
+  const std::vector<CastEntry> entries = cast_of(files);
+  return CastLoader(entries, options, files.size() > 1).load();
+}
+
+std::vector<CastEntry> cast_of(std::span<const std::string> files) {
+  std::vector<CastEntry> entries;
+  for (const std::string& file : files) entries.push_back({.file = file});
+  return entries;
+}
+
+}  // namespace throng::app

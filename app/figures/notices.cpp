@@ -40,10 +40,12 @@ std::string shortened(const std::string& lines, const std::string& about) {
          "; throng inspect says what is in a file.";
 }
 
-// The built-in character has no file.
+// The built-in character has no file. A pack may hold several files.
 std::string short_name(const CharacterSource& character) {
-  const std::string file = std::filesystem::path(character_file(character.file).path).filename().string();
-  return file.empty() ? character.name : anim::plain_text(file);
+  const CharacterFile wanted = character_file(character.file);
+  const std::string file = std::filesystem::path(wanted.path).filename().string();
+  if (file.empty()) return character.name;
+  return anim::plain_text(character.surface.bytes.empty() ? file : with_skin(file, wanted.skin));
 }
 
 // Nothing where the file has no other character, or a person chose this one.
@@ -74,7 +76,7 @@ std::string import_notice(std::span<const CharacterSource> characters) {
   for (const CharacterSource& character : characters) {
     const std::string name = short_name(character);
     add_line(lines, cast_sentence(character, name));
-    if (said.insert(character_file(character.file).path).second) add_repairs(lines, character, name);
+    if (said.insert(character_file(character.file).path + name).second) add_repairs(lines, character, name);
   }
   return shortened(lines, "other models");
 }

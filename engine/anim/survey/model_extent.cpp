@@ -39,9 +39,16 @@ struct Box {
 struct Room {
   glm::dvec3 size{0.0};  ///< of its poses, on average
   glm::dvec3 middle{0.0};
-  double lowest = std::numeric_limits<double>::infinity();
+  double lowest = 0.0;  ///< of what stands: the median over its poses, for a toe may dip below the ground for a moment
   double top = -std::numeric_limits<double>::infinity();
 };
+
+/// Returns the median; of two in the middle the lower one, or the upper one.
+double median(std::vector<double> values, bool upper = false) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - (upper ? 0 : 1)) / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
 
 /// Says of each bone whether a character stands on it: on its legs where both are known, for a sword may hang lower.
 std::vector<bool> bones_to_stand_on(const Skeleton& skeleton) {
@@ -92,7 +99,7 @@ class ExtentSurvey {
  private:
   std::optional<Room> room_of(const Clip* clip, int samples) const {
     Room room;
-    int measured = 0;
+    std::vector<double> lowest;
     for (int i = 0; i < samples; ++i) {
       const double seconds = clip == nullptr ? 0.0 : clip->start + (clip->duration - clip->start) * i / samples;
       Box box, standing;
@@ -102,37 +109,34 @@ class ExtentSurvey {
         if (stands_[point]) standing.add(upright_ * at[point]);
       }
       if (box.is_empty()) continue;
-      if (measured++ == 0) room.middle = box.middle();
+      if (lowest.empty()) room.middle = box.middle();
       room.size += box.size();
-      room.lowest = std::min(room.lowest, standing.low.y);
+      lowest.push_back(standing.low.y);
       room.top = std::max(room.top, box.high.y);
     }
-    if (measured == 0) return std::nullopt;
-    room.size /= measured;
+    if (lowest.empty()) return std::nullopt;
+    room.size /= static_cast<double>(lowest.size());
+    room.lowest = median(lowest);
     return room;
   }
 
   static bool are_alike(double a, double b) { return a <= alike * b && b <= alike * a; }
 
-  /// Returns the median; of two in the middle the lower one, or the upper one.
   template <typename Value>
-  static double median(const std::vector<Room>& rooms, const Value& value, bool upper = false) {
+  static std::vector<double> values_of(const std::vector<Room>& rooms, const Value& value) {
     std::vector<double> values;
     for (const Room& room : rooms) values.push_back(value(room));
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - (upper ? 0 : 1)) / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
+    return values;
   }
 
   static ModelExtent median_of(const std::vector<Room>& rooms) {
     ModelExtent extent;
     for (int axis = 0; axis < 3; ++axis) {
-      extent.size[axis] = median(rooms, [axis](const Room& room) { return room.size[axis]; });
-      extent.middle[axis] = median(rooms, [axis](const Room& room) { return room.middle[axis]; });
+      extent.size[axis] = median(values_of(rooms, [axis](const Room& room) { return room.size[axis]; }));
+      extent.middle[axis] = median(values_of(rooms, [axis](const Room& room) { return room.middle[axis]; }));
     }
     // Of a walk and a handstand that reaches below the ground, the walk says where it is.
-    extent.lowest = median(
-        rooms, [](const Room& room) { return room.lowest; }, true);
+    extent.lowest = median(values_of(rooms, [](const Room& room) { return room.lowest; }), true);
     return extent;
   }
 

@@ -16,7 +16,7 @@ inline constexpr double tall_person = 1.8;  ///< metres: what is chosen for peop
 struct ModelExtent {
   glm::dvec3 size{0.0};    ///< width, height and depth: the rest pose's, unless clips show another size
   glm::dvec3 middle{0.0};  ///< of the body where clips begin: the median over clips
-  double lowest = 0.0;     ///< the lowest point of a clip, of its legs where both are known: the median over clips
+  double lowest = 0.0;     ///< the lowest point, of its legs where both are known: the median over poses and clips
   double top = 0.0;        ///< of a body of that size: the rest pose's, unless clips show it elsewhere
 };
 

@@ -168,7 +168,7 @@ TEST_F(CastFiles, OfFoldersWithNobodyAreRefused) {
   const CastEntry folder{.file = folder_.string()};
   EXPECT_EQ(refusal(load_cast({&folder, 1})),
             folder_.string() +
-                ": the folder holds no .glb or .gltf file; name one that holds models, not in folders below it");
+                ": the folder holds no .glb, .gltf or .pack file; name one that holds models, not in folders below it");
   put_clips("moves.gltf");
   EXPECT_EQ(refusal(load_cast({&folder, 1})),
             folder_.string() + ": there are clips and nobody to play them; give the file of a character with them");

@@ -113,7 +113,7 @@ TEST_F(CastShow, MayBeAFolderInPlaceOfAModel) {
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   const ProgramRun none = run_program({"--headless=none", "--frames", "1", folder_.string()});
   EXPECT_EQ(none.exit_status, 1);
-  EXPECT_THAT(none.errors, HasSubstr("the folder holds no .glb or .gltf file"));
+  EXPECT_THAT(none.errors, HasSubstr("the folder holds no .glb, .gltf or .pack file"));
 }
 
 }  // namespace

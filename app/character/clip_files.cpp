@@ -101,7 +101,8 @@ anim::Status add_clips(const std::string& clip_file, anim::ImportedFile& file, a
   }
   file.notes.push_back(anim::plain_text(clip_file) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
                        how_they_fit(*source.retargeter, as_they_were) +
-                       (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)));
+                       (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)) +
+                       (source.model->morphs.empty() ? "" : "; weights of its morph targets left out"));
   return anim::Done{};
 }
 

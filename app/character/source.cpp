@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/character/clip_files.h"
+#include "app/character/morph_deltas.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
 #include "engine/anim/asset/reference_pose.h"
@@ -240,6 +241,7 @@ render::CrowdMeshData mesh_data(const anim::Model& model) {
   for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
     data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
   }
+  data.morph_deltas = morph_deltas(model);
   data.poses = posed_palettes(model);
   data.bone_ends = bone_ends(model.skeleton);
   return data;

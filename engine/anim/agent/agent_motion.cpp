@@ -37,6 +37,15 @@ void share(const EntityPools& pools, const PoseStep& step, Handle entity, Ticks 
   }
 }
 
+/// Returns the time within a clip at an unwrapped position.
+Ticks time_within(Ticks duration, bool looping, FineTicks position) {
+  const FineTicks length = duration * fine_ticks_per_tick;
+  if (length <= 0) return 0;
+  const FineTicks in_clip =
+      looping ? position - whole_loops(position, length) * length : std::clamp<FineTicks>(position, 0, length);
+  return in_clip / fine_ticks_per_tick;
+}
+
 bool is_player(Handle entity) {
   return entity.pool() == EntityPools::sampled_players || entity.pool() == EntityPools::keyframe_players;
 }
@@ -91,6 +100,22 @@ void AgentMotion::for_each_data_key(Ticks from, Ticks to, const std::function<vo
                               return true;
                             });
   });
+}
+
+bool AgentMotion::plays_morphs() const {
+  return std::ranges::any_of(graph_->entities, [&](Handle entity) {
+    return is_player(entity) && clips_[pools_->as<Player>(entity).clip].morphs != nullptr;
+  });
+}
+
+bool AgentMotion::add_morph_weights(Ticks at, std::span<float> weights) const {
+  if (!plays_morphs()) return false;
+  for_each_player(at, [&](const Player& player, const ClipStreams& clip, float share) {
+    if (clip.morphs == nullptr || share == 0.0F) return;
+    const bool looping = (player.flags & Player::looping) != 0;
+    anim::add_morph_weights(*clip.morphs, time_within(clip.duration, looping, position(player, at)), share, weights);
+  });
+  return true;
 }
 
 std::optional<AbsoluteRoot> AgentMotion::absolute_root(Ticks now) const {

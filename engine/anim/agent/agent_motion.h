@@ -52,6 +52,10 @@ class AgentMotion {
   /// deliver each key once.
   void for_each_data_key(Ticks from, Ticks to, const std::function<void(const DataKeyEvent&)>& visit) const;
 
+  /// Adds the weights of the character's morphs at `at` to `weights`, which has one for each. They are blended as root
+  /// motion is. Returns whether any clip that plays has morphs; else nothing is added.
+  bool add_morph_weights(Ticks at, std::span<float> weights) const;
+
   /// Returns where the heaviest player of an absolute state stands at `now`, its own root motion included. Returns
   /// nothing if no player of weight has an absolute root.
   std::optional<AbsoluteRoot> absolute_root(Ticks now) const;
@@ -60,6 +64,7 @@ class AgentMotion {
   template <typename Visit>
   void for_each_player(Ticks at, Visit&& visit) const;
   FineTicks position(const Player& player, Ticks at) const;
+  bool plays_morphs() const;
 
   const EntityPools* pools_;
   std::span<const ClipStreams> clips_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/render/frame/frame_data.h"
+#include "engine/render/mesh/morph_table.h"
 
 namespace throng::render {
 namespace {
@@ -72,6 +73,7 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
         gl::create_buffer(surface.emission_coords.data(), surface.emission_coords.size() * sizeof(EmissionCoord));
   }
   mesh.array_ = describe_vertices(mesh.vertices_, mesh.indices_, mesh.emission_coords_);
+  mesh.create_morphs(data.morph_deltas, surface.vertices.size());
   surface.vertices = {};
   surface.emission_coords = {};
   surface.entries_by_level = {};
@@ -80,10 +82,21 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   return mesh;
 }
 
+void CrowdMesh::create_morphs(std::span<const MorphDeltaData> deltas, std::size_t vertex_count) {
+  if (deltas.empty()) return;
+  const MorphTable table = build_morph_table(deltas, vertex_count);
+  morph_firsts_ = gl::create_buffer(table.firsts.data(), table.firsts.size() * sizeof(std::uint32_t));
+  morph_entries_ = gl::create_buffer(table.entries.data(), table.entries.size() * sizeof(MorphEntry));
+}
+
 void CrowdMesh::bind() const {
   glBindVertexArray(array_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_entries_binding, palette_entries_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, packing_frames_binding, packing_frames_.id());
+  if (has_morphs()) {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, morph_firsts_binding, morph_firsts_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, morph_entries_binding, morph_entries_.id());
+  }
   glUniform1ui(vertex_count_location, surface_.first_bone_end + surface_.bone_end_count);
 }
 

@@ -130,11 +130,11 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
   return {.camera = render::view_of(view.camera, view.aspect()),
           .instances = picture.instances(),
           .batches = picture.batches(),
-          .morph_weights = picture.morph_weights(),
           .now = stage.now(),
           .bones_as_lines = stage.tuning().bones_as_lines,
           .fill_pixels = !stage.tuning().taken_away.pixels,
-          .lines = lines_};
+          .lines = lines_,
+          .morph_weights = picture.morph_weights()};
 }
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {

@@ -36,12 +36,12 @@ struct SceneLine {
 struct CrowdFrame {
   CameraView camera;
   std::span<const InstanceRecord> instances;
-  std::span<const CrowdBatch> batches;        ///< in ascending order of page, then character
-  std::span<const float> morph_weights = {};  ///< of those instances whose records say so, one after the other
-  std::uint32_t now = 0;                      ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
+  std::span<const CrowdBatch> batches;  ///< in ascending order of page, then character
+  std::uint32_t now = 0;                ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
   bool bones_as_lines = false;
-  bool fill_pixels = true;                ///< false: everything is drawn, but no pixel is filled
-  std::span<const SceneLine> lines = {};  ///< drawn over the crowd
+  bool fill_pixels = true;                    ///< false: everything is drawn, but no pixel is filled
+  std::span<const SceneLine> lines = {};      ///< drawn over the crowd
+  std::span<const float> morph_weights = {};  ///< of instances whose records say where theirs are
 };
 
 /// Says how two pictures share one.

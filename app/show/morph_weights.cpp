@@ -22,11 +22,12 @@ std::size_t rounded_up(std::size_t count) {
 
 void MorphWeights::add(const Stage& stage, const anim::VisibleAgent& agent, render::InstanceRecord& record) {
   const anim::Character& character = *stage.character_of(agent.agent).character;
-  if (character.morph_count == 0 || pixels_moved(character, agent) < least_pixels) return;
+  const std::size_t count = character.morph_bones.size();
+  if (count == 0 || pixels_moved(character, agent) < least_pixels) return;
   const std::size_t first = weights_.size(), place = first / render::weights_a_place;
   if (place > render::largest_weight_place) return;
-  weights_.resize(first + rounded_up(character.morph_count), 0.0F);
-  const std::span<float> own(weights_.data() + first, character.morph_count);
+  weights_.resize(first + rounded_up(count), 0.0F);
+  const std::span<float> own(weights_.data() + first, count);
   const bool plays = stage.system().agent(agent.agent).motion().add_morph_weights(stage.system().clock(), own);
   if (plays && std::ranges::any_of(own, [](float weight) { return weight != 0.0F; })) {
     record.hair |= static_cast<std::uint32_t>(place + 1) << place_bits_below;

@@ -16,7 +16,7 @@ void Picture::compose(const Stage& stage, Poses poses) {
   morphs_.clear();
   const auto characters = static_cast<std::uint32_t>(stage.characters().size());
   const bool morphs = std::ranges::any_of(
-      stage.characters(), [](const CharacterSource& source) { return source.character->morph_count > 0; });
+      stage.characters(), [](const CharacterSource& source) { return !source.character->morph_bones.empty(); });
   const bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     Entry entry;

@@ -1,7 +1,6 @@
 #include "engine/anim/asset/morph_curves.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstddef>
 
 namespace throng::anim {
@@ -97,16 +96,18 @@ MorphCurves bake_morph_curves(const Clip& clip, double start) {
   return curves;
 }
 
-void add_morph_weights(const MorphCurves& curves, Ticks time, float share, std::span<float> weights) {
+void add_morph_weights(const MorphCurves& curves, Ticks time, float share, std::span<float> weights,
+                       std::uint32_t first) {
   for (const MorphCurve& curve : curves) {
     const RowShares shares = shares_at(curve, time);
     const std::size_t columns = curve.morphs.size();
     const auto row = [&](std::size_t index) { return curve.weights.data() + index * columns; };
     for (std::size_t i = 0; i < columns; ++i) {
-      assert(curve.morphs[i] < weights.size());
+      const std::size_t place = std::size_t{curve.morphs[i]} - first;  // huge for those before the first
+      if (place >= weights.size()) continue;
       float weight = shares.from_share * row(shares.from)[i] + shares.to_share * row(shares.to)[i];
       weight += shares.from_slope * row(shares.from_tangent)[i] + shares.to_slope * row(shares.to_tangent)[i];
-      weights[curve.morphs[i]] += share * weight;
+      weights[place] += share * weight;
     }
   }
 }

@@ -147,6 +147,24 @@ std::string limit_morphs(Model& model, std::size_t most) {
   return sentence;
 }
 
+std::vector<int> morph_bones(const Model& model) {
+  std::vector<std::vector<double>> held(model.morphs.size(), std::vector<double>(model.skeleton.bones.size(), 0.0));
+  for (const SkinnedMesh& mesh : model.meshes) {
+    for (const MorphDelta& delta : mesh.morph_deltas) {
+      for (int i = 0; i < 4; ++i) {
+        const std::size_t entry = mesh.palette_entries[delta.vertex][i];
+        const auto bone = static_cast<std::size_t>(model.skeleton.palette[entry].bone);
+        held[delta.morph][bone] += static_cast<double>(mesh.weights[delta.vertex][i]);
+      }
+    }
+  }
+  std::vector<int> bones;
+  for (const std::vector<double>& of_morph : held) {
+    bones.push_back(static_cast<int>(std::ranges::max_element(of_morph) - of_morph.begin()));
+  }
+  return bones;
+}
+
 double morph_reach(const Model& model) {
   if (model.morphs.empty()) return 0.0;
   const std::vector<double> weights = largest_weights(model);

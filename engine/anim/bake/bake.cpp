@@ -174,7 +174,7 @@ Character bake_character(const Model& model, const BakeOptions& options) {
                       .clips = std::vector<BakedClip>(clips.size()),
                       .height = proxy.height,
                       .skip_errors = std::vector<SkipError>(clips.size()),
-                      .morph_count = model.morphs.size(),
+                      .morph_bones = morph_bones(model),
                       .morph_reach = morph_reach(model),
                       .level_entries = entries_of_levels(model.skeleton)};
   const BoundsSurvey room(model);

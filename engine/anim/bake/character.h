@@ -65,7 +65,7 @@ struct Character {
   BoneLod bone_lod = {};  ///< the errors that dropping bones causes
   std::vector<SkipError> skip_errors = {};  ///< the errors that skipping frames causes, one a clip
   CharacterBounds bounds = {};
-  std::size_t morph_count = 0;                    ///< of Model::morphs
+  std::vector<int> morph_bones = {};              ///< of each of Model::morphs, the bone that it moves with
   double morph_reach = 0.0;                       ///< metres, how far these can move a vertex; bounds.reach has it too
   SurfacePoints surface_points = {};              ///< points where the errors of drawn poses are measured
   std::vector<std::uint32_t> level_entries = {};  ///< palette entries of each level, descending

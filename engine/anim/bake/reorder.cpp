@@ -56,10 +56,11 @@ Character reorder_character(const Character& character, const Model& model, cons
                       .bone_lod = {},
                       .skip_errors = character.skip_errors,
                       .bounds = character.bounds,
-                      .morph_count = character.morph_count,
+                      .morph_bones = character.morph_bones,
                       .morph_reach = character.morph_reach,
                       .surface_points = choose_surface_points(model),
                       .level_entries = entries_of_levels(model.skeleton)};
+  for (int& bone : reordered.morph_bones) bone = places[static_cast<std::size_t>(bone)];
   in_parallel(1 + character.clips.size(), [&](std::size_t part) {
     if (part == 0) {
       reordered.bone_lod = reorder_bone_lod(character.bone_lod, model, order.bones);

@@ -1,11 +1,19 @@
 // What the clips that an agent plays do to its morphs.
+#include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/bake/character.h"
+#include "engine/anim/entity/additive_layer.h"
+#include "engine/anim/entity/mixer.h"
+#include "tests/anim/agent/crowd_rig.h"
 #include "tests/anim/agent/person_crowd.h"
 
 namespace throng::anim::morph_weights_test {
@@ -18,11 +26,23 @@ MorphTrack track_of(std::vector<int> morphs, std::vector<float> weights) {
           .weights = std::move(weights)};
 }
 
+int bone_of(const std::string& name) { return find_bone(marching_person().skeleton, name); }
+
 /// The marching person, who opens the first of two morphs within a second as it marches; swaying holds the second half
-/// open, and the third clip has none.
+/// open, and the third clip has none. The first is of the head, the second of a foot.
 std::shared_ptr<const Character> morphing_person() {
   Model model = marching_person();
   model.morphs.resize(2);
+  SkinnedMesh& mesh = model.meshes.emplace_back();
+  for (const char* const name : {"head", "foot.L"}) {
+    const auto entry = std::ranges::find(model.skeleton.palette, bone_of(name), &PaletteEntry::bone);
+    const auto index = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.emplace_back(0.0F, 1.0F, 0.0F);
+    mesh.normals.emplace_back(0.0F, 1.0F, 0.0F);
+    mesh.palette_entries.emplace_back(entry - model.skeleton.palette.begin(), 0, 0, 0);
+    mesh.weights.emplace_back(1.0F, 0.0F, 0.0F, 0.0F);
+    mesh.morph_deltas.push_back({.vertex = index, .morph = index, .position = {0.0F, 0.1F, 0.0F}, .normal = {}});
+  }
   model.clips.push_back(model.clips[1]);
   model.clips[0].morph_tracks = {track_of({0}, {0.0F, 1.0F})};
   model.clips[1].morph_tracks = {track_of({0, 1}, {0.0F, 0.5F, 0.0F, 0.5F})};
@@ -89,6 +109,56 @@ TEST_F(MorphWeights, FadeWithThePose) {
   expect(0.5F * 0.5F, 0.5F * 0.5F);
   advance(0.5);
   expect(0.0F, 0.5F);
+}
+
+TEST_F(MorphWeights, AreLaidOverByAMaskAsTheirBonesAre) {
+  const SubtreeWeight head{.bone = bone_of("head"), .weight = 0.5F};
+  const int mask = system_->characters().add_mask(BoneMask("head", marching_person().skeleton, {&head, 1}));
+  agent().play({.clip = 0});
+  advance(0.25);
+  expect(0.25F, 0.0F);
+  agent().play({.clip = 1, .mask = mask});
+  advance(0.25);
+  expect(0.5F * 0.5F, 0.0F);  // the foot's is not masked, so marching alone counts
+  EXPECT_EQ(agent().motion().weights(system_->clock())[0] + agent().motion().weights(system_->clock())[1], 1.0F)
+      << "root motion knows no masks";
+}
+
+TEST_F(MorphWeights, AreMixedAsTheirBonesAre) {
+  const SubtreeWeight trunk{.bone = bone_of("head"), .weight = 0.25F};
+  const int mask = system_->characters().add_mask(BoneMask("head", marching_person().skeleton, {&trunk, 1}));
+  const auto make = [&](const EntityBuilder& build) {
+    const Handle march = build.player({.clip = 0, .speed = 0.0, .start = to_ticks(0.5)});
+    const Handle sway = build.player({.clip = 1});
+    const Handle mixed = build.create(EntityPools::mixers);
+    build.as<Mixer>(mixed).source_count = 2;
+    std::ranges::fill(build.as<Mixer>(mixed).masks, EaseBlender::no_mask);
+    build.as<Mixer>(mixed).masks[1] = static_cast<std::int16_t>(mask);
+    build.private_as<MixerSources>(mixed) = {.sources = {march, sway}, .weights = {1.0F, 4.0F}};
+    return std::vector<Handle>{march, sway, mixed};
+  };
+  ASSERT_TRUE(agent().add_channel(std::make_unique<FixedChannel>(make)));
+  advance(0.1);
+  expect(0.5F * 0.5F, 0.0F);  // at the head swaying has half, at the foot nothing
+}
+
+TEST_F(MorphWeights, AreAddedByAnAdditiveLayer) {
+  const auto make = [](const EntityBuilder& build) {
+    const Handle march = build.player({.clip = 0});
+    const Handle sway = build.player({.clip = 1});
+    const Handle reference = build.player({.clip = 0, .speed = 0.0, .start = to_ticks(0.5)});
+    const Handle layer = build.create(EntityPools::additive_layers);
+    auto& additive = build.as<AdditiveLayer>(layer);
+    additive.base = march;
+    additive.layer = sway;
+    additive.reference = reference;
+    additive.weight = additive.target_weight = 0.5F;
+    additive.mask = EaseBlender::no_mask;
+    return std::vector<Handle>{march, sway, reference, layer};
+  };
+  ASSERT_TRUE(agent().add_channel(std::make_unique<FixedChannel>(make)));
+  advance(0.75);
+  expect(0.75F - 0.5F * 0.5F, 0.5F * 0.5F);
 }
 
 TEST_F(MorphWeights, AreNotAskedForOfAClipWithoutMorphs) {

@@ -1,5 +1,7 @@
 #include "engine/anim/asset/morph_limits.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,6 +72,21 @@ TEST(MorphLimits, LeaveNoClipThatDoesNothing) {
   EXPECT_EQ(model.clips.front().name, "bones");
 }
 
+TEST(MorphBones, AreThoseThatHoldMostOfWhatAMorphMoves) {
+  Model model = model_with_morphs(2);
+  SkinnedMesh& mesh = model.meshes.front();
+  const auto entry_of = [&](int bone) {
+    const auto entry = std::ranges::find(model.skeleton.palette, bone, &PaletteEntry::bone);
+    return static_cast<std::uint16_t>(entry - model.skeleton.palette.begin());
+  };
+  for (glm::u16vec4& entries : mesh.palette_entries) entries = {entry_of(2), entry_of(5), entry_of(3), 0};
+  mesh.weights = {{0.5F, 0.25F, 0.25F, 0.0F}, {0.4F, 0.35F, 0.25F, 0.0F}};
+  mesh.morph_deltas = {{.vertex = 0, .morph = 0, .position = {}, .normal = {}},
+                       {.vertex = 1, .morph = 1, .position = {}, .normal = {}}};
+  mesh.palette_entries[1].y = entry_of(3);  // which holds most, by two weights
+  EXPECT_EQ(morph_bones(model), (std::vector<int>{2, 3}));
+}
+
 TEST(MorphReach, AddsUpWhatMovesAVertexByItsLargestWeight) {
   Model model = model_with_morphs(5);
   EXPECT_NEAR(morph_reach(model), 2.0 * (0.2 + 0.4), 1e-6);
@@ -92,7 +109,7 @@ TEST(MorphReach, WidensTheBoundsOfACharacter) {
   plain.meshes.front().morph_deltas.clear();
   plain.clips.front().morph_tracks.clear();
   const Character wide = bake_character(morphing), narrow = bake_character(plain);
-  EXPECT_EQ(wide.morph_count, 5U);
+  EXPECT_EQ(wide.morph_bones.size(), 5U);
   EXPECT_NEAR(wide.bounds.reach - narrow.bounds.reach, wide.morph_reach, 1e-9);
   EXPECT_GT(wide.morph_reach, 1.0);
   EXPECT_FALSE(wide.clips.front().morphs.empty());

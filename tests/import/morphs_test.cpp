@@ -1,4 +1,5 @@
 // Morph targets that animations move.
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/anim/asset/morph_limits.h"
+#include "engine/anim/asset/reference_pose.h"
 #include "tests/import/test_files.h"
 
 namespace throng::import::testing::morphs_test {
@@ -100,7 +102,8 @@ TEST(Morphs, KeepWhatAnimatedTargetsDoToTheVerticesThatTheyMove) {
     EXPECT_EQ(mesh.positions[delta.vertex], mesh.positions[mesh.morph_deltas.front().vertex])
         << "the copies that flat shading made of vertex 3, and no other";
   }
-  EXPECT_EQ(mesh.morph_deltas.size() % 2, 0U) << "both morphs move each copy";
+  const auto copies = std::ranges::count(mesh.positions, mesh.positions[mesh.morph_deltas.front().vertex]);
+  EXPECT_EQ(mesh.morph_deltas.size(), static_cast<std::size_t>(2 * copies)) << "both morphs move each copy";
 }
 
 TEST(Morphs, CountFromTheWeightsThatTheSurfaceRestsAt) {
@@ -151,6 +154,32 @@ TEST(Morphs, TurnNormalsByAsMuchAsUnitNormalsTurn) {
   const anim::MorphDelta& delta = mesh.morph_deltas.front();
   EXPECT_LT(glm::distance(delta.normal, bind * turn / scale / glm::length(rest)), 1e-5F);
   EXPECT_LT(glm::distance(glm::normalize(mesh.normals[3] + delta.normal), glm::normalize(bind * (rest + turn))), 1e-5F);
+}
+
+TEST(Morphs, OfAMeshThatAJointCarriesAreKeptInThatPlace) {
+  MorphFile file;
+  json& nodes = file.document["nodes"];
+  const auto hat = static_cast<int>(nodes.size());
+  nodes[5]["children"].push_back(hat);
+  nodes.push_back({{"mesh", 1}, {"scale", {2.0, 2.0, 2.0}}, {"translation", {0.0, 1.0, 0.0}}});
+  file.add_target(3, {0.0F, 0.5F, 0.0F});
+  file.document["meshes"].push_back({{"primitives", json::array({file.primitive()})}});
+  file.primitive().erase("targets");
+  json& attributes = file.document["meshes"][1]["primitives"][0]["attributes"];
+  attributes.erase("JOINTS_0");
+  attributes.erase("WEIGHTS_0");
+  file.animate({0.0F, 1.0F}, {0, 1}, "LINEAR", hat);
+  const anim::Model model = file.import().models.front();
+  ASSERT_THAT(model.meshes, SizeIs(2));
+  EXPECT_THAT(model.meshes[0].morph_deltas, IsEmpty());
+  ASSERT_THAT(model.morphs, SizeIs(1));
+  EXPECT_EQ(model.morphs[0].node, hat);
+  ASSERT_FALSE(model.meshes[1].morph_deltas.empty());
+  const anim::SkinnedMesh& mesh = model.meshes[1];
+  const anim::MorphDelta& delta = mesh.morph_deltas.front();
+  const glm::dmat4 entry =
+      anim::reference_pose(model.skeleton, nullptr, 0.0).palette[mesh.palette_entries[delta.vertex].x];
+  EXPECT_NEAR(glm::length(glm::dmat3(entry) * glm::dvec3(delta.position)), 1.0, 1e-5) << "its node is twice as large";
 }
 
 TEST(Morphs, MakeAClipOfAnAnimationThatMovesNothingElse) {

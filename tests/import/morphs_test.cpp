@@ -233,6 +233,15 @@ TEST(Morphs, OfANodeWithoutTargetsAreLeftOutAndNamed) {
   EXPECT_THAT(imported.repairs, Contains(HasSubstr("\"wave\", channel 5: weights of a node without morph targets")));
 }
 
+TEST(Morphs, WithWeightsBeyondAllMeasureAreRefused) {
+  for (const float weight : {2e4F, -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    MorphFile file;
+    file.add_target(3, {0.0F, 1.0F, 0.0F});
+    file.animate({0.0F, 1.0F}, {0, weight});
+    EXPECT_THAT(message_of(file.write()), HasSubstr("a weight of a morph target is no number, or beyond 10,000"));
+  }
+}
+
 TEST(Morphs, WithAnotherNumberOfWeightsAreRefused) {
   MorphFile file;
   file.add_target(3, {0.0F, 1.0F, 0.0F});

@@ -17,6 +17,8 @@ namespace {
 using anim::Interpolation;
 using anim::Track;
 
+constexpr float largest_weight = 1e4F;  // what is beyond would move a surface out of sight
+
 /// The keys of a sampler, before their property is known.
 struct Keys {
   Interpolation interpolation = Interpolation::linear;
@@ -108,7 +110,9 @@ class AnimationReader {
       refuse("has " + std::to_string(read.weights.size()) + " weights for " + std::to_string(keys.times.size()) +
              " key times of " + std::to_string(read.targets) + " morph targets");
     }
-    if (!all_finite(read.weights)) refuse("a key value is not finite");
+    const auto is_sane = [](float weight) { return std::abs(weight) <= largest_weight; };  // no number is not
+    if (!std::ranges::all_of(read.weights, is_sane))
+      refuse("a weight of a morph target is no number, or beyond 10,000");
     animation_.weights.emplace(node, std::move(read));
   }
 

@@ -72,10 +72,17 @@ anim::Error no_bone_in_common(const std::string& clip_file, const std::string& f
                            ".throng.json, under \"rig\", which is which")};
 }
 
+/// Weights of morphs are those of another surface; clips that have nothing else go.
+void leave_out_morphs(std::vector<anim::Clip>& clips) {
+  for (anim::Clip& clip : clips) clip.morph_tracks.clear();
+  std::erase_if(clips, [](const anim::Clip& clip) { return clip.tracks.empty(); });
+}
+
 anim::Result<anim::ImportedFile> import_clip_file(const std::string& clip_file, const import::ImportOptions& options) {
   auto clips = import::import_clips(clip_file, options);
   if (!clips) return clips.error();
   for (anim::Model& model : clips->models) {
+    leave_out_morphs(model.clips);
     if (const anim::Status taken = take_kept_rig(clip_file, model.skeleton); !taken) return taken.error();
   }
   return clips;

@@ -22,6 +22,10 @@ uvec4 entries_at(uint bone_level) {
 InstanceRecord drawn_instance() { return instances[gl_BaseInstanceARB + gl_InstanceID]; }
 
 SkinnedVertex skinned(const InstanceRecord instance) {
-  vec3 own_position = varied(instance, position, normal, shape, hair);
-  return skin_vertex(instance, now, own_position, normal, entries_at(instance.bone_level), weights);
+  vec3 own_position = position, own_normal = normal;
+#ifdef MORPHED
+  add_morphs(instance, uint(gl_VertexID), own_position, own_normal);
+#endif
+  own_position = varied(instance, own_position, own_normal, shape, hair);
+  return skin_vertex(instance, now, own_position, own_normal, entries_at(instance.bone_level), weights);
 }

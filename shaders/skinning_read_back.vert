@@ -4,6 +4,7 @@
 // Runs the crowd's own skinning; transform feedback captures the results.
 #include "frame_uniforms.glsl"
 #include "instance_record.glsl"
+#include "morphs.glsl"
 #include "skinning.glsl"
 #include "variants.glsl"
 #include "crowd_vertex.glsl"

@@ -73,6 +73,12 @@ anim::Error no_bone_in_common(const std::string& clip_file, const std::string& f
                            ".throng.json, under \"rig\", which is which")};
 }
 
+/// Weights of morphs are those of another surface; clips that have nothing else go.
+void leave_out_morphs(std::vector<anim::Clip>& clips) {
+  for (anim::Clip& clip : clips) clip.morph_tracks.clear();
+  std::erase_if(clips, [](const anim::Clip& clip) { return clip.tracks.empty(); });
+}
+
 anim::Status take_kept_rigs(const std::string& path, anim::ImportedFile& file) {
   for (anim::Model& model : file.models) {
     if (anim::Status taken = take_kept_rig(path, model.skeleton); !taken) return taken;
@@ -105,7 +111,8 @@ void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedF
   }
   file.notes.push_back(anim::plain_text(clips.path) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
                        how_they_fit(*source.retargeter, as_they_were) +
-                       (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)));
+                       (lost.empty() ? "" : "; nobody follows its bones " + listed(lost)) +
+                       (source.model->morphs.empty() ? "" : "; weights of its morph targets left out"));
 }
 
 anim::Error no_skeleton(const std::string& path) {

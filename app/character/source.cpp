@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/character/morph_deltas.h"
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
 #include "app/character/skin_choice.h"
@@ -275,6 +276,7 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
   for (const anim::PackingFrame& frame : anim::packing_frames(model.skeleton)) {
     data.packing_frames.push_back({{frame.pivot[0], frame.pivot[1], frame.pivot[2]}, frame.step});
   }
+  data.morph_deltas = morph_deltas(model);
   if (!data.packed_surface.empty()) return data;
   data.poses = posed_palettes(model);
   data.bone_ends = bone_ends(model.skeleton);

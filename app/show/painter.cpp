@@ -137,7 +137,8 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .distance_scale = distance_scale_,
           .bones_as_lines = stage.tuning().bones_as_lines,
           .fill_pixels = !stage.tuning().taken_away.pixels,
-          .lines = lines_};
+          .lines = lines_,
+          .morph_weights = picture.morph_weights()};
 }
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {

@@ -13,11 +13,15 @@ constexpr std::uint32_t lods = 4;
 
 void Picture::compose(const Stage& stage, Poses poses) {
   entries_.clear();
+  morphs_.clear();
   const auto characters = static_cast<std::uint32_t>(stage.characters().size());
+  const bool morphs = std::ranges::any_of(
+      stage.characters(), [](const CharacterSource& source) { return !source.character->morph_bones.empty(); });
   const bool lod_as_color = stage.tuning().debug_view == DebugView::mesh_lod;
   for (const anim::VisibleAgent& agent : stage.selection().visible) {
     Entry entry;
     if (!stage.record(agent, entry.record, poses)) continue;
+    if (morphs) morphs_.add(stage, agent, entry.record);
     const ShownPose& pose = stage.pose_of(agent.agent, poses);
     const std::uint8_t character = stage.crowd().characters()[agent.agent];
     const int lod = poses == Poses::exact ? 0 : stage.mesh_lod(agent);

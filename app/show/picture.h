@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "app/show/morph_weights.h"
 #include "app/stage/stage.h"
 #include "engine/render/crowd_draw.h"
 
@@ -18,6 +19,7 @@ class Picture {
 
   std::span<const render::InstanceRecord> instances() const { return instances_; }
   std::span<const render::CrowdBatch> batches() const { return batches_; }
+  std::span<const float> morph_weights() const { return morphs_.all(); }
 
  private:
   struct Entry {
@@ -31,6 +33,7 @@ class Picture {
   std::vector<std::uint32_t> run_starts_;
   std::vector<render::InstanceRecord> instances_;
   std::vector<render::CrowdBatch> batches_;
+  MorphWeights morphs_;
 };
 
 }  // namespace throng::app

@@ -66,6 +66,14 @@ struct PackingFrameData {
   float step = 0;
 };
 
+/// What a morph of weight 1 adds to a vertex of the full surface, in the space of the palette.
+struct MorphDeltaData {
+  std::uint32_t vertex = 0;  ///< counted over all `parts`
+  std::uint32_t morph = 0;   ///< its place among the weights of an instance
+  float position[3] = {0, 0, 0};
+  float normal[3] = {0, 0, 0};
+};
+
 /// A coarser surface that comes with the character.
 struct BakedLodData {
   std::vector<MeshPartData> parts;
@@ -83,6 +91,7 @@ struct CrowdMeshData {
   /// where the bone is kept, else that of its nearest kept ancestor. [0] is the identity.
   std::vector<std::vector<std::uint16_t>> entry_at_level;
   std::vector<PackingFrameData> packing_frames;  ///< one a palette entry; empty if no slot is ever packed
+  std::vector<MorphDeltaData> morph_deltas;      ///< ascending by vertex; empty: the surface does not morph
   PosedPalettes poses;                           ///< the rest pose first; mesh LODs are measured in them
   std::vector<BoneEndData> bone_ends;  ///< joint and parent of each bone, for CrowdFrame::bones_as_lines; or empty
   /// A surface that pack_surface made of all this. Where it is given, LODs, poses and bone ends are not read.

@@ -10,6 +10,9 @@ inline constexpr std::uint32_t packed_slot = 0x80000000U;  ///< see InstanceReco
 inline constexpr int tint_regions = 5;       ///< skin, hair, shirt, trousers, shoes
 inline constexpr float shade_reach = 0.35F;  ///< see InstanceRecord; shaders/variants.glsl repeats it
 
+inline constexpr std::size_t weights_a_place = 4;           ///< see InstanceRecord::hair
+inline constexpr std::size_t largest_weight_place = 65534;  ///< the last that a record can name
+
 /// Tells the vertex shader about one drawn agent. `shaders/instance_record.glsl` repeats the layout (std430).
 /// app/ writes it once a frame for every drawn agent.
 ///
@@ -27,7 +30,8 @@ inline constexpr float shade_reach = 0.35F;  ///< see InstanceRecord; shaders/va
 ///     72  shape                   build (stout), frame (broad-shouldered), posture (stooped):
 ///                                 RGB8_SNORM in the low bytes
 ///     76  hair                    fullness and length: RG8_SNORM in the low bytes; 0 in both leaves the
-///                                 surface as it is
+///                                 surface as it is. The high half says where its weights of morphs begin
+///                                 (CrowdFrame::morph_weights): 1 + number / weights_a_place; 0: it has none
 ///     80  contact scale           of the dark spot below; 1 fits a person of 1.8 metres
 ///     84  shade                   of what no tint region colours: RGB8_SNORM in the low bytes; 1 makes linear red,
 ///                                 green or blue 1 + shade_reach times as bright, 0 leaves it as it is

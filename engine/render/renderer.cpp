@@ -1,5 +1,6 @@
 #include "engine/render/renderer.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -33,6 +34,10 @@ Status Renderer::load_characters(std::span<const CrowdMeshData> characters) {
     if (!mesh) return mesh.error();
     meshes.push_back(std::move(*mesh));
   }
+  if (std::ranges::any_of(meshes, &CrowdMesh::has_morphs)) {
+    crowd_.prepare_morphs();
+    if (!shaders_.status()) return shaders_.status().error();
+  }
   meshes_ = std::move(meshes);
   return Done{};
 }
@@ -63,6 +68,7 @@ DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
   target_.bind_scene();
   target_.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
+  crowd_.begin(frame);
   DrawCounts counts = ground_.draw();
   if (shadows_) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
   add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !shadows_));

@@ -52,7 +52,7 @@ class Renderer {
   static Result<std::unique_ptr<Renderer>> create(gl::Context& context, const RendererOptions& options);
 
   /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. Errors: those of
-  /// CrowdMesh::create; then the former ones stay.
+  /// CrowdMesh::create, and of the shaders that morphs need; then the former ones stay.
   Status load_characters(std::span<const CrowdMeshData> characters);
 
   /// Gives the meshes of the loaded characters.

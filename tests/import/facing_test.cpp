@@ -48,6 +48,20 @@ TEST(FlatShading, GivesEveryTriangleItsOwnNormalAndKeepsItsCorners) {
   }
 }
 
+TEST(FlatShading, LetsMorphsMoveEveryCopyOfAVertex) {
+  anim::SkinnedMesh sheet = folded_sheet();
+  sheet.morph_deltas = {{.vertex = 1, .morph = 7, .position = {0, 2, 0}, .normal = {}},
+                        {.vertex = 4, .morph = 8, .position = {0, 3, 0}, .normal = {}}};
+  const std::vector<glm::vec3> before = sheet.positions;
+  shade_flat(sheet);
+  std::vector<std::uint32_t> morphs;
+  for (const anim::MorphDelta& delta : sheet.morph_deltas) {
+    morphs.push_back(delta.morph);
+    EXPECT_EQ(sheet.positions[delta.vertex], before[delta.morph == 7 ? 1 : 4]);
+  }
+  EXPECT_THAT(morphs, ::testing::UnorderedElementsAre(7U, 7U, 8U)) << "vertex 1 is on the edge, which is doubled";
+}
+
 TEST(FlatShading, IsWhatAFileWithoutNormalsGets) {
   const anim::ImportedFile file = import_good(data_path("features/data-uri.gltf"));
   const anim::SkinnedMesh& mesh = file.models.at(0).meshes.at(0);

@@ -110,14 +110,6 @@ TEST(Import, AddsMorphTargetsByTheirDefaultWeights) {
   }
 }
 
-TEST(Import, SaysThatAnimatedMorphWeightsAreLeftOut) {
-  json document = document_with_target();
-  document["animations"][0]["channels"][0]["target"] = {{"node", 6}, {"path", "weights"}};
-  const TemporaryFolder folder;
-  EXPECT_THAT(import_good(folder.write("morph.gltf", document.dump())).repairs,
-              Contains(HasSubstr("animation 0 \"wave\": its morph weights are left out")));
-}
-
 TEST(Import, NamesTheFileTheObjectAndWhatToDo) {
   json document = editable_document();
   document["animations"][0]["name"] = "Walk";

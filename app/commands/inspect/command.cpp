@@ -1,5 +1,6 @@
 #include "app/commands/inspect/command.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <string>
@@ -94,6 +95,25 @@ Json meshes_json(const anim::Model& model) {
   return meshes;
 }
 
+Json morphs_json(const anim::Model& model) {
+  Json morphs = Json::array();
+  for (std::size_t i = 0; i < model.morphs.size(); ++i) {
+    Json animations = Json::array();
+    for (const anim::Clip& clip : model.clips) {
+      const auto has = [i](const anim::MorphTrack& track) {
+        return std::ranges::count(track.morphs, static_cast<int>(i)) > 0;
+      };
+      if (std::ranges::any_of(clip.morph_tracks, has)) animations.push_back(clip.animation);
+    }
+    morphs.push_back({{"animations", std::move(animations)},
+                      {"name", model.morphs[i].name},
+                      {"node", model.morphs[i].node},
+                      {"rest_weight", model.morphs[i].rest_weight},
+                      {"target", model.morphs[i].target}});
+  }
+  return morphs;
+}
+
 Json materials_json(const anim::Model& model) {
   Json materials = Json::array();
   for (const anim::Material& material : model.materials) {
@@ -132,19 +152,13 @@ Json model_json(const InspectedModel& inspected) {
   for (const anim::Bone& bone : model.skeleton.bones) bones.push_back(bone.name);
   Json images = Json::array();
   for (const anim::Image& image : model.images) images.push_back({{"height", image.height}, {"width", image.width}});
-  return {{"bones", std::move(bones)},
-          {"clips", clips_json(model)},
-          {"images", std::move(images)},
-          {"level_bone_counts", model.skeleton.level_bone_counts},
-          {"materials", materials_json(model)},
-          {"mesh_lods", mesh_lods_json(model)},
-          {"meshes", meshes_json(model)},
-          {"name", model.skeleton.name},
-          {"palette_entries", model.skeleton.palette_count()},
-          {"path", path_name(model.skeleton)},
-          {"rig", rig_json(model.skeleton)},
-          {"size", size_json(inspected.placed)},
-          {"skins", skins_json(model)}};
+  return {{"bones", std::move(bones)},           {"clips", clips_json(model)},
+          {"images", std::move(images)},         {"level_bone_counts", model.skeleton.level_bone_counts},
+          {"materials", materials_json(model)},  {"mesh_lods", mesh_lods_json(model)},
+          {"meshes", meshes_json(model)},        {"morphs", morphs_json(model)},
+          {"name", model.skeleton.name},         {"palette_entries", model.skeleton.palette_count()},
+          {"path", path_name(model.skeleton)},   {"rig", rig_json(model.skeleton)},
+          {"size", size_json(inspected.placed)}, {"skins", skins_json(model)}};
 }
 
 /// Says what the file holds as one JSON object; README.md beside this file lists the keys.

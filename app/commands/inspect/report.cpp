@@ -114,6 +114,30 @@ TextTable mesh_table(const anim::Model& model) {
   return table;
 }
 
+/// Names the clips that animate a morph.
+std::string clips_of_morph(const anim::Model& model, int morph) {
+  std::vector<std::string> names;
+  for (const anim::Clip& clip : model.clips) {
+    const auto has = [morph](const anim::MorphTrack& track) { return std::ranges::count(track.morphs, morph) > 0; };
+    if (std::ranges::any_of(clip.morph_tracks, has)) names.push_back(name_text(clip.name));
+  }
+  return joined(names);
+}
+
+TextTable morph_table(const anim::Model& model) {
+  TextTable table({"morph", "moves vertices", "at rest", "in clips"});
+  std::vector<std::size_t> vertices(model.morphs.size(), 0);
+  for (const anim::SkinnedMesh& mesh : model.meshes) {
+    for (const anim::MorphDelta& delta : mesh.morph_deltas) ++vertices[delta.morph];
+  }
+  for (std::size_t i = 0; i < model.morphs.size(); ++i) {
+    const anim::Morph& morph = model.morphs[i];
+    table.add({morph.name, std::to_string(vertices[i]), fixed(morph.rest_weight, 2),
+               clips_of_morph(model, static_cast<int>(i))});
+  }
+  return table;
+}
+
 std::string image_text(const anim::Model& model, int image) {
   if (image < 0) return "none";
   const anim::Image& picture = model.images[static_cast<std::size_t>(image)];
@@ -188,8 +212,8 @@ std::string model_text(const InspectedModel& inspected) {
     text += "  " + line + "\n";
   }
   for (const std::string& doubt : rig.limbs.doubts) text += "  noted: " + doubt + "\n";
-  for (const TextTable& table :
-       {skin_table(model), clip_table(model, character), mesh_table(model), material_table(model)}) {
+  for (const TextTable& table : {skin_table(model), clip_table(model, character), mesh_table(model), morph_table(model),
+                                 material_table(model)}) {
     if (!table.is_empty()) text += table.text(indent);
   }
   text += baked_lods_text(model);

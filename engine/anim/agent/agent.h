@@ -43,7 +43,9 @@ class AgentView {
 
   /// Returns root motion, data keys and absolute root, at a frame boundary. Ask for the interval from the clock before
   /// advance() to the clock now, and ask before you make any request.
-  AgentMotion motion() const { return {pools(), agents_->clips, graph(), population_->posed_at(number_)}; }
+  AgentMotion motion() const {
+    return {pools(), agents_->clips, graph(), population_->posed_at(number_), agents_->morph_blend()};
+  }
 
   /// Returns whether the agent's pose of now is known. It is not known while the agent stands ahead of the clock and
   /// the offset of an interrupted fade was captured in between, or its feet are placed.

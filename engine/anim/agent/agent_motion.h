@@ -30,6 +30,12 @@ struct AbsoluteRoot {
 /// The weights of the steps of a program, in their order.
 using PoseWeights = std::array<float, PoseProgram::max_steps>;
 
+/// What blends morphs, beside what moves an agent.
+struct MorphBlend {
+  std::span<const int> bones{};           ///< of each morph, the bone at which masks count for it
+  std::span<const float* const> masks{};  ///< each [bone]
+};
+
 /// Finds in closed form what an agent's players do between two times of the clock. The agent need not be posed, and may
 /// stand ahead of the clock. It reads blocks at a frame boundary, for any number of agents at a time.
 ///
@@ -38,8 +44,9 @@ using PoseWeights = std::array<float, PoseProgram::max_steps>;
 class AgentMotion {
  public:
   /// `posed_at` is the time at which the agent's entities stand.
-  AgentMotion(const EntityPools& pools, std::span<const ClipStreams> clips, const PoseGraph& graph, Ticks posed_at)
-      : pools_(&pools), clips_(clips), graph_(&graph), posed_at_(posed_at) {}
+  AgentMotion(const EntityPools& pools, std::span<const ClipStreams> clips, const PoseGraph& graph, Ticks posed_at,
+              const MorphBlend& morphs = {})
+      : pools_(&pools), clips_(clips), graph_(&graph), posed_at_(posed_at), morphs_(morphs) {}
 
   /// Returns the share of each step's state in the agent's pose at `at`, 0 to 1. The root has all of it, which blenders
   /// and mixers share out to the others. A state that a mask or an additive layer lays over a pose has no share.
@@ -52,19 +59,27 @@ class AgentMotion {
   /// deliver each key once.
   void for_each_data_key(Ticks from, Ticks to, const std::function<void(const DataKeyEvent&)>& visit) const;
 
+  /// Adds the weights of the character's morphs at `at` to `weights`, which has one for each. They are blended as the
+  /// pose of their bones is. Returns whether any clip that plays has morphs; else nothing is added.
+  bool add_morph_weights(Ticks at, std::span<float> weights) const;
+
   /// Returns where the heaviest player of an absolute state stands at `now`, its own root motion included. Returns
   /// nothing if no player of weight has an absolute root.
   std::optional<AbsoluteRoot> absolute_root(Ticks now) const;
 
  private:
   template <typename Visit>
-  void for_each_player(Ticks at, Visit&& visit) const;
+  void for_each_player(const PoseWeights& shares, Visit&& visit) const;
   FineTicks position(const Player& player, Ticks at) const;
+  PoseWeights weights_at_bone(Ticks at, int bone) const;
+  bool plays_morphs() const;
+  bool differs_by_bone() const;
 
   const EntityPools* pools_;
   std::span<const ClipStreams> clips_;
   const PoseGraph* graph_;
   Ticks posed_at_;
+  MorphBlend morphs_;
 };
 
 }  // namespace throng::anim

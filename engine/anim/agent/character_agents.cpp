@@ -16,7 +16,8 @@ ClipStreams streams_of(const BakedClip& clip) {
           .sampled = clip.sampled(),
           .duration = clip.duration,
           .root_motion = clip.root_motion.keys.empty() ? nullptr : &clip.root_motion,
-          .data_keys = clip.data_keys};
+          .data_keys = clip.data_keys,
+          .morphs = clip.morphs.empty() ? nullptr : &clip.morphs};
 }
 
 std::vector<ClipStreams> all_streams_of(const Character& character) {

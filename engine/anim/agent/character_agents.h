@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/anim/agent/agent_graphs.h"
+#include "engine/anim/agent/agent_motion.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/run/local_store_plan.h"
@@ -40,6 +41,9 @@ struct CharacterAgents {
   const Skeleton& skeleton() const { return character->skeleton; }
   /// Returns the context that PUs read. It is valid until a mask or a selection is added.
   UpdateContext context(const Kernels& kernels) const;
+
+  /// Returns what blends the morphs of its agents. It is valid as long as context().
+  MorphBlend morph_blend() const { return {.bones = character->morph_bones, .masks = mask_weights}; }
 
   /// Takes the same character with its bones in another order, and returns the one before.
   std::shared_ptr<const Character> replace_character(std::shared_ptr<const Character> reordered);

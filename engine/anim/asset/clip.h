@@ -28,6 +28,14 @@ struct BoneTracks {
   Track<glm::vec3> scale;
 };
 
+/// The weights of morphs of one mesh, above those that its surface shows without animation. Keys hold as in Track.
+struct MorphTrack {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<int> morphs;     ///< indices among Model::morphs, ascending
+  std::vector<float> times;    ///< seconds, as in Track
+  std::vector<float> weights;  ///< [key][morph]; with cubic_spline [key][in-tangent, weight, out-tangent][morph]
+};
+
 /// A named moment of a clip for game play (the paper's "data key", 2.2.2), as the file has it.
 struct NamedDataKey {
   double time = 0.0;  ///< seconds of the file, from the clip's start to its duration
@@ -44,6 +52,7 @@ struct Clip {
   double duration = 0.0;  ///< seconds, the last key of all channels, other skeletons' too
   std::vector<BoneTracks> tracks;            ///< ascending by bone, at most one a bone
   std::vector<NamedDataKey> data_keys = {};  ///< by time
+  std::vector<MorphTrack> morph_tracks = {};
 
   /// Returns the seconds that it plays, from its first key to its last.
   double length() const { return duration - start; }

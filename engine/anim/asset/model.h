@@ -80,6 +80,22 @@ struct Material {
   Texture occlusion_texture;  ///< linear, in red
 };
 
+/// A shape that clips add to the surface by a weight: a morph target of glTF (2.0, 3.7.2.2) that a clip animates.
+struct Morph {
+  std::string name;          ///< `mesh 0 "Body", target 2 "smile"`
+  int node = -1;             ///< the node of the file that draws the mesh
+  int target = 0;            ///< index among the targets of the mesh
+  double rest_weight = 0.0;  ///< what the surface shows without animation
+};
+
+/// What a morph of weight 1 adds to a vertex.
+struct MorphDelta {
+  std::uint32_t vertex = 0;
+  std::uint32_t morph = 0;  ///< index among Model::morphs
+  glm::vec3 position{0.0F};
+  glm::vec3 normal{0.0F};
+};
+
 /// One glTF primitive as triangles, skinned, in the space of the palette (see Skin::bind_to_model).
 struct SkinnedMesh {
   std::string name;
@@ -96,6 +112,7 @@ struct SkinnedMesh {
   std::vector<glm::u16vec4> palette_entries;  ///< four influences a position, strongest first
   std::vector<glm::vec4> weights;             ///< sum to 1; import drops and reports influences beyond four
   std::vector<std::uint32_t> indices;         ///< triangles, counter-clockwise front
+  std::vector<MorphDelta> morph_deltas;       ///< of the vertices that morphs move: by vertex, then by morph
 };
 
 /// A coarser surface from the file, with weights of its own.
@@ -110,6 +127,7 @@ struct Model {
   std::vector<Skin> skins;
   std::vector<Clip> clips;
   std::vector<SkinnedMesh> meshes;
+  std::vector<Morph> morphs;            ///< those that its clips animate
   std::vector<BakedMeshLod> mesh_lods;  ///< finest first; empty unless the file has them for all of `meshes`
   std::vector<Material> materials;      ///< at least one if there is a mesh
   std::vector<Image> images;

@@ -11,7 +11,12 @@ namespace {
 /// The vertices of a rigid skeleton lie in the space of the bind pose, which moves as a whole.
 void place_mesh(SkinnedMesh& mesh, const Placement& placement, const glm::dmat4& matrix) {
   for (glm::vec3& position : mesh.positions) position = glm::vec3(matrix * glm::dvec4(glm::dvec3(position), 1.0));
-  for (glm::vec3& normal : mesh.normals) normal = glm::vec3(placement.rotation * glm::dvec3(normal));
+  const auto turned = [&](const glm::vec3& v) { return placement.rotation * glm::dvec3(v); };
+  for (glm::vec3& normal : mesh.normals) normal = glm::vec3(turned(normal));
+  for (MorphDelta& delta : mesh.morph_deltas) {
+    delta.position = glm::vec3(placement.scale * turned(delta.position));
+    delta.normal = glm::vec3(turned(delta.normal));
+  }
 }
 
 void place_bind_pose(Model& model, const Placement& placement, const glm::dmat4& matrix) {

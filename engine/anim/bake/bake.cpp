@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/anim/asset/keyframe_stream_clip.h"
+#include "engine/anim/asset/morph_limits.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/bake/footsteps.h"
 #include "engine/anim/bake/grid.h"
@@ -107,8 +108,10 @@ void bake_sampled_stream(BakedClip& baked, const SampleSource& source, const Sta
 
 BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const Clip& clip, const BakeOptions& options) {
   const double size = proxy.height / tall_person;
-  StateClip state = to_state_space(skeleton, clip, options.as_in_the_file ? 0.0 : clip.start);
+  const double start = options.as_in_the_file ? 0.0 : clip.start;
+  StateClip state = to_state_space(skeleton, clip, start);
   BakedClip baked;
+  baked.morphs = bake_morph_curves(clip, start);
   baked.name = clip.name;
   baked.duration = state.duration;
   baked.error_bound = surface_error * size;
@@ -171,6 +174,8 @@ Character bake_character(const Model& model, const BakeOptions& options) {
                       .clips = std::vector<BakedClip>(clips.size()),
                       .height = proxy.height,
                       .skip_errors = std::vector<SkipError>(clips.size()),
+                      .morph_bones = morph_bones(model),
+                      .morph_reach = morph_reach(model),
                       .level_entries = entries_of_levels(model.skeleton)};
   const BoundsSurvey room(model);
   std::vector<double> reaches(clips.size());
@@ -187,6 +192,7 @@ Character bake_character(const Model& model, const BakeOptions& options) {
   in_parallel(std::size(surveys) + clips.size(),
               [&](std::size_t part) { part < std::size(surveys) ? surveys[part]() : bake(part - std::size(surveys)); });
   character.bounds = room.bounds(reaches);
+  character.bounds.reach += character.morph_reach;
   for (std::size_t clip = 0; clip < clips.size(); ++clip)
     add_data_keys(character, character.clips[clip], data_keys[clip]);
   return character;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 #include "engine/anim/asset/data_keys.h"
 #include "engine/anim/asset/keyframe_stream.h"
 #include "engine/anim/asset/model.h"
+#include "engine/anim/asset/morph_curves.h"
 #include "engine/anim/asset/root_curve.h"
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/asset/skeleton_order.h"
@@ -34,6 +36,7 @@ struct BakedClip {
   glm::dvec3 loop_displacement{0.0};  ///< root motion taken out of the pose: metres a loop, model space
   RootCurve root_motion;              ///< the same over time: a pose stands where the curve is at its time
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
+  MorphCurves morphs = {};            ///< empty: the surface keeps its shape
   AlignedBytes keyframe_block;
   double keyframe_error = 0.0;  ///< metres: what the tracks that stand still in it may move the surface by at most
   AlignedBytes sampled_block;   ///< null: the clip plays from its keyframe stream, and `note` says why
@@ -63,6 +66,8 @@ struct Character {
   BoneLod bone_lod = {};  ///< the errors that dropping bones causes
   std::vector<SkipError> skip_errors = {};  ///< the errors that skipping frames causes, one a clip
   CharacterBounds bounds = {};
+  std::vector<int> morph_bones = {};              ///< of each of Model::morphs, the bone that it moves with
+  double morph_reach = 0.0;                       ///< metres, how far these can move a vertex; bounds.reach has it too
   SurfacePoints surface_points = {};              ///< points where the errors of drawn poses are measured
   std::vector<std::uint32_t> level_entries = {};  ///< palette entries of each level, descending
   std::shared_ptr<const void> lender = {};        ///< keeps the memory that lent streams lie in, for example a pack

@@ -17,6 +17,7 @@ BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::spa
                       .loop_displacement = clip.loop_displacement,
                       .root_motion = clip.root_motion,
                       .data_keys = clip.data_keys,
+                      .morphs = clip.morphs,
                       .keyframe_block = reorder_keyframe_stream(clip.keyframe(), places),
                       .keyframe_error = clip.keyframe_error,
                       .sampled_block = {},
@@ -55,8 +56,11 @@ Character reorder_character(const Character& character, const Model& model, cons
                       .bone_lod = {},
                       .skip_errors = character.skip_errors,
                       .bounds = character.bounds,
+                      .morph_bones = character.morph_bones,
+                      .morph_reach = character.morph_reach,
                       .surface_points = choose_surface_points(model),
                       .level_entries = entries_of_levels(model.skeleton)};
+  for (int& bone : reordered.morph_bones) bone = places[static_cast<std::size_t>(bone)];
   in_parallel(1 + character.clips.size(), [&](std::size_t part) {
     if (part == 0) {
       reordered.bone_lod = reorder_bone_lod(character.bone_lod, model, order.bones);

@@ -7,6 +7,7 @@
 #include "engine/anim/asset/bone_priorities.h"
 #include "engine/anim/asset/data_keys.h"
 #include "engine/anim/asset/keyframe_stream.h"
+#include "engine/anim/asset/morph_curves.h"
 #include "engine/anim/asset/root_curve.h"
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/entity/entity_kind.h"
@@ -22,6 +23,7 @@ struct ClipStreams {
   Ticks duration = 0;
   const RootCurve* root_motion = nullptr;  ///< the motion that was taken out of the pose; null: none was
   std::span<const DataKey> data_keys{};    ///< ascending
+  const MorphCurves* morphs = nullptr;     ///< null: the clip leaves the surface as it is
 };
 
 /// Plays one clip: an animation state with a position in an animation stream (paper 2.2.2).

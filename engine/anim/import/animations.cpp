@@ -17,6 +17,8 @@ namespace {
 using anim::Interpolation;
 using anim::Track;
 
+constexpr float largest_weight = 1e4F;  // what is beyond would move a surface out of sight
+
 /// The keys of a sampler, before their property is known.
 struct Keys {
   Interpolation interpolation = Interpolation::linear;
@@ -44,9 +46,6 @@ class AnimationReader {
     }
     animation_.start = std::min(start_, animation_.duration);
     read_data_keys();
-    if (moves_shapes_) {
-      document_.repairs.push_back(name_ + ": its morph weights are left out, shapes keep their default weights");
-    }
     return std::move(animation_);
   }
 
@@ -66,6 +65,7 @@ class AnimationReader {
     // A single key holds at all times, so it does not say when the clip begins.
     if (keys.times.size() > 1) start_ = std::min(start_, static_cast<double>(keys.times.front()));
     animation_.duration = std::max(animation_.duration, static_cast<double>(keys.times.back()));
+    if (channel.target_path == "weights") return read_weights(channel.target_node, sampler.output, keys);
     if (tree_.transforms[static_cast<std::size_t>(channel.target_node)].has_matrix) {
       document_.repairs.push_back(channel_name_ + ": ignored, because its node has a matrix");
       return;
@@ -79,12 +79,45 @@ class AnimationReader {
       tracks.translation = read_track<glm::vec3>(output, keys, TINYGLTF_TYPE_VEC3);
     } else if (channel.target_path == "scale") {
       tracks.scale = read_track<glm::vec3>(output, keys, TINYGLTF_TYPE_VEC3);
-    } else if (channel.target_path == "rotation") {
+    } else {
       tracks.rotation = read_track<glm::quat>(output, keys, TINYGLTF_TYPE_VEC4);
       mend_rotations(tracks.rotation);
-    } else {
-      moves_shapes_ = true;
     }
+  }
+
+  /// Returns the number of morph targets of the node's mesh. All its primitives should have as many.
+  std::size_t target_count(int node) const {
+    const int mesh = document_.gltf.nodes[static_cast<std::size_t>(node)].mesh;
+    std::size_t count = 0;
+    if (mesh < 0) return count;
+    for (const tinygltf::Primitive& primitive : document_.gltf.meshes[static_cast<std::size_t>(mesh)].primitives) {
+      count = std::max(count, primitive.targets.size());
+    }
+    return count;
+  }
+
+  void read_weights(int node, int output, const Keys& keys) {
+    WeightKeys read{
+        .interpolation = keys.interpolation, .targets = target_count(node), .times = keys.times, .weights = {}};
+    if (read.targets == 0) {
+      document_.repairs.push_back(channel_name_ + ": weights of a node without morph targets, left out");
+      return;
+    }
+    read.weights =
+        read_floats(document_, output, {channel_name_ + ": key values", {TINYGLTF_TYPE_SCALAR}, float_or_small});
+    const std::size_t expected = keys.times.size() * values_a_key(keys) * read.targets;
+    if (read.weights.size() != expected) {
+      refuse("has " + std::to_string(read.weights.size()) + " weights for " + std::to_string(keys.times.size()) +
+             " key times of " + std::to_string(read.targets) + " morph targets");
+    }
+    const auto is_sane = [](float weight) { return std::abs(weight) <= largest_weight; };  // no number is not
+    if (!std::ranges::all_of(read.weights, is_sane))
+      refuse("a weight of a morph target is no number, or beyond 10,000");
+    animation_.weights.emplace(node, std::move(read));
+  }
+
+  static std::size_t values_a_key(const Keys& keys) {
+    return keys.interpolation == Interpolation::cubic_spline ? 3 : 1;
   }
 
   /// Marks are set at frames and keys at 32-bit seconds, so a mark off by less than a millisecond means the end. A mark
@@ -140,8 +173,7 @@ class AnimationReader {
   Track<Value> read_track(int output, const Keys& keys, int type) const {
     const auto values = read_floats(document_, output, {channel_name_ + ": key values", {type}, float_or_small});
     Track<Value> track{.interpolation = keys.interpolation, .times = keys.times, .values = grouped<Value>(values)};
-    const std::size_t a_key = keys.interpolation == Interpolation::cubic_spline ? 3 : 1;
-    if (track.values.size() != keys.times.size() * a_key) {
+    if (track.values.size() != keys.times.size() * values_a_key(keys)) {
       refuse("has " + std::to_string(track.values.size()) + " values for " + std::to_string(keys.times.size()) +
              " key times");
     }
@@ -171,12 +203,83 @@ class AnimationReader {
   std::string name_;
   std::string channel_name_;
   std::set<std::pair<int, std::string>> targets_;
-  bool moves_shapes_ = false;  // has a channel of morph weights
   Animation animation_;
   double start_ = std::numeric_limits<double>::infinity();
 };
 
+/// Returns whether the row at `index` of WeightKeys::weights holds weights, not tangents.
+bool is_weight(const WeightKeys& keys, std::size_t index) {
+  return keys.interpolation != Interpolation::cubic_spline || index / keys.targets % 3 == 1;
+}
+
+double rest_weight(std::span<const double> rest_weights, std::size_t target) {
+  return target < rest_weights.size() ? rest_weights[target] : 0.0;
+}
+
+/// Marks the targets that do not keep their own weight.
+void mark_moving(const WeightKeys& keys, std::span<const double> rest_weights, std::vector<bool>& moving) {
+  moving.resize(std::max(moving.size(), keys.targets), false);
+  for (std::size_t i = 0; i < keys.weights.size(); ++i) {
+    const std::size_t target = i % keys.targets;
+    const double still = is_weight(keys, i) ? rest_weight(rest_weights, target) : 0.0;
+    if (static_cast<float>(still) != keys.weights[i]) moving[target] = true;
+  }
+}
+
+/// Returns the keys of the morphs that stand for targets of `node`, above the weights at rest.
+anim::MorphTrack morph_track(const WeightKeys& keys, int node, const std::vector<anim::Morph>& morphs) {
+  anim::MorphTrack track{.interpolation = keys.interpolation, .morphs = {}, .times = keys.times, .weights = {}};
+  for (std::size_t morph = 0; morph < morphs.size(); ++morph) {
+    if (morphs[morph].node == node) track.morphs.push_back(static_cast<int>(morph));
+  }
+  for (std::size_t row = 0; row < keys.weights.size(); row += keys.targets) {
+    for (const int index : track.morphs) {
+      const anim::Morph& morph = morphs[static_cast<std::size_t>(index)];
+      const float rest = is_weight(keys, row) ? static_cast<float>(morph.rest_weight) : 0.0F;
+      track.weights.push_back(keys.weights[row + static_cast<std::size_t>(morph.target)] - rest);
+    }
+  }
+  return track;
+}
+
+/// Returns the clip of an animation, which is made if there is none.
+anim::Clip& clip_of(const std::vector<Animation>& animations, int index, std::vector<anim::Clip>& clips) {
+  const auto place = std::ranges::lower_bound(clips, index, {}, &anim::Clip::animation);
+  if (place != clips.end() && place->animation == index) return *place;
+  const Animation& animation = animations[static_cast<std::size_t>(index)];
+  return *clips.insert(place, {.name = animation.name,
+                               .animation = index,
+                               .start = animation.start,
+                               .duration = animation.duration,
+                               .tracks = {},
+                               .data_keys = animation.data_keys});
+}
+
 }  // namespace
+
+std::vector<int> animated_targets(const std::vector<Animation>& animations, int node,
+                                  std::span<const double> rest_weights) {
+  std::vector<bool> moving;
+  for (const Animation& animation : animations) {
+    const auto keys = animation.weights.find(node);
+    if (keys != animation.weights.end()) mark_moving(keys->second, rest_weights, moving);
+  }
+  std::vector<int> targets;
+  for (std::size_t target = 0; target < moving.size(); ++target) {
+    if (moving[target]) targets.push_back(static_cast<int>(target));
+  }
+  return targets;
+}
+
+void add_morph_tracks(const std::vector<Animation>& animations, anim::Model& model) {
+  for (std::size_t index = 0; index < animations.size(); ++index) {
+    for (const auto& [node, keys] : animations[index].weights) {
+      anim::MorphTrack track = morph_track(keys, node, model.morphs);
+      if (track.morphs.empty()) continue;
+      clip_of(animations, static_cast<int>(index), model.clips).morph_tracks.push_back(std::move(track));
+    }
+  }
+}
 
 std::vector<Animation> read_animations(Document& document, const NodeTree& tree) {
   std::vector<Animation> animations;

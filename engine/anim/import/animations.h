@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "engine/anim/asset/clip.h"
+#include "engine/anim/asset/model.h"
 #include "engine/anim/import/document.h"
 #include "engine/anim/import/node_tree.h"
 
@@ -17,18 +19,34 @@ struct NodeTracks {
   anim::Track<glm::vec3> scale;
 };
 
+/// The weights of the morph targets of a node's mesh, as the file has them.
+struct WeightKeys {
+  anim::Interpolation interpolation = anim::Interpolation::linear;
+  std::size_t targets = 0;
+  std::vector<float> times;
+  std::vector<float> weights;  ///< [key][target]; with cubic_spline [key][in-tangent, weight, out-tangent][target]
+};
+
 /// An animation of the file with the tracks of all its nodes.
 struct Animation {
   std::string name;
   double start = 0.0;                         ///< seconds, the first key of all channels with two keys or more
   double duration = 0.0;                      ///< seconds, the last key of all channels
   std::map<int, NodeTracks> nodes;            ///< by node
+  std::map<int, WeightKeys> weights;          ///< by node
   std::vector<anim::NamedDataKey> data_keys;  ///< by time
 };
 
 /// Reads every animation. Checks that key times ascend, are finite and match their bounds, that values are finite, and
-/// that data keys are inside the animation. Morph weights count for the duration alone. Throws Refusal; repairs go to
-/// `document`.
+/// that data keys are inside the animation. Throws Refusal; repairs go to `document`.
 std::vector<Animation> read_animations(Document& document, const NodeTree& tree);
+
+/// Returns the morph targets of a node's mesh that any of the animations gives another weight than its own, which
+/// `rest_weights` has.
+std::vector<int> animated_targets(const std::vector<Animation>& animations, int node,
+                                  std::span<const double> rest_weights);
+
+/// Gives the clips of `model` the weights of its morphs, and adds clips for animations that have nothing else for it.
+void add_morph_tracks(const std::vector<Animation>& animations, anim::Model& model);
 
 }  // namespace throng::import

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/accessors.h"
 #include "engine/anim/import/draco_meshes.h"
 #include "engine/anim/import/json_document.h"
@@ -56,6 +57,18 @@ std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
   return nodes;
 }
 
+/// Extras may hold anything; what is no list of names is none.
+std::vector<std::vector<std::string>> take_target_names(json& document) {
+  std::vector<std::vector<std::string>> meshes;
+  for (const json& mesh : document.value("meshes", json::array())) {
+    std::vector<std::string>& names = meshes.emplace_back();
+    const auto listed = mesh.find(target_names_property);
+    if (listed == mesh.end() || !listed->is_array()) continue;
+    for (const json& name : *listed) names.push_back(name.is_string() ? anim::plain_text(name.get<std::string>()) : "");
+  }
+  return meshes;
+}
+
 std::vector<bool> take_hidden(json& document) {
   std::vector<bool> hidden;
   if (!document.contains("nodes")) return hidden;
@@ -103,6 +116,7 @@ Document load_document(const std::filesystem::path& path, bool strict) {
   document.images = take_images(json_document);
   document.data_keys = take_data_keys(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
+  document.target_names = take_target_names(json_document);
   document.is_hidden = take_hidden(json_document);
   document.humanoid = read_humanoid(json_document, document.repairs);
   document.buffer_views = load_buffer_views(json_document, parts.binary, document.files, document.repairs);

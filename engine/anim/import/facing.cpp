@@ -34,6 +34,20 @@ void pick(std::vector<Value>& values, const std::vector<std::uint32_t>& sources)
   values = std::move(picked);
 }
 
+/// Gives each vertex the deltas of the vertex that it is a copy of.
+void pick_deltas(std::vector<anim::MorphDelta>& deltas, const std::vector<std::uint32_t>& sources) {
+  if (deltas.empty()) return;
+  std::vector<std::vector<anim::MorphDelta>> by_source(sources.size());  // at least as many as there were vertices
+  for (const anim::MorphDelta& delta : deltas) by_source[delta.vertex].push_back(delta);
+  deltas.clear();
+  for (std::uint32_t vertex = 0; vertex < sources.size(); ++vertex) {
+    for (anim::MorphDelta delta : by_source[sources[vertex]]) {
+      delta.vertex = vertex;
+      deltas.push_back(delta);
+    }
+  }
+}
+
 /// Replaces the vertices by copies of those that `sources` names; leaves normals and indices.
 void pick_vertices(anim::SkinnedMesh& mesh, const std::vector<std::uint32_t>& sources) {
   pick(mesh.positions, sources);
@@ -44,6 +58,7 @@ void pick_vertices(anim::SkinnedMesh& mesh, const std::vector<std::uint32_t>& so
   pick(mesh.hair, sources);
   pick(mesh.palette_entries, sources);
   pick(mesh.weights, sources);
+  pick_deltas(mesh.morph_deltas, sources);
 }
 
 /// Returns the share of a vertex, 0 to 1, that mirrored entries move.

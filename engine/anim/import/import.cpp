@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/anim/asset/morph_limits.h"
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/animations.h"
@@ -30,18 +31,22 @@ std::vector<int> parents_of(const anim::Skeleton& skeleton) {
   return parents;
 }
 
-anim::Model build_model(Document& document, const NodeTree& tree, BuiltSkeleton built) {
+anim::Model build_model(Document& document, const NodeTree& tree, const std::vector<Animation>& animations,
+                        BuiltSkeleton built) {
   MaterialCollector materials(document);
   anim::Model model;
-  Surfaces surfaces = read_surfaces(document, tree, built, materials);
+  Surfaces surfaces = read_surfaces(document, tree, animations, built, materials);
   model.meshes = std::move(surfaces.meshes);
   model.mesh_lods = std::move(surfaces.mesh_lods);
+  model.morphs = std::move(surfaces.morphs);
   model.skeleton = std::move(built.skeleton);
   model.skins = std::move(built.skins);
   model.clips = std::move(built.clips);
   model.faces_backwards = document.humanoid.faces_backwards;
   model.materials = materials.take_materials();
   model.images = materials.take_images();
+  add_morph_tracks(animations, model);
+  if (std::string left_out = anim::limit_morphs(model); !left_out.empty()) document.repairs.push_back(left_out);
   anim::reorder_bones(model, anim::order_bones(parents_of(model.skeleton), anim::bone_importance(model)));
   return model;
 }
@@ -74,7 +79,7 @@ anim::ImportedFile import_checked(const std::string& path, const ImportOptions& 
   const std::vector<std::vector<int>> carried = find_carried_meshes(document, tree, skins, groups);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     BuiltSkeleton skeleton = build_skeleton(document, tree, animations, skins, groups[i], carried[i]);
-    file.models.push_back(build_model(document, tree, std::move(skeleton)));
+    file.models.push_back(build_model(document, tree, animations, std::move(skeleton)));
   }
   std::ranges::stable_sort(file.models, std::ranges::greater{}, [](const anim::Model& model) {
     return std::tuple(vertex_count(model), model.skeleton.bones.size());

@@ -121,6 +121,7 @@ nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repai
   leave_out_unknown_values(document, repairs);
   keep_extra(document, "animations", data_keys_property);
   keep_extra(document, "nodes", mesh_lods_property);
+  keep_extra(document, "meshes", target_names_property);
   simplify(document);
   return document;
 }

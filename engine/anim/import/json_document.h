@@ -22,10 +22,13 @@ inline constexpr const char* data_keys_property = "throng_data_keys";
 ///     "extras": { "throng_mesh_lods": [ { "node": 63, "error": 0.01 } ] }
 inline constexpr const char* mesh_lods_property = "throng_mesh_lods";
 
-/// Parses a glTF document and keeps only what import uses. Of extras, it keeps data keys and mesh LODs as properties of
-/// the animation and the node; of extensions, those that import reads. Every number with an integer value becomes an
-/// integer (glTF 2.0, 2.7 allows "1.0"), and every name plain text. Checks depth on the text, before anything recursive
-/// reads it. `repairs` says what was left out. Throws Refusal.
+/// Names of a mesh's morph targets, in its extras, where exporters write them.
+inline constexpr const char* target_names_property = "targetNames";
+
+/// Parses a glTF document and keeps only what import uses. Of extras, it keeps data keys, mesh LODs and names of morph
+/// targets as properties of the animation, the node and the mesh; of extensions, those that import reads. Every number
+/// with an integer value becomes an integer (glTF 2.0, 2.7 allows "1.0"), and every name plain text. Checks depth on
+/// the text, before anything recursive reads it. `repairs` says what was left out. Throws Refusal.
 nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repairs);
 
 /// Checks that everything import reads has the type, the length and, for an index, the range that glTF demands, and

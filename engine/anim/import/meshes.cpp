@@ -155,9 +155,11 @@ Influences rigid_influences(int palette_entry, std::size_t vertex_count) {
 
 class MeshReader {
  public:
-  MeshReader(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton, MaterialCollector& materials)
+  MeshReader(Document& document, const NodeTree& tree, const std::vector<Animation>& animations,
+             const BuiltSkeleton& skeleton, MaterialCollector& materials)
       : document_(document),
         tree_(tree),
+        animations_(animations),
         built_(skeleton),
         materials_(materials),
         mirrored_entries_(mirrored_entries(skeleton.skeleton)) {}
@@ -168,7 +170,8 @@ class MeshReader {
       if (tree_.is_drawn[static_cast<std::size_t>(node)] && read_skinned(node)) skinned.push_back(node);
     }
     for (const AttachedMesh& attached : built_.attached) read_attached(attached);
-    Surfaces surfaces{.meshes = std::exchange(meshes_, {}), .mesh_lods = {}};
+    Surfaces surfaces{.meshes = std::exchange(meshes_, {}), .mesh_lods = {}, .morphs = morphs_};
+    reads_lods_ = true;
     for (std::size_t lod = 0; lod < lod_count(skinned); ++lod) surfaces.mesh_lods.push_back(read_lod(skinned, lod));
     return surfaces;
   }
@@ -214,13 +217,13 @@ class MeshReader {
     const int mesh = source(node).mesh;
     if (source(node).skin < 0 || skin == built_.skins.end() || mesh < 0) return false;
     if (!drawn_.emplace(mesh, skin->skin).second) return false;  // a second node would draw it in the same place
+    const MorphsOfMesh morphs = morphs_of(node);
     for_each_primitive(mesh, [&](const tinygltf::Primitive& primitive, const std::string& name) {
       if (!primitive.attributes.contains("JOINTS_0") || !primitive.attributes.contains("WEIGHTS_0")) {
         document_.repairs.push_back(name + ": has a skin, but no JOINTS_0 and WEIGHTS_0, left out");
         return;
       }
-      anim::SkinnedMesh result =
-          read_surface(document_, primitive, morph_weights(node), skin->bind_to_model, materials_, name);
+      anim::SkinnedMesh result = read_surface(document_, primitive, morphs, skin->bind_to_model, materials_, name);
       Influences influences = read_influences(document_, primitive, *skin, result.positions.size(), name);
       add(std::move(result), std::move(influences), mesh);
     });
@@ -236,9 +239,9 @@ class MeshReader {
           to_palette;
     }
     const int entry = plain_palette_entry(built_.skeleton, attached.bone);
+    const MorphsOfMesh morphs = morphs_of(attached.node);
     for_each_primitive(source(attached.node).mesh, [&](const tinygltf::Primitive& primitive, const std::string& name) {
-      anim::SkinnedMesh result =
-          read_surface(document_, primitive, morph_weights(attached.node), to_palette, materials_, name);
+      anim::SkinnedMesh result = read_surface(document_, primitive, morphs, to_palette, materials_, name);
       Influences influences = rigid_influences(entry, result.positions.size());
       add(std::move(result), std::move(influences), source(attached.node).mesh);
     });
@@ -249,6 +252,29 @@ class MeshReader {
   const std::vector<double>& morph_weights(int node) const {
     const std::vector<double>& own = source(node).weights;
     return own.empty() ? document_.gltf.meshes[static_cast<std::size_t>(source(node).mesh)].weights : own;
+  }
+
+  /// Makes a morph of each target of the node's mesh that an animation moves.
+  MorphsOfMesh morphs_of(int node) {
+    MorphsOfMesh morphs{.rest_weights = morph_weights(node), .animated = {}};
+    if (reads_lods_) return morphs;
+    for (const int target : animated_targets(animations_, node, morphs.rest_weights)) {
+      const auto place = static_cast<std::size_t>(target);
+      const bool rests = place < morphs.rest_weights.size();
+      morphs.animated.emplace_back(target, static_cast<std::uint32_t>(morphs_.size()));
+      morphs_.push_back({.name = target_name(source(node).mesh, place),
+                         .node = node,
+                         .target = target,
+                         .rest_weight = rests ? morphs.rest_weights[place] : 0.0});
+    }
+    return morphs;
+  }
+
+  std::string target_name(int mesh, std::size_t target) const {
+    const auto index = static_cast<std::size_t>(mesh);
+    const std::vector<std::string>& names = document_.target_names[index];
+    return label("mesh", index, document_.gltf.meshes[index].name) + ", " +
+           label("target", target, target < names.size() ? names[target] : "");
   }
 
   template <typename Action>
@@ -273,18 +299,21 @@ class MeshReader {
 
   Document& document_;
   const NodeTree& tree_;
+  const std::vector<Animation>& animations_;
   const BuiltSkeleton& built_;
   MaterialCollector& materials_;
   std::vector<bool> mirrored_entries_;
   std::set<std::pair<int, int>> drawn_;
   std::vector<anim::SkinnedMesh> meshes_;
+  std::vector<anim::Morph> morphs_;
+  bool reads_lods_ = false;  // which do not morph
 };
 
 }  // namespace
 
-Surfaces read_surfaces(Document& document, const NodeTree& tree, const BuiltSkeleton& skeleton,
-                       MaterialCollector& materials) {
-  return MeshReader(document, tree, skeleton, materials).read();
+Surfaces read_surfaces(Document& document, const NodeTree& tree, const std::vector<Animation>& animations,
+                       const BuiltSkeleton& skeleton, MaterialCollector& materials) {
+  return MeshReader(document, tree, animations, skeleton, materials).read();
 }
 
 }  // namespace throng::import

@@ -93,8 +93,7 @@ class SurfaceReader {
   SurfaceReader(Document& document, const tinygltf::Primitive& primitive, const std::string& name)
       : document_(document), primitive_(primitive), name_(name) {}
 
-  anim::SkinnedMesh read(std::span<const double> morph_weights, const glm::dmat4& placement,
-                         MaterialCollector& materials) {
+  anim::SkinnedMesh read(const MorphsOfMesh& morphs, const glm::dmat4& placement, MaterialCollector& materials) {
     if (!primitive_.attributes.contains("POSITION")) {
       document_.repairs.push_back(name_ + ": has no POSITION, left out");
       return {};
@@ -106,7 +105,7 @@ class SurfaceReader {
     if (materials.at(mesh_.material).normal_texture.image >= 0 && !mesh_.normals.empty()) {
       mesh_.tangents = read_attribute<glm::vec4>("TANGENT", TINYGLTF_TYPE_VEC4, float_or_small);
     }
-    add_morph_targets(morph_weights);
+    add_morph_targets(morphs);
     mend_positions();
     read_texture_coords(materials);
     read_colors();
@@ -138,29 +137,68 @@ class SurfaceReader {
     return values;
   }
 
-  /// Adds each target times its weight (glTF 2.0, 3.7.2.2). A target that counts for nothing is not decoded.
-  void add_morph_targets(std::span<const double> weights) {
+  /// Adds each target times its weight at rest (glTF 2.0, 3.7.2.2), and keeps those that are animated. The others are
+  /// not decoded.
+  void add_morph_targets(const MorphsOfMesh& morphs) {
+    const std::span<const double> weights = morphs.rest_weights;
     if (weights.size() > primitive_.targets.size()) {
       document_.repairs.push_back(name_ + ": has more morph weights than targets, those beyond left out");
     }
     bool turned = false;
-    for (std::size_t target = 0; target < std::min(weights.size(), primitive_.targets.size()); ++target) {
-      const auto weight = static_cast<float>(weights[target]);
-      if (weight == 0.0F) continue;
+    for (std::size_t target = 0; target < primitive_.targets.size(); ++target) {
+      const float weight = target < weights.size() ? static_cast<float>(weights[target]) : 0.0F;
+      const auto morph =
+          std::ranges::find(morphs.animated, static_cast<int>(target), [](const auto& m) { return m.first; });
+      const bool moves = morph != morphs.animated.end();
+      if (weight == 0.0F && !moves) continue;
       const auto& attributes = primitive_.targets[target];
-      add_scaled(mesh_.positions,
-                 read_attribute_of<glm::vec3>(attributes, "POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true),
-                 weight);
-      if (mesh_.normals.empty()) continue;  // they are computed of the morphed triangles
-      turned |= add_scaled(
-          mesh_.normals, read_attribute_of<glm::vec3>(attributes, "NORMAL", TINYGLTF_TYPE_VEC3, float_or_small, false),
-          weight);
+      const auto offsets =
+          read_attribute_of<glm::vec3>(attributes, "POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true);
+      std::vector<glm::vec3> turns;
+      if (!mesh_.normals.empty()) {  // else they are computed of the triangles
+        turns = read_attribute_of<glm::vec3>(attributes, "NORMAL", TINYGLTF_TYPE_VEC3, float_or_small, false);
+      }
+      add_scaled(mesh_.positions, offsets, weight);
+      turned |= weight != 0.0F && add_scaled(mesh_.normals, turns, weight);
+      if (moves) keep_deltas(morph->second, offsets, turns);
     }
-    if (!turned) return;
+    report_bad_deltas();
+    if (turned) make_unit_normals();
+  }
+
+  void make_unit_normals() {
+    std::vector<float> lengths;
     for (glm::vec3& normal : mesh_.normals) {
-      const float length = glm::length(normal);
-      if (length > 0.0F) normal /= length;
+      lengths.push_back(glm::length(normal));
+      if (lengths.back() > 0.0F) normal /= lengths.back();
     }
+    for (anim::MorphDelta& delta : mesh_.morph_deltas) {
+      if (lengths[delta.vertex] > 0.0F) delta.normal /= lengths[delta.vertex];
+    }
+  }
+
+  /// Keeps what a target does to those vertices that it moves. Most targets move few.
+  void keep_deltas(std::uint32_t morph, const std::vector<glm::vec3>& offsets, const std::vector<glm::vec3>& turns) {
+    constexpr float least_offset = 1e-4F;  // of the largest
+    constexpr float least_turn = 1e-3F;
+    float largest = 0.0F;
+    for (const glm::vec3& offset : offsets) largest = std::max(largest, glm::length(offset));
+    for (std::uint32_t vertex = 0; vertex < mesh_.positions.size(); ++vertex) {
+      const glm::vec3 offset = offsets.empty() ? glm::vec3(0.0F) : offsets[vertex];
+      const glm::vec3 turn = turns.empty() ? glm::vec3(0.0F) : turns[vertex];
+      const float length = glm::length(offset), turned = glm::length(turn);
+      if (!std::isfinite(length) || !std::isfinite(turned)) {
+        ++bad_deltas_;
+      } else if (length > least_offset * largest || turned > least_turn) {
+        mesh_.morph_deltas.push_back({.vertex = vertex, .morph = morph, .position = offset, .normal = turn});
+      }
+    }
+  }
+
+  void report_bad_deltas() {
+    if (bad_deltas_ == 0) return;
+    document_.repairs.push_back(name_ + ": " + std::to_string(bad_deltas_) +
+                                " displacements of morph targets are no numbers, left out");
   }
 
   /// Returns whether there was anything to add.
@@ -245,6 +283,12 @@ class SurfaceReader {
     const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
     const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                glm::cross(linear[0], linear[1]));
+    for (anim::MorphDelta& delta : mesh_.morph_deltas) {
+      delta.position = glm::vec3(linear * glm::dvec3(delta.position));
+      if (mesh_.normals.empty()) continue;
+      const double length = glm::length(cofactors * glm::dvec3(mesh_.normals[delta.vertex]));
+      if (length > 0.0) delta.normal = glm::vec3(cofactors * glm::dvec3(delta.normal) * (side / length));
+    }
     for (glm::vec3& normal : mesh_.normals) {
       const glm::dvec3 turned = cofactors * glm::dvec3(normal) * side;
       const double length = glm::length(turned);
@@ -276,14 +320,14 @@ class SurfaceReader {
   const tinygltf::Primitive& primitive_;
   const std::string& name_;
   anim::SkinnedMesh mesh_;
+  std::size_t bad_deltas_ = 0;
 };
 
 }  // namespace
 
-anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive,
-                               std::span<const double> morph_weights, const glm::dmat4& placement,
-                               MaterialCollector& materials, const std::string& name) {
-  return SurfaceReader(document, primitive, name).read(morph_weights, placement, materials);
+anim::SkinnedMesh read_surface(Document& document, const tinygltf::Primitive& primitive, const MorphsOfMesh& morphs,
+                               const glm::dmat4& placement, MaterialCollector& materials, const std::string& name) {
+  return SurfaceReader(document, primitive, name).read(morphs, placement, materials);
 }
 
 }  // namespace throng::import

@@ -61,9 +61,14 @@ void describe(Archive& archive, T& key) {
   archive(key.time, key.name);
 }
 
+template <typename Archive, Same<anim::MorphTrack> T>
+void describe(Archive& archive, T& track) {
+  archive(track.interpolation, track.morphs, track.times, track.weights);
+}
+
 template <typename Archive, Same<anim::Clip> T>
 void describe(Archive& archive, T& clip) {
-  archive(clip.name, clip.animation, clip.start, clip.duration, clip.tracks, clip.data_keys);
+  archive(clip.name, clip.animation, clip.start, clip.duration, clip.tracks, clip.data_keys, clip.morph_tracks);
 }
 
 // What is drawn.
@@ -93,10 +98,20 @@ void describe(Archive& archive, T& material) {
           material.occlusion_strength, material.occlusion_texture);
 }
 
+template <typename Archive, Same<anim::Morph> T>
+void describe(Archive& archive, T& morph) {
+  archive(morph.name, morph.node, morph.target, morph.rest_weight);
+}
+
+template <typename Archive, Same<anim::MorphDelta> T>
+void describe(Archive& archive, T& delta) {
+  archive(delta.vertex, delta.morph, delta.position, delta.normal);
+}
+
 template <typename Archive, Same<anim::SkinnedMesh> T>
 void describe(Archive& archive, T& mesh) {
   archive(mesh.name, mesh.material, mesh.positions, mesh.normals, mesh.tangents, mesh.texture_coords, mesh.colors,
-          mesh.regions, mesh.shapes, mesh.hair, mesh.palette_entries, mesh.weights, mesh.indices);
+          mesh.regions, mesh.shapes, mesh.hair, mesh.palette_entries, mesh.weights, mesh.indices, mesh.morph_deltas);
 }
 
 template <typename Archive, Same<anim::BakedMeshLod> T>
@@ -108,7 +123,7 @@ void describe(Archive& archive, T& lod) {
 template <typename Archive, Same<anim::Model> T>
 void describe(Archive& archive, T& model) {
   archive(model.skeleton, model.skins, model.meshes, model.mesh_lods, model.materials, model.images,
-          model.faces_backwards);
+          model.morphs, model.faces_backwards);
 }
 
 /// Names all of a file but its models.
@@ -145,13 +160,18 @@ void describe(Archive& archive, T& key) {
   archive(key.time, key.name);
 }
 
+template <typename Archive, Same<anim::MorphCurve> T>
+void describe(Archive& archive, T& curve) {
+  archive(curve.interpolation, curve.morphs, curve.times, curve.weights);
+}
+
 template <typename Archive, Same<anim::BakedClip> T>
 void describe(Archive& archive, T& clip) {
   archive(clip.name, clip.duration, clip.loops, clip.loop_displacement, clip.root_motion, clip.data_keys);
   archive.template lend_block<anim::KeyframeStream>(clip.keyframe_block);
   archive.template lend_block<anim::SampledStream>(clip.sampled_block);
   archive(clip.keyframe_error, clip.sampled_rate, clip.sampled_error, clip.error_bound, clip.sampled_rounding,
-          clip.note);
+          clip.morphs, clip.note);
 }
 
 template <typename Archive, Same<anim::BoneLodRow> T>
@@ -188,7 +208,7 @@ template <typename Archive, Same<anim::Character> T>
 void describe(Archive& archive, T& character) {
   archive(character.skeleton, character.hierarchy, character.clips, character.data_key_names, character.height,
           character.bone_lod, character.skip_errors, character.bounds, character.surface_points,
-          character.level_entries);
+          character.level_entries, character.morph_bones, character.morph_reach);
 }
 
 // What was done to the model before it was baked.

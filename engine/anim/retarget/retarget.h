@@ -27,7 +27,7 @@ class Retargeter {
 
   /// Returns the clip for the other skeleton. Where both rest alike, keys are copied. Else bones turn through both
   /// reference poses, hips move scaled by leg length, and feet keep their height above the ground; the keys are then
-  /// linear, at the clip's own times and at least 30 a second.
+  /// linear, at the clip's own times and at least 30 a second. Its morphs are left out.
   RetargetedClip retarget(const Clip& clip) const;
 
  private:

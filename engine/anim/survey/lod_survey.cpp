@@ -113,6 +113,7 @@ void visit_surveyed_poses(const Model& model, const std::function<void(std::span
 void keep_surveyed_keys(Model& model) {
   for (Clip& clip : model.clips) {
     const std::vector<double> times = surveyed_times(model, clip);
+    clip.morph_tracks = {};  // no surveyed pose shows them
     for (BoneTracks& tracks : clip.tracks) {
       keep_keys_around(tracks.translation, times);
       keep_keys_around(tracks.rotation, times);

@@ -28,6 +28,9 @@ void FrameData::upload(const CrowdFrame& frame) {
   turn_ = (turn_ + 1) % instances_.size();
   instances_[turn_].upload(frame.instances);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, instances_binding, instances_[turn_].id());
+  if (frame.morph_weights.empty()) return;
+  morph_weights_[turn_].upload(frame.morph_weights);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, morph_weights_binding, morph_weights_[turn_].id());
 }
 
 }  // namespace throng::render

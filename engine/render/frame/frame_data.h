@@ -18,7 +18,10 @@ enum StorageBinding : unsigned {
   instances_binding = 0,
   palette_binding = 1,
   palette_entries_binding = 2,
-  packing_frames_binding = 3
+  packing_frames_binding = 3,
+  morph_firsts_binding = 4,
+  morph_entries_binding = 5,
+  morph_weights_binding = 6
 };
 
 /// Block 0 of every scene program. `shaders/frame_uniforms.glsl` repeats the layout (std140).
@@ -41,8 +44,8 @@ static_assert(sizeof(FrameUniforms) == 144);
 static_assert(offsetof(FrameUniforms, camera_position) == 64);
 static_assert(offsetof(FrameUniforms, now) == 128);
 
-/// Carries the camera, the time and the instance records of each frame to the device. The records take turns with
-/// several buffers, so that copying never waits for an earlier frame.
+/// Carries the camera, the time, the instance records and the weights of morphs of each frame to the device. Records
+/// and weights take turns with several buffers, so that copying never waits for an earlier frame.
 class FrameData {
  public:
   /// Copies the data of a frame and binds it for every program.
@@ -53,6 +56,7 @@ class FrameData {
 
   gl::Buffer uniforms_ = gl::create_buffer(nullptr, sizeof(FrameUniforms), GL_DYNAMIC_STORAGE_BIT);
   std::array<gl::GrowingBuffer<InstanceRecord>, frames_in_flight> instances_;
+  std::array<gl::GrowingBuffer<float>, frames_in_flight> morph_weights_;
   std::size_t turn_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/render/frame/frame_data.h"
+#include "engine/render/mesh/morph_table.h"
 #include "engine/render/mesh/packed_surface.h"
 
 namespace throng::render {
@@ -64,28 +65,40 @@ Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
   mesh.materials_ = std::move(*materials);
   mesh.packing_frames_ = create_packing_frames(data.packing_frames);
   if (data.packed_surface.empty()) {
-    mesh.copy_to_device(view_of(build_surface(data)));
+    mesh.copy_to_device(view_of(build_surface(data)), data.morph_deltas);
     return mesh;
   }
   const Result<SurfaceView> packed = view_packed_surface(data.packed_surface);
   if (!packed) return packed.error();
-  mesh.copy_to_device(*packed);
+  mesh.copy_to_device(*packed, data.morph_deltas);
   return mesh;
 }
 
-void CrowdMesh::copy_to_device(const SurfaceView& surface) {
+void CrowdMesh::copy_to_device(const SurfaceView& surface, std::span<const MorphDeltaData> morph_deltas) {
   vertices_ = create_buffer_of(surface.vertices);
   indices_ = create_buffer_of(surface.indices);
   palette_entries_ = create_buffer_of(surface.entries);
   if (!surface.emission_coords.empty()) emission_coords_ = create_buffer_of(surface.emission_coords);
   array_ = describe_vertices(vertices_, indices_, emission_coords_);
+  create_morphs(morph_deltas, surface.vertices.size());
   parts_ = surface;
+}
+
+void CrowdMesh::create_morphs(std::span<const MorphDeltaData> deltas, std::size_t vertex_count) {
+  if (deltas.empty()) return;
+  const MorphTable table = build_morph_table(deltas, vertex_count);
+  morph_firsts_ = create_buffer_of(std::span<const std::uint32_t>(table.firsts));
+  morph_entries_ = create_buffer_of(std::span<const MorphEntry>(table.entries));
 }
 
 void CrowdMesh::bind() const {
   glBindVertexArray(array_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, palette_entries_binding, palette_entries_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, packing_frames_binding, packing_frames_.id());
+  if (has_morphs()) {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, morph_firsts_binding, morph_firsts_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, morph_entries_binding, morph_entries_.id());
+  }
   glUniform1ui(vertex_count_location, parts_.first_bone_end + parts_.bone_end_count);
 }
 

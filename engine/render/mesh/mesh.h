@@ -27,8 +27,11 @@ class CrowdMesh {
   std::span<const MaterialRun> runs(std::size_t lod) const { return parts_.runs_by_lod[lod]; }
   const MaterialSet& materials() const { return materials_; }
 
-  /// Binds the vertices and 32-bit indices and, for the program in use, the palette entries of all bone levels and the
-  /// frames that unpack them.
+  /// Says whether morphs move some of its vertices.
+  bool has_morphs() const { return static_cast<bool>(morph_entries_); }
+
+  /// Binds the vertices and 32-bit indices and, for the program in use, the palette entries of all bone levels, the
+  /// frames that unpack them, and what morphs do.
   void bind() const;
 
   /// Counts the vertices of the full surface, which come first in the vertex array; those of baked mesh LODs follow.
@@ -40,13 +43,16 @@ class CrowdMesh {
 
  private:
   CrowdMesh() = default;
-  void copy_to_device(const SurfaceView& surface);
+  void copy_to_device(const SurfaceView& surface, std::span<const MorphDeltaData> morph_deltas);
+  void create_morphs(std::span<const MorphDeltaData> deltas, std::size_t vertex_count);
 
   gl::Buffer vertices_;
   gl::Buffer emission_coords_;  // has a name only where the surface has them
   gl::Buffer indices_;
   gl::Buffer palette_entries_;  // [bone level][vertex]
   gl::Buffer packing_frames_;   // [palette entry]
+  gl::Buffer morph_firsts_;     // [vertex]; these two have names only where morphs move the surface
+  gl::Buffer morph_entries_;
   gl::VertexArray array_;
   SurfaceParts parts_;
   MaterialSet materials_;

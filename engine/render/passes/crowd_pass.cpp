@@ -115,14 +115,22 @@ void test_depth() {
 
 }  // namespace
 
+CrowdPass::Programs::Programs(ShaderLibrary& shaders, const std::string& vertex, const std::string& shadow_vertex)
+    : opaque(shaders.load({vertex, "crowd.frag"})),
+      glowing(shaders.load({vertex, "crowd_glowing.frag"})),
+      cut_out(shaders.load({vertex, "crowd_cut_out.frag"})),
+      blended_part(shaders.load({vertex, "crowd_blended.frag"})),
+      shadow(shaders.load({shadow_vertex, "shadow.frag"})),
+      cut_out_shadow(shaders.load({shadow_vertex, "shadow_cut_out.frag"})) {}
+
 CrowdPass::CrowdPass(ShaderLibrary& shaders)
-    : opaque_(shaders.load({"crowd.vert", "crowd.frag"})),
-      glowing_(shaders.load({"crowd.vert", "crowd_glowing.frag"})),
-      cut_out_(shaders.load({"crowd.vert", "crowd_cut_out.frag"})),
-      blended_part_(shaders.load({"crowd.vert", "crowd_blended.frag"})),
-      bones_(shaders.load({"crowd.vert", "bones.frag"})),
-      shadow_(shaders.load({"shadow.vert", "shadow.frag"})),
-      cut_out_shadow_(shaders.load({"shadow.vert", "shadow_cut_out.frag"})) {}
+    : shaders_(&shaders),
+      plain_(shaders, "crowd.vert", "shadow.vert"),
+      bones_(shaders.load({"crowd.vert", "bones.frag"})) {}
+
+void CrowdPass::prepare_morphs() {
+  if (!morphed_) morphed_.emplace(*shaders_, "crowd_morphed.vert", "shadow_morphed.vert");
+}
 
 DrawCounts CrowdPass::draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
   test_depth();
@@ -136,7 +144,7 @@ DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, std::span<const Cro
   surfaces_.upload();
   for (const IndirectDraws::Group& group : surfaces_.groups()) {
     const CrowdMesh& mesh = meshes[group.character];
-    use_material(mesh.materials()[group.material]);
+    use_material(mesh, group.material);
     mesh.bind();
     palettes.bind(group.page, palette_binding);
     surfaces_.draw(group);
@@ -146,11 +154,13 @@ DrawCounts CrowdPass::draw_surfaces(const CrowdFrame& frame, std::span<const Cro
   return surfaces_.counts();
 }
 
-void CrowdPass::use_material(const CrowdMaterial& material) const {
+void CrowdPass::use_material(const CrowdMesh& mesh, int of_mesh) const {
+  const CrowdMaterial& material = mesh.materials()[of_mesh];
+  const Programs& programs = programs_for(mesh);
   if (material.coverage == Coverage::opaque) {
-    glUseProgram(material.only_reflects() ? opaque_.id() : glowing_.id());
+    glUseProgram(material.only_reflects() ? programs.opaque.id() : programs.glowing.id());
   } else {
-    glUseProgram(cut_out_.id());
+    glUseProgram(programs.cut_out.id());
     glUniform1f(alpha_cutoff_location, is_blended(material) ? solid_alpha : material.alpha_cutoff);
   }
   set_uniforms(material);
@@ -158,11 +168,11 @@ void CrowdPass::use_material(const CrowdMaterial& material) const {
 }
 
 DrawCounts CrowdPass::draw_blended(std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes) {
-  glUseProgram(blended_part_.id());
-  glUniform1f(alpha_cutoff_location, solid_alpha);
   blended_.upload();
   for (const IndirectDraws::Group& group : blended_.groups()) {
     const CrowdMaterial& material = meshes[group.character].materials()[group.material];
+    glUseProgram(programs_for(meshes[group.character]).blended_part.id());
+    glUniform1f(alpha_cutoff_location, solid_alpha);
     set_uniforms(material);
     set_culling(material);
     meshes[group.character].bind();
@@ -216,12 +226,13 @@ DrawCounts CrowdPass::draw_shadows(const CrowdFrame& frame, std::span<const Crow
 }
 
 void CrowdPass::use_shadow_of(const CrowdMesh& mesh, int material) const {
+  const Programs& programs = programs_for(mesh);
   if (material == all_opaque) {
-    glUseProgram(shadow_.id());
+    glUseProgram(programs.shadow.id());
     return;
   }
   const CrowdMaterial& cut_out = mesh.materials()[material];
-  glUseProgram(cut_out_shadow_.id());
+  glUseProgram(programs.cut_out_shadow.id());
   glUniform1f(alpha_cutoff_location, is_blended(cut_out) ? shadow_alpha : cut_out.alpha_cutoff);
   glUniform4fv(base_color_location, 1, cut_out.base_color);
   bind_texture(base_color_unit, cut_out.base_color_texture);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 
 #include "engine/render/crowd_draw.h"
 #include "engine/render/mesh/mesh.h"
@@ -16,7 +18,12 @@ namespace throng::render {
 /// `meshes`. Frame data must be bound.
 class CrowdPass {
  public:
+  /// `shaders` must outlive the pass.
   explicit CrowdPass(ShaderLibrary& shaders);
+
+  /// Makes ready for meshes that morph. Without it, all are drawn as they rest. The status of the shaders says whether
+  /// it went well.
+  void prepare_morphs();
 
   /// Draws lit surfaces or, with `bones_as_lines`, only the bones.
   DrawCounts draw(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
@@ -27,6 +34,9 @@ class CrowdPass {
   /// Adds those parts to the sums of a BlendPass.
   DrawCounts draw_blended(std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
 
+  /// Takes note of what all draws of a frame have in common. Call it before the others.
+  void begin(const CrowdFrame& frame) { morphs_ = morphed_.has_value() && !frame.morph_weights.empty(); }
+
   /// Projects the same agents onto the ground along the sun's rays and darkens each ground pixel once. The ground must
   /// be drawn and the stencil all zeros; afterwards it is not. Nothing casts a shadow where it is cut out or seen
   /// through.
@@ -36,16 +46,30 @@ class CrowdPass {
   DrawCounts draw_surfaces(const CrowdFrame& frame, std::span<const CrowdMesh> meshes, const PaletteBuffer& palettes);
   DrawCounts draw_bones(const CrowdFrame& frame, std::span<const CrowdMesh> meshes,
                         const PaletteBuffer& palettes) const;
-  void use_material(const CrowdMaterial& material) const;
+  /// The programs that draw surfaces; all have the same uniforms.
+  struct Programs {
+    Programs(ShaderLibrary& shaders, const std::string& vertex, const std::string& shadow_vertex);
+
+    const gl::Program& opaque;
+    const gl::Program& glowing;
+    const gl::Program& cut_out;
+    const gl::Program& blended_part;
+    const gl::Program& shadow;
+    const gl::Program& cut_out_shadow;
+  };
+
+  /// Returns the programs for a mesh; those that morph cost more.
+  const Programs& programs_for(const CrowdMesh& mesh) const {
+    return morphs_ && mesh.has_morphs() ? *morphed_ : plain_;
+  }
+  void use_material(const CrowdMesh& mesh, int material) const;
   void use_shadow_of(const CrowdMesh& mesh, int material) const;
 
-  const gl::Program& opaque_;
-  const gl::Program& glowing_;
-  const gl::Program& cut_out_;
-  const gl::Program& blended_part_;
+  ShaderLibrary* shaders_;
+  Programs plain_;
+  std::optional<Programs> morphed_;
   const gl::Program& bones_;
-  const gl::Program& shadow_;
-  const gl::Program& cut_out_shadow_;
+  bool morphs_ = false;  // an instance of the frame has weights
   IndirectDraws surfaces_;
   IndirectDraws blended_;
   IndirectDraws outlines_;

@@ -66,6 +66,20 @@ TEST(Placement, MovesEveryPoseAndTheSurfaceOfAGeneralSkeleton) {
   expect_moved(with_vertices(as_general(synthetic_model(30, 1))));
 }
 
+TEST(Placement, ScalesAndTurnsWhatMorphsAddToARigidSurface) {
+  Model model = with_vertices(synthetic_model(4, 1));
+  const MorphDelta delta{.vertex = 2, .morph = 0, .position = {10.0F, 20.0F, 30.0F}, .normal = {0.5F, 0.0F, 0.0F}};
+  model.meshes.front().morph_deltas = {delta};
+  Model general = as_general(model);
+  place_model(model, placement);
+  const MorphDelta& moved = model.meshes.front().morph_deltas.front();
+  const glm::dvec3 position = placement.rotation * (placement.scale * glm::dvec3(delta.position));
+  EXPECT_LT(glm::distance(glm::dvec3(moved.position), position), 1e-6);
+  EXPECT_LT(glm::distance(glm::dvec3(moved.normal), placement.rotation * glm::dvec3(delta.normal)), 1e-6);
+  place_model(general, placement);
+  EXPECT_EQ(general.meshes.front().morph_deltas.front().position, delta.position) << "its palette does that";
+}
+
 TEST(Placement, KeepsWhatAStateMeansOnARigidSkeleton) {
   Model model = synthetic_model(30, 1);
   place_model(model, placement);

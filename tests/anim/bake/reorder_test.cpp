@@ -42,6 +42,8 @@ void expect_same(const Character& a, const Character& b) {
   EXPECT_EQ(a.height, b.height);
   EXPECT_EQ(a.level_entries, b.level_entries);
   EXPECT_EQ(a.bounds.reach, b.bounds.reach);
+  EXPECT_EQ(a.morph_bones, b.morph_bones);
+  EXPECT_EQ(a.morph_reach, b.morph_reach);
   EXPECT_EQ(a.bone_lod.level_error_metres, b.bone_lod.level_error_metres);
   for (std::size_t bone = 0; bone < a.bone_lod.rows.size(); ++bone) {
     EXPECT_EQ(a.bone_lod.rows[bone].error_metres, b.bone_lod.rows[bone].error_metres) << bone;
@@ -61,6 +63,7 @@ void expect_same(const Character& a, const Character& b) {
     EXPECT_EQ(a.clips[clip].sampled_rate, b.clips[clip].sampled_rate);
     EXPECT_EQ(a.clips[clip].sampled_error, b.clips[clip].sampled_error);
     EXPECT_EQ(a.clips[clip].note, b.clips[clip].note);
+    EXPECT_EQ(a.clips[clip].morphs.size(), b.clips[clip].morphs.size());
     EXPECT_EQ(a.skip_errors[clip].blended, b.skip_errors[clip].blended);
     EXPECT_EQ(a.skip_errors[clip].held, b.skip_errors[clip].held);
   }
@@ -87,6 +90,27 @@ TEST(ReorderedCharacter, IsTheOneThatIsBakedInThatOrder) {
     }
     expect_same_as_baked_anew(model);
   }
+}
+
+/// Each bone holds a vertex that a morph of its own moves.
+Model with_morphs(Model model) {
+  SkinnedMesh& mesh = model.meshes.emplace_back();
+  for (int entry = 0; entry < model.skeleton.palette_count(); ++entry) {
+    mesh.positions.emplace_back(0.0F, 0.1F * static_cast<float>(entry), 0.0F);
+    mesh.normals.emplace_back(0.0F, 1.0F, 0.0F);
+    mesh.palette_entries.emplace_back(entry, entry, entry, entry);
+    mesh.weights.emplace_back(1.0F, 0.0F, 0.0F, 0.0F);
+    const auto morph = static_cast<std::uint32_t>(entry);
+    mesh.morph_deltas.push_back({.vertex = morph, .morph = morph, .position = {0.0F, 0.5F, 0.0F}, .normal = {}});
+  }
+  model.morphs.resize(mesh.positions.size());
+  model.clips.front().morph_tracks = {
+      {.interpolation = Interpolation::linear, .morphs = {1}, .times = {0.0F}, .weights = {1.0F}}};
+  return model;
+}
+
+TEST(ReorderedCharacter, KeepsItsMorphsAndTheirBones) {
+  expect_same_as_baked_anew(with_morphs(synthetic_model(30, 2)));
 }
 
 /// STEP, LINEAR and CUBICSPLINE tracks in one clip.

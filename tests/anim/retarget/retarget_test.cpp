@@ -87,6 +87,16 @@ void expect_knees_in_range(const Pair& pair) {
   }
 }
 
+TEST(Retarget, LeavesOutMorphsWhichAreThoseOfAnotherSurface) {
+  const Skeleton from = figures::person({}), to = figures::person({.legs = 1.5});
+  const Retargeter retargeter(from, to);
+  Clip clip = figures::knee_bend(from, 0.0);
+  clip.morph_tracks = {{.interpolation = Interpolation::linear, .morphs = {0}, .times = {0.0F}, .weights = {1.0F}}};
+  EXPECT_THAT(retargeter.retarget(clip).clip.morph_tracks, IsEmpty());
+  clip.tracks.clear();
+  EXPECT_THAT(retargeter.retarget(clip).clip.tracks, IsEmpty()) << "a clip that moves no bone";
+}
+
 TEST(Retarget, CopiesKeysThatFit) {
   const Pair pair({}, {});
   EXPECT_TRUE(pair.result().as_it_was);

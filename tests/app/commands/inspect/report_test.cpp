@@ -46,6 +46,19 @@ TEST(Inspection, SaysSizeClipsMaterialsAndGuesses) {
   }
 }
 
+TEST(Inspection, ListsMorphsAndTheClipsThatAnimateThem) {
+  auto file = import::import_file(std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb");
+  ASSERT_TRUE(file) << file.error().message;
+  anim::Model& model = file->models.front();
+  EXPECT_THAT(report_of(*file), testing::Not(HasSubstr("morph")));
+  model.morphs = {{.name = "mesh 0, target 2 \"smile\"", .node = 1, .target = 2, .rest_weight = 0.25}};
+  model.meshes.front().morph_deltas.resize(3);
+  model.clips.front().name = "talk";
+  model.clips.front().morph_tracks = {
+      {.interpolation = anim::Interpolation::linear, .morphs = {0}, .times = {0.0F}, .weights = {1.0F}}};
+  EXPECT_THAT(report_of(*file), testing::ContainsRegex("target 2 \"smile\" +3 +0.25 +talk\n"));
+}
+
 TEST(Inspection, TellsWhatWasRepairedFromWhatWasLeftOut) {
   auto file = import::import_file(std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb");
   ASSERT_TRUE(file) << file.error().message;

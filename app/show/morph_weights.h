@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "app/stage/stage.h"
+
+namespace throng::app {
+
+/// The weights that the morphs of the agents in a picture have now. Agents without any cost nothing, nor do those so
+/// small on screen that one could not see them. Memory is kept from frame to frame.
+class MorphWeights {
+ public:
+  void clear() { weights_.clear(); }
+
+  /// Adds the weights of an agent, and lets its record say where they are.
+  void add(const Stage& stage, const anim::VisibleAgent& agent, render::InstanceRecord& record);
+
+  std::span<const float> all() const { return weights_; }
+
+ private:
+  std::vector<float> weights_;
+};
+
+}  // namespace throng::app

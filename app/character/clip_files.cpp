@@ -79,8 +79,9 @@ void leave_out_morphs(std::vector<anim::Clip>& clips) {
   std::erase_if(clips, [](const anim::Clip& clip) { return clip.tracks.empty(); });
 }
 
-anim::Status take_kept_rigs(const std::string& path, anim::ImportedFile& file) {
+anim::Status prepare_for_others(const std::string& path, anim::ImportedFile& file) {
   for (anim::Model& model : file.models) {
+    leave_out_morphs(model.clips);
     if (anim::Status taken = take_kept_rig(path, model.skeleton); !taken) return taken;
   }
   return anim::Done{};
@@ -89,7 +90,7 @@ anim::Status take_kept_rigs(const std::string& path, anim::ImportedFile& file) {
 anim::Result<ClipFile> read_clip_file(const std::string& path, const import::ImportOptions& options) {
   auto clips = read_model_file(path, options, ModelFileUse::clips);
   if (!clips) return clips.error();
-  if (const anim::Status taken = take_kept_rigs(path, *clips); !taken) return taken.error();
+  if (const anim::Status taken = prepare_for_others(path, *clips); !taken) return taken.error();
   return ClipFile{.path = path, .imported = std::move(*clips)};
 }
 
@@ -141,7 +142,7 @@ std::optional<ClipFile> take_clips_alone(const std::string& path, anim::Imported
   const auto draws = [](const anim::Model& model) { return !model.meshes.empty(); };
   const auto plays = [](const anim::Model& model) { return !model.clips.empty(); };
   if (std::ranges::any_of(file.models, draws) || std::ranges::none_of(file.models, plays)) return {};
-  if (!take_kept_rigs(path, file)) return {};
+  if (!prepare_for_others(path, file)) return {};
   return ClipFile{.path = path, .imported = std::move(file)};
 }
 

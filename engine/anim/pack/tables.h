@@ -122,8 +122,8 @@ void describe(Archive& archive, T& lod) {
 /// Names all of a model but its clips, which have a section of their own.
 template <typename Archive, Same<anim::Model> T>
 void describe(Archive& archive, T& model) {
-  archive(model.skeleton, model.skins, model.meshes, model.mesh_lods, model.materials, model.images,
-          model.morphs, model.faces_backwards);
+  archive(model.skeleton, model.skins, model.meshes, model.mesh_lods, model.materials, model.images, model.morphs,
+          model.faces_backwards);
 }
 
 /// Names all of a file but its models.

@@ -115,6 +115,26 @@ TEST(Pack, KeepsWhatWasMeasured) {
   EXPECT_EQ(packed.skeleton.bones[7].name, baked.skeleton.bones[7].name);
 }
 
+TEST(Pack, KeepsMorphsAndWhatClipsMakeOfThem) {
+  FileToPack file = two_models();
+  anim::Model& model = file.file.models[0];
+  model.morphs.push_back({.name = "smile", .node = 3, .target = 1, .rest_weight = 0.25});
+  model.meshes.emplace_back().morph_deltas.push_back({.vertex = 7, .morph = 0, .position = glm::vec3(0.5F)});
+  auto morphing = std::make_shared<anim::Character>(anim::bake_character(file.file.models[1]));
+  morphing->clips[0].morphs.push_back({.morphs = {0}, .times = {0, 10}, .weights = {0.0F, 1.0F}});
+  morphing->morph_bones = {2};
+  file.characters[0].character = morphing;
+  const auto pack = Pack::open(written(write_pack({&file, 1})));
+  ASSERT_TRUE(pack) << pack.error().message;
+  const auto character = pack->character();
+  ASSERT_EQ(character->clips[0].morphs.size(), 1U);
+  EXPECT_THAT(character->clips[0].morphs[0].weights, ElementsAre(0.0F, 1.0F));
+  EXPECT_THAT(character->morph_bones, ElementsAre(2));
+  const auto imported = pack->imported(0);
+  EXPECT_EQ(imported->models[0].morphs[0].name, "smile");
+  EXPECT_EQ(imported->models[0].meshes[0].morph_deltas[0].vertex, 7U);
+}
+
 TEST(Pack, UsesStreamsAndTexelsWhereTheyLie) {
   const Pack pack = opened();
   const auto taken = pack.baked(0, 0);

@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// How the names of files end that a folder is searched for.
-constexpr std::array<std::string_view, 3> model_endings{".glb", ".gltf", ".pack"};
+constexpr std::string_view pack_ending = ".pack";
+constexpr std::array<std::string_view, 3> model_endings{".glb", ".gltf", pack_ending};
 
 constexpr std::size_t most_explained = 6;  // of the files that are left out
 
@@ -42,10 +43,18 @@ struct ReadMember {
   std::vector<std::size_t> chosen;  // the models that are shown
 };
 
-bool is_model(const fs::path& file) {
+std::string ending_of(const fs::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  return std::ranges::find(model_endings, ending) != model_endings.end();
+  return ending;
+}
+
+bool is_model(const fs::path& file) { return std::ranges::find(model_endings, ending_of(file)) != model_endings.end(); }
+
+// Packs beside other files were baked of them, so they would be cast twice.
+void leave_out_packs_of_others(std::vector<std::string>& files) {
+  const auto is_packed = [](const std::string& file) { return ending_of(file) == pack_ending; };
+  if (!std::ranges::all_of(files, is_packed)) std::erase_if(files, is_packed);
 }
 
 bool is_folder(const std::string& path) {
@@ -68,6 +77,7 @@ anim::Result<std::vector<std::string>> models_in(const std::string& folder) {
     return anim::Error{anim::plain_text(folder) + ": the folder holds no " + joined(model_endings, ", ", " or ") +
                        " file; name one that holds models, not in folders below it"};
   }
+  leave_out_packs_of_others(files);
   std::ranges::sort(files);
   return files;
 }

@@ -107,6 +107,15 @@ TEST_F(Bake, PutsPacksOfAFolderIntoItsCast) {
   EXPECT_EQ(cast->characters.size(), 2U);
 }
 
+TEST_F(Bake, PutsNobodyTwiceIntoTheCastOfAFolder) {
+  baked({person});
+  fs::copy_file(person, folder_ / "person.glb");
+  const std::vector<std::string> folder{folder_.string()};
+  const auto cast = load_cast(cast_of(folder));
+  ASSERT_TRUE(cast) << cast.error().message;
+  EXPECT_EQ(cast->characters.size(), 1U);
+}
+
 TEST_F(Bake, AsksWhichFileOfAPackIsMeant) {
   const std::string pack = baked({person, other});
   EXPECT_THAT(read_model_file(pack).error().message,

@@ -134,11 +134,11 @@ render::CrowdFrame Painter::crowd_frame(const Stage& stage, const PaintedView& v
           .instances = picture.instances(),
           .batches = picture.batches(),
           .now = stage.now(),
-          .distance_scale = distance_scale_,
           .bones_as_lines = stage.tuning().bones_as_lines,
           .fill_pixels = !stage.tuning().taken_away.pixels,
           .lines = lines_,
-          .morph_weights = picture.morph_weights()};
+          .morph_weights = picture.morph_weights(),
+          .distance_scale = distance_scale_};
 }
 
 void Painter::gather_lines(const Stage& stage, const PaintedView& view) {

@@ -38,11 +38,11 @@ struct CrowdFrame {
   std::span<const InstanceRecord> instances;
   std::span<const CrowdBatch> batches;  ///< in ascending order of page, then character
   std::uint32_t now = 0;                ///< microseconds modulo 2^32, the clock of InstanceRecord::blend_start
-  float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
   bool bones_as_lines = false;
   bool fill_pixels = true;                    ///< false: everything is drawn, but no pixel is filled
   std::span<const SceneLine> lines = {};      ///< drawn over the crowd
   std::span<const float> morph_weights = {};  ///< of instances whose records say where theirs are
+  float distance_scale = 1.0F;  ///< the scene's distances over those of a scene of people; haze is thinner by it
 };
 
 /// Says how two pictures share one.

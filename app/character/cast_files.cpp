@@ -159,7 +159,7 @@ class CastLoader {
   anim::Status read_all() {
     for (const Member& member : members_) {
       const anim::Status read = this->read(member);
-      if (const anim::Status taken = take(member, read); !taken) return taken;
+      if (anim::Status taken = take(member, read); !taken) return taken;
       if (characters_ > most_models) return too_many(entries_[member.entry].file);
     }
     return anim::Done{};
@@ -219,7 +219,7 @@ class CastLoader {
       const auto clips = clips_for(read.member.entry);
       if (!clips) return clips.error();
       for (const std::size_t model : read.chosen) {
-        if (const anim::Status taken = take(read.member, make(read, model, *clips)); !taken) return taken;
+        if (anim::Status taken = take(read.member, make(read, model, *clips)); !taken) return taken;
       }
     }
     return anim::Done{};
@@ -271,7 +271,7 @@ class CastLoader {
     auto character = read.is_packed ? take_packed(read.member) : make_imported(read, model, file, clips);
     if (!character) return character.error();
     if (!character->has_surface()) return no_mesh(wanted.path, character->model);
-    if (const anim::Status seen = check_extent(*character, wanted.path); !seen) return seen;
+    if (anim::Status seen = check_extent(*character, wanted.path); !seen) return seen;
     character->file = file;
     cast_.characters.push_back(std::move(*character));
     entry_of_.push_back(read.member.entry);

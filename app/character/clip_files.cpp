@@ -29,7 +29,7 @@ ClipSource best_source(const anim::ImportedFile& clips, const anim::Skeleton& sk
   for (const anim::Model& model : clips.models) {
     if (model.clips.empty()) continue;
     auto retargeter = std::make_unique<anim::Retargeter>(model.skeleton, skeleton);
-    const bool is_better = !best.model || retargeter->match().matched() > best.retargeter->match().matched();
+    const bool is_better = best.model == nullptr || retargeter->match().matched() > best.retargeter->match().matched();
     if (is_better) best = {&model, std::move(retargeter)};
   }
   return best;
@@ -157,7 +157,7 @@ anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* 
   std::vector<std::string> taken;
   for (const ClipFile* const clips : clip_files) {
     const ClipSource source = best_source(clips->imported, file.models[model].skeleton);
-    if (!source.model) return no_clips(clips->path);
+    if (source.model == nullptr) return no_clips(clips->path);
     const bool fits = source.retargeter->match().matched() > 0;
     if (!fits && clips->must_fit) return no_bone_in_common(clips->path, file.file);
     if (fits) {
@@ -173,7 +173,7 @@ anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* 
 anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
                           const import::ImportOptions& options) {
   if (file.models.empty()) return clip_files.empty() ? anim::Status(anim::Done{}) : no_skeleton(path);
-  if (const anim::Status taken = take_kept_rig(path, file.models.front().skeleton); !taken) return taken;
+  if (anim::Status taken = take_kept_rig(path, file.models.front().skeleton); !taken) return taken;
   const auto clips = read_clip_files(clip_files, options);
   if (!clips) return clips.error();
   const auto added = add_clips_from(pointers_to(*clips), file, 0);

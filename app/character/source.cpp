@@ -143,7 +143,7 @@ anim::ImportedFile with_model_of(anim::ImportedFile& file, std::size_t model) {
 anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
   const auto kept = RoleFile(path).read_rig();
   if (!kept) return kept.error();
-  const anim::Status chosen = choose_bones(*kept, skeleton);
+  anim::Status chosen = choose_bones(*kept, skeleton);
   if (chosen) return chosen;
   return anim::Error{"the rig kept for " + anim::plain_text(path) + ": " + chosen.error().message};
 }

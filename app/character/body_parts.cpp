@@ -58,11 +58,20 @@ std::string how_it_falls(const anim::Skeleton& skeleton, const anim::RigMap& map
          (missing.empty() ? ", as its limbs are out of place" : ", for want of " + joined(missing, ", ", " and "));
 }
 
+/// Returns a sentence about the skeleton without its name, which is beside it already.
+std::string without_name(const std::string& sentence, const std::string& name) {
+  const std::string subject = "skeleton '" + name + "'";
+  if (sentence.starts_with(subject + ": ")) return sentence.substr(subject.size() + 2);
+  return sentence.starts_with(subject) ? "it" + sentence.substr(subject.size()) : sentence;
+}
+
 std::string what_follows(const anim::Skeleton& skeleton, const anim::RigMap& map, const anim::CharacterRigs& rigs) {
   std::string text = rigs.foot_placement() ? "Feet are placed" : "Feet are not placed";
   text += rigs.look_at() ? "; it can look at things; " : "; it has no gaze; ";
   text += how_it_falls(skeleton, map, rigs) + ".";
-  if (!rigs.missing().empty()) text += " " + joined(rigs.missing(), "; ", "; ") + ".";
+  std::vector<std::string> reasons;
+  for (const std::string& sentence : rigs.missing()) reasons.push_back(without_name(sentence, skeleton.name));
+  if (!reasons.empty()) text += " Noted: " + joined(reasons, "; ", "; ") + ".";
   return text;
 }
 

@@ -55,6 +55,16 @@ TEST_F(BodyList, OffersEveryBoneAndAGuess) {
   }
 }
 
+TEST_F(BodyList, OpensTheBonesOfALowRowUpwardsSoThatAllCanBeReached) {
+  for (int bone = 0; bone < 40; ++bone) driver.report.body.bones.push_back("z" + std::to_string(bone));
+  open();
+  driver.click("Right toes");
+  const UiRectangle row = *driver.overlay.ui_map().find("Right toes");
+  const UiRectangle* const bone = driver.overlay.ui_map().find("Right toes:ankle");
+  ASSERT_NE(bone, nullptr);
+  EXPECT_LT(bone->y + bone->height, row.y + 1);
+}
+
 TEST_F(BodyList, AsksForTheChosenBoneBesideWhatWasSaidBefore) {
   driver.report.body.said = {{Part::right_toes, "#12"}};
   open();

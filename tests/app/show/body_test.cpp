@@ -18,6 +18,7 @@ namespace {
 using test::demo;
 using test::show_of;
 using testing::HasSubstr;
+using testing::Not;
 using Part = anim::BodyRole;
 
 // The built-in character's left foot ends at its toes.
@@ -65,6 +66,7 @@ TEST_F(Bodies, SayWhatIsGuessedAndWhatFollows) {
   EXPECT_EQ(longer.bones.size(), 62U);
   ASSERT_TRUE(show->set_rig(0, {{Part::left_upper_leg, "hand.R"}}));
   EXPECT_THAT(parts_of(*show).follows, HasSubstr("it falls, but not as a person"));
+  EXPECT_THAT(parts_of(*show).follows, Not(HasSubstr("skeleton '")));
 }
 
 TEST_F(Bodies, ChangeNothingWhereAPersonContradictsTheSkeleton) {
@@ -89,7 +91,7 @@ TEST_F(Bodies, ChangeNothingWhereAPersonContradictsTheSkeleton) {
 }
 
 TEST_F(Bodies, AreKeptBesideTheModelAndLeaveItsClipsAsTheyAre) {
-  const std::filesystem::path kept = folder_ / "person.throng.json";
+  const std::filesystem::path kept = folder_ / "person.glb.throng.json";
   std::ofstream(kept) << R"({"version": 1, "clips": {"walk": "run"}})";
   {
     const auto show = this->show();

@@ -59,8 +59,9 @@ std::string how_it_falls(const anim::Skeleton& skeleton, const anim::RigMap& map
 }
 
 /// Returns a sentence about the skeleton without its name, which is beside it already.
-std::string without_name(const std::string& sentence, const std::string& name) {
-  const std::string subject = "skeleton '" + name + "'";
+std::string without_name(std::string sentence, const std::string& name) {
+  const std::string subject = "skeleton '" + name + "'", of_it = " of " + subject;
+  if (const std::size_t at = sentence.find(of_it); at != std::string::npos) sentence.erase(at, of_it.size());
   if (sentence.starts_with(subject + ": ")) return sentence.substr(subject.size() + 2);
   return sentence.starts_with(subject) ? "it" + sentence.substr(subject.size()) : sentence;
 }

@@ -18,9 +18,9 @@ struct BodyParts {
   /// The bone of each part without a person's word for it: the one that the file says, or that names and shape suggest.
   /// Empty where none is certain.
   std::array<std::string, anim::body_role_count> guessed;
-  std::string follows;                   ///< says whether feet are placed, and so on, and why not
-  std::optional<anim::BodyRole> refused; ///< the part that a person asked for last, in vain
-  std::string refusal;                   ///< why
+  std::string follows;                    ///< says whether feet are placed, and so on, and why not
+  std::optional<anim::BodyRole> refused;  ///< the part that a person asked for last, in vain
+  std::string refusal;                    ///< why
 };
 
 /// `rigs` are those that were made of the character as it is.

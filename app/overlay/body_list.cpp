@@ -39,10 +39,11 @@ void show_part(const TabContext& context, anim::BodyRole part) {
   const std::string guessed = guess.empty() ? "guessed: none" : "guessed (" + guess + ")";
   const std::string label = label_of(part);
   int bone = said_bone(body, part);
-  if (context.widgets.pick(label.c_str(), bone, -1, body.bones, guessed.c_str(),
-                           {.what = "The bone that is this part of the body. Guessed: as the file says, or as names and "
-                                    "shape of the skeleton suggest.",
-                            .cost = "Changing it places all agents anew."})) {
+  if (context.widgets.pick(
+          label.c_str(), bone, -1, body.bones, guessed.c_str(),
+          {.what = "The bone that is this part of the body. Guessed: as the file says, or as names and "
+                   "shape of the skeleton suggest.",
+           .cost = "Changing it places all agents anew."})) {
     context.commands.body = changed_body(body, part, bone);
   }
   if (body.refused != part) return;
@@ -58,8 +59,9 @@ void show_open_list(const TabContext& context) {
   }
   ButtonRow buttons(widgets, 2);
   commands.save_body |= buttons.button(
-      "Save body", {.what = "Keeps what was chosen beside the model, in MODEL.throng.json, for next time. Size, place on "
-                            "the ground and clips of other files go by it from then on."});
+      "Save body",
+      {.what = "Keeps what was chosen beside the model, in MODEL.throng.json, for next time. Size, place on "
+               "the ground and clips of other files go by it from then on."});
   if (buttons.button("Reset body", {.what = "Back to what is guessed, for every part."}, !report.body.said.empty())) {
     commands.body = NewBody{};
   }

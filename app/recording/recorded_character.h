@@ -39,8 +39,8 @@ bool has_clips(const CharacterSource& character, const RoleClips& roles);
 /// Reads the "rig" of a character; returns nothing where the JSON is none.
 std::optional<std::vector<RigChoice>> recorded_rig(const Json& json);
 
-/// Gives a character the recorded order of bones, levels, parts of the body and roles. Errors: it is another character, or it lacks what
-/// the recording asks for.
+/// Gives a character the recorded order of bones, levels, parts of the body and roles. Errors: it is another character,
+/// or it lacks what the recording asks for.
 anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
 
 /// Returns the entries that load these characters again, with the clips that they play.

@@ -128,8 +128,8 @@ struct OverlayCommands {
   std::optional<NewShare> share;
   std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
   bool save_roles = false;
-  std::optional<NewBody> body;  ///< of the character shown
-  bool save_body = false;       ///< beside the model
+  std::optional<NewBody> body;            ///< of the character shown
+  bool save_body = false;                 ///< beside the model
   std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
   bool save_bone_lod = false;             ///< beside the model
   bool export_lod = false;                ///< for another engine

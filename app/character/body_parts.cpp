@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -76,6 +77,22 @@ std::string what_follows(const anim::Skeleton& skeleton, const anim::RigMap& map
   return text;
 }
 
+std::vector<RigChoice> said_as_before(std::span<const RigChoice> choices, std::span<const RigChoice> before) {
+  std::vector<RigChoice> same;
+  std::ranges::copy_if(choices, std::back_inserter(same),
+                       [&](const RigChoice& choice) { return std::ranges::find(before, choice) != before.end(); });
+  return same;
+}
+
+/// Puts what a person chose over guesses. A guess whose bone is chosen for another part gives way.
+void put_over(std::span<const RigChoice> choices, std::span<const std::string> keys, PartBones& bones) {
+  for (const auto& [role, key] : choices) {
+    const auto bone = static_cast<int>(std::ranges::find(keys, key) - keys.begin());
+    std::ranges::replace(bones, bone, -1);
+    bones[anim::index_of(role)] = bone;
+  }
+}
+
 }  // namespace
 
 BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& rigs) {
@@ -101,12 +118,15 @@ BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& r
 anim::Status take_rig(CharacterSource& source, const std::vector<RigChoice>& choices) {
   anim::Skeleton& skeleton = source.model.skeleton;
   std::vector<anim::Bone> before = skeleton.bones;
+  const std::vector<std::string> keys = bone_keys(skeleton);
   take_parts_back(skeleton);
-  give_parts(source.parts_in_file, bone_keys(skeleton), skeleton);
+  give_parts(source.parts_in_file, keys, skeleton);
+  give_parts(said_as_before(choices, source.rig), keys, skeleton);
+  PartBones bones = anim::find_rig(skeleton).bones;
   anim::Status taken = choose_bones(choices, skeleton);
   if (taken) {
-    const auto misplaced = misplaced_part(choices, anim::find_rig(skeleton).bones, skeleton);
-    if (misplaced) taken = anim::Error{*misplaced};
+    put_over(choices, keys, bones);
+    if (const auto misplaced = misplaced_part(choices, bones, skeleton)) taken = anim::Error{*misplaced};
   }
   if (taken) {
     source.rig = choices;

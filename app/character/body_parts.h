@@ -27,8 +27,8 @@ struct BodyParts {
 BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& rigs);
 
 /// Gives a character the parts that a person says in place of all that a person said before. Its clips and its size
-/// stay as they were baked. Errors: those of choose_bones, and what contradicts the guesses that remain; then nothing
-/// has changed.
+/// stay as they were baked. Errors: those of choose_bones, and a part on the wrong side of one that is guessed without
+/// it; then nothing has changed.
 anim::Status take_rig(CharacterSource& source, const std::vector<RigChoice>& choices);
 
 }  // namespace throng::app

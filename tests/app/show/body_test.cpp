@@ -83,6 +83,9 @@ TEST_F(Bodies, ChangeNothingWhereAPersonContradictsTheSkeleton) {
   EXPECT_EQ(refusal({{Part::right_foot, "hips"}}),
             "hips cannot be the right foot: it is above thigh.R, the right upper leg")
       << "what is guessed counts too";
+  EXPECT_EQ(refusal({{Part::right_foot, "thigh.R"}}),
+            "thigh.R cannot be the right foot: it is above shin.R, the right lower leg")
+      << "though the thigh is no longer known then, nor the shin below it";
   EXPECT_EQ(refusal({{Part::right_lower_leg, "toe.R"}}),
             "toe.R cannot be the right lower leg: it is below foot.R, the right foot");
   EXPECT_THAT(refusal({{Part::head, "heed"}}), HasSubstr("the skeleton has no such bone; nearest are head"));

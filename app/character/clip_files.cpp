@@ -82,7 +82,7 @@ void leave_out_morphs(std::vector<anim::Clip>& clips) {
 anim::Status prepare_for_others(const std::string& path, anim::ImportedFile& file) {
   for (anim::Model& model : file.models) {
     leave_out_morphs(model.clips);
-    if (anim::Status taken = take_kept_rig(path, model.skeleton); !taken) return taken;
+    if (const auto taken = take_kept_rig(path, model.skeleton); !taken) return taken.error();
   }
   return anim::Done{};
 }
@@ -173,7 +173,7 @@ anim::Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* 
 anim::Status add_clips_to(const std::string& path, std::span<const std::string> clip_files, anim::ImportedFile& file,
                           const import::ImportOptions& options) {
   if (file.models.empty()) return clip_files.empty() ? anim::Status(anim::Done{}) : no_skeleton(path);
-  if (anim::Status taken = take_kept_rig(path, file.models.front().skeleton); !taken) return taken;
+  if (const auto taken = take_kept_rig(path, file.models.front().skeleton); !taken) return taken.error();
   const auto clips = read_clip_files(clip_files, options);
   if (!clips) return clips.error();
   const auto added = add_clips_from(pointers_to(*clips), file, 0);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/character/body_parts.h"
 #include "app/character/bone_lod.h"
 #include "app/character/role_table.h"
 #include "app/files/data_folder.h"
@@ -12,7 +13,14 @@ anim::Result<CharacterSource> load_built_in(const std::string& data_option, cons
   const auto file = find_data(data_folders(data_option), "assets/mannequin.glb");
   if (!file) return file.error();
   const BoneLodFile kept{{}};
-  return load_character(file->string(), "mannequin (built in)", &kept, options);
+  auto source = load_character(file->string(), "mannequin (built in)", &kept, options);
+  if (!source) return source;
+  const auto rig = RoleFile({}).read_rig();
+  if (!rig) return rig.error();
+  if (rig->empty()) return source;
+  const anim::Status taken = take_rig(*source, *rig);
+  if (!taken) return anim::Error{"the rig kept for " + source->name + ": " + taken.error().message};
+  return source;
 }
 
 anim::Status take_kept_roles(CharacterSource& character) {

@@ -65,6 +65,7 @@ anim::Result<CharacterSource> as_baked(const pack::Pack& pack, const PackedChara
   source.model = std::move(*model);
   source.placement = std::move(baked.prepared.placement);
   source.character = std::make_shared<const anim::Character>(std::move(baked.character));
+  source.parts_in_file = said_parts(source.model.skeleton);
   source.surface = {.bytes = pack.surface(chosen.file, chosen.model), .lender = pack.lender()};
   source.repairs = pack.header(chosen.file).repairs;
   source.notes = pack.header(chosen.file).notes;

@@ -9,6 +9,44 @@
 #include "app/files/nearest_names.h"
 
 namespace throng::app {
+namespace {
+
+using Part = anim::BodyRole;
+
+// Each chain goes from the hips outwards, so no part is above one before it.
+constexpr Part trunk[] = {Part::hips, Part::spine, Part::chest, Part::upper_chest, Part::neck, Part::head};
+constexpr Part left_arm[] = {Part::hips, Part::left_shoulder, Part::left_upper_arm, Part::left_lower_arm,
+                             Part::left_hand};
+constexpr Part right_arm[] = {Part::hips, Part::right_shoulder, Part::right_upper_arm, Part::right_lower_arm,
+                              Part::right_hand};
+constexpr Part left_leg[] = {Part::hips, Part::left_upper_leg, Part::left_lower_leg, Part::left_foot, Part::left_toes};
+constexpr Part right_leg[] = {Part::hips, Part::right_upper_leg, Part::right_lower_leg, Part::right_foot,
+                              Part::right_toes};
+constexpr std::span<const Part> chains[] = {trunk, left_arm, right_arm, left_leg, right_leg};
+
+bool is_above(const anim::Skeleton& skeleton, int bone, int other) {
+  if (bone < 0) return false;
+  while (other > bone) other = skeleton.bones[static_cast<std::size_t>(other)].parent;
+  return other == bone;
+}
+
+bool is_chosen(std::span<const RigChoice> choices, Part part) {
+  return std::ranges::find(choices, part, &RigChoice::role) != choices.end();
+}
+
+struct PlacedPart {
+  Part part;
+  int bone;
+};
+
+std::string refusal(const anim::Skeleton& skeleton, const PlacedPart& chosen, const char* where,
+                    const PlacedPart& other) {
+  const std::vector<std::string> keys = bone_keys(skeleton);
+  return keys[static_cast<std::size_t>(chosen.bone)] + " cannot be the " + words_of(chosen.part) + ": it is " + where +
+         " " + keys[static_cast<std::size_t>(other.bone)] + ", the " + words_of(other.part);
+}
+
+}  // namespace
 
 anim::Result<std::vector<RigChoice>> rig_choices_in(const Json& rig, const JsonFile& file) {
   if (!rig.is_object()) return file.wrong("\"rig\" must be an object of parts of the body and names of bones");
@@ -31,20 +69,69 @@ Json rig_json(std::span<const RigChoice> choices) {
   return rig;
 }
 
+std::string words_of(anim::BodyRole role) {
+  std::string words;
+  for (const char letter : anim::name_of(role)) {
+    const bool is_capital = letter >= 'A' && letter <= 'Z';
+    if (is_capital) words += ' ';
+    words += is_capital ? static_cast<char>(letter - 'A' + 'a') : letter;
+  }
+  return words;
+}
+
+std::vector<RigChoice> said_parts(const anim::Skeleton& skeleton) {
+  const std::vector<std::string> keys = bone_keys(skeleton);
+  std::vector<RigChoice> parts;
+  for (std::size_t bone = 0; bone < keys.size(); ++bone) {
+    if (skeleton.bones[bone].role) parts.push_back({*skeleton.bones[bone].role, keys[bone]});
+  }
+  return parts;
+}
+
+std::optional<std::string> misplaced_part(std::span<const RigChoice> choices, const PartBones& bones,
+                                          const anim::Skeleton& skeleton) {
+  for (const std::span<const Part> chain : chains) {
+    for (std::size_t lower = 1; lower < chain.size(); ++lower) {
+      for (std::size_t upper = 0; upper < lower; ++upper) {
+        const Part parts[] = {chain[upper], chain[lower]};
+        const int upper_bone = bones[anim::index_of(parts[0])], lower_bone = bones[anim::index_of(parts[1])];
+        const bool is_turned = is_above(skeleton, lower_bone, upper_bone);
+        if (is_turned && is_chosen(choices, parts[1])) {
+          return refusal(skeleton, {parts[1], lower_bone}, "above", {parts[0], upper_bone});
+        }
+        if (is_turned && is_chosen(choices, parts[0])) {
+          return refusal(skeleton, {parts[0], upper_bone}, "below", {parts[1], lower_bone});
+        }
+      }
+    }
+  }
+  return {};
+}
+
 anim::Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& skeleton) {
   const std::vector<std::string> keys = bone_keys(skeleton);
   std::vector<anim::Bone> bones = skeleton.bones;
+  PartBones chosen;
+  chosen.fill(-1);
   for (const auto& [role, key] : choices) {
     const auto found = std::ranges::find(keys, key);
     if (found == keys.end()) {
       return anim::Error{std::string(anim::name_of(role)) + "=" + key +
                          ": the skeleton has no such bone; nearest are " + nearest_names(key, keys)};
     }
-    for (anim::Bone& bone : bones) {
-      if (bone.role == role) bone.role.reset();
+    const auto bone = static_cast<int>(found - keys.begin());
+    if (const auto other = std::ranges::find(chosen, bone); other != chosen.end()) {
+      const auto part = static_cast<anim::BodyRole>(other - chosen.begin());
+      return anim::Error{key + " cannot be both the " + words_of(part) + " and the " + words_of(role) +
+                         "; choose another bone for one of them"};
     }
-    bones[static_cast<std::size_t>(found - keys.begin())].role = role;
+    chosen[anim::index_of(role)] = bone;
+    for (anim::Bone& each : bones) {
+      if (each.role == role) each.role.reset();
+    }
+    bones[static_cast<std::size_t>(bone)].role = role;
   }
+  if (const auto misplaced = misplaced_part(choices, chosen, skeleton)) return anim::Error{*misplaced};
   skeleton.bones = std::move(bones);
   return anim::Done{};
 }

@@ -1,30 +1,38 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/character/rig_choice.h"
 #include "app/files/json_file.h"
 #include "engine/anim/asset/skeleton.h"
 #include "engine/anim/base/result.h"
 
 namespace throng::app {
 
-/// A person's word for the bone that is a part of the body. `bone` is its key (bone_keys() in bone_lod.h).
-struct RigChoice {
-  anim::BodyRole role;
-  std::string bone;
-
-  friend bool operator==(const RigChoice&, const RigChoice&) = default;
-};
-
 /// Reads {"hips": "Bone.003", "leftFoot": "ankle.l"}; the parts have VRM's names. The error names the file and what is
 /// wrong in it.
 anim::Result<std::vector<RigChoice>> rig_choices_in(const Json& rig, const JsonFile& file);
 Json rig_json(std::span<const RigChoice> choices);
 
-/// Gives bones the parts that a person chose, over what the file says. Errors name the part, the bone and the bones
-/// that come nearest; then nothing has changed.
+/// Gives bones the parts that a person chose, over what the file says. Errors: the skeleton has no such bone, one bone
+/// is chosen for two parts, or a part lies on the wrong side of another (misplaced_part); then nothing has changed.
 anim::Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& skeleton);
+
+/// Returns the parts that the file or a person gave to bones.
+std::vector<RigChoice> said_parts(const anim::Skeleton& skeleton);
+
+/// The bone of each part, by BodyRole; -1 where none is known.
+using PartBones = std::array<int, anim::body_role_count>;
+/// Says which of the chosen parts cannot be where it is among `bones`, such as a foot whose bone is above that of the
+/// knee; nothing where all can.
+std::optional<std::string> misplaced_part(std::span<const RigChoice> choices, const PartBones& bones,
+                                          const anim::Skeleton& skeleton);
+
+/// Returns the part as people say it: "left foot".
+std::string words_of(anim::BodyRole role);
 
 }  // namespace throng::app

@@ -75,11 +75,18 @@ anim::Result<std::vector<RigChoice>> RoleFile::read_rig() const { return read_ke
 
 anim::Result<fs::path> RoleFile::write(std::span<const RoleChoice> choices) const {
   const auto rig = read_rig();
-  if (!rig) return rig.error();
-  Json clips = Json::object();
-  for (const auto& [role, clip] : choices) clips[role_names.at(index_of(role))] = clip;
-  Json written = {{"version", role_table_version}, {"clips", clips}};
-  if (!rig->empty()) written["rig"] = rig_json(*rig);
+  return rig ? write_both(choices, *rig) : rig.error();
+}
+
+anim::Result<fs::path> RoleFile::write_rig(std::span<const RigChoice> choices) const {
+  const auto clips = read();
+  return clips ? write_both(*clips, choices) : clips.error();
+}
+
+anim::Result<fs::path> RoleFile::write_both(std::span<const RoleChoice> clips, std::span<const RigChoice> rig) const {
+  Json written = {{"version", role_table_version}};
+  for (const auto& [role, clip] : clips) written["clips"][role_names.at(index_of(role))] = clip;
+  if (!rig.empty()) written["rig"] = rig_json(rig);
   return file_.write(written.dump(2) + "\n");
 }
 

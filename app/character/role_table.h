@@ -37,11 +37,15 @@ class RoleFile {
   /// Writes the file whole or not at all, and returns its path. The parts of the body stay as
   /// they are in it, so a file that cannot be read is not written over.
   anim::Result<std::filesystem::path> write(std::span<const RoleChoice> choices) const;
+  /// Does the same with the parts of the body; the clips stay as they are.
+  anim::Result<std::filesystem::path> write_rig(std::span<const RigChoice> choices) const;
 
  private:
   /// Returns what `parse(value, file)` makes of one key of the file; nothing where there is no file or no such key.
   template <typename Choice, typename Parse>
   anim::Result<std::vector<Choice>> read_key(const char* key, const Parse& parse) const;
+  anim::Result<std::filesystem::path> write_both(std::span<const RoleChoice> clips,
+                                                 std::span<const RigChoice> rig) const;
 
   KeptFile file_;
 };

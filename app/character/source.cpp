@@ -140,11 +140,11 @@ anim::ImportedFile with_model_of(anim::ImportedFile& file, std::size_t model) {
 
 }  // namespace
 
-anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
-  const auto kept = RoleFile(path).read_rig();
+anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton) {
+  auto kept = RoleFile(path).read_rig();
   if (!kept) return kept.error();
-  anim::Status chosen = choose_bones(*kept, skeleton);
-  if (chosen) return chosen;
+  const anim::Status chosen = choose_bones(*kept, skeleton);
+  if (chosen) return kept;
   return anim::Error{"the rig kept for " + anim::plain_text(path) + ": " + chosen.error().message};
 }
 
@@ -167,13 +167,15 @@ void guess_roles(CharacterSource& source) {
 anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size_t model, const CharacterMaking& how) {
   anim::ImportedFile one = with_model_of(file, model);
   anim::face_forward(one);
+  CharacterSource source;
+  source.parts_in_file = said_parts(one.models.front().skeleton);
   if (how.kept != nullptr) {
-    const anim::Status taken = take_kept_rig(how.path, one.models.front().skeleton);
+    auto taken = take_kept_rig(how.path, one.models.front().skeleton);
     if (!taken) return taken.error();
+    source.rig = std::move(*taken);
   }
   auto added = add_clips_from(how.clips, one, 0);
   if (!added) return added.error();
-  CharacterSource source;
   source.name = anim::plain_text(how.name);
   source.clip_files = std::move(*added);
   source.model = std::move(one.models.front());

@@ -10,6 +10,7 @@
 #include "app/character/bone_lod.h"
 #include "app/character/clip_files.h"
 #include "app/character/load_options.h"
+#include "app/character/rig_choice.h"
 #include "app/character/roles.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
@@ -41,13 +42,15 @@ struct CharacterSource {
   std::vector<std::string> cast;             ///< names of all characters of its file
   std::size_t cast_index = 0;                ///< which of them it is
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
+  std::vector<RigChoice> parts_in_file;      ///< the parts of the body that its file says
+  std::vector<RigChoice> rig;                ///< the parts that a person says, over those
 
   bool has_surface() const { return !model.meshes.empty(); }
 };
 
-/// Gives the bones of the model in `path` the parts of the body that a person chose for it, if any. The error names the
-/// file and what cannot be.
-anim::Status take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
+/// Gives the bones of the model in `path` the parts of the body that a person chose for it, and returns these; none if
+/// nothing was chosen. The error names the file and what cannot be.
+anim::Result<std::vector<RigChoice>> take_kept_rig(const std::string& path, anim::Skeleton& skeleton);
 
 /// Finds the clips that the roles play, once the character is there.
 void guess_roles(CharacterSource& source);

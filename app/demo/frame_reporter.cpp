@@ -89,7 +89,13 @@ void FrameReporter::describe_character(const Show& show, std::size_t character) 
   report_.clip_names = source.clip_names;
   report_.suggested_role_clips = source.suggested;
   report_.level_bone_counts = skeleton.level_bone_counts;
+  report_.body = body_parts(source, show.stage().animated().rigs(character));
   describe_bones(*source.character);
+}
+
+void FrameReporter::refuse_body(const NewBody& asked, const std::string& why) {
+  report_.body.refused = asked.changed;
+  report_.body.refusal = why;
 }
 
 void FrameReporter::describe_bones(const anim::Character& character) {
@@ -105,6 +111,9 @@ void FrameReporter::update(const Show& show, const CameraPlace& camera, double f
   const anim::AnimationSystem& system = show.stage().system();
   if (!std::ranges::equal(show.stage().people(), report_.characters, {}, &CharacterSource::name)) {
     describe_characters(show);  // a replay has others from here on
+  }
+  if (show.stage().characters()[report_.character].rig != report_.body.said) {
+    describe_character(show, report_.character);  // here too
   }
   ++report_.frame;
   report_.notice = notice;

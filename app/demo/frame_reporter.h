@@ -24,6 +24,9 @@ class FrameReporter {
   /// Chooses the character whose roles and bones are reported; the first one at first.
   void describe_character(const Show& show, std::size_t character);
 
+  /// Reports that a person asked for a part of the body in vain, until a character is described anew.
+  void refuse_body(const NewBody& asked, const std::string& why);
+
   /// Reports a frame that was animated and drawn. `frame_ms` is the time from its start to its end.
   void update(const Show& show, const CameraPlace& camera, double frame_ms, const std::string& notice);
 

@@ -210,6 +210,7 @@ class WindowLoop {
     if (commands.share) show_.set_share(commands.share->character, commands.share->share);
     if (commands.roles) show_.set_roles(character, *commands.roles);
     if (commands.save_roles) say_where(save_roles(show_.stage().characters()[character]));
+    obey_body(commands, character);
     obey_bone_lod(commands, character);
     if (commands.record) toggle_recording();
     if (commands.character) reporter_.describe_character(show_, *commands.character);
@@ -265,6 +266,16 @@ class WindowLoop {
     const anim::Status replaced = show_.replace_models(files);
     if (replaced) reporter_.describe_characters(show_);
     notice_ = replaced ? "" : replaced.error().message;
+  }
+
+  void obey_body(const OverlayCommands& commands, std::size_t character) {
+    if (commands.body) {
+      const anim::Status set = show_.set_rig(character, commands.body->choices);
+      reporter_.describe_character(show_, character);
+      if (!set) reporter_.refuse_body(*commands.body, set.error().message);
+      notice_ = set || commands.body->changed ? "" : set.error().message;
+    }
+    if (commands.save_body) say_where(save_rig(show_.stage().characters()[character]));
   }
 
   void obey_bone_lod(const OverlayCommands& commands, std::size_t character) {

@@ -191,6 +191,7 @@ void show_crowd_tab(const TabContext& context) {
   show_picture(context);
   show_in_view(context);
   show_roles(context);
+  show_body(context);
 }
 
 }  // namespace throng::app

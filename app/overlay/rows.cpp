@@ -39,6 +39,15 @@ void draw_closed(const Theme& theme, const Area& place, const std::string& word,
                          colour::dim);
 }
 
+// The list of a row at the foot of the screen opens upwards, where it has more room.
+void place_list(const Theme& theme, const Area& row) {
+  const float below = ImGui::GetIO().DisplaySize.y - row.to.y, longest = theme.px(longest_list);
+  const bool opens_up = below < longest && row.from.y > below;
+  ImGui::SetNextWindowPos({row.from.x, opens_up ? row.from.y : row.to.y}, ImGuiCond_Always, {0, opens_up ? 1.0F : 0});
+  ImGui::SetNextWindowSizeConstraints({row.width(), 0},
+                                      {row.width(), std::min(longest, opens_up ? row.from.y : below)});
+}
+
 }  // namespace
 
 bool Widgets::number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help) {
@@ -148,13 +157,13 @@ bool Widgets::pick(const char* label, int& index, int standard, std::span<const 
   place.to.y -= theme_.px(2);
   if (clickable(label, place)) ImGui::OpenPopup("list");
   draw_closed(theme_, place, word_of(index, words, none), ImGui::IsItemHovered() || ImGui::IsPopupOpen("list"));
-  ImGui::SetNextWindowPos({place.from.x, place.to.y});
-  ImGui::SetNextWindowSizeConstraints({place.width(), 0}, {place.width(), theme_.px(longest_list)});
+  place_list(theme_, place);
   if (ImGui::BeginPopup("list")) {
     for (int i = none == nullptr ? 0 : -1; i < static_cast<int>(words.size()); ++i) {
       const std::string word = word_of(i, words, none);
       ImGui::PushID(i);
       if (ImGui::Selectable(word.c_str(), i == index)) index = i;
+      if (i == before && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
       ImGui::PopID();
       record(std::string(label) + ":" + word, {.from = ImGui::GetItemRectMin(), .to = ImGui::GetItemRectMax()});
     }

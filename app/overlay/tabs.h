@@ -44,6 +44,7 @@ struct BoneListMemory {
 /// All that the tabs remember from frame to frame.
 struct TabMemory {
   BoneListMemory bones;
+  bool shows_body = false;                   ///< the list of the parts of the body is open
   SweptValue swept = SweptValue::tile;       ///< the value that the next sweep varies
   float timeline_from = 0, timeline_to = 1;  ///< the part of the timeline that is seen, in shares of its length
   std::size_t entity = SIZE_MAX;             ///< the entity whose block is shown; past the end: the last
@@ -78,6 +79,9 @@ void show_scheduling_tab(const TabContext& context);
 void show_agent_tab(const TabContext& context);
 void show_presets_tab(const TabContext& context);
 
+/// Shows the parts of the character's body with their bones, in a list that opens: a person chooses other bones, keeps
+/// them, and reads what follows from them.
+void show_body(const TabContext& context);
 /// Shows a sweep over the crowd that runs: the value to vary, a button, and the curve. A click on a stop takes its
 /// value.
 void show_sweep(const TabContext& context);

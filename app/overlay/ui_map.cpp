@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "app/character/rig_table.h"
 #include "app/files/json.h"
 #include "app/settings/choices.h"
 #include "app/settings/preset.h"
@@ -77,6 +78,10 @@ Json cast_json(const std::vector<CastMember>& cast) {
   return members;
 }
 
+Json body_json(const BodyParts& body) {
+  return {{"said", rig_json(body.said)}, {"follows", body.follows}, {"refusal", body.refusal}};
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"characters", report.characters},
@@ -88,6 +93,7 @@ Json report_json(const FrameReport& report) {
           {"agents_by_bone_level", report.agents_by_bone_level},
           {"level_bone_counts", report.level_bone_counts},
           {"bones", bone_names(report)},
+          {"body", body_json(report.body)},
           {"heads", report.heads.size()},
           {"thresholds", report.thresholds.size()},
           {"threshold_clip", report.threshold_clip},

@@ -89,6 +89,14 @@ std::optional<RecordedRequest> characters(std::string_view text) {
   return read && of_files ? std::optional<RecordedRequest>(std::move(characters)) : std::nullopt;
 }
 
+std::optional<RecordedRequest> rig(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json || !json->is_object() || !(*json)["character"].is_whole(0, most_models - 1)) return {};
+  auto choices = recorded_rig((*json)["rig"]);
+  if (!choices) return {};
+  return RecordedRig{static_cast<std::uint32_t>((*json)["character"].get<int>()), std::move(*choices)};
+}
+
 std::optional<RecordedRequest> request_of_numbers(RecordKind kind, NumberReader& numbers) {
   switch (kind) {
     case RecordKind::selection:
@@ -114,6 +122,7 @@ std::optional<RecordedRequest> request_of_numbers(RecordKind kind, NumberReader&
 
 std::optional<RecordedRequest> read_request(RecordKind kind, std::string_view payload) {
   if (kind == RecordKind::characters) return characters(payload);
+  if (kind == RecordKind::rig) return rig(payload);
   NumberReader numbers(payload);
   auto request = request_of_numbers(kind, numbers);
   return numbers.at_end() ? std::move(request) : std::nullopt;

@@ -5,7 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/character/body_parts.h"
 #include "app/character/bone_lod.h"
+#include "app/character/rig_table.h"
 #include "app/figures/statistics.h"
 #include "app/files/byte_hash.h"
 #include "app/settings/settings.h"
@@ -76,6 +78,7 @@ bool read_character(const Json& json, RecordedCharacter& character) {
     if (!json["clip_files"].is<std::vector<std::string>>()) return false;
     character.clip_files = json["clip_files"].get<std::vector<std::string>>();
   }
+  if (json.contains("rig") && !(character.rig = recorded_rig(json["rig"]))) return false;
   if (json.contains("placement") && !read_placement(json["placement"], character.placement)) return false;
   character.file = json["file"].get<std::string>();
   character.fingerprint = json["fingerprint"].get<std::string>();
@@ -105,13 +108,19 @@ RecordedCharacter recorded(const CharacterSource& character) {
           .level_counts = skeleton.level_bone_counts,
           .placement = character.placement.choice,
           .share = character.roles.share,
-          .clip_files = character.clip_files};
+          .clip_files = character.clip_files,
+          .rig = character.rig};
 }
 
 std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> characters) {
   std::vector<RecordedCharacter> all;
   for (const CharacterSource& character : characters) all.push_back(recorded(character));
   return all;
+}
+
+std::optional<std::vector<RigChoice>> recorded_rig(const Json& json) {
+  auto choices = rig_choices_in(json, JsonFile({}));
+  return choices ? std::optional(std::move(*choices)) : std::nullopt;
 }
 
 bool has_clips(const CharacterSource& character, const RoleClips& roles) {
@@ -127,6 +136,11 @@ anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSour
   if (here.bones != as_recorded.bones || here.level_counts != as_recorded.level_counts) {
     if (const anim::Status taken = take_bone_lod(as_recorded, character); !taken) {
       return anim::Error{"the recorded order of the bones of " + character.name + ": " + taken.error().message};
+    }
+  }
+  if (as_recorded.rig && *as_recorded.rig != character.rig) {
+    if (const anim::Status taken = take_rig(character, *as_recorded.rig); !taken) {
+      return anim::Error{"the recorded rig of " + character.name + ": " + taken.error().message};
     }
   }
   if (!has_clips(character, as_recorded.roles)) return anim::Error{"plays a clip that " + character.name + " has not"};
@@ -146,14 +160,16 @@ std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters)
 Json to_json(std::span<const RecordedCharacter> characters) {
   Json json = Json::array();
   for (const RecordedCharacter& character : characters) {
-    json.push_back({{"file", character.file},
-                    {"fingerprint", character.fingerprint},
-                    {"roles", character.roles},
-                    {"bones", character.bones},
-                    {"level_counts", character.level_counts},
-                    {"placement", to_json(character.placement)},
-                    {"share", character.share},
-                    {"clip_files", character.clip_files}});
+    Json each = {{"file", character.file},
+                 {"fingerprint", character.fingerprint},
+                 {"roles", character.roles},
+                 {"bones", character.bones},
+                 {"level_counts", character.level_counts},
+                 {"placement", to_json(character.placement)},
+                 {"share", character.share},
+                 {"clip_files", character.clip_files}};
+    if (character.rig) each["rig"] = rig_json(*character.rig);
+    json.push_back(std::move(each));
   }
   return json;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct RecordedCharacter {
   anim::PlacementChoice placement = {};      ///< what was asked of its size and place
   double share = 1.0;                        ///< of the crowd
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too
+  /// The parts of the body that a person said; nothing in recordings of before they were kept.
+  std::optional<std::vector<RigChoice>> rig = {};
 
   friend bool operator==(const RecordedCharacter&, const RecordedCharacter&) = default;
 };
@@ -33,15 +36,18 @@ std::vector<RecordedCharacter> recorded(std::span<const CharacterSource> charact
 /// Returns whether every role plays a clip that the character has, or none.
 bool has_clips(const CharacterSource& character, const RoleClips& roles);
 
-/// Gives a character the recorded order of bones, levels and roles. Errors: it is another character, or it lacks what
-/// the recording asks for.
+/// Reads the "rig" of a character; returns nothing where the JSON is none.
+std::optional<std::vector<RigChoice>> recorded_rig(const Json& json);
+
+/// Gives a character the recorded order of bones, levels, parts of the body and roles. Errors: it is another character,
+/// or it lacks what the recording asks for.
 anim::Status become_recorded(const RecordedCharacter& as_recorded, CharacterSource& character);
 
 /// Returns the entries that load these characters again, with the clips that they play.
 std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters);
 
-/// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts", "share", "clip_files" and
-/// "placement": scale (0: guessed), up axis and ground rule as numbers.
+/// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts", "share", "clip_files", "rig"
+/// and "placement": scale (0: guessed), up axis and ground rule as numbers.
 Json to_json(std::span<const RecordedCharacter> characters);
 /// Reads 1 to most_models characters; returns false where the JSON is no such list.
 bool from_json(const Json& json, std::vector<RecordedCharacter>& characters);

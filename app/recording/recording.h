@@ -36,6 +36,7 @@ namespace throng::app {
 ///                 counts u16
 ///     characters  JSON, as in the header
 ///     share       character u32, share of the crowd f64
+///     rig         JSON: the index of a "character", and its "rig" as in MODEL.throng.json
 ///     frame       delta i64 (ticks), camera 6 x f32, width u32, height u32, pose hash u64, agents u32,
 ///                 a bit for each agent whose hash changed, from the lowest; their hashes, u16
 ///     end         frames u64, ByteHash u64 of all bytes of the file before it
@@ -54,7 +55,8 @@ enum class RecordKind : std::uint8_t {
   characters,
   frame,
   end,
-  share
+  share,
+  rig
 };
 
 struct RecordingHeader {
@@ -93,13 +95,18 @@ struct RecordedShare {
   std::uint32_t character = 0;
   double share = 1.0;
 };
+/// The parts of a character's body that a person says, in place of those before.
+struct RecordedRig {
+  std::uint32_t character = 0;
+  std::vector<RigChoice> choices;
+};
 /// Other characters for all agents.
 struct RecordedCharacters {
   std::vector<RecordedCharacter> characters;  ///< 1 to most_models, each from a file
 };
 /// A request that a person made between two frames.
 using RecordedRequest = std::variant<Tuning, RecordedSelection, RecordedPush, RecordedRoles, RecordedHold,
-                                     RecordedRewind, RecordedBoneOrder, RecordedCharacters, RecordedShare>;
+                                     RecordedRewind, RecordedBoneOrder, RecordedCharacters, RecordedShare, RecordedRig>;
 
 struct RecordedFrame {
   anim::Ticks delta = 0;  ///< 0 while paused

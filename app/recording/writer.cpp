@@ -1,5 +1,6 @@
 #include "app/recording/writer.h"
 
+#include "app/character/rig_table.h"
 #include "app/recording/bytes.h"
 
 namespace throng::app {
@@ -88,6 +89,11 @@ void RecordingWriter::add(const RecordedShare& share) {
   append_number(payload_, share.character);
   append_number(payload_, share.share);
   write_item(RecordKind::share);
+}
+
+void RecordingWriter::add(const RecordedRig& rig) {
+  payload_ = Json{{"character", rig.character}, {"rig", rig_json(rig.choices)}}.dump();
+  write_item(RecordKind::rig);
 }
 
 void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/character/body_parts.h"
 #include "app/character/bone_lod.h"
 #include "app/character/roles.h"
 #include "app/lod/lod_thresholds.h"
@@ -77,6 +78,7 @@ struct FrameReport {
   std::vector<std::string> clip_names;          ///< the character's clips
   RoleClips role_clips = no_clips();            ///< the clips in use
   RoleClips suggested_role_clips = no_clips();  ///< the clips that the names suggest
+  BodyParts body;                               ///< the parts of the character's body
   // Level of detail
   std::vector<int> agents_by_interval;    ///< [i]: visible agents with interval i + 1
   std::vector<int> agents_by_bone_level;  ///< [level]
@@ -114,12 +116,20 @@ struct NewShare {
   double share = 1.0;
 };
 
+/// A character gets other parts of its body.
+struct NewBody {
+  std::vector<RigChoice> choices;         ///< all that the person says now
+  std::optional<anim::BodyRole> changed;  ///< the part that was changed; nothing: several
+};
+
 /// The commands that a person gives the overlay in a frame. The tuning is not among them, because the overlay edits it.
 struct OverlayCommands {
   std::optional<std::size_t> character;  ///< the character whose roles and bones are to be shown
   std::optional<NewShare> share;
   std::optional<RoleClips> roles;  ///< other clips for the roles of the character shown
   bool save_roles = false;
+  std::optional<NewBody> body;            ///< of the character shown
+  bool save_body = false;                 ///< beside the model
   std::optional<BoneLodChoice> bone_lod;  ///< another order of the bones of the character shown
   bool save_bone_lod = false;             ///< beside the model
   bool export_lod = false;                ///< for another engine

@@ -9,7 +9,7 @@ void Hands::select(std::optional<std::uint32_t> agent) {
 
 void Hands::select_at(float x, float y) {
   const auto size = glm::vec2(glm::ivec2(view_.width, view_.height));
-  const auto picked = pick(ray_through(view_.camera, {x, y}, size), stage_.bodies_in_view());
+  const auto picked = pick(ray_through(view_.camera, {x, y}, size), bodies_in_view(stage_));
   select(picked ? std::optional(picked->agent) : std::nullopt);
 }
 

@@ -3,12 +3,18 @@
 #include "app/character/bone_lod.h"
 #include "app/character/lod_export.h"
 #include "app/character/role_table.h"
+#include "app/character/skin_choice.h"
 #include "app/show/show.h"
 
 namespace throng::app {
 
 anim::Result<std::filesystem::path> save_roles(const CharacterSource& character) {
   return RoleFile(character.file).write(all_choices(character.roles.clips, character.clip_names));
+}
+
+// It counts for every character of the file, as it is read with the file.
+anim::Result<std::filesystem::path> save_rig(const CharacterSource& character) {
+  return RoleFile(character_file(character.file).path).write_rig(character.rig);
 }
 
 anim::Result<std::filesystem::path> save_bone_lod(const CharacterSource& character) {

@@ -14,6 +14,8 @@ class Show;
 
 /// Keeps the clips of a character's roles for the next run.
 anim::Result<std::filesystem::path> save_roles(const CharacterSource& character);
+/// Keeps the parts of the body that a person says for a character, for the next run.
+anim::Result<std::filesystem::path> save_rig(const CharacterSource& character);
 /// Keeps the order of a character's bones for the next run.
 anim::Result<std::filesystem::path> save_bone_lod(const CharacterSource& character);
 /// Writes a character's level of detail for another engine.

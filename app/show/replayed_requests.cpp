@@ -71,6 +71,13 @@ anim::Status asked(const RecordedCharacters& others, Show& show) {
   return show.replace_characters(std::move(cast->characters));
 }
 
+anim::Status asked(const RecordedRig& rig, Show& show) {
+  if (rig.character >= show.stage().people().size())
+    return anim::Error{"gives a body to a character that is not there"};
+  const anim::Status set = show.set_rig(rig.character, rig.choices);
+  return set ? set : anim::Status(anim::Error{"its parts of a body cannot be: " + set.error().message});
+}
+
 anim::Status asked(const RecordedShare& share, Show& show) {
   if (share.character >= show.stage().people().size()) {
     return anim::Error{"gives a share to a character that is not there"};

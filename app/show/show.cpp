@@ -126,6 +126,14 @@ anim::Status Show::set_bone_lod(std::size_t character, const BoneLodChoice& choi
   return painter_->load_meshes(*stage_);
 }
 
+anim::Status Show::set_rig(std::size_t character, const std::vector<RigChoice>& choices) {
+  if (anim::Status set = stage_->set_rig(character, choices); !set) return set;
+  rewind_.forget();
+  recorder_.add(RecordedRig{static_cast<std::uint32_t>(character), choices});
+  update_notice();
+  return anim::Done{};
+}
+
 anim::Status Show::rewind() {
   anim::Status gone = rewind_.go_back(*stage_);
   if (gone) recorder_.add(RecordedRewind{});

@@ -40,6 +40,8 @@ class Show {
   void set_share(std::size_t character, double share);
   /// Does what Stage::set_bone_lod does, and changes what is drawn as well.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// Does what Stage::set_rig does; moments that were kept are forgotten.
+  anim::Status set_rig(std::size_t character, const std::vector<RigChoice>& choices);
   /// Returns what a person can do to single agents. Ask for it anew each time.
   Hands hands() { return {*stage_, recorder_, {camera, width, height}}; }
 

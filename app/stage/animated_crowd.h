@@ -85,6 +85,9 @@ class AnimatedCrowd {
   void sum_up_events() { event_sums_.emplace().reset(crowd_->size()); }
   const std::optional<EventSums>& event_sums() const { return event_sums_; }
 
+  /// Returns what a character stands, looks and falls with.
+  const anim::CharacterRigs& rigs(std::size_t character) const { return *rigs_[character]; }
+
   anim::AnimationSystem& system() { return *system_; }
   const anim::AnimationSystem& system() const { return *system_; }
   const Crowd& crowd() const { return *crowd_; }

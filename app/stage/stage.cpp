@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/character/body_parts.h"
 #include "app/character/cut_scene_models.h"
 #include "app/stage/moment.h"
 
@@ -99,6 +100,25 @@ anim::Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& cho
   return anim::Done{};
 }
 
+// Blocks of agents lie as the rigs of their character ask, so a system has the rigs that it was made with.
+anim::Status Stage::set_rig(std::size_t character, const std::vector<RigChoice>& choices) {
+  CharacterSource& source = characters_[character];
+  std::vector<RigChoice> rig_before = source.rig;
+  std::vector<anim::Bone> bones_before = source.model.skeleton.bones;
+  if (anim::Status taken = take_rig(source, choices); !taken) return taken;
+  auto animated = AnimatedCrowd::create(characters_, tuning_.system, lod_);
+  if (!animated) {
+    source.rig = std::move(rig_before);
+    source.model.skeleton.bones = std::move(bones_before);
+    return animated.error();
+  }
+  const bool sums_up_events = animated_->event_sums().has_value();
+  animated_ = std::move(*animated);
+  restart();
+  if (sums_up_events) animated_->sum_up_events();
+  return anim::Done{};
+}
+
 void Stage::restart() {
   moving_ = true;
   meter_ = ErrorMeter(characters_);
@@ -136,10 +156,12 @@ anim::Status Stage::go_back_to(const StageMoment& moment) {
   return gone;
 }
 
-std::vector<UprightBody> Stage::bodies_in_view() const {
+std::vector<UprightBody> bodies_in_view(const Stage& stage) {
   std::vector<UprightBody> bodies;
-  bodies.reserve(selection().visible.size());
-  for (const anim::VisibleAgent& agent : selection().visible) bodies.push_back(animated_->body_of(agent.agent));
+  bodies.reserve(stage.selection().visible.size());
+  for (const anim::VisibleAgent& agent : stage.selection().visible) {
+    bodies.push_back(stage.animated().body_of(agent.agent));
+  }
   return bodies;
 }
 

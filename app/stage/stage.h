@@ -42,6 +42,9 @@ class Stage {
   /// and the crowd goes on. Pictures need its meshes loaded again. Errors: those of check_bone_lod and
   /// anim::Characters::replace; then nothing has changed.
   anim::Status set_bone_lod(std::size_t character, const BoneLodChoice& choice);
+  /// Takes other parts of a character's body, at a frame boundary. What stands, looks and falls is made anew of them,
+  /// and the crowd starts anew. Errors: those of take_rig and AnimatedCrowd::create; then nothing has changed.
+  anim::Status set_rig(std::size_t character, const std::vector<RigChoice>& choices);
   /// Starts the crowd and every clock anew. From here on, all happens as on a stage just made.
   void restart();
 
@@ -62,9 +65,6 @@ class Stage {
 
   /// Does what AnimatedCrowd::go_back_to does, and forgets what is shown.
   anim::Status go_back_to(const StageMoment& moment);
-
-  /// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
-  std::vector<UprightBody> bodies_in_view() const;
 
   /// Fills the instance record of a visible agent. Returns false if the agent has no slot; then it is not drawn.
   bool record(const anim::VisibleAgent& agent, render::InstanceRecord& record, Poses poses = Poses::shown) const;
@@ -120,5 +120,8 @@ class Stage {
   std::uint64_t frame_ = 0;
   bool moving_ = true;
 };
+
+/// Returns the bodies that can be clicked at: those of agents in view, in ascending order of agent. Allocates.
+std::vector<UprightBody> bodies_in_view(const Stage& stage);
 
 }  // namespace throng::app

@@ -33,7 +33,7 @@ anim::Status add_clips(const std::string& path, const BakeOptions& options, std:
   if (!clips) return clips.error();
   anim::face_forward(file);
   for (std::size_t model = 0; model < characters; ++model) {
-    if (const anim::Status taken = take_kept_rig(path, file.models[model].skeleton); !taken) return taken;
+    if (const auto taken = take_kept_rig(path, file.models[model].skeleton); !taken) return taken.error();
     if (const auto added = add_clips_from(pointers_to(*clips), file, model); !added) return added.error();
   }
   return anim::Done{};

@@ -89,6 +89,9 @@ TEST_F(RoleFileTest, SaysTheBonesOfTheBodyAndKeepsThemWhenRolesAreWritten) {
   EXPECT_TRUE(RoleFile(model).read()->empty());
   ASSERT_TRUE(RoleFile(model).write(std::vector<RoleChoice>{{Role::walk, "Walk"}}));
   EXPECT_EQ(*RoleFile(model).read_rig(), rig);
+  ASSERT_TRUE(RoleFile(model).write_rig(std::span(rig).first(1)));
+  EXPECT_EQ(RoleFile(model).read_rig()->size(), 1U);
+  EXPECT_EQ(*RoleFile(model).read(), (std::vector<RoleChoice>{{Role::walk, "Walk"}}));
 }
 
 TEST_F(RoleFileTest, RefusesPartsThatNoBodyHas) {
@@ -114,6 +117,25 @@ TEST(ChooseBones, GivesThePartToThatBoneAlone) {
   const anim::Status refused = choose_bones(std::vector<RigChoice>{{anim::BodyRole::head, "pelvs"}}, skeleton);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message, "head=pelvs: the skeleton has no such bone; nearest are Pelvis, Torso");
+}
+
+TEST(ChooseBones, RefusesOneBoneForTwoPartsAndAFootAboveTheKnee) {
+  anim::Skeleton skeleton;
+  skeleton.bones.resize(3);
+  for (int bone = 0; bone < 3; ++bone) {
+    skeleton.bones[static_cast<std::size_t>(bone)].name = std::string(1, static_cast<char>('a' + bone));
+    skeleton.bones[static_cast<std::size_t>(bone)].parent = bone - 1;
+  }
+  const auto refusal = [&](const std::vector<RigChoice>& choices) {
+    const anim::Status chosen = choose_bones(choices, skeleton);
+    return chosen ? "(taken)" : chosen.error().message;
+  };
+  EXPECT_THAT(refusal({{anim::BodyRole::hips, "a"}, {anim::BodyRole::spine, "a"}}),
+              HasSubstr("a cannot be both the hips and the spine"));
+  EXPECT_EQ(refusal({{anim::BodyRole::left_lower_leg, "c"}, {anim::BodyRole::left_foot, "b"}}),
+            "b cannot be the left foot: it is above c, the left lower leg");
+  EXPECT_FALSE(skeleton.bones[1].role);
+  EXPECT_EQ(refusal({{anim::BodyRole::left_lower_leg, "b"}, {anim::BodyRole::left_foot, "c"}}), "(taken)");
 }
 
 TEST_F(RoleFileTest, IsEmptyWhereThereIsNone) {

@@ -23,6 +23,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     all.reload_shaders |= commands.reload_shaders;
     all.quit |= commands.quit;
     all.save_roles |= commands.save_roles;
+    all.save_body |= commands.save_body;
     all.deselect |= commands.deselect;
     all.push_over |= commands.push_over;
     all.exact_crowd |= commands.exact_crowd;
@@ -40,6 +41,7 @@ OverlayCommands OverlayDriver::frames(int count) {
     if (commands.delete_preset) all.delete_preset = commands.delete_preset;
     if (!commands.models.empty()) all.models = commands.models;
     if (commands.select_at) all.select_at = commands.select_at;
+    if (commands.body) all.body = commands.body;
     if (commands.share) all.share = commands.share;
     if (commands.character) all.character = commands.character;
     if (commands.roles) report.role_clips = *(all.roles = commands.roles);

@@ -29,7 +29,8 @@ RecordedCharacter person() {
           .roles = no_clips(),
           .bones = {"hips", "head"},
           .level_counts = {2, 1},
-          .placement = {.scale = 0.01, .up = anim::UpAxis::z, .ground = anim::GroundRule::feet}};
+          .placement = {.scale = 0.01, .up = anim::UpAxis::z, .ground = anim::GroundRule::feet},
+          .rig = std::vector<RigChoice>{{anim::BodyRole::left_foot, "ankle \"l\""}}};
 }
 
 RecordingHeader header() {
@@ -70,6 +71,7 @@ class Recordings : public test::TemporaryFolder {
     (*writer)->add(RecordedHold{});
     (*writer)->add(RecordedRewind{});
     (*writer)->add(RecordedBoneOrder{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}});
+    (*writer)->add(RecordedRig{.character = 0, .choices = *person().rig});
     (*writer)->add(RecordedCharacters{{person(), person()}});
     (*writer)->add(frame(0), std::vector{high_bits(1), high_bits(9)});
     ASSERT_TRUE((*writer)->finish());
@@ -126,6 +128,7 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   const auto order = asked<RecordedBoneOrder>(reader);
   EXPECT_THAT(order.choice.bones, ElementsAre(1, 0));
   EXPECT_THAT(order.choice.level_counts, ElementsAre(2, 1));
+  EXPECT_EQ(asked<RecordedRig>(reader).choices, person().rig);
   EXPECT_THAT(asked<RecordedCharacters>(reader).characters, ElementsAre(person(), person()));
   EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, 0);
   EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 9));

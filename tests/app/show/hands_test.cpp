@@ -19,7 +19,7 @@ class HandsOfAShow : public testing::Test {
 };
 
 TEST_F(HandsOfAShow, SelectTheAgentThatIsSeenAtAPixel) {
-  const auto bodies = show_->stage().bodies_in_view();
+  const auto bodies = bodies_in_view(show_->stage());
   ASSERT_FALSE(bodies.empty());
   const UprightBody& body = bodies.back();
   show_->camera = {.position = body.foot + glm::vec3(0, 0.5F * body.height, 1.0F)};

@@ -97,7 +97,7 @@ TEST_F(PushedOnStage, IsPosedEveryFrameWithAllBonesInViewAndOut) {
 TEST_F(PushedOnStage, CanBeClickedAtWhereItLies) {
   const std::uint32_t agent = 3;
   const auto body = [&] {
-    const auto bodies = stage_->bodies_in_view();
+    const auto bodies = bodies_in_view(*stage_);
     return *std::ranges::find(bodies, agent, &UprightBody::agent);
   };
   const UprightBody upright = body();

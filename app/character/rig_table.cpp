@@ -120,7 +120,7 @@ anim::Status choose_bones(std::span<const RigChoice> choices, anim::Skeleton& sk
                          ": the skeleton has no such bone; nearest are " + nearest_names(key, keys)};
     }
     const auto bone = static_cast<int>(found - keys.begin());
-    if (const auto other = std::ranges::find(chosen, bone); other != chosen.end()) {
+    if (const auto* const other = std::ranges::find(chosen, bone); other != chosen.end()) {
       const auto part = static_cast<anim::BodyRole>(other - chosen.begin());
       return anim::Error{key + " cannot be both the " + words_of(part) + " and the " + words_of(role) +
                          "; choose another bone for one of them"};

@@ -37,7 +37,7 @@ class Aligned {
  public:
   explicit Aligned(const std::vector<std::byte>& bytes)
       : blocks_(bytes.size() / sizeof(Block) + 1), size_(bytes.size()) {
-    std::memcpy(blocks_.data(), bytes.data(), size_);
+    if (size_ > 0) std::memcpy(blocks_.data(), bytes.data(), size_);
   }
   std::span<const std::byte> bytes() const { return std::as_bytes(std::span(blocks_)).first(size_); }
 

@@ -135,7 +135,7 @@ double largest_scale(const glm::dmat4& entry) {
 std::string limit_morphs(Model& model, std::size_t most) {
   const std::vector<double> strong = strengths(model);
   const std::vector<int> places = kept_places(strong, most);
-  const std::string sentence = left_out(model.morphs, strong, places, most);
+  std::string sentence = left_out(model.morphs, strong, places, most);
   for (SkinnedMesh& mesh : model.meshes) keep_deltas(mesh, places);
   for (Clip& clip : model.clips) keep_tracks(clip, places);
   std::erase_if(model.clips, [](const Clip& clip) { return clip.tracks.empty() && clip.morph_tracks.empty(); });
@@ -159,6 +159,7 @@ std::vector<int> morph_bones(const Model& model) {
     }
   }
   std::vector<int> bones;
+  bones.reserve(held.size());
   for (const std::vector<double>& of_morph : held) {
     bones.push_back(static_cast<int>(std::ranges::max_element(of_morph) - of_morph.begin()));
   }

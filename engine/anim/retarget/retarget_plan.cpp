@@ -1,13 +1,18 @@
 #include "engine/anim/retarget/retarget_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "engine/anim/retarget/body_pose.h"
+#include "engine/anim/retarget/figure.h"
 
 namespace throng::anim {
 
@@ -25,55 +30,6 @@ constexpr std::array pointing_roles{PointingRoles{BodyRole::left_upper_arm, Body
                                     PointingRoles{BodyRole::right_lower_arm, BodyRole::right_hand},
                                     PointingRoles{BodyRole::right_upper_leg, BodyRole::right_lower_leg},
                                     PointingRoles{BodyRole::right_lower_leg, BodyRole::right_foot}};
-
-/// A skeleton with its reference pose and the lengths that retargeting compares.
-struct Figure {
-  const Skeleton& skeleton;
-  const RigMap& rig;
-  BodyPose pose;
-  double ground = 0.0;  ///< height of the soles in the reference pose
-  double leg = 0.0;     ///< thigh and shin; 0 without legs
-  double ankle = 0.0;   ///< height of the ankles above the ground
-
-  double leg_length() const { return leg + ankle; }
-
-  int parent(int bone) const { return skeleton.bones[static_cast<std::size_t>(bone)].parent; }
-};
-
-std::vector<const LimbBones*> legs_of(const RigMap& rig) {
-  std::vector<const LimbBones*> legs;
-  if (rig.limbs.left_leg) legs.push_back(&*rig.limbs.left_leg);
-  if (rig.limbs.right_leg) legs.push_back(&*rig.limbs.right_leg);
-  return legs;
-}
-
-double bones_of_leg(const BodyPose& pose, const LimbBones& leg) {
-  return glm::distance(pose.place(leg.upper), pose.place(leg.middle)) +
-         glm::distance(pose.place(leg.middle), pose.place(leg.end));
-}
-
-/// The ground is at height 0, as files have it, unless the feet show that the origin is elsewhere, as at the hips.
-double ground_of(const BodyPose& pose, const RigMap& rig) {
-  constexpr double above = 0.45, below = 0.05;  // of the leg's bones, for ankles
-  const std::vector<const LimbBones*> legs = legs_of(rig);
-  if (legs.empty()) return 0.0;
-  const double ankle = pose.place(legs.front()->end).y, length = bones_of_leg(pose, *legs.front());
-  const bool stands = ankle > -below * length && ankle < above * length;
-  if (stands) return 0.0;
-  const int ball = legs.front()->tip;
-  return std::min(ankle - 0.1 * length, ball < 0 ? ankle : pose.place(ball).y - 0.02 * length);
-}
-
-Figure figure_of(const Skeleton& skeleton, const RigMap& rig) {
-  Figure figure{.skeleton = skeleton, .rig = rig, .pose = bind_pose(skeleton)};
-  figure.ground = ground_of(figure.pose, rig);
-  const std::vector<const LimbBones*> legs = legs_of(rig);
-  for (const LimbBones* leg : legs) {
-    figure.leg += bones_of_leg(figure.pose, *leg) / static_cast<double>(legs.size());
-    figure.ankle += std::max(0.0, figure.pose.place(leg->end).y - figure.ground) / static_cast<double>(legs.size());
-  }
-  return figure;
-}
 
 /// Returns whole quarter turns about the vertical, since artists turn characters by no other angles.
 glm::dquat quarter_turns(const glm::vec3& from, const glm::vec3& to) {
@@ -181,8 +137,8 @@ class Planner {
   /// The legs that both have, ours first.
   std::vector<std::pair<const LimbBones*, const LimbBones*>> both_legs() const {
     std::vector<std::pair<const LimbBones*, const LimbBones*>> legs;
-    const Limbs& own = own_.rig.limbs;
-    const Limbs& source = source_.rig.limbs;
+    const Figure& own = own_;
+    const Figure& source = source_;
     if (own.left_leg && source.left_leg) legs.emplace_back(&*own.left_leg, &*source.left_leg);
     if (own.right_leg && source.right_leg) legs.emplace_back(&*own.right_leg, &*source.right_leg);
     return legs;
@@ -252,10 +208,26 @@ class Planner {
       return turn_between(own_.pose.place(own_end) - own_.pose.place(bone),
                           plan_.turn * (source_.pose.place(source_end) - source_.pose.place(source)));
     }
+    for (const auto& [own, source] : both_legs()) {
+      if (bone == own->end) return foot_held(*own, *source);
+      if (bone == own->tip) return foot_held(*own, *source);
+    }
     for (const BodyRole role : {BodyRole::left_foot, BodyRole::left_toes, BodyRole::right_foot, BodyRole::right_toes}) {
       if (own_.rig.at(role) == bone) return {1.0, 0.0, 0.0, 0.0};
     }
     return above;
+  }
+
+  /// Returns the turn from how a foot of ours is held in its reference pose to how the source's is: none where both
+  /// stand flat, else that between the ways to their balls.
+  glm::dquat foot_held(const LimbBones& own, const LimbBones& source) const {
+    constexpr double flat_alike = 0.26;  // sine of 15 degrees
+    if (own.tip < 0 || source.tip < 0) return {1.0, 0.0, 0.0, 0.0};
+    const glm::dvec3 own_way = own_.pose.place(own.tip) - own_.pose.place(own.end);
+    const glm::dvec3 other_way = plan_.turn * (source_.pose.place(source.tip) - source_.pose.place(source.end));
+    if (!(glm::length(own_way) > 0.0) || !(glm::length(other_way) > 0.0)) return {1.0, 0.0, 0.0, 0.0};
+    const double tilt = glm::normalize(own_way).y - glm::normalize(other_way).y;
+    return std::abs(tilt) < flat_alike ? glm::dquat(1.0, 0.0, 0.0, 0.0) : turn_between(own_way, other_way);
   }
 
   void plan_hips() {
@@ -268,12 +240,16 @@ class Planner {
     plan_.hips_to_joints = glm::conjugate(own_.pose.rotation(hips)) * (hip_joints(own_) - own_.pose.place(hips));
   }
 
-  static std::array<glm::dvec3, 2> sole_of(const Figure& figure, const LimbBones& leg) {
+  /// Returns the sole of a foot that `held` turns from where it stands flat.
+  static std::array<glm::dvec3, 2> sole_of(const Figure& figure, const LimbBones& leg,
+                                           const glm::dquat& held = {1.0, 0.0, 0.0, 0.0}) {
     const glm::dvec3 ankle = figure.pose.place(leg.end);
     const glm::dvec3 ball = leg.tip < 0 ? ankle : figure.pose.place(leg.tip);
     const glm::dquat to_foot = glm::conjugate(figure.pose.rotation(leg.end));
-    const double down = figure.ground - ankle.y;
-    return {to_foot * glm::dvec3(0.0, down, 0.0), to_foot * glm::dvec3(ball.x - ankle.x, down, ball.z - ankle.z)};
+    const glm::dvec3 way = glm::conjugate(held) * (ball - ankle);
+    const bool stands = ankle.y - figure.ground < figure.ankle + raised * figure.leg;
+    const double down = stands ? figure.ground - ankle.y : -figure.ankle;
+    return {to_foot * (held * glm::dvec3(0.0, down, 0.0)), to_foot * (held * glm::dvec3(way.x, down, way.z))};
   }
 
   /// Returns how far a hip joint is beside the middle of both.
@@ -288,7 +264,8 @@ class Planner {
     if (source_of(own.end) != source.end) return;
     FollowedLeg leg{
         .own = own, .source = source, .own_sole = sole_of(own_, own), .source_sole = {}, .shin = {}, .wider = {}};
-    leg.source_sole = sole_of(source_, source);
+    const glm::dquat held = glm::conjugate(plan_.turn) * foot_held(own, source) * plan_.turn;
+    leg.source_sole = sole_of(source_, source, held);
     leg.shin = in_parent(own_.pose, own.end, own.middle);
     leg.own_foot = own_.pose.rotation(own.end);
     leg.wider = beside_middle(own_, own) - plan_.turn * (plan_.scale * beside_middle(source_, source));

@@ -53,8 +53,8 @@ double median(std::vector<double> values, bool upper = false) {
 /// Says of each bone whether a character stands on it: on its legs where both are known, for a sword may hang lower.
 std::vector<bool> bones_to_stand_on(const Skeleton& skeleton) {
   const Limbs limbs = find_limbs(skeleton);
-  if (!limbs.left_leg || !limbs.right_leg) return std::vector<bool>(skeleton.bones.size(), true);
-  std::vector<bool> stands(skeleton.bones.size(), false);
+  std::vector<bool> stands(skeleton.bones.size(), !limbs.left_leg || !limbs.right_leg);
+  if (stands.empty() || stands.front()) return stands;
   for (const LimbBones* leg : {&*limbs.left_leg, &*limbs.right_leg}) {
     for (const int bone : {leg->upper, leg->end}) stands[static_cast<std::size_t>(bone)] = true;
   }
@@ -125,6 +125,7 @@ class ExtentSurvey {
   template <typename Value>
   static std::vector<double> values_of(const std::vector<Room>& rooms, const Value& value) {
     std::vector<double> values;
+    values.reserve(rooms.size());
     for (const Room& room : rooms) values.push_back(value(room));
     return values;
   }

@@ -182,6 +182,32 @@ TEST(Retarget, NeedsNoReferencePoseWhereJointsHaveTheSameAxes) {
   }
 }
 
+/// Holds the left leg of a clip up behind the body, with its toes pointing back, and the right foot on its toes.
+Clip with_a_leg_in_the_air(const Skeleton& person, Clip clip) {
+  for (const auto& [name, angle] : {std::pair("thigh.L", 1.5F), {"shin.L", 1.2F}, {"foot.L", 0.4F}, {"foot.R", 1.0F}}) {
+    const int bone = find_bone(person, name);
+    const ReferenceFrame& frame = person.references[static_cast<std::size_t>(bone)];
+    const auto axis = glm::vec3(glm::conjugate(frame.rotation) * glm::dvec3(1.0, 0.0, 0.0));
+    for (glm::quat& turned : std::ranges::find(clip.tracks, bone, &BoneTracks::bone)->rotation.values) {
+      turned = turned * glm::angleAxis(angle, axis);
+    }
+  }
+  return clip;
+}
+
+TEST(Retarget, KnowsTheLegsOfASourceThatRestsWithOneInTheAir) {
+  const Skeleton person = figures::person();
+  const Clip clip = with_a_leg_in_the_air(person, figures::knee_bend(person));
+  const Skeleton from = resting_in(person, clip, 0.0);
+  for (const Build& build : {Build{.legs = 1.3}, Build{.legs = 1.3, .arms_out = true}}) {
+    const Skeleton to = figures::person(build);
+    const Retargeter expected(person, to), retargeter(from, to);
+    EXPECT_EQ(retargeter.plan().legs.size(), 2U);
+    EXPECT_NEAR(retargeter.plan().scale, expected.plan().scale, 0.03) << "on tiptoe an ankle is a little higher";
+    EXPECT_NEAR(retargeter.plan().source_origin.y, 0.0, 1e-9);
+  }
+}
+
 TEST(Retarget, NamesTheBonesWhoseMotionIsLost) {
   Skeleton from = figures::person();
   const int tail = from.bone_count();

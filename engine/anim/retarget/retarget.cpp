@@ -36,10 +36,10 @@ std::vector<float> pose_times(const Clip& clip) {
     add_times(tracks.scale, own);
   }
   std::ranges::sort(own);
-  own.erase(std::ranges::unique(own).begin(), own.end());
+  own.erase(std::unique(own.begin(), own.end()), own.end());
   std::vector<float> times;
   for (const float time : own) {
-    const double before = times.empty() ? time : times.back();
+    const auto before = static_cast<double>(times.empty() ? time : times.back());
     const double gap = static_cast<double>(time) - before;
     const int more = static_cast<int>(std::ceil(gap / longest_gap)) - 1;
     for (int i = 1; i <= more; ++i) times.push_back(static_cast<float>(before + gap * i / (more + 1)));

@@ -31,8 +31,7 @@ PaletteSlots::PaletteSlots(PalettePageSource& source, const std::vector<std::siz
   assert(!sizes.empty());
   for (const std::size_t bytes : sizes) sizes_.push_back(whole_lines(bytes));
   std::ranges::sort(sizes_, std::greater<>());
-  const auto repeated = std::ranges::unique(sizes_);
-  sizes_.erase(repeated.begin(), repeated.end());
+  sizes_.erase(std::unique(sizes_.begin(), sizes_.end()), sizes_.end());
 }
 
 PaletteSlot PaletteSlots::acquire(std::size_t bytes, std::uint32_t near) {

@@ -22,7 +22,7 @@ constexpr Part parts_that_fall[] = {Part::left_upper_arm,  Part::right_upper_arm
                                     Part::right_lower_arm, Part::left_upper_leg,  Part::right_upper_leg,
                                     Part::left_lower_leg,  Part::right_lower_leg};
 
-// What was chosen of these bones was checked when it was chosen.
+// Gives bones their parts. It checks nothing, because these choices were checked when a person made them.
 void give_parts(std::span<const RigChoice> parts, std::span<const std::string> keys, anim::Skeleton& skeleton) {
   for (const auto& [role, key] : parts) {
     for (anim::Bone& bone : skeleton.bones) {

@@ -15,6 +15,7 @@
 #include "app/character/skin_choice.h"
 #include "app/files/joined.h"
 #include "engine/anim/base/plain_text.h"
+#include "engine/anim/pack/pack.h"
 
 namespace throng::app {
 namespace {
@@ -37,7 +38,7 @@ struct Member {
 /// A file that holds characters, read once.
 struct ReadMember {
   Member member;
-  bool is_packed = false;  // then nothing more is read of it until its character is taken out
+  const pack::Pack* pack = nullptr;  // holds its one character; then nothing is imported
   anim::ImportedFile imported;
   std::vector<std::string> names;   // of all its characters
   std::vector<std::size_t> chosen;  // the models that are shown
@@ -130,30 +131,17 @@ class CastLoader {
     for (std::size_t entry = 0; entry < entries_.size(); ++entry) {
       const CharacterFile wanted = character_file(entries_[entry].file);
       if (!is_folder(wanted.path)) {
-        add_member({entries_[entry].file, entry, !came_together_});
+        members_.push_back({entries_[entry].file, entry, !came_together_});
         continue;
       }
       const auto files = models_in(wanted.path);
       if (!files && !came_together_) return files.error();
       if (!files) cast_.left_out.push_back(files.error().message + ".");
       for (const std::string& file : files ? *files : std::vector<std::string>()) {
-        add_member({with_skin(file, wanted.skin), entry, false});
+        members_.push_back({with_skin(file, wanted.skin), entry, false});
       }
     }
     return anim::Done{};
-  }
-
-  // A pack stands for the first character of each file in it. One that cannot be opened is refused when it is read.
-  void add_member(const Member& member) {
-    const CharacterFile wanted = character_file(member.file);
-    const bool is_whole = wanted.skin.empty() || wanted.skin == all_skins;
-    const auto pack = is_whole && pack::is_pack(wanted.path) ? pack::Pack::open(wanted.path)
-                                                             : anim::Result<pack::Pack>(anim::Error{});
-    const auto names = pack ? packed_names(*pack, wanted.skin == all_skins) : std::vector<std::string>();
-    if (names.size() < 2) return members_.push_back({pack ? wanted.path : member.file, member.entry, member.is_named});
-    for (const std::string& name : names) {
-      members_.push_back({with_skin(wanted.path, name), member.entry, member.is_named});
-    }
   }
 
   anim::Status read_all() {
@@ -167,20 +155,36 @@ class CastLoader {
 
   anim::Status read(const Member& member) {
     const CharacterFile wanted = character_file(member.file);
-    if (pack::is_pack(wanted.path)) {
-      read_.push_back({.member = member, .is_packed = true, .imported = {}, .names = {}, .chosen = {0}});
-      ++characters_;
-      return anim::Done{};
-    }
+    if (pack::is_pack(wanted.path)) return read_pack(member, wanted);
     auto imported = import::import_file(wanted.path, options_.import);
     if (imported && has_surface(*imported)) return choose(member, wanted.skin, std::move(*imported));
     if (!member.is_named && take_clips(member, wanted.path, imported)) return anim::Done{};
     return imported ? no_mesh(imported->file, imported->models.front()) : imported.error();
   }
 
+  // Opens each pack once. Without a skin it stands for the first character of each file in it.
+  anim::Status read_pack(const Member& member, const CharacterFile& wanted) {
+    auto known = packs_.find(wanted.path);
+    if (known == packs_.end()) {
+      auto pack = pack::Pack::open(wanted.path);
+      if (!pack) return pack.error();
+      known = packs_.emplace(wanted.path, std::move(*pack)).first;
+    }
+    const pack::Pack& pack = known->second;
+    const bool is_whole = wanted.skin.empty() || wanted.skin == all_skins;
+    const auto names = is_whole ? packed_names(pack, wanted.skin == all_skins) : std::vector{wanted.skin};
+    for (const std::string& name : names) {
+      const std::string file = is_whole && names.size() == 1 ? wanted.path : wanted.path + "#" + name;
+      const Member one{.file = file, .entry = member.entry, .is_named = member.is_named};
+      read_.push_back({.member = one, .pack = &pack, .imported = {}, .names = {}, .chosen = {0}});
+    }
+    characters_ += names.size();
+    return anim::Done{};
+  }
+
   anim::Status choose(const Member& member, const std::string& skin, anim::ImportedFile imported) {
     ReadMember read{
-        .member = member, .is_packed = false, .imported = {}, .names = character_names(imported), .chosen = {}};
+        .member = member, .pack = nullptr, .imported = {}, .names = character_names(imported), .chosen = {}};
     if (skin == all_skins) {
       for (std::size_t i = 0; i < read.names.size(); ++i) read.chosen.push_back(i);
     } else {
@@ -203,7 +207,7 @@ class CastLoader {
     return true;
   }
 
-  // What was named must be shown; of a folder, what can be.
+  // A file that a person named must be shown. A file of a folder is left out if it cannot be.
   anim::Status take(const Member& member, const anim::Status& status) {
     if (status || member.is_named || options_.import.strict) return status;
     if (cast_.left_out.size() < most_explained) {
@@ -245,11 +249,12 @@ class CastLoader {
   }
 
   // Clips that lie beside a pack are not lent to it, for it is baked.
-  anim::Result<CharacterSource> take_packed(const Member& member) const {
-    const BoneLodFile kept(member.file);
+  anim::Result<CharacterSource> make_packed(const ReadMember& read) const {
+    const std::string& file = read.member.file;
+    const BoneLodFile kept(file);
     LoadOptions options = options_;
-    if (const auto& own = entries_[member.entry].clip_files) options.clips_from = *own;
-    return load_packed(character_file(member.file), member.file, &kept, options);
+    if (const auto& own = entries_[read.member.entry].clip_files) options.clips_from = *own;
+    return take_packed(*read.pack, character_file(file), file, &kept, options);
   }
 
   anim::Result<CharacterSource> make_imported(ReadMember& read, std::size_t model, const std::string& file,
@@ -268,7 +273,7 @@ class CastLoader {
   anim::Status make(ReadMember& read, std::size_t model, std::span<const ClipFile* const> clips) {
     const CharacterFile wanted = character_file(read.member.file);
     const std::string file = wanted.skin == all_skins ? with_skin(wanted.path, read.names[model]) : read.member.file;
-    auto character = read.is_packed ? take_packed(read.member) : make_imported(read, model, file, clips);
+    auto character = read.pack != nullptr ? make_packed(read) : make_imported(read, model, file, clips);
     if (!character) return character.error();
     if (!character->has_surface()) return no_mesh(wanted.path, character->model);
     if (anim::Status seen = check_extent(*character, wanted.path); !seen) return seen;
@@ -298,6 +303,7 @@ class CastLoader {
   std::vector<Member> members_;
   std::vector<ReadMember> read_;
   std::size_t characters_ = 0;
+  std::map<std::string, pack::Pack> packs_;              // by path
   std::map<std::string, ClipFile> wanted_clips_;         // by path
   std::map<std::size_t, std::vector<ClipFile>> beside_;  // by entry
   std::vector<std::size_t> entry_of_;                    // [character]

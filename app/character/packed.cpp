@@ -113,23 +113,21 @@ std::vector<std::string> packed_names(const pack::Pack& pack, bool all) {
   return names;
 }
 
-anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const std::string& name, const BoneLodFile* kept,
-                                          const LoadOptions& options) {
-  const auto pack = pack::Pack::open(wanted.path);
-  if (!pack) return pack.error();
-  const auto chosen = choose_packed(*pack, wanted.path, wanted.skin);
+anim::Result<CharacterSource> take_packed(const pack::Pack& pack, const CharacterFile& wanted, const std::string& name,
+                                          const BoneLodFile* kept, const LoadOptions& options) {
+  const auto chosen = choose_packed(pack, wanted.path, wanted.skin);
   if (!chosen) return chosen.error();
   if (options.import.strict) {
-    if (const anim::Status clean = check_strictly(*pack, chosen->file, wanted.path); !clean) return clean.error();
+    if (const anim::Status clean = check_strictly(pack, chosen->file, wanted.path); !clean) return clean.error();
   }
-  auto baked = pack->baked(chosen->file, chosen->model);
+  auto baked = pack.baked(chosen->file, chosen->model);
   if (!baked) return baked.error();
   const auto usable = is_as_asked(*baked, wanted.path, kept, options);
   if (!usable) return usable.error();
-  auto source = *usable ? as_baked(*pack, *chosen, std::move(*baked), kept)
-                        : bake_anew(*pack, *chosen, baked->prepared.order, wanted.path, kept, options);
+  auto source = *usable ? as_baked(pack, *chosen, std::move(*baked), kept)
+                        : bake_anew(pack, *chosen, baked->prepared.order, wanted.path, kept, options);
   if (!source) return source;
-  const auto names = pack->names(chosen->file);
+  const auto names = pack.names(chosen->file);
   source->name = anim::plain_text(name);
   source->cast.assign(names.begin(), names.end());
   source->cast_index = chosen->model;

@@ -27,9 +27,9 @@ std::vector<std::string> packed_names(const pack::Pack& pack, bool all);
 /// A strict run takes no character of a file that was repaired. The error names one of the repairs.
 anim::Status check_strictly(const pack::Pack& pack, std::size_t file, const std::string& path);
 
-/// Takes a character out of a pack. What a person asks now about its size, clips or parts of the body has it baked
-/// anew, of the file that the pack keeps whole.
-anim::Result<CharacterSource> load_packed(const CharacterFile& wanted, const std::string& name, const BoneLodFile* kept,
-                                          const LoadOptions& options);
+/// Takes a character out of a pack. If a person asks for another size, other clips or other parts of the body now,
+/// bakes it anew from the file that the pack keeps whole.
+anim::Result<CharacterSource> take_packed(const pack::Pack& pack, const CharacterFile& wanted, const std::string& name,
+                                          const BoneLodFile* kept, const LoadOptions& options);
 
 }  // namespace throng::app

@@ -197,7 +197,11 @@ anim::Result<CharacterSource> make_character(anim::ImportedFile& file, std::size
 anim::Result<CharacterSource> load_character(const std::string& file, const std::string& name, const BoneLodFile* kept,
                                              const LoadOptions& options) {
   const CharacterFile wanted = character_file(file);
-  if (pack::is_pack(wanted.path)) return load_packed(wanted, name, kept, options);
+  if (pack::is_pack(wanted.path)) {
+    const auto pack = pack::Pack::open(wanted.path);
+    if (!pack) return pack.error();
+    return take_packed(*pack, wanted, name, kept, options);
+  }
   anim::Result<anim::ImportedFile> imported = import::import_file(wanted.path, options.import);
   if (!imported) return imported.error();
   const auto chosen = choose_model(*imported, wanted.skin);

@@ -65,7 +65,7 @@ void declare_placement(OptionReader& reader, anim::PlacementChoice& placement) {
                                              {"-x", UpAxis::minus_x},
                                              {"-y", UpAxis::minus_y},
                                              {"-z", UpAxis::minus_z}}));
-  reader.value("--ground", "file|feet", "What is on the ground: the files' origin, or the lowest points (guessed)",
+  reader.value("--ground", "file|feet", "What is on the ground: the files' origin, or the feet (guessed)",
                choice<GroundRule>(placement.ground, {{"file", GroundRule::file}, {"feet", GroundRule::feet}}));
 }
 

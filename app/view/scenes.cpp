@@ -26,7 +26,7 @@ std::vector<NamedCamera> plaza_cameras(std::size_t agents, double spacing) {
   };
 }
 
-// Who is long and low is seen from nearer than the room that it needs, and from a height that its own goes with.
+// The camera comes nearer to a long, low character than its room asks, and stands as low as it is.
 std::vector<NamedCamera> grid_cameras(std::size_t agents, const CharacterRoles& roles) {
   const auto unit = static_cast<float>(roles.spacing()), tall = static_cast<float>(roles.size());
   const auto side = static_cast<float>(static_cast<double>(grid_columns(agents)) * grid_pitch(roles.spacing()));

@@ -66,7 +66,7 @@ struct PackingFrameData {
   float step = 0;
 };
 
-/// What a morph of weight 1 adds to a vertex of the full surface, in the space of the palette.
+/// Holds the change that a morph of weight 1 makes to a vertex of the full surface, in the space of the palette.
 struct MorphDeltaData {
   std::uint32_t vertex = 0;  ///< counted over all `parts`
   std::uint32_t morph = 0;   ///< its place among the weights of an instance

@@ -31,7 +31,7 @@ struct Sharing {
   float mask_weight(std::int16_t mask) const {
     return mask == EaseBlender::no_mask ? 1.0F : masks[static_cast<std::size_t>(mask)][bone];
   }
-  // What a mask lays over some bones moves nothing.
+  // A blend under a mask moves some bones and not the agent.
   float fraction(const EaseBlender& blender) const {
     if (bone == no_bone && blender.mask != EaseBlender::no_mask) return 0.0F;
     return fraction_at(blender, since_posed) * mask_weight(blender.mask);

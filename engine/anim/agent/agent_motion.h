@@ -30,7 +30,7 @@ struct AbsoluteRoot {
 /// The weights of the steps of a program, in their order.
 using PoseWeights = std::array<float, PoseProgram::max_steps>;
 
-/// What blends morphs, beside what moves an agent.
+/// Holds the data by which the weights of morphs are blended.
 struct MorphBlend {
   std::span<const int> bones{};           ///< of each morph, the bone at which masks count for it
   std::span<const float* const> masks{};  ///< each [bone]

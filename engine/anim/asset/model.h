@@ -88,7 +88,7 @@ struct Morph {
   double rest_weight = 0.0;  ///< what the surface shows without animation
 };
 
-/// What a morph of weight 1 adds to a vertex.
+/// Holds the change that a morph of weight 1 makes to a vertex.
 struct MorphDelta {
   std::uint32_t vertex = 0;
   std::uint32_t morph = 0;  ///< index among Model::morphs

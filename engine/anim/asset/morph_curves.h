@@ -18,7 +18,7 @@ struct MorphCurve {
   std::vector<float> weights;         ///< as MorphTrack has them
 };
 
-/// What a clip does to the morphs of its character. The weights of morphs that no curve has stay at 0.
+/// Holds the weights that a clip gives to the morphs of its character. A morph without a curve keeps weight 0.
 using MorphCurves = std::vector<MorphCurve>;
 
 /// Makes the curves of a clip whose time 0 is `start` seconds of the file. Leaves out morphs that stay at 0, and keeps

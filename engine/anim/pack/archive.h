@@ -21,6 +21,7 @@
 
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/hash.h"
+#include "engine/anim/pack/sections.h"
 
 namespace throng::pack {
 
@@ -104,7 +105,7 @@ class PackWriter {
   }
   void block(std::span<const std::byte> bytes) {
     add(std::uint64_t{bytes.size()});
-    bytes_.resize((bytes_.size() + anim::block_alignment - 1) / anim::block_alignment * anim::block_alignment);
+    bytes_.resize(block_after(bytes_.size()));
     append(bytes.data(), bytes.size());
   }
 
@@ -190,7 +191,7 @@ class PackReader {
   }
   std::span<const std::byte> block() {
     const std::size_t size = count_of(1);
-    const std::size_t first = (at_ + anim::block_alignment - 1) / anim::block_alignment * anim::block_alignment;
+    const std::size_t first = block_after(at_);
     if (first > section_.size() || size > section_.size() - first) return fail(), std::span<const std::byte>();
     at_ = first + size;
     return section_.subspan(first, size);

@@ -13,11 +13,6 @@ namespace {
 constexpr char pack_magic[8] = {'\x89', 'T', 'H', 'R', 'O', 'N', 'G', '\n'};
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 constexpr std::uint32_t other_byte_order = 0x04030201;
-constexpr std::size_t section_alignment = 64;
-
-constexpr std::size_t aligned(std::size_t size) {
-  return (size + section_alignment - 1) / section_alignment * section_alignment;
-}
 
 /// Hashes all bytes of a pack as if its checksum were 0.
 std::uint64_t checksum(const PackHeader& header, std::span<const std::byte> pack) {
@@ -50,7 +45,7 @@ anim::Status check_version(const PackHeader& header, std::uint64_t layout) {
 }
 
 bool lies_within(const Section& section, std::size_t first, std::size_t size) {
-  return section.offset % section_alignment == 0 && section.offset >= first && section.offset <= size &&
+  return section.offset % anim::block_alignment == 0 && section.offset >= first && section.offset <= size &&
          section.size <= size - section.offset;
 }
 
@@ -59,10 +54,10 @@ bool lies_within(const Section& section, std::size_t first, std::size_t size) {
 std::vector<std::byte> join_sections(std::span<const SectionBytes> sections, std::uint64_t layout,
                                      std::uint32_t version) {
   std::vector<Section> table;
-  std::size_t end = aligned(sizeof(PackHeader) + sections.size() * sizeof(Section));
+  std::size_t end = block_after(sizeof(PackHeader) + sections.size() * sizeof(Section));
   for (const SectionBytes& section : sections) {
     table.push_back({section.kind, section.file, section.model, 0, end, section.bytes.size()});
-    end = aligned(end + section.bytes.size());
+    end = block_after(end + section.bytes.size());
   }
   std::vector<std::byte> pack(end);
   std::memcpy(pack.data() + sizeof(PackHeader), table.data(), table.size() * sizeof(Section));

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/result.h"
 
 namespace throng::pack {
@@ -56,6 +57,11 @@ static_assert(sizeof(PackHeader) == 64);
 static_assert(offsetof(PackHeader, byte_order) == 8);
 static_assert(offsetof(PackHeader, checksum) == 32);
 static_assert(offsetof(PackHeader, section_count) == 40);
+
+/// Rounds a size up to where a section or a block may begin.
+constexpr std::size_t block_after(std::size_t size) {
+  return (size + anim::block_alignment - 1) / anim::block_alignment * anim::block_alignment;
+}
 
 /// Raise it when what bytes mean changes while their layout stays.
 inline constexpr std::uint32_t pack_version = 1;

@@ -11,7 +11,7 @@ namespace throng::pack {
 /// These functions name the members of everything that a pack holds, for the three archives (archive.h). Whoever adds a
 /// member to a struct adds it here; the layout that packs carry changes by itself.
 
-// The skeleton.
+// These functions describe a skeleton.
 
 template <typename Archive, Same<anim::Transform> T>
 void describe(Archive& archive, T& transform) {
@@ -39,17 +39,11 @@ void describe(Archive& archive, T& skeleton) {
           skeleton.level_bone_counts);
 }
 
-// The clips of a file.
+// These functions describe the clips of a file.
 
-template <typename Archive, Same<anim::Track<glm::vec3>> T>
-void describe(Archive& archive, T& track) {
-  archive(track.interpolation, track.times, track.values);
-}
-
-template <typename Archive, Same<anim::Track<glm::quat>> T>
-void describe(Archive& archive, T& track) {
-  archive(track.interpolation, track.times, track.values);
-}
+template <typename Archive, typename T>
+requires Same<T, anim::Track<glm::vec3>> || Same<T, anim::Track<glm::quat>>
+void describe(Archive& archive, T& track) { archive(track.interpolation, track.times, track.values); }
 
 template <typename Archive, Same<anim::BoneTracks> T>
 void describe(Archive& archive, T& tracks) {
@@ -71,7 +65,7 @@ void describe(Archive& archive, T& clip) {
   archive(clip.name, clip.animation, clip.start, clip.duration, clip.tracks, clip.data_keys, clip.morph_tracks);
 }
 
-// What is drawn.
+// These functions describe skins, surfaces and what they show.
 
 template <typename Archive, Same<anim::Skin> T>
 void describe(Archive& archive, T& skin) {
@@ -132,7 +126,7 @@ void describe(Archive& archive, T& file) {
   archive(file.file, file.animations, file.repairs, file.notes);
 }
 
-// What baking makes.
+// These functions describe a baked character.
 
 template <typename Archive, Same<anim::HierarchyStep> T>
 void describe(Archive& archive, T& step) {
@@ -211,7 +205,7 @@ void describe(Archive& archive, T& character) {
           character.level_entries, character.morph_bones, character.morph_reach);
 }
 
-// What was done to the model before it was baked.
+// These functions describe the steps between import and baking.
 
 template <typename Archive, Same<anim::Placement> T>
 void describe(Archive& archive, T& placement) {

@@ -209,8 +209,7 @@ class Planner {
                           plan_.turn * (source_.pose.place(source_end) - source_.pose.place(source)));
     }
     for (const auto& [own, source] : both_legs()) {
-      if (bone == own->end) return foot_held(*own, *source);
-      if (bone == own->tip) return foot_held(*own, *source);
+      if (bone == own->end || bone == own->tip) return foot_held(*own, *source);
     }
     for (const BodyRole role : {BodyRole::left_foot, BodyRole::left_toes, BodyRole::right_foot, BodyRole::right_toes}) {
       if (own_.rig.at(role) == bone) return {1.0, 0.0, 0.0, 0.0};

@@ -2,10 +2,14 @@
 
 #include <cassert>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
 namespace throng {
+
+/// Success carries nothing.
+struct Done {};
 
 /// Says why something could not be done, in one sentence: it names the file, option or device, and what to do.
 struct Error {
@@ -35,6 +39,13 @@ class [[nodiscard]] Result {
     return *std::get_if<1>(&state_);
   }
 
+  /// Converts to whether it went well, and if not, why.
+  operator Result<Done>() const
+    requires(!std::is_same_v<T, Done>)
+  {
+    return has_value() ? Result<Done>(Done{}) : Result<Done>(error());
+  }
+
   T& operator*() { return value(); }
   const T& operator*() const { return value(); }
   T* operator->() { return &value(); }
@@ -44,8 +55,6 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// Success carries nothing.
-struct Done {};
 using Status = Result<Done>;
 
 }  // namespace throng

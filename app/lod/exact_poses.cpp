@@ -8,7 +8,7 @@ void ExactPoses::reset(std::size_t agents, std::uint64_t last_frame) {
 }
 
 void ExactPoses::give_back(std::uint64_t last_frame) {
-  for (const anim::ExactPose& each : posed_) slots_->retire(poses_[each.agent].to, last_frame);
+  for (const anim::ExactPose& each : posed_) slots_->retire(poses_[each.agent.number].to, last_frame);
   posed_.clear();
 }
 
@@ -18,7 +18,7 @@ void ExactPoses::add(std::uint32_t agent, const ShownPose& shown, std::uint32_t 
   const render::PaletteSlot slot = slots_->acquire(anim::palette_stride(entries, anim::PaletteFormat::matrices));
   if (!slot.valid()) return;
   poses_[agent] = {.from = slot, .to = slot};
-  posed_.push_back({.agent = agent, .palette = reinterpret_cast<anim::PaletteMatrix*>(slots_->memory(slot))});
+  posed_.push_back({.agent = {agent}, .palette = reinterpret_cast<anim::PaletteMatrix*>(slots_->memory(slot))});
 }
 
 void ExactPoses::pose(anim::AnimationSystem& system) {

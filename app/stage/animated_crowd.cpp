@@ -37,7 +37,7 @@ anim::Status AnimatedCrowd::open(const anim::SystemOptions& options) {
   }
   const auto camera = system_->characters().add(film_camera(common_roles(roles_of(characters_)).size()));
   if (!camera) return camera.error();
-  film_camera_ = *camera;
+  film_camera_ = camera->number;
   std::vector<std::optional<anim::EntityPools::Kind>> ragdolls, feet;
   for (std::uint32_t character = 0; character < characters_.size(); ++character) {
     rigs_.push_back(std::make_unique<anim::CharacterRigs>(characters_[character].model));

@@ -23,7 +23,7 @@ CutScene::CutScene(anim::AnimationSystem& system, Crowd& crowd, std::span<const 
     : system_(&system),
       crowd_(&crowd),
       actor_(&characters[crowd.characters()[actor]].roles),
-      camera_(system.add_agents(1, camera_character)),
+      camera_(system.add_agent(camera_character)),
       camera_palette_(anim::allocate_aligned(4 * sizeof(anim::PaletteMatrix))),
       begun_(system.clock()) {
   advance();
@@ -48,7 +48,7 @@ void CutScene::begin(Act act) {
     case Act::before:
       break;
     case Act::walk_on: {
-      play(camera_, 0, 0, false, origin);
+      play(camera_.number, 0, 0, false, origin);
       if (has_balloon()) play(balloon_agent, carried, 0, true, origin);
       const anim::AbsoluteRoot start{.position = {0.0, 0.0, -walk_on_seconds * actor_->walk_speed}};
       const int walk = actor_->clip(Role::walk);

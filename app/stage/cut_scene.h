@@ -50,7 +50,7 @@ class CutScene {
   anim::AnimationSystem* system_;
   Crowd* crowd_;
   const CharacterRoles* actor_;
-  std::uint32_t camera_;
+  anim::AgentId camera_;
   anim::AlignedBytes camera_palette_;
   anim::Ticks begun_;
   Act act_ = Act::before;

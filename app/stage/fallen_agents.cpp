@@ -18,11 +18,10 @@ constexpr anim::Ticks most_unrest = 12 * anim::ticks_per_second;  // who never c
 // The process stays once it is there: without a rag-doll it is nothing.
 anim::Status FallenAgents::push(std::uint32_t agent, const glm::vec3& impulse, const glm::vec3& place) {
   if (!process_of(agent)) {
-    const std::size_t index = system_->agent(agent).post_process_count();
-    anim::Status added = system_->agent(agent).add_post_process(
+    const anim::Result<anim::ProcessId> added = system_->agent(agent).add_post_process(
         std::make_unique<RagdollProcess>(*kinds_[system_->agent(agent).character_number()]));
-    if (!added) return added;
-    processes_.push_back({agent, index});
+    if (!added) return added.error();
+    processes_.push_back({agent, *added});
   }
   anim::Status pushed = system_->agent(agent).change_process<RagdollProcess>(
       *process_of(agent), [&](RagdollProcess& ragdoll) { ragdoll.push(impulse, place); });
@@ -58,13 +57,13 @@ std::span<const std::uint32_t> FallenAgents::advance() {
   return risen_;
 }
 
-std::optional<std::size_t> FallenAgents::process_of(std::uint32_t agent) const {
+std::optional<anim::ProcessId> FallenAgents::process_of(std::uint32_t agent) const {
   const auto found = std::ranges::find(processes_, agent, &Process::agent);
-  return found == processes_.end() ? std::nullopt : std::optional(found->index);
+  return found == processes_.end() ? std::nullopt : std::optional(found->id);
 }
 
 const RagdollProcess& FallenAgents::process(std::uint32_t agent) const {
-  return system_->agent(agent).post_process<RagdollProcess>(*process_of(agent));
+  return *system_->agent(agent).post_process<RagdollProcess>(*process_of(agent));
 }
 
 FallenAgents::Phase FallenAgents::phase(std::uint32_t agent) const {

@@ -57,10 +57,10 @@ class FallenAgents {
   /// The post process that an agent was given when it was first pushed.
   struct Process {
     std::uint32_t agent;
-    std::size_t index;
+    anim::ProcessId id;
   };
 
-  std::optional<std::size_t> process_of(std::uint32_t agent) const;
+  std::optional<anim::ProcessId> process_of(std::uint32_t agent) const;
   const anim::RagdollProcess& process(std::uint32_t agent) const;
   bool wants_up(Fallen& fallen) const;
 

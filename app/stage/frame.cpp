@@ -65,12 +65,13 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   shown_.hide_unseen(selection().visible, last_frame);
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
   for (anim::AgentUpdate& update : lod_.updates()) {
-    const bool visible = lod_.is_visible(update.agent);
+    const std::uint32_t agent = update.agent.number;
+    const bool visible = lod_.is_visible(agent);
     const bool ahead = update.look_ahead > 0;
     place_feet(update, visible && !ahead);
     if (!visible) continue;
     show(update, last_frame);
-    const bool on_a_new_page = shown_.pose(update.agent).to_time == now();
+    const bool on_a_new_page = shown_.pose(agent).to_time == now();
     if (ahead && on_a_new_page) lod_.show_at_once(update);
   }
   if (tuning_.lod.rule != anim::LodRule::off) animated_->take_back_feet(selection().visible);
@@ -106,23 +107,24 @@ void Stage::measure(const render::Camera& camera, const glm::vec2& size) {
 }
 
 void Stage::show(anim::AgentUpdate& update, std::uint64_t last_frame) {
-  const std::uint8_t character = crowd().characters()[update.agent];
-  const NewPose pose{.agent = update.agent,
+  const std::uint32_t agent = update.agent.number;
+  const std::uint8_t character = crowd().characters()[agent];
+  const NewPose pose{.agent = agent,
                      .level = update.level,
                      .entries = characters_[character].character->level_entries[update.level],
                      .time = microseconds(system().clock() + update.look_ahead),
                      .format = system().characters().palette_format(character)};
   const anim::PaletteDestination memory = shown_.show(pose, now(), last_frame);
-  update.palette = meter_.destination(update.agent, shown_.pose(update.agent), pose.entries, memory);
+  update.palette = meter_.destination(agent, shown_.pose(agent), pose.entries, memory);
 }
 
 // Feet are placed for agents that are evaluated each frame and not ahead, so that it is known where the feet are;
 // without level of detail, for all.
 void Stage::place_feet(const anim::AgentUpdate& update, bool near_by) {
   const bool everyone = tuning_.lod.rule == anim::LodRule::off;
-  const anim::LodChoice choice = lod_.choice(update.agent);
+  const anim::LodChoice choice = lod_.choice(update.agent.number);
   const bool stand = tuning_.placed_feet && choice.bone_level == 0 && (everyone || (near_by && choice.interval == 1));
-  animated_->place_feet(update.agent, stand, shown_.pose(update.agent).shown());
+  animated_->place_feet(update.agent.number, stand, shown_.pose(update.agent.number).shown());
 }
 
 // Rag-dolls have no pose that could be looked ahead to, and fall on where nobody sees them.

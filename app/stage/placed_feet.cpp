@@ -41,10 +41,10 @@ void PlacedFeet::reset(std::size_t agents) {
   }
 }
 
-std::unique_ptr<anim::PostProcess> PlacedFeet::make(std::uint32_t character) {
-  std::vector<std::unique_ptr<anim::PostProcess>>& ready = not_given_[character];
+std::unique_ptr<PlacedFeet::Process> PlacedFeet::make(std::uint32_t character) {
+  std::vector<std::unique_ptr<Process>>& ready = not_given_[character];
   if (ready.empty()) return std::make_unique<Process>(*kinds_[character]);
-  std::unique_ptr<anim::PostProcess> one = std::move(ready.back());
+  std::unique_ptr<Process> one = std::move(ready.back());
   ready.pop_back();
   return one;
 }
@@ -54,16 +54,16 @@ bool PlacedFeet::give(std::uint32_t agent, bool is_shown) {
   const std::uint32_t character = system_->agent(agent).character_number();
   if (!kinds_[character]) return false;
   Feet& feet = now_.feet[agent];
-  if (feet.process != none) return true;
-  std::unique_ptr<anim::PostProcess> process = make(character);
-  static_cast<Process&>(*process) = Process(*kinds_[character]);
-  static_cast<Process&>(*process).set_weight(1.0F, is_shown ? fade : 0);
-  const std::size_t index = system_->agent(agent).post_process_count();
-  if (!system_->agent(agent).add_post_process(std::move(process))) {
+  if (feet.process.valid()) return true;
+  std::unique_ptr<Process> process = make(character);
+  *process = Process(*kinds_[character]);
+  process->set_weight(1.0F, is_shown ? fade : 0);
+  const anim::Result<anim::ProcessId> added = system_->agent(agent).add_post_process(std::move(process));
+  if (!added) {
     kinds_[character].reset();
     return false;
   }
-  feet = {.process = index, .placed = true};
+  feet = {.process = *added, .placed = true};
   now_.have.push_back(agent);
   return true;
 }
@@ -90,17 +90,17 @@ void PlacedFeet::let_go(std::uint32_t agent) {
 
 bool PlacedFeet::needs(std::uint32_t agent, std::span<const anim::VisibleAgent> visible) const {
   const Feet& feet = now_.feet[agent];
-  if (feet.process + 1 != system_->agent(agent).post_process_count()) return true;  // others came after it: a rag-doll
+  const anim::AgentView posed = system_->agent(agent);
+  if (feet.process != posed.post_process_id(posed.post_process_count() - 1)) return true;  // a rag-doll came after it
   if (!std::ranges::binary_search(visible, agent, {}, &anim::VisibleAgent::agent)) return false;
-  return feet.placed ||
-         system_->agent(agent).post_process<Process>(feet.process).weight(system_->agent(agent).pools()) > 0.0F;
+  return feet.placed || posed.post_process<Process>(feet.process)->weight(posed.pools()) > 0.0F;
 }
 
 void PlacedFeet::take_back(std::span<const anim::VisibleAgent> visible) {
   std::erase_if(now_.have, [&](std::uint32_t agent) {
     if (needs(agent, visible)) return false;
-    std::unique_ptr<anim::PostProcess> process = system_->agent(agent).take_last_post_process();
-    std::vector<std::unique_ptr<anim::PostProcess>>& ready = not_given_[system_->agent(agent).character_number()];
+    std::unique_ptr<Process> process = system_->agent(agent).take_post_process<Process>(now_.feet[agent].process);
+    std::vector<std::unique_ptr<Process>>& ready = not_given_[system_->agent(agent).character_number()];
     if (ready.size() < ready.capacity()) ready.push_back(std::move(process));
     now_.feet[agent] = {};
     return true;

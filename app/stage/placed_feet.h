@@ -18,9 +18,8 @@ namespace throng::app {
 /// another agent gets it. So the many agents far away are posed without it, and a frame allocates nothing.
 class PlacedFeet {
  private:
-  static constexpr std::size_t none = SIZE_MAX;
   struct Feet {
-    std::size_t process = none;  // index among the agent's post processes
+    anim::ProcessId process;  // invalid: none
     bool placed = false;
   };
 
@@ -55,10 +54,10 @@ class PlacedFeet {
 
   bool give(std::uint32_t agent, bool is_shown);
   bool needs(std::uint32_t agent, std::span<const anim::VisibleAgent> visible) const;
-  std::unique_ptr<anim::PostProcess> make(std::uint32_t character);
+  std::unique_ptr<Process> make(std::uint32_t character);
 
-  std::vector<std::optional<anim::EntityPools::Kind>> kinds_;               // [character]
-  std::vector<std::vector<std::unique_ptr<anim::PostProcess>>> not_given_;  // [character]
+  std::vector<std::optional<anim::EntityPools::Kind>> kinds_;    // [character]
+  std::vector<std::vector<std::unique_ptr<Process>>> not_given_;  // [character]
   anim::AnimationSystem* system_;
   Moment now_;
 };

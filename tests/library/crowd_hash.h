@@ -24,7 +24,7 @@ inline std::uint64_t crowd_hash(Schedule schedule, Executor* executor = nullptr)
   std::vector<AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     system.agent(agent).play({.clip = static_cast<int>(agent % 3), .start = to_ticks(0.004 * agent)});
-    updates.push_back({.agent = agent});
+    updates.push_back({.agent = {agent}});
   }
   for (std::uint32_t frame = 0; frame < 20; ++frame) {
     const PlayRequest next{.clip = static_cast<int>(frame % 3), .fade = to_ticks(0.2)};

@@ -57,7 +57,7 @@ anim::Result<SystemSubject> SystemSubject::create(std::shared_ptr<const anim::Ch
   subject.system_->set_agent_count(static_cast<std::uint32_t>(agents.size()));
   for (std::uint32_t i = 0; i < agents.size(); ++i) {
     subject.system_->agent(i).play(request(agents[i].from_clip, agents[i].from_start));
-    subject.updates_.push_back({.agent = i, .palette = palettes.of(i)});
+    subject.updates_.push_back({.agent = {i}, .palette = palettes.of(i)});
     if (agents[i].to_clip == BenchAgent::none) continue;
     anim::PlayRequest blended = request(agents[i].to_clip, agents[i].to_start);
     blended.held_fraction = agents[i].fraction;
@@ -92,7 +92,7 @@ KernelSubject::KernelSubject(const anim::Character& character, const anim::Kerne
       agents_(agents),
       palettes_(&palettes),
       clocks_(character.clips.size()),
-      stores_(anim::store_policy_for(palettes.floats().size_bytes())) {
+      stores_(anim::store_policy_for(palettes.floats().size_bytes(), anim::measured_cached_bytes())) {
   const std::size_t lanes = anim::widest_strip;
   const auto slots = static_cast<std::size_t>(character.hierarchy.slot_count) + 1;
   const std::size_t floats = packet_floats(character) * lanes + slots * anim::branch_slot_floats * lanes;

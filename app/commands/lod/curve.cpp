@@ -107,7 +107,7 @@ anim::Status time_levels(const CharacterSource& source, std::vector<LodLevel>& l
     };
     const auto choose = [&updates, &palettes, level] {
       for (std::uint32_t agent = 0; agent < updates.size(); ++agent) {
-        updates[agent] = {.agent = agent, .level = static_cast<std::uint8_t>(level), .palette = palettes.of(agent)};
+        updates[agent] = {.agent = {agent}, .level = static_cast<std::uint8_t>(level), .palette = palettes.of(agent)};
       }
     };
     rounds.add({key_of(level), update, choose});

@@ -53,7 +53,7 @@ anim::Result<BonePose> PosePipe::pose(const anim::Model& model, const anim::Clip
   system_->set_agent_count(1);
   system_->agent(0).play({.clip = 0, .start = anim::to_ticks(seconds), .loop = false});
   auto* palette = reinterpret_cast<anim::PaletteMatrix*>(palette_.get());
-  const anim::AgentUpdate update{.agent = 0, .palette = palette};
+  const anim::AgentUpdate update{.agent = {0}, .palette = palette};
   system_->update({&update, 1});
 
   BonePose pose;

@@ -1,81 +1,194 @@
 #include "engine/anim/agent/agent.h"
 
 #include <cassert>
+#include <cmath>
 
+#include "engine/anim/agent/turn.h"
 #include "engine/anim/agent/wind_back.h"
 
 namespace throng::anim {
+namespace {
 
-bool AgentView::can_pose_exactly() const { return anim::can_pose_exactly(*population_, number_); }
+constexpr const char* no_agent = "an agent of this id is not in the system";
+constexpr const char* no_channel = "the agent has no channel of this id";
+constexpr const char* no_process = "the agent has no post process of this id";
 
-bool AgentView::can_wind_back() const { return anim::can_wind_back(*population_, number_); }
+/// Stands for agents that are gone: a character without bones, and an agent without channels.
+const CharacterAgents& nobody() {
+  static CharacterAgents nobodies(std::make_shared<const Character>());
+  static const std::uint32_t one = nobodies.agents.add();
+  static_cast<void>(one);
+  return nobodies;
+}
+
+}  // namespace
+
+const CharacterAgents& AgentView::agents() const { return exists() ? population_->character_of(number()) : nobody(); }
+
+CharacterId AgentView::character_id() const {
+  return exists() ? population_->id_of_character(population_->member(number()).character) : CharacterId{};
+}
+
+ChannelId AgentView::channel_id(std::size_t place) const {
+  return place < channel_count() ? ChannelId{graphs().channel(index(), place).id} : ChannelId{};
+}
+
+ProcessId AgentView::post_process_id(std::size_t place) const {
+  return place < post_process_count() ? ProcessId{graphs().post_process(index(), place).id} : ProcessId{};
+}
+
+bool AgentView::can_pose_exactly() const { return exists() && anim::can_pose_exactly(*population_, number()); }
+
+bool AgentView::can_wind_back() const { return exists() && anim::can_wind_back(*population_, number()); }
 
 std::span<const float> AgentView::pose() const {
+  if (graph().empty()) return {};
   const auto& state = pools().as<AnimationStateHeader>(graph().root());
+  if (state.transforms_offset == 0) return {};
   return {transforms_of(state), pose_bytes(state.bone_count, state.components) / sizeof(float)};
 }
 
 bool Agent::play(const PlayRequest& request) {
-  assert(request.mask >= PlayRequest::no_mask &&
-         request.mask < static_cast<int>(system_->population.character_of(number()).masks.size()) &&
-         "PlayRequest::mask is not one that add_mask returned");
+  constexpr const char* call = "Agent::play";
+  const Turn turn(system_->turn, call);
+  if (!turn) return false;
+  if (const char* fault = fault_of(request); fault != nullptr) return report_misuse({call, fault});
   const EntityBuilder build = builder();
   if (channel_count() == 0) {
-    [[maybe_unused]] const Status added =
-        own_graphs().add_channel(build, index(), std::make_unique<CrossFadeChannel>(), {});
+    [[maybe_unused]] const Status added = own_graphs().add_channel(
+        build, index(), own_graphs().take_cross_fade_channel(), type_tag<CrossFadeChannel>(), {});
     assert(added && "a channel that plays nothing yet");
   }
-  assert(dynamic_cast<CrossFadeChannel*>(&own_graphs().channel(index(), 0)) != nullptr &&
-         "another kind of channel was added");
-  auto& channel = static_cast<CrossFadeChannel&>(own_graphs().channel(index(), 0));
-  const bool taken = channel.play(build, request);
+  CrossFadeChannel* const channel = first_channel();
+  if (channel == nullptr) return report_misuse({call, "the agent's first channel is not a CrossFadeChannel"});
+  const bool taken = channel->play(build, request);
   if (settle([&] { return own_graphs().rebuild(build, index()); })) return taken;
   PlayRequest at_once = request;
   at_once.fade = 0;
   at_once.held_fraction.reset();
   at_once.mask = PlayRequest::no_mask;
-  channel.play(build, at_once);
+  channel->play(build, at_once);
   [[maybe_unused]] const Status cut = settle([&] { return own_graphs().rebuild(build, index()); });
   assert(cut && "a player alone is the least that there can be");
   return false;
 }
 
-void Agent::set_speed(double speed) {
-  static_cast<CrossFadeChannel&>(own_graphs().channel(index(), 0)).set_speed(builder(), speed);
-}
-
-Status Agent::add_channel(std::unique_ptr<Channel> channel, const LayerSettings& settings) {
+const char* Agent::fault_of(const PlayRequest& request) const {
+  if (!exists()) return no_agent;
   const EntityBuilder build = builder();
-  Status added = settle([&] { return own_graphs().add_channel(build, index(), std::move(channel), settings); });
-  if (!added) own_graphs().remove_channel(build, index(), channel_count() - 1);
-  return added;
+  if (const char* fault = build.fault_of(start_of(request)); fault != nullptr) return fault;
+  if (request.fade < 0) return "a fade takes no negative time";
+  const bool is_fraction = !request.held_fraction || (*request.held_fraction >= 0.0F && *request.held_fraction <= 1.0F);
+  if (!is_fraction) return "held_fraction is from 0 to 1";
+  return build.has_mask(request.mask) ? nullptr : "mask is not a number that add_mask returned";
 }
 
-void Agent::remove_channel(std::size_t place) { own_graphs().remove_channel(builder(), index(), place); }
+CrossFadeChannel* Agent::first_channel() const {
+  return channel_count() == 0 ? nullptr : as<CrossFadeChannel, Channel>(&graphs().channel(index(), 0));
+}
 
-void Agent::set_channel_weight(std::size_t place, float weight) { own_graphs().set_weight(index(), place, weight); }
+bool Agent::set_speed(double speed) {
+  constexpr const char* call = "Agent::set_speed";
+  const Turn turn(system_->turn, call);
+  if (!turn) return false;
+  if (!exists()) return report_misuse({call, no_agent});
+  if (!is_speed(speed)) return report_misuse({call, "a speed is a number of less than 32,768"});
+  const CrossFadeChannel* const channel = first_channel();
+  if (channel == nullptr || !channel->state().valid())
+    return report_misuse({call, "the agent's first channel plays no clip"});
+  channel->set_speed(builder(), speed);
+  return true;
+}
+
+Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag type, const LayerSettings& settings) {
+  constexpr const char* call = "Agent::add_channel";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (!exists()) return refuse({call, no_agent});
+  if (channel == nullptr) return refuse({call, "the channel is null"});
+  const EntityBuilder build = builder();
+  if (!(settings.weight >= 0.0F && settings.weight <= 1.0F)) return refuse({call, "a weight is from 0 to 1"});
+  if (!build.has_mask(settings.mask)) return refuse({call, "mask is not a number that add_mask returned"});
+  if (const char* fault = channel->fault(build); fault != nullptr) return refuse({call, fault});
+  const Status added =
+      settle([&] { return own_graphs().add_channel(build, index(), std::move(channel), type, settings); });
+  const std::size_t place = channel_count() - 1;
+  if (added) return channel_id(place);
+  own_graphs().remove_channel(build, index(), place);
+  return added.error();
+}
+
+bool Agent::remove_channel(ChannelId channel) {
+  constexpr const char* call = "Agent::remove_channel";
+  const Turn turn(system_->turn, call);
+  if (!turn) return false;
+  const std::optional<std::size_t> place = graphs().place(index(), channel);
+  if (!place) return report_misuse({call, exists() ? no_channel : no_agent});
+  own_graphs().remove_channel(builder(), index(), *place);
+  return true;
+}
+
+bool Agent::set_channel_weight(ChannelId channel, float weight) {
+  constexpr const char* call = "Agent::set_channel_weight";
+  const Turn turn(system_->turn, call);
+  if (!turn) return false;
+  const std::optional<std::size_t> place = graphs().place(index(), channel);
+  if (!place) return report_misuse({call, exists() ? no_channel : no_agent});
+  if (!(weight >= 0.0F && weight <= 1.0F)) return report_misuse({call, "a weight is from 0 to 1"});
+  own_graphs().set_weight(index(), *place, weight);
+  return true;
+}
 
 Status Agent::channel_changed() {
+  const Turn turn(system_->turn, "Agent::change");
+  if (!turn) return turn.refusal();
   return settle([&] { return own_graphs().update(builder(), index()); });
 }
 
-Status Agent::add_post_process(std::unique_ptr<PostProcess> process) {
+Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, TypeTag type) {
+  constexpr const char* call = "Agent::add_post_process";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (!exists()) return refuse({call, no_agent});
+  if (process == nullptr) return refuse({call, "the post process is null"});
   const EntityBuilder build = builder();
-  Status added = settle([&] { return own_graphs().add_post_process(build, index(), std::move(process)); });
-  if (!added) own_graphs().remove_post_processes(build, index(), post_process_count() - 1);
-  return added;
+  if (const char* fault = process->fault(build); fault != nullptr) return refuse({call, fault});
+  const Status added = settle([&] { return own_graphs().add_post_process(build, index(), std::move(process), type); });
+  const std::size_t place = post_process_count() - 1;
+  if (added) return post_process_id(place);
+  own_graphs().remove_post_process(build, index(), place);
+  return added.error();
 }
 
-void Agent::remove_post_processes() { own_graphs().remove_post_processes(builder(), index()); }
-
-std::unique_ptr<PostProcess> Agent::take_last_post_process() {
-  return own_graphs().take_last_post_process(builder(), index());
+bool Agent::remove_post_process(ProcessId process) {
+  constexpr const char* call = "Agent::remove_post_process";
+  const Turn turn(system_->turn, call);
+  if (!turn) return false;
+  const std::optional<std::size_t> place = graphs().place(index(), process);
+  if (!place) return report_misuse({call, exists() ? no_process : no_agent});
+  own_graphs().remove_post_process(builder(), index(), *place);
+  return true;
 }
 
-Status Agent::process_changed(std::size_t place) {
-  Status changed = settle([&] { return own_graphs().update_post_process(builder(), index(), place); });
+void Agent::remove_post_processes() {
+  const Turn turn(system_->turn, "Agent::remove_post_processes");
+  if (turn && post_process_count() > 0) own_graphs().remove_post_processes(builder(), index());
+}
+
+std::unique_ptr<PostProcess> Agent::take(ProcessId process) {
+  const Turn turn(system_->turn, "Agent::take_post_process");
+  const std::optional<std::size_t> place = graphs().place(index(), process);
+  return turn && place ? own_graphs().take_post_process(builder(), index(), *place) : nullptr;
+}
+
+Status Agent::process_changed(ProcessId process) {
+  const Turn turn(system_->turn, "Agent::change_process");
+  if (!turn) return turn.refusal();
+  const std::optional<std::size_t> place = graphs().place(index(), process);
+  if (!place) return refuse({"Agent::change_process", no_process});
+  Status changed = settle([&] { return own_graphs().update_post_process(builder(), index(), *place); });
   if (changed) return changed;
-  own_graphs().post_process(index(), place).destroy_entities(builder());
+  own_graphs().post_process(index(), *place).part->destroy_entities(builder());
   [[maybe_unused]] const Status rebuilt = own_graphs().rebuild(builder(), index());
   assert(rebuilt && "it did before");
   return changed;

@@ -3,48 +3,60 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "engine/anim/agent/agent_motion.h"
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/agent/system_parts.h"
+#include "engine/anim/base/ids.h"
+#include "engine/anim/base/misuse.h"
 
 namespace throng::anim {
 
-/// A view of one agent of an AnimationSystem, to read from. It is as cheap to copy as a pointer, and valid until the
-/// system has fewer agents.
+/// A view of one agent of an AnimationSystem, to read from. It is as cheap to copy as a pointer. When the agent is
+/// gone, it shows an agent that has nothing and plays nothing.
 class AgentView {
  public:
-  AgentView(const SystemParts& system, std::uint32_t number)
-      : agents_(&system.population.character_of(number)), population_(&system.population), number_(number) {}
+  AgentView(const SystemParts& system, AgentId id) : population_(&system.population), id_(id) {}
 
+  AgentId id() const { return id_; }
   /// Returns the agent's number in the system.
-  std::uint32_t number() const { return number_; }
-  /// Returns the number of its character, as add_agents was told.
-  std::uint32_t character_number() const { return population_->member(number_).character; }
-  const Character& character() const { return *agents_->character; }
+  std::uint32_t number() const { return id_.number; }
+  /// Returns whether the agent is in the system.
+  bool exists() const { return population_->has(id_); }
+  /// Returns the character that it was added as.
+  CharacterId character_id() const;
+  std::uint32_t character_number() const { return character_id().number; }
+  const Character& character() const { return *agents().character; }
 
   std::size_t channel_count() const { return graphs().channel_count(index()); }
+  /// Returns the id of the channel at a place, from the bottom up; an invalid one if there is none.
+  ChannelId channel_id(std::size_t place) const;
+  /// Returns a channel of this type; null if there is none of this id, or it was added as another type.
   template <typename Derived = Channel>
-  const Derived& channel(std::size_t place) const {
-    return static_cast<const Derived&>(graphs().channel(index(), place));
+  const Derived* channel(ChannelId id) const {
+    return as<Derived, Channel>(graphs().find(index(), id));
   }
   std::size_t post_process_count() const { return graphs().post_process_count(index()); }
+  ProcessId post_process_id(std::size_t place) const;
   template <typename Derived = PostProcess>
-  const Derived& post_process(std::size_t place) const {
-    return static_cast<const Derived&>(graphs().post_process(index(), place));
+  const Derived* post_process(ProcessId id) const {
+    return as<Derived, PostProcess>(graphs().find(index(), id));
   }
 
   /// Returns the graph of the entities that its channels and post processes made.
   const PoseGraph& graph() const { return graphs().graph(index()); }
   const PoseProgram& program() const { return *graph().program; }
   /// Returns the pools that hold these entities.
-  const EntityPools& pools() const { return agents_->pools; }
+  const EntityPools& pools() const { return agents().pools; }
 
   /// Returns root motion, data keys and absolute root, at a frame boundary. Ask for the interval from the clock before
   /// advance() to the clock now, and ask before you make any request.
   AgentMotion motion() const {
-    return {pools(), agents_->clips, graph(), population_->posed_at(number_), agents_->morph_blend()};
+    const CharacterAgents& alike = agents();
+    const Ticks posed_at = exists() ? population_->posed_at(number()) : population_->clock();
+    return {alike.pools, alike.clips, graph(), posed_at, alike.morph_blend()};
   }
 
   /// Returns whether the agent's pose of now is known. It is not known while the agent stands ahead of the clock and
@@ -55,59 +67,91 @@ class AgentView {
   /// host's own) or is shared. Then update() leaves the agent where it stands.
   bool can_wind_back() const;
 
-  /// Returns the last pose, [packet][components][16], in state space. Only the schedule `levels` keeps it.
+  /// Returns the last pose, [packet][components][16], in state space; nothing if none is kept. Only the schedule
+  /// `levels` keeps it.
   std::span<const float> pose() const;
 
  protected:
-  const AgentGraphs& graphs() const { return agents_->agents; }
-  std::uint32_t index() const { return population_->member(number_).index; }
+  const AgentGraphs& graphs() const { return agents().agents; }
+  std::uint32_t index() const { return exists() ? population_->member(number()).index : 0; }
+
+  /// Returns the part as `Derived`, or null.
+  template <typename Derived, typename Part>
+  static Derived* as(const OwnedPart<Part>* own) {
+    if (own == nullptr) return nullptr;
+    if constexpr (!std::is_same_v<Derived, Part>) {
+      if (own->type != type_tag<Derived>()) return nullptr;
+    }
+    return static_cast<Derived*>(own->part.get());
+  }
 
  private:
-  const CharacterAgents* agents_;
+  const CharacterAgents& agents() const;
+
   const Population* population_;
-  std::uint32_t number_;
+  AgentId id_;
 };
 
 /// One agent (paper 2.1.2: "an agent handles requests and commands for its skeleton"). Every request takes effect at
-/// the frame boundary at which it is made.
+/// the frame boundary at which it is made. A request that is not valid, to an agent that is gone for example, is a
+/// misuse: it is reported, changes nothing, and returns false or an error.
 class Agent : public AgentView {
  public:
-  Agent(SystemParts& system, std::uint32_t number) : AgentView(system, number), system_(&system) {}
+  Agent(SystemParts& system, AgentId id) : AgentView(system, id), system_(&system) {}
 
   /// Plays a clip on the first channel, which is a CrossFadeChannel unless another was added first. Returns false if
   /// blends that stay (masked or held) take all places of the channel's tree. Returns false also if a local store of a
   /// fixed size has no room for the fade; then the clip has replaced all at once.
   bool play(const PlayRequest& request);
   /// Plays what was asked for last at another speed from now on, without a jump. The first channel is as for play().
-  void set_speed(double speed);
+  bool set_speed(double speed);
 
-  /// Lays a channel over those that the agent has. Errors: the agent's graph would have a cycle, or would be too large
-  /// for a local store of a fixed size; then the agent is as it was.
-  Status add_channel(std::unique_ptr<Channel> channel, const LayerSettings& settings = {});
+  /// Lays a channel over those that the agent has. Errors: it is null, or not valid for this character; the agent's
+  /// graph would have a cycle, or would be too large for a local store of a fixed size; then the agent is as it was.
+  template <typename Derived>
+  Result<ChannelId> add_channel(std::unique_ptr<Derived> channel, const LayerSettings& settings = {}) {
+    return add_channel(std::move(channel), type_tag<Derived>(), settings);
+  }
   /// Removes a channel. The channels after it move up one place.
-  void remove_channel(std::size_t place);
-  /// Sets how much a channel, but not the first, covers those before it.
-  void set_channel_weight(std::size_t place, float weight);
-  /// Sets parameters of a channel, which is then updated: agent.change<BlendSpaceChannel>(0, [&](auto& walk) {
-  /// walk.set_parameter(speed); }).
+  bool remove_channel(ChannelId channel);
+  /// Sets how much a channel, but not the first, covers those before it, 0 to 1.
+  bool set_channel_weight(ChannelId channel, float weight);
+  /// Sets parameters of a channel, which is then updated: agent.change<BlendSpaceChannel>(walk, [&](auto& channel) {
+  /// channel.set_parameter(speed); }). Errors: those of add_channel, and the channel was added as another type.
   template <typename Derived, typename Change>
-  Status change(std::size_t place, Change&& change_parameters) {
-    std::forward<Change>(change_parameters)(static_cast<Derived&>(graphs().channel(index(), place)));
+  Status change(ChannelId channel, Change&& change_parameters) {
+    Derived* const own = as<Derived, Channel>(graphs().find(index(), channel));
+    if (own == nullptr) return refuse({"Agent::change", "the agent has no channel of this id and type"});
+    std::forward<Change>(change_parameters)(*own);
     return channel_changed();
   }
 
   /// Adds a process that the pose passes through, after those that were added before. Errors: those of add_channel.
-  Status add_post_process(std::unique_ptr<PostProcess> process);
+  template <typename Derived>
+  Result<ProcessId> add_post_process(std::unique_ptr<Derived> process) {
+    return add_post_process(std::move(process), type_tag<Derived>());
+  }
+  bool remove_post_process(ProcessId process);
   void remove_post_processes();
-  /// Takes the last of at least one process, without its entities, so that another agent of the same character can have
-  /// it.
-  std::unique_ptr<PostProcess> take_last_post_process();
-  /// Sets parameters of a post process, which alone is then updated: agent.change_process<LookAtProcess>(0, [&](auto&
-  /// look) { look.look_at(target); }). Errors: those of add_channel; then the process lets go of its entities.
+  /// Takes a process without its entities, so that another agent of the same character can have it; null if the agent
+  /// has none of this id and type.
+  template <typename Derived>
+  std::unique_ptr<Derived> take_post_process(ProcessId process) {
+    if (post_process<Derived>(process) == nullptr) {
+      report_misuse({"Agent::take_post_process", "the agent has no post process of this id and type"});
+      return nullptr;
+    }
+    return std::unique_ptr<Derived>(static_cast<Derived*>(take(process).release()));
+  }
+  /// Sets parameters of a post process, which alone is then updated: agent.change_process<LookAtProcess>(gaze,
+  /// [&](auto& look) { look.look_at(target); }). Errors: those of add_channel; then the process lets go of its
+  /// entities.
   template <typename Derived, typename Change>
-  Status change_process(std::size_t place, Change&& change_parameters) {
-    std::forward<Change>(change_parameters)(static_cast<Derived&>(graphs().post_process(index(), place)));
-    return process_changed(place);
+  Status change_process(ProcessId process, Change&& change_parameters) {
+    Derived* const own = as<Derived, PostProcess>(graphs().find(index(), process));
+    if (own == nullptr) return refuse({"Agent::change_process", "the agent has no post process of this id and type"});
+    std::forward<Change>(change_parameters)(*own);
+    return process_changed(process);
   }
 
  private:
@@ -117,8 +161,13 @@ class Agent : public AgentView {
   Status settle(Change&& change_graph) {
     return system_->pus.settle(system_->population, number(), std::forward<Change>(change_graph));
   }
+  Result<ChannelId> add_channel(std::unique_ptr<Channel> channel, TypeTag type, const LayerSettings& settings);
+  Result<ProcessId> add_post_process(std::unique_ptr<PostProcess> process, TypeTag type);
+  std::unique_ptr<PostProcess> take(ProcessId process);
+  CrossFadeChannel* first_channel() const;
+  const char* fault_of(const PlayRequest& request) const;
   Status channel_changed();
-  Status process_changed(std::size_t place);
+  Status process_changed(ProcessId process);
 
   SystemParts* system_;
 };

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/anim/base/room.h"
+
 namespace throng::anim {
 namespace {
 
@@ -23,69 +25,136 @@ void reorder_lanes(std::span<const int> places, int components, float* pose) {
   }
 }
 
+template <typename Part>
+OwnedPart<Part> copy_of(const OwnedPart<Part>& own) {
+  return {.part = own.part->clone(), .type = own.type, .id = own.id};
+}
+
 constexpr std::size_t usual_steps = 6;      // a fade that was interrupted, and feet
 constexpr std::size_t usual_processes = 2;  // feet and a rag-doll
 
 }  // namespace
 
-void AgentGraphs::resize(std::uint32_t count) {
-  for (std::size_t i = count; i < agents_.size(); ++i) destroy(agents_[i]);
-  const std::size_t before = agents_.size();
-  agents_.resize(count);
-  graphs_.resize(count);
-  for (std::size_t i = before; i < agents_.size(); ++i) {
-    graphs_[i].entities.reserve(usual_steps);
-    agents_[i].processes.reserve(usual_processes);
+std::uint32_t AgentGraphs::add() {
+  if (!free_.empty()) {
+    const std::uint32_t again = free_.back();
+    free_.pop_back();
+    return again;
   }
-  next_updates_.resize(count, never);
+  agents_.emplace_back().processes.reserve(usual_processes);
+  graphs_.emplace_back().entities.reserve(usual_steps);
+  next_updates_.push_back(never);
+  return count() - 1;
 }
 
-void AgentGraphs::destroy(Agent& agent) const {
+void AgentGraphs::remove(std::uint32_t agent) {
+  destroy(agents_[agent]);
+  graphs_[agent].clear();
+  next_updates_[agent] = never;
+  free_.push_back(agent);
+}
+
+void AgentGraphs::remove_last() {
+  destroy(agents_.back());
+  agents_.pop_back();
+  graphs_.pop_back();
+  next_updates_.pop_back();
+}
+
+void AgentGraphs::make_room(std::uint32_t agents) {
+  const std::size_t fresh = agents > free_.size() ? agents - free_.size() : 0;
+  anim::make_room(agents_, agents_.size() + fresh);
+  anim::make_room(graphs_, graphs_.size() + fresh);
+  anim::make_room(next_updates_, next_updates_.size() + fresh);
+  free_.reserve(agents_.capacity());
+  spare_channels_.reserve(agents_.capacity());
+}
+
+std::unique_ptr<CrossFadeChannel> AgentGraphs::take_cross_fade_channel() {
+  if (spare_channels_.empty()) return std::make_unique<CrossFadeChannel>();
+  std::unique_ptr<CrossFadeChannel> spare = std::move(spare_channels_.back());
+  spare_channels_.pop_back();
+  return spare;
+}
+
+// The vectors keep their memory for the next agent of this number.
+void AgentGraphs::destroy(Agent& agent) {
   const EntityBuilder build(*pools_, {}, {});
-  for (const Layer& layer : agent.layers) {
-    layer.channel->destroy_entities(build);
+  for (Layer& layer : agent.layers) {
+    layer.own.part->destroy_entities(build);
     if (layer.blender.valid()) pools_->destroy(layer.blender);
+    if (layer.own.type != type_tag<CrossFadeChannel>()) continue;
+    spare_channels_.emplace_back(static_cast<CrossFadeChannel*>(layer.own.part.release()));
   }
-  for (const auto& process : agent.processes) process->destroy_entities(build);
+  for (const OwnedProcess& process : agent.processes) process.part->destroy_entities(build);
+  agent.layers.clear();
+  agent.processes.clear();
+}
+
+std::optional<std::size_t> AgentGraphs::place(std::uint32_t agent, ChannelId channel) const {
+  const std::vector<Layer>& layers = agents_[agent].layers;
+  for (std::size_t place = 0; place < layers.size(); ++place) {
+    if (layers[place].own.id == channel.number) return place;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> AgentGraphs::place(std::uint32_t agent, ProcessId process) const {
+  const std::vector<OwnedProcess>& processes = agents_[agent].processes;
+  for (std::size_t place = 0; place < processes.size(); ++place) {
+    if (processes[place].id == process.number) return place;
+  }
+  return std::nullopt;
 }
 
 Status AgentGraphs::add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
-                                const LayerSettings& settings) {
-  agents_[agent].layers.push_back({.channel = std::move(channel), .settings = settings, .blender = {}});
+                                TypeTag type, const LayerSettings& settings) {
+  Agent& owner = agents_[agent];
+  owner.layers.push_back({.own = {.part = std::move(channel), .type = type, .id = owner.channels_given++},
+                          .settings = settings,
+                          .blender = {}});
   return update(build, agent);
 }
 
 Status AgentGraphs::add_post_process(const EntityBuilder& build, std::uint32_t agent,
-                                     std::unique_ptr<PostProcess> process) {
-  agents_[agent].processes.push_back(std::move(process));
+                                     std::unique_ptr<PostProcess> process, TypeTag type) {
+  Agent& owner = agents_[agent];
+  owner.processes.push_back({.part = std::move(process), .type = type, .id = owner.processes_given++});
   return rebuild(build, agent);
 }
 
-void AgentGraphs::remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
+void AgentGraphs::remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t place) {
   std::vector<Layer>& layers = agents_[agent].layers;
-  const auto layer = layers.begin() + static_cast<std::ptrdiff_t>(index);
-  layer->channel->destroy_entities(build);
+  const auto layer = layers.begin() + static_cast<std::ptrdiff_t>(place);
+  layer->own.part->destroy_entities(build);
   if (layer->blender.valid()) build.destroy(layer->blender);
   layers.erase(layer);
-  [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
-  assert(rebuilt && "fewer entities make no cycle");
+  rebuild_with_less(build, agent);
 }
 
-void AgentGraphs::remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept) {
-  std::vector<std::unique_ptr<PostProcess>>& processes = agents_[agent].processes;
-  for (std::size_t i = kept; i < processes.size(); ++i) processes[i]->destroy_entities(build);
-  processes.resize(kept);
-  [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
-  assert(rebuilt && "fewer entities make no cycle");
+void AgentGraphs::remove_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place) {
+  take_post_process(build, agent, place);
 }
 
-std::unique_ptr<PostProcess> AgentGraphs::take_last_post_process(const EntityBuilder& build, std::uint32_t agent) {
-  std::unique_ptr<PostProcess> last = std::move(agents_[agent].processes.back());
-  agents_[agent].processes.pop_back();
-  last->destroy_entities(build);
+void AgentGraphs::remove_post_processes(const EntityBuilder& build, std::uint32_t agent) {
+  for (const OwnedProcess& process : agents_[agent].processes) process.part->destroy_entities(build);
+  agents_[agent].processes.clear();
+  rebuild_with_less(build, agent);
+}
+
+std::unique_ptr<PostProcess> AgentGraphs::take_post_process(const EntityBuilder& build, std::uint32_t agent,
+                                                            std::size_t place) {
+  std::vector<OwnedProcess>& processes = agents_[agent].processes;
+  std::unique_ptr<PostProcess> taken = std::move(processes[place].part);
+  processes.erase(processes.begin() + static_cast<std::ptrdiff_t>(place));
+  taken->destroy_entities(build);
+  rebuild_with_less(build, agent);
+  return taken;
+}
+
+void AgentGraphs::rebuild_with_less(const EntityBuilder& build, std::uint32_t agent) {
   [[maybe_unused]] const Status rebuilt = rebuild(build, agent);
   assert(rebuilt && "fewer entities make no cycle");
-  return last;
 }
 
 void AgentGraphs::set_weight(std::uint32_t agent, std::size_t channel, float weight) {
@@ -96,29 +165,29 @@ void AgentGraphs::set_weight(std::uint32_t agent, std::size_t channel, float wei
 
 Status AgentGraphs::update(const EntityBuilder& build, std::uint32_t agent) {
   bool changed = graphs_[agent].empty();
-  for (const Layer& layer : agents_[agent].layers) changed = layer.channel->update(build) || changed;
-  for (const auto& process : agents_[agent].processes) changed = process->update(build) || changed;
+  for (const Layer& layer : agents_[agent].layers) changed = layer.own.part->update(build) || changed;
+  for (const OwnedProcess& process : agents_[agent].processes) changed = process.part->update(build) || changed;
   if (changed) return rebuild(build, agent);
   find_next_update(agent);
   return Done{};
 }
 
-Status AgentGraphs::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index) {
-  if (agents_[agent].processes[index]->update(build)) return rebuild(build, agent);
+Status AgentGraphs::update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place) {
+  if (agents_[agent].processes[place].part->update(build)) return rebuild(build, agent);
   find_next_update(agent);
   return Done{};
 }
 
 void AgentGraphs::find_next_update(std::uint32_t agent) {
   Ticks next = never;
-  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.channel->next_update());
-  for (const auto& process : agents_[agent].processes) next = std::min(next, process->next_update());
+  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.own.part->next_update());
+  for (const OwnedProcess& process : agents_[agent].processes) next = std::min(next, process.part->next_update());
   next_updates_[agent] = next;
 }
 
 // A layer whose channel plays nothing leaves what is below as it is.
 Handle AgentGraphs::lay(const EntityBuilder& build, Layer& layer, Handle below) const {
-  const Handle state = layer.channel->state();
+  const Handle state = layer.own.part->state();
   if (!state.valid() || !below.valid()) {
     if (layer.blender.valid()) build.destroy(std::exchange(layer.blender, {}));
     return state.valid() ? state : below;
@@ -139,7 +208,7 @@ Status AgentGraphs::rebuild(const EntityBuilder& build, std::uint32_t agent_inde
     graphs_[agent_index].clear();
     return Done{};
   }
-  for (const auto& process : agent.processes) root = process->attach(build, root);
+  for (const OwnedProcess& process : agent.processes) root = process.part->attach(build, root);
   PoseGraph& graph = graphs_[agent_index];
   Status compiled = compile_graph(*pools_, root, owners_ | agent_index, *programs_, graph);
   if (!compiled && !all_alive(graph)) graph.clear();
@@ -179,10 +248,10 @@ void AgentGraphs::reorder_kept_transforms(std::span<const int> places) {
 
 void AgentGraphs::visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const {
   for (Layer& layer : agent.layers) {
-    layer.channel->visit_handles(visit);
+    layer.own.part->visit_handles(visit);
     if (layer.blender.valid()) visit(layer.blender);
   }
-  for (const auto& process : agent.processes) process->visit_handles(visit);
+  for (const OwnedProcess& process : agent.processes) process.part->visit_handles(visit);
 }
 
 void AgentGraphs::restream(const EntityBuilder& build, std::uint32_t agent_index) {
@@ -226,13 +295,16 @@ AgentGraphs AgentGraphs::clone() const {
   AgentGraphs copy(*pools_, *programs_, owners_);
   copy.next_updates_ = next_updates_;
   copy.graphs_ = graphs_;
+  copy.free_ = free_;
   copy.agents_.reserve(agents_.size());
   for (const Agent& agent : agents_) {
     Agent& other = copy.agents_.emplace_back();
+    other.channels_given = agent.channels_given;
+    other.processes_given = agent.processes_given;
     for (const Layer& layer : agent.layers) {
-      other.layers.push_back({.channel = layer.channel->clone(), .settings = layer.settings, .blender = layer.blender});
+      other.layers.push_back({.own = copy_of(layer.own), .settings = layer.settings, .blender = layer.blender});
     }
-    for (const auto& process : agent.processes) other.processes.push_back(process->clone());
+    for (const OwnedProcess& process : agent.processes) other.processes.push_back(copy_of(process));
   }
   return copy;
 }
@@ -241,7 +313,7 @@ std::size_t AgentGraphs::bytes() const {
   std::size_t bytes = agents_.capacity() * sizeof(Agent) + graphs_.capacity() * sizeof(PoseGraph) +
                       next_updates_.capacity() * sizeof(Ticks);
   for (const Agent& agent : agents_) {
-    bytes += agent.layers.capacity() * sizeof(Layer) + agent.processes.capacity() * sizeof(void*);
+    bytes += agent.layers.capacity() * sizeof(Layer) + agent.processes.capacity() * sizeof(OwnedProcess);
   }
   for (const PoseGraph& graph : graphs_) bytes += graph.entities.capacity() * sizeof(Handle);
   return bytes;

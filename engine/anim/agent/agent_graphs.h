@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "engine/anim/agent/channel.h"
+#include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/agent/post_process.h"
+#include "engine/anim/base/ids.h"
 #include "engine/anim/base/result.h"
+#include "engine/anim/base/type_tag.h"
 #include "engine/anim/run/program/program_table.h"
 
 namespace throng::anim {
@@ -17,6 +20,16 @@ struct LayerSettings {
   float weight = 1.0F;              ///< 0 to 1
   int mask = EaseBlender::no_mask;  ///< the number that `Characters::add_mask` returned
 };
+
+/// A channel or post process of an agent.
+template <typename Part>
+struct OwnedPart {
+  std::unique_ptr<Part> part;
+  TypeTag type = 0;      ///< of the type as which it was given
+  std::uint32_t id = 0;  ///< the number of a ChannelId or ProcessId
+};
+using OwnedChannel = OwnedPart<Channel>;
+using OwnedProcess = OwnedPart<PostProcess>;
 
 /// The graphs of the agents of one character. Each agent has channels, which lie one over the other in their order, and
 /// post processes on top. Their entities form one graph, which is compiled whenever it changes:
@@ -31,30 +44,57 @@ class AgentGraphs {
   AgentGraphs(EntityPools& pools, ProgramTable& programs, std::uint32_t owners = 0)
       : pools_(&pools), programs_(&programs), owners_(owners) {}
 
+  /// Returns a number above those of all agents. Those that were removed have empty graphs.
   std::uint32_t count() const { return static_cast<std::uint32_t>(agents_.size()); }
-  void resize(std::uint32_t count);
+  std::uint32_t alive_count() const { return static_cast<std::uint32_t>(agents_.size() - free_.size()); }
+  /// Adds an agent that plays nothing, and returns its number. Numbers and memory of removed agents are used again.
+  std::uint32_t add();
+  void remove(std::uint32_t agent);
+  /// Removes the agent with the highest number, and the number.
+  void remove_last();
+  /// Makes room for so many more agents.
+  void make_room(std::uint32_t agents);
+  /// Returns a channel that plays nothing, one of a removed agent's if there is any.
+  std::unique_ptr<CrossFadeChannel> take_cross_fade_channel();
 
   const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
   const PoseProgram& program(std::uint32_t agent) const { return *graphs_[agent].program; }
   Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
 
+  // Channels and post processes of an agent have places, from the bottom up, which change when one below is removed,
+  // and ids, which do not.
   std::size_t channel_count(std::uint32_t agent) const { return agents_[agent].layers.size(); }
-  Channel& channel(std::uint32_t agent, std::size_t index) const { return *agents_[agent].layers[index].channel; }
-
-  /// Adds a channel. Errors: those of compile_graph; then the channel stays until remove_channel(), and the agent goes
-  /// on with the graph that it had.
-  Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel,
-                     const LayerSettings& settings);
-  void remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
-  Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process);
-  /// Removes the post processes after the first `kept`.
-  void remove_post_processes(const EntityBuilder& build, std::uint32_t agent, std::size_t kept = 0);
-  /// Takes the last one, without its entities, so that another agent can have it.
-  std::unique_ptr<PostProcess> take_last_post_process(const EntityBuilder& build, std::uint32_t agent);
+  const OwnedChannel& channel(std::uint32_t agent, std::size_t place) const { return agents_[agent].layers[place].own; }
+  /// Returns the place of a channel; nothing if the agent has none of this id.
+  std::optional<std::size_t> place(std::uint32_t agent, ChannelId channel) const;
+  /// Returns a channel; null if the agent has none of this id.
+  const OwnedChannel* find(std::uint32_t agent, ChannelId channel) const {
+    const std::optional<std::size_t> found = place(agent, channel);
+    return found ? &agents_[agent].layers[*found].own : nullptr;
+  }
   std::size_t post_process_count(std::uint32_t agent) const { return agents_[agent].processes.size(); }
-  PostProcess& post_process(std::uint32_t agent, std::size_t index) const { return *agents_[agent].processes[index]; }
+  const OwnedProcess& post_process(std::uint32_t agent, std::size_t place) const {
+    return agents_[agent].processes[place];
+  }
+  std::optional<std::size_t> place(std::uint32_t agent, ProcessId process) const;
+  const OwnedProcess* find(std::uint32_t agent, ProcessId process) const {
+    const std::optional<std::size_t> found = place(agent, process);
+    return found ? &agents_[agent].processes[*found] : nullptr;
+  }
+
+  /// Adds a channel on top. Errors: those of compile_graph; then the channel stays until remove_channel(), and the
+  /// agent goes on with the graph that it had.
+  Status add_channel(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<Channel> channel, TypeTag type,
+                     const LayerSettings& settings);
+  void remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
+  Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process,
+                          TypeTag type);
+  void remove_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
+  void remove_post_processes(const EntityBuilder& build, std::uint32_t agent);
+  /// Takes one without its entities, so that another agent can have it.
+  std::unique_ptr<PostProcess> take_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
   /// Updates one process alone.
-  Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t index);
+  Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
   void set_weight(std::uint32_t agent, std::size_t channel, float weight);
 
   /// Updates every channel and post process, and rebuilds the graph if one of them changed. Errors: a channel made a
@@ -81,19 +121,22 @@ class AgentGraphs {
 
  private:
   struct Layer {
-    std::unique_ptr<Channel> channel;
+    OwnedChannel own;
     LayerSettings settings;
     Handle blender;  // over all layers before; invalid for the first
   };
   struct Agent {
     std::vector<Layer> layers;
-    std::vector<std::unique_ptr<PostProcess>> processes;
+    std::vector<OwnedProcess> processes;
+    std::uint32_t channels_given = 0;
+    std::uint32_t processes_given = 0;
   };
 
   Handle lay(const EntityBuilder& build, Layer& layer, Handle below) const;
+  void rebuild_with_less(const EntityBuilder& build, std::uint32_t agent);
   void find_next_update(std::uint32_t agent);
   void visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const;
-  void destroy(Agent& agent) const;
+  void destroy(Agent& agent);
   bool all_alive(const PoseGraph& graph) const;
 
   EntityPools* pools_;
@@ -102,6 +145,8 @@ class AgentGraphs {
   std::vector<Agent> agents_;
   std::vector<PoseGraph> graphs_;  // [agent], beside each other: the part that every frame reads
   std::vector<Ticks> next_updates_;
+  std::vector<std::uint32_t> free_;                                // numbers of removed agents; the last is given next
+  std::vector<std::unique_ptr<CrossFadeChannel>> spare_channels_;  // of removed agents
 };
 
 }  // namespace throng::anim

@@ -1,11 +1,23 @@
 #include "engine/anim/agent/animation_system.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
+#include "engine/anim/agent/turn.h"
+
 namespace throng::anim {
+namespace {
+
+constexpr Ticks latest_clock = Ticks{36525} * 24 * 3600 * ticks_per_second;  // a hundred years
+
+}  // namespace
 
 Result<std::unique_ptr<AnimationSystem>> AnimationSystem::create(std::shared_ptr<const Character> character,
                                                                  const SystemOptions& options) {
+  constexpr const char* call = "AnimationSystem::create";
+  if (character == nullptr) return refuse({call, "the character is null"});
+  if (const char* fault = fault_of(*character); fault != nullptr) return refuse({call, fault});
   std::unique_ptr<AnimationSystem> system(new AnimationSystem());
   system->parts_.population.add_character(std::move(character));
   const Status configured = system->configure(options);
@@ -13,35 +25,119 @@ Result<std::unique_ptr<AnimationSystem>> AnimationSystem::create(std::shared_ptr
   return system;
 }
 
+AnimationSystem::~AnimationSystem() {
+  if (parts_.turn.load())
+    report_misuse({"~AnimationSystem", "the system is in the middle of a call on another thread"});
+}
+
 Status AnimationSystem::configure(const SystemOptions& options) {
+  const Turn turn(parts_.turn, "AnimationSystem::configure");
+  if (!turn) return turn.refusal();
   return parts_.pus.configure(parts_.population, options);
 }
 
-void AnimationSystem::set_agent_count(std::uint32_t agents) {
-  parts_.population.resize(agents);
-  agents_changed();
-}
-
-std::uint32_t AnimationSystem::add_agents(std::uint32_t count, std::uint32_t character) {
-  const std::uint32_t first = parts_.population.add(count, character);
-  agents_changed();
-  return first;
-}
-
-std::uint32_t AnimationSystem::add_agents(std::span<const std::uint8_t> characters) {
-  const std::uint32_t first = parts_.population.add(characters);
-  agents_changed();
-  return first;
-}
-
-void AnimationSystem::agents_changed() {
-  parts_.frame.reserve(agent_count());
+bool AnimationSystem::add(std::uint32_t count, CharacterId character, const char* call) {
+  Population& population = parts_.population;
+  if (!population.has(character)) return report_misuse({call, "a character of this id is not in the system"});
+  if (count > most_agents - std::min(agent_count(), most_agents)) {
+    return report_misuse({call, "a system has at most 1,048,576 agents"});
+  }
+  population.make_room(count, character.number);
+  for (std::uint32_t i = 0; i < count; ++i) population.add(character.number);
+  parts_.frame.reserve(number_limit());
   parts_.pus.reserve(parts_.population);
+  return true;
 }
 
-void AnimationSystem::restart() {
+AgentId AnimationSystem::add_agent(CharacterId character) {
+  const std::span<const AgentId> added = add_agents(1, character);
+  return added.empty() ? AgentId{} : added.front();
+}
+
+std::span<const AgentId> AnimationSystem::add_agents(std::uint32_t count, CharacterId character) {
+  constexpr const char* call = "AnimationSystem::add_agents";
+  const Turn turn(parts_.turn, call);
+  return turn && add(count, character, call) ? agents().last(count) : std::span<const AgentId>{};
+}
+
+std::span<const AgentId> AnimationSystem::add_agents(std::span<const std::uint8_t> characters) {
+  constexpr const char* call = "AnimationSystem::add_agents";
+  const Turn turn(parts_.turn, call);
+  if (!turn) return {};
+  std::size_t done = 0;
+  while (done < characters.size()) {
+    const auto alike =
+        std::ranges::find_if(characters.subspan(done), [&](auto other) { return other != characters[done]; });
+    const auto count = static_cast<std::size_t>(alike - (characters.begin() + static_cast<std::ptrdiff_t>(done)));
+    if (!add(static_cast<std::uint32_t>(count), parts_.population.id_of_character(characters[done]), call)) break;
+    done += count;
+  }
+  return agents().last(done);
+}
+
+bool AnimationSystem::remove_agent(AgentId agent) {
+  constexpr const char* call = "AnimationSystem::remove_agent";
+  const Turn turn(parts_.turn, call);
+  if (!turn) return false;
+  if (!parts_.population.has(agent)) return report_misuse({call, "an agent of this id is not in the system"});
+  parts_.population.remove(agent.number);
+  parts_.frame.forget_agent(agent.number);
+  return true;
+}
+
+bool AnimationSystem::set_agent_count(std::uint32_t count) {
+  constexpr const char* call = "AnimationSystem::set_agent_count";
+  const Turn turn(parts_.turn, call);
+  if (!turn) return false;
+  while (agent_count() > count) {
+    const AgentId last = agents().back();
+    parts_.population.remove(last.number);
+    parts_.frame.forget_agent(last.number);
+  }
+  parts_.pus.reserve(parts_.population);
+  return agent_count() == count || add(count - agent_count(), parts_.population.id_of_character(0), call);
+}
+
+AgentId AnimationSystem::id(std::uint32_t number) const {
+  return parts_.population.has(number) ? parts_.population.id(number) : AgentId{};
+}
+
+void AnimationSystem::advance(Ticks delta) {
+  constexpr const char* call = "AnimationSystem::advance";
+  const Turn turn(parts_.turn, call);
+  if (!turn) return;
+  if (delta < Ticks{0}) {
+    report_misuse({call, "time does not go back"});
+  } else if (delta > latest_clock - clock()) {
+    report_misuse({call, "the clock ends after a hundred years"});
+  } else {
+    parts_.population.advance(delta);
+  }
+}
+
+void AnimationSystem::update(std::span<const AgentUpdate> agents) {
+  const Turn turn(parts_.turn, "AnimationSystem::update");
+  if (turn) parts_.frame.update(parts_.population, parts_.pus, agents);
+}
+
+void AnimationSystem::pose_exactly(std::span<const ExactPose> agents) {
+  const Turn turn(parts_.turn, "AnimationSystem::pose_exactly");
+  if (turn) parts_.exact.pose(parts_.population, parts_.pus, agents);
+}
+
+Compaction AnimationSystem::compact() {
+  const Turn turn(parts_.turn, "AnimationSystem::compact");
+  return turn ? parts_.population.compact() : Compaction{};
+}
+
+bool AnimationSystem::restart() {
+  constexpr const char* call = "AnimationSystem::restart";
+  const Turn turn(parts_.turn, call);
+  if (!turn) return false;
+  if (agent_count() > 0) return report_misuse({call, "agents stand at times of the old clock: remove them first"});
   parts_.population.restart();
   parts_.frame.restart();
+  return true;
 }
 
 }  // namespace throng::anim

@@ -18,17 +18,20 @@ namespace throng::anim {
 class SystemSnapshot;
 
 /// A crowd of agents, mostly of one character, of several if they are added (the façade, paper 2.1.2). One thread calls
-/// it; the PUs are inside. It has three parts:
+/// it; the PUs are inside. A call that breaks its contract is reported (base/misuse.h) and ignored. It has three parts:
 ///     characters()      what agents are, and what they share; to be told at load time
-///     agent(number)     one agent: takes requests, and tells how it moves
+///     agent(id)         one agent: takes requests, and tells how it moves
 ///     figures()         what updates did, and what they took
 /// A frame comes after the requests:
 ///     advance(dt)       moves the clock of every agent, updated or not
 ///     update(agents)    poses those that level of detail chose, on all PUs; returns when they are done
 class AnimationSystem {
  public:
+  /// Errors: the character is null or has no bones, and those of configure().
   static Result<std::unique_ptr<AnimationSystem>> create(std::shared_ptr<const Character> character,
                                                          const SystemOptions& options);
+  /// No other thread is in a call of the system.
+  ~AnimationSystem();
   AnimationSystem(const AnimationSystem&) = delete;
   AnimationSystem& operator=(const AnimationSystem&) = delete;
 
@@ -38,7 +41,7 @@ class AnimationSystem {
   Status configure(const SystemOptions& options);
   const SystemOptions& options() const { return parts_.pus.options(); }
   /// Sets SystemOptions::trace, and makes nothing anew.
-  void record_trace(Tracing tracing) { parts_.pus.record_trace(tracing, agent_count()); }
+  void record_trace(Tracing tracing) { parts_.pus.record_trace(tracing, number_limit()); }
   /// Returns the executor that runs the PUs. Between updates it is free for the host's own jobs, at most options().pus
   /// at once.
   Executor& executor() const { return parts_.pus.executor(); }
@@ -46,44 +49,62 @@ class AnimationSystem {
   Characters& characters() { return characters_; }
   const Characters& characters() const { return characters_; }
 
-  /// Sets the number of agents of character 0. New agents play nothing until asked. Every agent must play something
-  /// before it is updated.
-  void set_agent_count(std::uint32_t agents);
-  /// Adds `count` agents of a character, and returns the number of the first. Their numbers follow those that there
-  /// are. If there are agents of several characters, set_agent_count takes only 0.
-  std::uint32_t add_agents(std::uint32_t count, std::uint32_t character);
-  /// Adds one agent of each of these characters, in this order, and returns the number of the first.
-  std::uint32_t add_agents(std::span<const std::uint8_t> characters);
-  std::uint32_t agent_count() const { return parts_.population.count(); }
-  Agent agent(std::uint32_t number) { return {parts_, number}; }
-  AgentView agent(std::uint32_t number) const { return {parts_, number}; }
+  /// Adds an agent of a character, which plays nothing until it is asked to. There is such a character, and there are
+  /// fewer than most_agents; else the id is invalid.
+  AgentId add_agent(CharacterId character = 0);
+  /// Adds `count` agents, and returns their ids in the order in which they were added. The span is valid until agents
+  /// are added or removed.
+  std::span<const AgentId> add_agents(std::uint32_t count, CharacterId character = 0);
+  /// Adds one agent of each of these characters, given by their numbers, in this order.
+  std::span<const AgentId> add_agents(std::span<const std::uint8_t> characters);
+  /// Removes an agent, with its channels, post processes and entities. Numbers and memory are used again: a frame that
+  /// removes as many as it adds allocates nothing. What others do, and the hash of their poses, does not change.
+  bool remove_agent(AgentId agent);
+  /// Removes all agents but the first `count`, or adds agents of character 0 until there are so many.
+  bool set_agent_count(std::uint32_t count);
 
-  void advance(Ticks delta) { parts_.population.advance(delta); }
+  std::uint32_t agent_count() const { return parts_.population.count(); }
+  /// Returns a number above those of all agents, for arrays that have a place for each. Numbers of removed agents are
+  /// used again before a new one is.
+  std::uint32_t number_limit() const { return parts_.population.number_limit(); }
+  /// Returns the agents in the order in which they were added. The span is valid until agents are added or removed.
+  std::span<const AgentId> agents() { return parts_.population.order().agents; }
+  /// Returns the id of the agent that has this number; an invalid id if none has.
+  AgentId id(std::uint32_t number) const;
+  Agent agent(AgentId agent) { return {parts_, agent}; }
+  AgentView agent(AgentId agent) const { return {parts_, agent}; }
+  Agent agent(std::uint32_t number) { return {parts_, id(number)}; }
+  AgentView agent(std::uint32_t number) const { return {parts_, id(number)}; }
+
+  /// Moves the clock of every agent, by no negative time.
+  void advance(Ticks delta);
   Ticks clock() const { return parts_.population.clock(); }
-  void update(std::span<const AgentUpdate> agents) { parts_.frame.update(parts_.population, parts_.pus, agents); }
+  /// Poses these agents, each once. An entry that is not valid is left out: an agent that is gone or plays nothing, a
+  /// bone level that its character lacks, a palette that is not aligned, an agent that comes twice.
+  void update(std::span<const AgentUpdate> agents);
 
   /// Writes palettes of the clock, with all bones, of agents that were updated before. Level of detail is measured
   /// against them. The players and blends of an agent are wound back, however far ahead it stands; entities that
   /// remember more than a time (rag-dolls, gazes, placed feet) are taken as they are. Changes nothing: copies of blocks
   /// are updated and dropped.
-  void pose_exactly(std::span<const ExactPose> agents) { parts_.exact.pose(parts_.population, parts_.pus, agents); }
+  void pose_exactly(std::span<const ExactPose> agents);
 
   /// Copies the blocks of everything that changes. The memory of the snapshot is used again.
-  void snapshot(SystemSnapshot& into) const;
+  void snapshot(SystemSnapshot& into);
   /// Puts a snapshot back; the crowd goes on to the same poses, bit for bit. Errors: the snapshot is of other
   /// characters, kinds of entities or bone orders, or of a schedule whose blocks have other sizes; then nothing has
   /// changed.
   Status restore(const SystemSnapshot& from);
   /// Moves living blocks together, in the order in which the scheduler reads them, and gives memory back.
-  Compaction compact() { return parts_.population.compact(); }
-  /// Begins clock, frames and pose hash anew, as if the system were new. There must be no agents and no shared graphs.
-  void restart();
+  Compaction compact();
+  /// Begins clock, frames and pose hash anew, as if the system were new. There are no agents.
+  bool restart();
 
   Figures figures() const { return Figures(parts_); }
 
  private:
   AnimationSystem() = default;
-  void agents_changed();
+  bool add(std::uint32_t count, CharacterId character, const char* call);
 
   SystemParts parts_;
   Characters characters_{parts_};

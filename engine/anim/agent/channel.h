@@ -19,6 +19,10 @@ class Channel {
  public:
   virtual ~Channel() = default;
 
+  /// Returns why the channel cannot play this character, in one sentence that lives as long as the program; null if it
+  /// can. A channel with a fault is not added.
+  virtual const char* fault(const EntityBuilder&) const { return nullptr; }
+
   /// Returns the entity whose pose is the channel's; invalid until there is one.
   virtual Handle state() const = 0;
 

@@ -70,7 +70,7 @@ struct CharacterAgents {
   std::size_t bytes_alive() const;
   /// Returns the bytes of all palettes, one for each agent.
   std::size_t palette_bytes(PaletteFormat format) const {
-    return agents.count() * static_cast<std::size_t>(skeleton().palette_count()) * palette_entry_bytes(format);
+    return agents.alive_count() * static_cast<std::size_t>(skeleton().palette_count()) * palette_entry_bytes(format);
   }
 
   std::shared_ptr<const Character> character;

@@ -118,13 +118,16 @@ void CharacterRigs::reorder_bones(std::span<const int> places) {
   for (RagdollLink& link : ragdoll_->links) link.bone = places[static_cast<std::size_t>(link.bone)];
 }
 
-RigKinds CharacterRigs::add_to(AnimationSystem& system, std::uint32_t character) const {
-  RigKinds kinds;
-  if (look_at_) kinds.look_at = system.characters().add_entity_kind(look_at_kind_, character);
-  if (foot_placement_) kinds.foot_placement = system.characters().add_entity_kind(foot_placement_kind_, character);
-  if (!limbs_.empty()) kinds.limbs = system.characters().add_entity_kind(ik_kind_, character);
-  if (ragdoll_) kinds.ragdoll = system.characters().add_entity_kind(ragdoll_kind_, character);
-  return kinds;
+RigKinds CharacterRigs::add_to(AnimationSystem& system, CharacterId character) const {
+  const auto added = [&](bool has_rig, const EntityKind& kind) -> std::optional<EntityPools::Kind> {
+    if (!has_rig) return std::nullopt;
+    const Result<EntityPools::Kind> number = system.characters().add_entity_kind(kind, character);
+    return number ? std::optional(*number) : std::nullopt;
+  };
+  return {.look_at = added(look_at_.has_value(), look_at_kind_),
+          .foot_placement = added(foot_placement_.has_value(), foot_placement_kind_),
+          .limbs = added(!limbs_.empty(), ik_kind_),
+          .ragdoll = added(ragdoll_.has_value(), ragdoll_kind_)};
 }
 
 }  // namespace throng::anim

@@ -16,7 +16,7 @@
 namespace throng::anim {
 
 /// The kinds of entities of one character in one system, with which post processes are made. A kind is empty where the
-/// character has no such rig.
+/// character has no such rig, or no more kinds can be added.
 struct RigKinds {
   std::optional<EntityPools::Kind> look_at;
   std::optional<EntityPools::Kind> foot_placement;
@@ -37,7 +37,7 @@ class CharacterRigs {
 
   /// Adds the rigs to a character of a system, of which they take up to four of EntityPools::most_kinds. Call it once,
   /// before its agents use them.
-  RigKinds add_to(AnimationSystem& system, std::uint32_t character = 0) const;
+  RigKinds add_to(AnimationSystem& system, CharacterId character = 0) const;
 
   /// Takes another order of the character's bones; `places` has the new index of each. The memory that systems point at
   /// stays where it is; see Characters::replace.

@@ -1,28 +1,90 @@
 #include "engine/anim/agent/characters.h"
 
+#include <limits>
 #include <string>
 #include <utility>
 
+#include "engine/anim/agent/turn.h"
+
 namespace throng::anim {
+namespace {
+
+constexpr const char* no_character = "a character of this id is not in the system";
+
+const char* fault_of(const EntityKind& kind) {
+  if (kind.advance == nullptr) return "a kind has the function advance";
+  if ((kind.pose_packet != nullptr) == (kind.pose_whole != nullptr)) {
+    return "a kind poses either packets (pose_packet) or whole poses (pose_whole)";
+  }
+  if (kind.prepared_bytes % 64 != 0 || kind.prepared_bytes > most_prepared_bytes) {
+    return "prepared_bytes is a multiple of 64, and at most most_prepared_bytes";
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const CharacterAgents& Characters::of(CharacterId character) const {
+  static const CharacterAgents nobody(std::make_shared<const Character>());
+  return has(character) ? *system_->population.characters()[character.number] : nobody;
+}
+
+PaletteFormat Characters::palette_format(CharacterId character) const {
+  return has(character) ? system_->pus.contexts()[character.number].palette_format : PaletteFormat::matrices;
+}
 
 Status Characters::configure_again() { return system_->pus.configure(system_->population, system_->pus.options()); }
 
-Result<std::uint32_t> Characters::add(std::shared_ptr<const Character> character) {
-  if (count() == most_skeletons) {
-    return Error{"a system animates at most " + std::to_string(most_skeletons) + " characters: use another one for \"" +
+Result<CharacterId> Characters::add(std::shared_ptr<const Character> character) {
+  constexpr const char* call = "Characters::add";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (character == nullptr) return refuse({call, "the character is null"});
+  if (const char* fault = fault_of(*character); fault != nullptr) return refuse({call, fault});
+  Population& population = system_->population;
+  if (!population.has_room_for_character()) {
+    return Error{"a system animates at most " + std::to_string(most_skeletons) +
+                 " characters at a time: remove one that nobody plays, or use another system for \"" +
                  character->skeleton.name + "\""};
   }
-  system_->population.add_character(std::move(character));
-  const Status configured = configure_again();
-  if (configured) return count() - 1;
-  system_->population.remove_last_character();
-  system_->pus.refresh_contexts(system_->population);
-  return configured.error();
+  const CharacterId added = population.add_character(std::move(character));
+  const Status fits = system_->pus.take_character(population, added.number);
+  if (fits) return added;
+  population.remove_character(added.number);
+  system_->pus.refresh_contexts(population);
+  return fits.error();
 }
 
-Status Characters::replace(std::uint32_t character, std::shared_ptr<const Character> reordered,
+Status Characters::remove(CharacterId character) {
+  constexpr const char* call = "Characters::remove";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (!has(character)) return refuse({call, no_character});
+  Population& population = system_->population;
+  const CharacterAgents& agents = of(character);
+  if (const std::uint32_t players = agents.agents.alive_count(); players > 0) {
+    return Error{std::to_string(players) + " agents play \"" + agents.skeleton().name + "\": remove them first"};
+  }
+  if (population.character_count() == 1) {
+    return Error{"\"" + agents.skeleton().name + "\" is the system's only character: add another one first"};
+  }
+  population.remove_character(character.number);
+  system_->pus.refresh_contexts(population);
+  return Done{};
+}
+
+Status Characters::replace(CharacterId character, std::shared_ptr<const Character> reordered,
                            std::span<const int> places) {
+  constexpr const char* call = "Characters::replace";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (!has(character)) return refuse({call, no_character});
   CharacterAgents& agents = of(character);
+  if (reordered == nullptr || reordered->skeleton.bone_count() != agents.skeleton().bone_count() ||
+      reordered->clips.size() != agents.character->clips.size() ||
+      places.size() != static_cast<std::size_t>(agents.skeleton().bone_count())) {
+    return refuse({call, "it is not the same character with its bones in another order"});
+  }
   if (const std::string bound = agents.bound_to_bone_order(); !bound.empty()) {
     return Error{"the bones of \"" + agents.skeleton().name + "\" keep their order: its agents have " + bound};
   }
@@ -37,28 +99,82 @@ Status Characters::replace(std::uint32_t character, std::shared_ptr<const Charac
   return configured;
 }
 
-int Characters::add_mask(BoneMask mask, std::uint32_t character) {
+int Characters::add_mask(BoneMask mask, CharacterId character) {
+  constexpr const char* call = "Characters::add_mask";
+  const Turn turn(system_->turn, call);
+  if (!turn) return PlayRequest::no_mask;
+  const char* fault = nullptr;
+  if (!has(character)) {
+    fault = no_character;
+  } else if (mask.packets() != packets_for(of(character).skeleton().bone_count())) {
+    fault = "the mask was made for another skeleton";
+  } else if (of(character).masks.size() == std::numeric_limits<std::int16_t>::max()) {
+    fault = "a character has at most 32,767 masks";
+  }
+  if (fault != nullptr) {
+    report_misuse({call, fault});
+    return PlayRequest::no_mask;
+  }
   const int index = of(character).add_mask(std::move(mask));
   system_->pus.refresh_contexts(system_->population);
   return index;
 }
 
-std::uint32_t Characters::add_bone_selection(BoneSelection selection, std::uint32_t character) {
+std::uint32_t Characters::add_bone_selection(BoneSelection selection, CharacterId character) {
+  constexpr const char* call = "Characters::add_bone_selection";
+  const Turn turn(system_->turn, call);
+  if (!turn) return Player::every_bone;
+  const bool fits = has(character) && selection.packets() == packets_for(of(character).skeleton().bone_count());
+  if (!fits) {
+    report_misuse({call, has(character) ? "the selection was made for another skeleton" : no_character});
+    return Player::every_bone;
+  }
   const std::uint32_t index = of(character).add_selection(std::move(selection));
   system_->pus.refresh_contexts(system_->population);
   return index;
 }
 
-Result<Handle> Characters::add_shared(std::unique_ptr<Channel> channel, std::uint32_t character) {
+Result<EntityPools::Kind> Characters::add_entity_kind(const EntityKind& kind, CharacterId character) {
+  constexpr const char* call = "Characters::add_entity_kind";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (!has(character)) return refuse({call, no_character});
+  if (const char* fault = fault_of(kind); fault != nullptr) return refuse({call, fault});
+  if (of(character).pools.kind_count() == EntityPools::most_kinds) {
+    return refuse({call, "a character has at most 15 kinds of entities, with those of the library"});
+  }
+  return of(character).pools.add_kind(kind);
+}
+
+bool Characters::reserve_entities(EntityPools::Kind kind, std::size_t count, CharacterId character) {
+  constexpr const char* call = "Characters::reserve_entities";
+  const Turn turn(system_->turn, call);
+  if (!turn) return false;
+  if (!has(character)) return report_misuse({call, no_character});
+  if (kind >= of(character).pools.kind_count())
+    return report_misuse({call, "the character has no entities of this kind"});
+  if (count > Handle::max_blocks) return report_misuse({call, "at most 1,048,576 entities of a kind live at a time"});
+  of(character).pools.pool(kind).reserve(count);
+  return true;
+}
+
+Result<Handle> Characters::add_shared(std::unique_ptr<Channel> channel, TypeTag type, CharacterId character) {
+  constexpr const char* call = "Characters::add_shared";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (!has(character)) return refuse({call, no_character});
+  if (channel == nullptr) return refuse({call, "the channel is null"});
   Population& population = system_->population;
   AgentGraphs& shared = of(character).shared;
   const std::uint32_t graph = shared.count();
-  shared.resize(graph + 1);
-  Status added = shared.add_channel(population.shared_builder(of(character), graph), graph, std::move(channel), {});
+  const EntityBuilder build = population.shared_builder(of(character), graph);
+  if (const char* fault = channel->fault(build); fault != nullptr) return refuse({call, fault});
+  shared.add();
+  Status added = shared.add_channel(build, graph, std::move(channel), type, {});
   if (added && shared.graph(graph).empty()) added = Error{"a shared channel must play something"};
   if (added) added = system_->pus.fit(population, system_->pus.demand(population));
   if (!added) {
-    shared.resize(graph);
+    shared.remove_last();
     return added.error();
   }
   return shared.graph(graph).root();

@@ -12,15 +12,6 @@ constexpr double half_lives_in_a_fade = 4.0;
 
 constexpr std::size_t player_place(std::size_t player) { return player == 0 ? 0 : 2 * player - 1; }
 
-PlayerStart start_of(const PlayRequest& request) {
-  return {.clip = request.clip,
-          .speed = request.speed,
-          .start = request.start,
-          .loop = request.loop,
-          .absolute_root = request.absolute_root,
-          .bone_selection = request.bone_selection};
-}
-
 bool stays(const PlayRequest& request) {
   return request.held_fraction.has_value() || request.mask != PlayRequest::no_mask;
 }
@@ -31,6 +22,15 @@ void destroy(const EntityBuilder& build, BlendTree& tree) {
 }
 
 }  // namespace
+
+PlayerStart start_of(const PlayRequest& request) {
+  return {.clip = request.clip,
+          .speed = request.speed,
+          .start = request.start,
+          .loop = request.loop,
+          .absolute_root = request.absolute_root,
+          .bone_selection = request.bone_selection};
+}
 
 bool CrossFadeChannel::play(const EntityBuilder& build, const PlayRequest& request) {
   end_fades(build);

@@ -28,6 +28,9 @@ struct PlayRequest {
   static constexpr int no_mask = EaseBlender::no_mask;
 };
 
+/// Returns how the player of a request begins.
+PlayerStart start_of(const PlayRequest& request);
+
 /// The entities of a blend tree that grows to one side: player 0, then player i and the blender over it and all before,
 /// for i = 1, 2, ...
 struct BlendTree {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/run/program/pose_program.h"
 
 namespace throng::anim {
@@ -18,7 +19,40 @@ void place(AnimationStateHeader& state, const AbsoluteRoot& root) {
   std::ranges::copy(std::array{q.x, q.y, q.z, q.w}, state.absolute_rotation);
 }
 
+constexpr Ticks longest_start = 24 * 3600 * ticks_per_second;
+
+bool is_finite(const AbsoluteRoot& root) {
+  const glm::dvec3& p = root.position;
+  const glm::quat& q = root.rotation;
+  return std::isfinite(p.x + p.y + p.z) && std::isfinite(q.x + q.y + q.z + q.w);
+}
+
 }  // namespace
+
+bool is_speed(double speed) { return std::abs(speed) < 32768.0; }
+
+const char* EntityBuilder::fault_of(const PlayerStart& start) const {
+  if (!has_clip(start.clip)) return "clip is not an index of the character's clips";
+  if (!is_speed(start.speed)) return "a speed is a number of less than 32,768";
+  if (start.start < -longest_start || start.start > longest_start) return "start is within a day of the clip's begin";
+  if (start.bone_selection > about_.selections)
+    return "bone_selection is not a number that add_bone_selection returned";
+  if (start.absolute_root && !is_finite(*start.absolute_root)) return "the absolute root is of numbers";
+  return nullptr;
+}
+
+bool EntityBuilder::is_alive(Handle entity) const {
+  if (pools_->alive(entity)) [[likely]]
+    return true;
+  report_misuse({"EntityBuilder", "a handle names an entity that is gone"});
+  return false;
+}
+
+std::byte* EntityBuilder::nowhere() {
+  alignas(64) static thread_local std::array<std::byte, nowhere_bytes> bytes;
+  bytes.fill(std::byte{0});
+  return bytes.data();
+}
 
 EntityPools::Kind EntityBuilder::player_kind(std::uint32_t clip) const {
   const bool sampled = about_.stream == StreamKind::sampled && clips_[clip].sampled != nullptr;
@@ -26,14 +60,27 @@ EntityPools::Kind EntityBuilder::player_kind(std::uint32_t clip) const {
 }
 
 Handle EntityBuilder::create(EntityPools::Kind kind) const {
+  if (kind >= pools_->kind_count()) {
+    report_misuse({"EntityBuilder::create", "the character has no entities of this kind"});
+    return {};
+  }
   const Handle entity = pools_->create(kind, (about_.owner & shared_owner) != 0);
+  if (!entity.valid()) {
+    report_misuse({"EntityBuilder::create", "at most 1,048,576 entities of a kind live at a time"});
+    return entity;
+  }
   pools_->state(entity).owner = about_.owner;
   return entity;
 }
 
 Handle EntityBuilder::player(const PlayerStart& start) const {
+  if (const char* fault = fault_of(start); fault != nullptr) {
+    report_misuse({"EntityBuilder::player", fault});
+    return {};
+  }
   const auto clip = static_cast<std::uint32_t>(start.clip);
   const Handle handle = create(player_kind(clip));
+  if (!handle.valid()) return handle;
   auto& player = as<Player>(handle);
   player.clip = clip;
   player.speed = fixed_point(start.speed);
@@ -45,7 +92,12 @@ Handle EntityBuilder::player(const PlayerStart& start) const {
 }
 
 Handle EntityBuilder::ease(Handle from, Handle to, Ticks total, int mask) const {
+  if (!has_mask(mask)) {
+    report_misuse({"EntityBuilder::ease", "mask is not a number that add_mask returned"});
+    return {};
+  }
   const Handle handle = create(EntityPools::ease_blenders);
+  if (!handle.valid()) return handle;
   auto& blender = as<EaseBlender>(handle);
   blender.from = from;
   blender.to = to;
@@ -57,6 +109,7 @@ Handle EntityBuilder::ease(Handle from, Handle to, Ticks total, int mask) const 
 
 Handle EntityBuilder::hold(Handle from, Handle to, float fraction, int mask) const {
   const Handle handle = ease(from, to, 0, mask);
+  if (!handle.valid()) return handle;
   auto& blender = as<EaseBlender>(handle);
   blender.flags = EaseBlender::held;
   blender.fraction = fraction;
@@ -73,6 +126,10 @@ FineTicks EntityBuilder::position(Handle player) const {
 
 void EntityBuilder::set_speed(Handle player, double speed) const {
   const FineTicks at = position(player);
+  if (!is_speed(speed)) {
+    report_misuse({"EntityBuilder::set_speed", "a speed is a number of less than 32,768"});
+    return;
+  }
   as<Player>(player).speed = fixed_point(speed);
   seek(player, at);
 }

@@ -22,6 +22,9 @@ struct PlayerStart {
   std::uint32_t bone_selection = Player::every_bone;  ///< the number that `Characters::add_bone_selection` returned
 };
 
+/// Returns whether a player can play at this speed.
+bool is_speed(double speed);
+
 /// Makes the entities of channels and post processes, at a frame boundary. An agent's entities may stand ahead of the
 /// clock (smooth skipping) or behind it; an entity that is made now stands where they do.
 class EntityBuilder {
@@ -31,6 +34,8 @@ class EntityBuilder {
     Ticks now = 0;            ///< the clock
     Ticks posed_at = 0;       ///< the time at which the agent's entities stand
     StreamKind stream = StreamKind::sampled;
+    std::size_t masks = 0;       ///< how many the character has
+    std::size_t selections = 0;  ///< how many the character has
   };
   EntityBuilder(EntityPools& pools, std::span<const ClipStreams> clips, const About& about)
       : pools_(&pools), clips_(clips), about_(about) {}
@@ -41,6 +46,16 @@ class EntityBuilder {
   const ClipStreams& clip(int index) const { return clips_[static_cast<std::size_t>(index)]; }
   EntityPools& pools() const { return *pools_; }
 
+  // Each of the functions below that is given what does not exist reports a misuse and returns an invalid handle or
+  // does nothing. A channel can ask before.
+  bool has_clip(int clip) const { return clip >= 0 && static_cast<std::size_t>(clip) < clips_.size(); }
+  bool has_mask(int mask) const { return mask >= EaseBlender::no_mask && mask < static_cast<int>(about_.masks); }
+  bool has_kind(EntityPools::Kind kind, EntityType type) const {
+    return kind < pools_->kind_count() && pools_->layout(kind).kind->type == type;
+  }
+  /// Returns why a player cannot start like this, in one sentence; null if it can.
+  const char* fault_of(const PlayerStart& start) const;
+
   /// Returns the kind of player that a clip wants under the current stream.
   EntityPools::Kind player_kind(std::uint32_t clip) const;
 
@@ -48,11 +63,13 @@ class EntityBuilder {
   Handle create(EntityPools::Kind kind) const;
   template <typename Entity>
   Entity& as(Handle entity) const {
-    return pools_->as<Entity>(entity);
+    static_assert(sizeof(Entity) <= nowhere_bytes);
+    return is_alive(entity) ? pools_->as<Entity>(entity) : *reinterpret_cast<Entity*>(nowhere());
   }
   template <typename Private>
   Private& private_as(Handle entity) const {
-    return pools_->private_as<Private>(entity);
+    static_assert(sizeof(Private) <= nowhere_bytes);
+    return is_alive(entity) ? pools_->private_as<Private>(entity) : *reinterpret_cast<Private*>(nowhere());
   }
 
   Handle player(const PlayerStart& start) const;
@@ -70,9 +87,17 @@ class EntityBuilder {
   /// Sets the speed of a player from the clock on. Position and time go on without a jump.
   void set_speed(Handle player, double speed) const;
 
-  void destroy(Handle entity) const { pools_->destroy(entity); }
+  void destroy(Handle entity) const {
+    if (is_alive(entity)) pools_->destroy(entity);
+  }
 
  private:
+  static constexpr std::size_t nowhere_bytes = std::size_t{64} << 10U;
+  /// Returns whether the entity lives, and reports a misuse if not.
+  bool is_alive(Handle entity) const;
+  /// Returns zeroed memory for what is written to an entity that is gone.
+  static std::byte* nowhere();
+
   EntityPools* pools_;
   std::span<const ClipStreams> clips_;
   About about_;

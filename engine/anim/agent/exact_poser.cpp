@@ -3,7 +3,21 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/anim/base/misuse.h"
+#include "engine/anim/base/room.h"
+
 namespace throng::anim {
+namespace {
+
+const char* fault_of(const Population& population, const ExactPose& exact) {
+  if (!population.has(exact.agent)) return "an agent of this id is not in the system";
+  if (population.graph(exact.agent.number).empty()) return "an agent plays something before it is posed";
+  const PaletteDestination palette = exact.palette;
+  if (palette.memory() == nullptr || palette.is_misaligned()) return "a palette lies at a multiple of 16 bytes";
+  return nullptr;
+}
+
+}  // namespace
 
 void ExactPoser::pose(const Population& population, const FittedScheduler& crowd, std::span<const ExactPose> agents) {
   list_work(population, crowd, agents);
@@ -20,18 +34,22 @@ void ExactPoser::pose(const Population& population, const FittedScheduler& crowd
 void ExactPoser::list_work(const Population& population, const FittedScheduler& crowd,
                            std::span<const ExactPose> agents) {
   // A frame that poses more agents than the ones before must not allocate.
-  work_.reserve(population.count());
-  runs_.reserve(population.count());
+  make_room(work_, population.count());
+  make_room(runs_, population.count());
   work_.clear();
   for (const ExactPose& exact : agents) {
-    const PoseGraph& graph = population.graph(exact.agent);
-    assert(!graph.empty() && "an agent must have been updated before");
-    const std::uint32_t character = population.member(exact.agent).character;
+    if (const char* fault = fault_of(population, exact); fault != nullptr) {
+      report_misuse({"AnimationSystem::pose_exactly", fault});
+      continue;
+    }
+    const std::uint32_t agent = exact.agent.number;
+    const PoseGraph& graph = population.graph(agent);
+    const std::uint32_t character = population.member(agent).character;
     work_.push_back({.program = graph.program,
                      .entities = graph.entities.data(),
-                     .delta = population.clock() - population.posed_at(exact.agent),
+                     .delta = population.clock() - population.posed_at(agent),
                      .palette = exact.palette,
-                     .agent = exact.agent,
+                     .agent = agent,
                      .cost = crowd.predicted_cost(*graph.program, character, 0),
                      .skeleton = static_cast<std::uint8_t>(character),
                      .held = graph.program->needs.held});
@@ -64,7 +82,7 @@ void ExactPoser::make_scheduler(const Population& population, const FittedSchedu
                                                            .trace = Tracing::off,
                                                            .block_changes = BlockChanges::dropped},
                                            no_unseen_palettes);
-  scheduler_->reserve(population.count());
+  scheduler_->reserve(population.number_limit());
   made_for_ = crowd.version();
 }
 

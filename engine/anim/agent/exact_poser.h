@@ -11,8 +11,8 @@ namespace throng::anim {
 
 /// One agent whose exact pose is wanted.
 struct ExactPose {
-  std::uint32_t agent = 0;
-  PaletteMatrix* palette = nullptr;  ///< out, room for all entries of its skeleton; 64-byte aligned
+  AgentId agent{};
+  PaletteMatrix* palette = nullptr;  ///< out, room for all entries of its skeleton, 16-byte aligned
 };
 
 /// Poses agents for the clock with all bones, and changes nothing. Level of detail is measured against these poses. It

@@ -44,9 +44,7 @@ LocalStoreDemand FittedScheduler::demand(const Population& population, const Sys
 }
 
 Status FittedScheduler::configure(Population& population, const SystemOptions& options) {
-  if (options.pus < 1 || options.pus > max_pus) {
-    return Error{std::to_string(options.pus) + " PUs: give 1 to " + std::to_string(max_pus)};
-  }
+  if (Status valid = check(options); !valid) return valid;
   convert(population, options);
   refresh_contexts(population);
   const LocalStoreDemand needs = demand(population, options);
@@ -64,10 +62,21 @@ Status FittedScheduler::configure(Population& population, const SystemOptions& o
   }
   options_ = options;
   for (const std::unique_ptr<CharacterAgents>& character : population.characters()) {
-    character->reserve_fades(options.stream, character->agents.count());
+    character->reserve_fades(options.stream, character->agents.alive_count());
   }
   refresh_contexts(population);
   make_scheduler(population, *plan, store_bytes);
+  return Done{};
+}
+
+Status FittedScheduler::take_character(const Population& population, std::uint32_t character) {
+  refresh_contexts(population);
+  const LocalStoreDemand needs = demand(population);
+  if (Status fits = fit(population, needs); !fits) return fits;
+  // PUs write palettes that nobody sees to a place of their own, which has room for the largest.
+  if (population.characters()[character]->skeleton().palette_count() > scheduler_->palette_entries()) {
+    make_scheduler(population, scheduler_->options().plan, scheduler_->options().local_store_bytes);
+  }
   return Done{};
 }
 
@@ -87,7 +96,7 @@ void FittedScheduler::make_scheduler(const Population& population, const LocalSt
                                                            .trace = options_.trace},
                                            most_entries);
   ++version_;
-  scheduler_->reserve(population.count());
+  scheduler_->reserve(population.number_limit());
 }
 
 // What an agent asks of the local store after a change may be more than any did before.
@@ -118,11 +127,11 @@ StorePolicy FittedScheduler::store_policy(const Population& population) const {
   for (std::size_t i = 0; i < contexts_.size(); ++i) {
     bytes += population.characters()[i]->palette_bytes(contexts_[i].palette_format);
   }
-  return store_policy_for(bytes);
+  return store_policy_for(bytes, options_.cached_bytes == 0 ? named_cached_bytes() : options_.cached_bytes);
 }
 
 void FittedScheduler::reserve(const Population& population) {
-  scheduler_->reserve(population.count());
+  scheduler_->reserve(population.number_limit());
   scheduler_->set_stores(store_policy(population));
 }
 

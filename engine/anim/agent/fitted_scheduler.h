@@ -18,6 +18,9 @@ class FittedScheduler {
   /// Takes all options, and converts the population to them. Errors: the number of PUs is out of range, or a local
   /// store of a fixed size is too small; then nothing has changed.
   Status configure(Population& population, const SystemOptions& options);
+  /// Fits the stores to a character that was added. Errors: a store of a fixed size is too small; then nothing has
+  /// changed but the contexts.
+  Status take_character(const Population& population, std::uint32_t character);
   const SystemOptions& options() const { return options_; }
   void record_trace(Tracing tracing, std::uint32_t agents);
 

@@ -7,6 +7,8 @@
 
 #include "engine/anim/agent/wind_back.h"
 #include "engine/anim/base/hash.h"
+#include "engine/anim/base/misuse.h"
+#include "engine/anim/base/room.h"
 #include "engine/anim/run/program/stream_reads.h"
 
 namespace throng::anim {
@@ -55,10 +57,10 @@ void FrameWork::update(Population& population, FittedScheduler& pus, std::span<c
   list_shared_work(population, pus);
   list_work(population, pus, agents);
   const bool hash = pus.options().hash;
-  pus.set_hashes(hash ? std::span(hashes_.agents) : std::span(hashes_.agents).first(0));
+  pus.set_hashes(hash ? std::span(palette_hashes_) : std::span(palette_hashes_).first(0));
   pus.scheduler().update(pus.contexts(), shared_work_, {work_, runs_}, pus.executor());
   report_work(population, pus);
-  if (hash) sum_up_hashes();
+  if (hash) sum_up_hashes(population.order());
 }
 
 void FrameWork::list_shared_work(Population& population, FittedScheduler& pus) {
@@ -84,6 +86,7 @@ void FrameWork::list_shared_work(Population& population, FittedScheduler& pus) {
 
 void FrameWork::list_work(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents) {
   work_.resize(agents.size());
+  const auto frame = static_cast<std::uint32_t>(hashes_.frame);
   // Nothing below moves these, and the compiler cannot know.
   const std::span<const Member> members = population.members();
   const std::span<const std::unique_ptr<CharacterAgents>> characters = population.characters();
@@ -97,13 +100,19 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
   };
   runs_.clear();
   for (const AgentUpdate& update : agents) {
-    const Member member = members[update.agent];
+    if (!may_update(population, update)) [[unlikely]]
+      continue;
+    const std::uint32_t agent = update.agent.number;
+    updated_in_[agent] = frame;
+    const Member member = members[agent];
     const AgentGraphs& graphs = characters[member.character]->agents;
     if (graphs.next_update(member.index) <= now) [[unlikely]]
-      update_channels(population, pus, update.agent);
+      update_channels(population, pus, agent);
     const PoseGraph& graph = graphs.graph(member.index);
-    assert(update.level < max_bone_levels && update.fade_level < max_bone_levels && update.fade_halves <= 2);
-    assert(!graph.program->steps.empty() && "an agent must play something before it is updated");
+    if (graph.empty()) [[unlikely]] {
+      report_misuse({"AnimationSystem::update", "an agent plays something before it is updated"});
+      continue;
+    }
     if (!alike.include(*graph.program, update.level)) [[unlikely]] {
       end_run();
       runs_.push_back({.first = listed()});
@@ -115,15 +124,15 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
                .look_ahead = program.needs.shared == 0};
     }
     Ticks time = alike.look_ahead ? now + update.look_ahead : now;
-    const Ticks before = posed_at[update.agent];
-    if (time < before && !can_wind_back(population, update.agent)) [[unlikely]]
+    const Ticks before = posed_at[agent];
+    if (time < before && !can_wind_back(population, agent)) [[unlikely]]
       time = before;
-    posed_at[update.agent] = time;
+    posed_at[agent] = time;
     ::new (work++) AgentWork{.program = alike.program,
                              .entities = graph.entities.data(),
                              .delta = time - before,
                              .palette = update.palette,
-                             .agent = update.agent,
+                             .agent = agent,
                              .cost = alike.cost,
                              .skeleton = static_cast<std::uint8_t>(member.character),
                              .level = update.level,
@@ -132,6 +141,24 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
                              .held = alike.held};
   }
   end_run();
+  work_.resize(listed());
+}
+
+// Checks what the host wrote, before anything of the agent changes.
+bool FrameWork::may_update(const Population& population, const AgentUpdate& update) {
+  const auto refused = [](const char* reason) { return report_misuse({"AnimationSystem::update", reason}); };
+  if (!population.has(update.agent)) return refused("an agent of this id is not in the system");
+  const CharacterAgents& character = population.character_of(update.agent.number);
+  const std::size_t levels = character.skeleton().level_bone_counts.size();
+  if (update.level >= levels) return refused("the agent's character has fewer bone levels");
+  if (update.fade_halves > 2 || (update.fade_halves > 0 && update.fade_level >= levels)) {
+    return refused("a pose fades by 0 to 2 halves to a bone level of its character");
+  }
+  if (update.palette.is_misaligned()) return refused("a palette lies at a multiple of 16 bytes");
+  if (updated_in_[update.agent.number] == static_cast<std::uint32_t>(hashes_.frame)) {
+    return refused("an agent is updated once in a call");
+  }
+  return true;
 }
 
 void FrameWork::report_work(const Population& population, const FittedScheduler& pus) {
@@ -160,25 +187,51 @@ void FrameWork::report_work(const Population& population, const FittedScheduler&
   for (const ProcessingUnit& unit : pus.scheduler().units()) report_.copies += unit.activity().copies;
 }
 
-void FrameWork::sum_up_hashes() {
+// An agent's place is what a run that never had the dead would know it by.
+void FrameWork::hash_agent(std::uint32_t agent, std::uint32_t place) {
+  const PaletteHash& last = hashes_.palettes[agent];
+  hashes_.agents[agent] = last.frame == 0 ? 0 : chain_hash(chain_hash(place, last.frame), last.palette);
+}
+
+void FrameWork::sum_up_hashes(const AgentOrder& order) {
   for (const AgentWork& work : work_) {
-    std::uint64_t& hash = hashes_.agents[work.agent];
-    hash = chain_hash(chain_hash(work.agent, hashes_.frame), hash);
+    hashes_.palettes[work.agent] = {.palette = palette_hashes_[work.agent], .frame = hashes_.frame};
+    hash_agent(work.agent, order.places[work.agent]);
+  }
+  if (hashes_.order != order.version) {
+    hashes_.order = order.version;
+    for (std::uint32_t place = 0; const AgentId agent : order.agents) hash_agent(agent.number, place++);
   }
   std::uint64_t sum = 0;
-  for (const std::uint64_t hash : hashes_.agents) sum += hash;
+  for (const AgentId agent : order.agents) sum += hashes_.agents[agent.number];
   hashes_.poses = chain_hash(hashes_.poses, sum);
 }
 
-void FrameWork::reserve(std::uint32_t agents) {
-  hashes_.agents.resize(agents, 0);
-  work_.reserve(agents);
-  runs_.reserve(agents);
+void FrameWork::reserve(std::uint32_t limit) {
+  if (limit <= hashes_.agents.size()) return;
+  make_room(work_, limit);
+  make_room(runs_, limit);
+  hashes_.agents.resize(limit, 0);
+  hashes_.palettes.resize(limit);
+  palette_hashes_.resize(limit, 0);
+  updated_in_.resize(limit, 0);
+}
+
+void FrameWork::forget_agent(std::uint32_t agent) {
+  hashes_.agents[agent] = 0;
+  hashes_.palettes[agent] = {};
+}
+
+void FrameWork::restore(const FrameHashes& hashes) {
+  hashes_ = hashes;
+  std::ranges::fill(updated_in_, static_cast<std::uint32_t>(hashes_.frame));
+  hashes_.order = 0;
 }
 
 void FrameWork::restart() {
   hashes_.frame = 0;
   hashes_.poses = 0;
+  std::ranges::fill(updated_in_, 0);
 }
 
 std::uint64_t FrameWork::stream_bytes(std::span<const UpdateContext> contexts) const {

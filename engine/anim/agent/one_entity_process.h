@@ -10,6 +10,9 @@ namespace throng::anim {
 template <typename Entity>
 class OneEntityProcess : public PostProcess {
  public:
+  const char* fault(const EntityBuilder& build) const override {
+    return build.has_kind(kind_, type()) ? nullptr : "its kind of entity was not added to this character";
+  }
   Handle attach(const EntityBuilder& build, Handle source) final {
     if (!entity_.valid()) {
       entity_ = build.create(kind_);
@@ -36,6 +39,14 @@ class OneEntityProcess : public PostProcess {
   Handle entity() const { return entity_; }
 
  private:
+  static constexpr EntityType type() {
+    if constexpr (requires { Entity::entity_type; }) {
+      return Entity::entity_type;
+    } else {
+      return EntityType::user;
+    }
+  }
+
   EntityPools::Kind kind_;
   Handle entity_;
 };

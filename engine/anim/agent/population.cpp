@@ -1,9 +1,10 @@
 #include "engine/anim/agent/population.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <utility>
+
+#include "engine/anim/base/room.h"
 
 namespace throng::anim {
 
@@ -21,75 +22,129 @@ void PopulationSnapshot::widen(LocalStoreDemand& demand) const {
   }
 }
 
-void Population::add_character(std::shared_ptr<const Character> character) {
-  characters_.push_back(std::make_unique<CharacterAgents>(std::move(character)));
+namespace {
+
+/// Stands where a number has no character.
+const std::shared_ptr<const Character>& no_character() {
+  static const auto nobody = std::make_shared<const Character>();
+  return nobody;
+}
+
+}  // namespace
+
+CharacterId Population::add_character(std::shared_ptr<const Character> character) {
+  const auto free = std::ranges::find_if(characters_, [](const auto& one) { return one->character == no_character(); });
+  const auto number = static_cast<std::uint32_t>(free - characters_.begin());
+  if (free == characters_.end()) {
+    characters_.emplace_back();
+    character_generations_.resize(std::max(character_generations_.size(), characters_.size()), 0);
+  }
+  characters_[number] = std::make_unique<CharacterAgents>(std::move(character));
+  characters_[number]->set_residency(residency_);
+  return id_of_character(number);
+}
+
+std::size_t Population::character_count() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(characters_, [](const auto& one) { return one->character != no_character(); }));
+}
+
+void Population::remove_character(std::uint32_t character) {
+  assert(characters_[character]->agents.alive_count() == 0 && "its agents play it");
+  characters_[character] = std::make_unique<CharacterAgents>(no_character());
+  ++character_generations_[character];
+  while (characters_.back()->character == no_character()) characters_.pop_back();
+}
+
+bool Population::has(CharacterId character) const {
+  return character.number < characters_.size() && characters_[character.number]->character != no_character() &&
+         (character.generation == whichever || character.generation == character_generations_[character.number]);
 }
 
 void Population::convert(Residency residency, StreamKind stream) {
   stream_ = stream;
+  residency_ = residency;
   for (const std::unique_ptr<CharacterAgents>& character : characters_) {
     character->set_residency(residency);
     character->set_stream(stream);
   }
 }
 
-void Population::resize(std::uint32_t agents) {
-  if (agents == 0) {
-    for (const std::unique_ptr<CharacterAgents>& character : characters_) character->agents.resize(0);
+void Population::make_room(std::uint32_t agents, std::uint32_t character) {
+  CharacterAgents& played = *characters_[character];
+  const std::size_t all = std::size_t{played.agents.alive_count()} + agents;
+  played.reserve_fades(stream_, all);
+  played.agents.make_room(agents);
+  const std::size_t fresh = agents > free_.size() ? agents - free_.size() : 0;
+  anim::make_room(members_, members_.size() + fresh);
+  anim::make_room(posed_at_, posed_at_.size() + fresh);
+  anim::make_room(order_.agents, order_.agents.size() + agents);
+  anim::make_room(order_.places, order_.places.size() + fresh);
+  free_.reserve(members_.capacity());
+}
+
+AgentId Population::add(std::uint32_t character) {
+  order();  // who died has left it, since a number may come back at another place
+  if (free_.empty()) {
+    free_.push_back(number_limit());
+    members_.push_back({.character = 0, .index = 0, .generation = Member::dead});
+    posed_at_.emplace_back();
+    order_.places.push_back(0);
+  }
+  const std::uint32_t number = free_.back();
+  free_.pop_back();
+  Member& member = members_[number];
+  member = {.character = character,
+            .index = characters_[character]->agents.add(),
+            .generation = member.generation & ~Member::dead};
+  posed_at_[number] = clock_;
+  order_.places[number] = static_cast<std::uint32_t>(order_.agents.size());
+  order_.agents.push_back(id(number));
+  return id(number);
+}
+
+void Population::remove(std::uint32_t agent) {
+  Member& member = members_[agent];
+  characters_[member.character]->agents.remove(member.index);
+  member.generation = (member.generation + 1) | Member::dead;
+  free_.push_back(agent);
+  if (!some_in_order_died_ && order_.agents.back().number == agent) {
+    order_.agents.pop_back();
   } else {
-    assert(characters_.front()->agents.count() == count() && "agents of several characters: use add_agents");
-    characters_.front()->reserve_fades(stream_, agents);
-    characters_.front()->agents.resize(agents);
+    some_in_order_died_ = true;
   }
-  for (std::uint32_t agent = count(); agent < agents; ++agent) members_.push_back({.character = 0, .index = agent});
-  members_.resize(agents);
-  posed_at_.resize(agents, clock_);
 }
 
-std::uint32_t Population::add(std::uint32_t agents, std::uint32_t character) {
-  const std::uint32_t first = count();
-  const std::uint32_t next = characters_[character]->agents.count();
-  for (std::uint32_t i = 0; i < agents; ++i) members_.push_back({.character = character, .index = next + i});
-  make_agents(first);
-  return first;
-}
-
-std::uint32_t Population::add(std::span<const std::uint8_t> characters) {
-  const std::uint32_t first = count();
-  std::array<std::uint32_t, most_skeletons> next{};
-  for (std::size_t i = 0; i < characters_.size(); ++i) next[i] = characters_[i]->agents.count();
-  members_.reserve(first + characters.size());
-  for (const std::uint8_t character : characters) {
-    members_.push_back({.character = character, .index = next[character]++});
-  }
-  make_agents(first);
-  return first;
-}
-
-// For the members from `first` on, those of one character all at once.
-void Population::make_agents(std::uint32_t first) {
-  std::array<std::uint32_t, most_skeletons> added{};
-  for (const Member& member : std::span(members_).subspan(first)) ++added[member.character];
-  for (std::size_t i = 0; i < characters_.size(); ++i) {
-    if (added[i] == 0) continue;
-    const std::uint32_t all = characters_[i]->agents.count() + added[i];
-    characters_[i]->reserve_fades(stream_, all);
-    characters_[i]->agents.resize(all);
-  }
-  posed_at_.resize(count(), clock_);
+const AgentOrder& Population::order() {
+  if (!some_in_order_died_) return order_;
+  some_in_order_died_ = false;
+  std::erase_if(order_.agents, [&](AgentId agent) { return !has(agent); });
+  for (std::uint32_t place = 0; const AgentId agent : order_.agents) order_.places[agent.number] = place++;
+  ++order_.version;
+  return order_;
 }
 
 EntityBuilder Population::builder(std::uint32_t agent) {
   CharacterAgents& character = character_of(agent);
   return {character.pools,
           character.clips,
-          {.owner = members_[agent].index, .now = clock_, .posed_at = posed_at_[agent], .stream = stream_}};
+          {.owner = members_[agent].index,
+           .now = clock_,
+           .posed_at = posed_at_[agent],
+           .stream = stream_,
+           .masks = character.masks.size(),
+           .selections = character.selections.size()}};
 }
 
 EntityBuilder Population::shared_builder(CharacterAgents& character, std::uint32_t graph) const {
   return {character.pools,
           character.clips,
-          {.owner = shared_owner | graph, .now = clock_, .posed_at = shared_posed_at_, .stream = stream_}};
+          {.owner = shared_owner | graph,
+           .now = clock_,
+           .posed_at = shared_posed_at_,
+           .stream = stream_,
+           .masks = character.masks.size(),
+           .selections = character.selections.size()}};
 }
 
 void Population::restart() {
@@ -102,6 +157,8 @@ void Population::snapshot(PopulationSnapshot& into) const {
   into.characters.resize(characters_.size());
   for (std::size_t i = 0; i < characters_.size(); ++i) characters_[i]->snapshot(into.characters[i]);
   into.members = members_;
+  into.free = free_;
+  into.order = order_;
   into.posed_at = posed_at_;
   into.clock = clock_;
   into.shared_posed_at = shared_posed_at_;
@@ -129,6 +186,10 @@ Status Population::restore(const PopulationSnapshot& from) {
     if (Status restored = characters_[i]->restore(from.characters[i]); !restored) return restored;
   }
   members_ = from.members;
+  free_ = from.free;
+  const std::uint64_t version = order_.version + 1;
+  order_ = from.order;
+  order_.version = version;
   posed_at_ = from.posed_at;
   clock_ = from.clock;
   shared_posed_at_ = from.shared_posed_at;

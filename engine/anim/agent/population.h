@@ -6,19 +6,35 @@
 #include <vector>
 
 #include "engine/anim/agent/character_agents.h"
+#include "engine/anim/base/ids.h"
 
 namespace throng::anim {
 
 /// The character of an agent, and its number among the agents of that character.
 struct Member {
+  static constexpr std::uint32_t dead = 1U << 31;  ///< set in the generation of a number that nobody has
+
   std::uint32_t character;
   std::uint32_t index;
+  std::uint32_t generation;  ///< of the agent that has this number, or of the next one that will
+
+  bool alive() const { return (generation & dead) == 0; }
+};
+
+/// Agents in the order in which they were added, and the place of each number in it. Poses are hashed by the place, so
+/// that a hash does not depend on who lived before.
+struct AgentOrder {
+  std::vector<AgentId> agents;        // [place]
+  std::vector<std::uint32_t> places;  // [number] meaningless for the dead
+  std::uint64_t version = 0;          // another one whenever a place belongs to another agent
 };
 
 /// The state of a population at a moment.
 struct PopulationSnapshot {
   std::vector<CharacterAgentsSnapshot> characters;
   std::vector<Member> members;
+  std::vector<std::uint32_t> free;
+  AgentOrder order;
   std::vector<Ticks> posed_at;
   Ticks clock = 0;
   Ticks shared_posed_at = 0;
@@ -31,20 +47,42 @@ struct PopulationSnapshot {
 /// The characters of a system, their agents in one numbering, the clock, and the time at which each agent stands.
 class Population {
  public:
+  /// Returns [character]. A number that no character has holds one without bones, agents and clips.
   std::span<const std::unique_ptr<CharacterAgents>> characters() const { return characters_; }
-  void add_character(std::shared_ptr<const Character> character);
-  void remove_last_character() { characters_.pop_back(); }
+  /// Adds a character under the lowest free number. There must be fewer than most_skeletons.
+  CharacterId add_character(std::shared_ptr<const Character> character);
+  /// Removes a character that has no agents.
+  void remove_character(std::uint32_t character);
+  bool has(CharacterId character) const;
+  bool has_room_for_character() const { return character_count() < most_skeletons; }
+  std::size_t character_count() const;
+  /// Returns an id of nothing if there is no such number.
+  CharacterId id_of_character(std::uint32_t character) const {
+    return character < characters_.size() ? CharacterId{character, character_generations_[character]} : CharacterId{};
+  }
   /// Converts the blocks of all agents to the residency of a schedule, and their players to a stream.
   void convert(Residency residency, StreamKind stream);
 
-  std::uint32_t count() const { return static_cast<std::uint32_t>(members_.size()); }
+  /// Returns how many agents live.
+  std::uint32_t count() const { return static_cast<std::uint32_t>(members_.size() - free_.size()); }
+  /// Returns a number above those of all agents.
+  std::uint32_t number_limit() const { return static_cast<std::uint32_t>(members_.size()); }
   std::span<const Member> members() const { return members_; }
   const Member& member(std::uint32_t agent) const { return members_[agent]; }
-  /// Does what AnimationSystem::set_agent_count does.
-  void resize(std::uint32_t agents);
-  /// Does what AnimationSystem::add_agents does.
-  std::uint32_t add(std::uint32_t agents, std::uint32_t character);
-  std::uint32_t add(std::span<const std::uint8_t> characters);
+  bool has(std::uint32_t agent) const { return agent < members_.size() && members_[agent].alive(); }
+  bool has(AgentId agent) const {
+    return has(agent.number) &&
+           (agent.generation == whichever || agent.generation == members_[agent.number].generation);
+  }
+  AgentId id(std::uint32_t agent) const { return {agent, members_[agent].generation}; }
+  /// Returns the living agents. They stay where they are until agents are added or removed.
+  const AgentOrder& order();
+
+  /// Adds an agent. room_for() makes that cheap for many.
+  AgentId add(std::uint32_t character);
+  /// Makes room for so many more agents of a character.
+  void make_room(std::uint32_t agents, std::uint32_t character);
+  void remove(std::uint32_t agent);
 
   CharacterAgents& character_of(std::uint32_t agent) { return *characters_[members_[agent].character]; }
   const CharacterAgents& character_of(std::uint32_t agent) const { return *characters_[members_[agent].character]; }
@@ -73,14 +111,17 @@ class Population {
   std::size_t bytes() const;
 
  private:
-  void make_agents(std::uint32_t first);
-
   std::vector<std::unique_ptr<CharacterAgents>> characters_;
-  std::vector<Member> members_;  // [agent]
+  std::vector<std::uint32_t> character_generations_;  // [character] of numbers that nobody has, too
+  std::vector<Member> members_;                       // [agent]
+  std::vector<std::uint32_t> free_;                   // numbers of dead agents; the last is given next
+  AgentOrder order_;
+  bool some_in_order_died_ = false;
   std::vector<Ticks> posed_at_;  // [agent] the time at which its entities stand
   Ticks clock_ = 0;
   Ticks shared_posed_at_ = 0;
   StreamKind stream_ = StreamKind::sampled;  // the stream of new players
+  Residency residency_ = Residency::transient;
 };
 
 }  // namespace throng::anim

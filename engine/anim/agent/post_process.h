@@ -15,6 +15,10 @@ class PostProcess {
  public:
   virtual ~PostProcess() = default;
 
+  /// Returns why the process cannot work on this character, in one sentence that lives as long as the program; null if
+  /// it can. A process with a fault is not added.
+  virtual const char* fault(const EntityBuilder&) const { return nullptr; }
+
   /// Returns the entity that tweaks the pose of `source`. The first call makes it, and later calls give it another
   /// source. A process that has nothing to do returns the source.
   virtual Handle attach(const EntityBuilder& build, Handle source) = 0;

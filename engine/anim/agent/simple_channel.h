@@ -16,6 +16,7 @@ class SimpleChannel final : public Channel {
     starts_ = true;
   }
 
+  const char* fault(const EntityBuilder& build) const override { return build.fault_of(start_); }
   Handle state() const override { return player_; }
   bool update(const EntityBuilder& build) override {
     if (!std::exchange(starts_, false)) return false;

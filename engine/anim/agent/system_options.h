@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "engine/anim/base/executor.h"
+#include "engine/anim/base/result.h"
 #include "engine/anim/run/scheduler.h"
 
 namespace throng::anim {
@@ -22,6 +24,9 @@ struct SystemOptions {
   bool prefetch = false;        ///< players ask for their rows before the first packet is sampled (paper, note 5)
   CostModel cost{};             ///< orders tasks and cuts tiles
   std::optional<StorePolicy> stores{};  ///< the policy for palettes; none: by their size (run/store/store_choice.h)
+  /// The bytes of palettes up to which the caches hold them from one update to the next. 0: what the machine says of
+  /// its caches. A host that has half a second at load time gives measured_cached_bytes().
+  std::size_t cached_bytes = 0;
   /// `packed` is for the characters that can be packed (see Characters::palette_format); all others get matrices.
   PaletteFormat palettes = PaletteFormat::matrices;
   const Kernels* kernels = nullptr;  ///< null: the best that this machine runs
@@ -29,5 +34,10 @@ struct SystemOptions {
   friend bool operator==(const SystemOptions&, const SystemOptions&) = default;
 };
 inline constexpr int max_pus = 256;
+inline constexpr std::uint32_t most_agents = 1U << 20U;
+inline constexpr std::size_t most_local_store_bytes = std::size_t{1} << 30U;
+
+/// Checks that every number is in its range. Errors: the first that is not.
+Status check(const SystemOptions& options);
 
 }  // namespace throng::anim

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+
 #include "engine/anim/agent/exact_poser.h"
 #include "engine/anim/agent/fitted_scheduler.h"
 #include "engine/anim/agent/frame_work.h"
@@ -13,6 +15,7 @@ struct SystemParts {
   FittedScheduler pus;
   FrameWork frame;
   ExactPoser exact;
+  std::atomic<bool> turn{false};  ///< some call changes the system; see Turn
 };
 
 }  // namespace throng::anim

@@ -1,20 +1,28 @@
 #include "engine/anim/agent/system_snapshot.h"
 
+#include "engine/anim/agent/turn.h"
+
 namespace throng::anim {
 
-void AnimationSystem::snapshot(SystemSnapshot& into) const {
+void AnimationSystem::snapshot(SystemSnapshot& into) {
+  const Turn turn(parts_.turn, "AnimationSystem::snapshot");
+  if (!turn) return;
+  parts_.population.order();
   parts_.population.snapshot(into.population_);
   into.hashes_ = parts_.frame.hashes();
 }
 
 Status AnimationSystem::restore(const SystemSnapshot& from) {
+  const Turn turn(parts_.turn, "AnimationSystem::restore");
+  if (!turn) return turn.refusal();
   if (Status same = parts_.population.can_restore(from.population_); !same) return same;
   LocalStoreDemand needs = parts_.pus.demand(parts_.population);
   from.population_.widen(needs);
   if (Status fits = parts_.pus.fit(parts_.population, needs); !fits) return fits;
   if (Status restored = parts_.population.restore(from.population_); !restored) return restored;
   parts_.frame.restore(from.hashes_);
-  agents_changed();
+  parts_.frame.reserve(number_limit());
+  parts_.pus.reserve(parts_.population);
   return Done{};
 }
 

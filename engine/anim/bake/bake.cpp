@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/anim/asset/keyframe_stream_clip.h"
+#include "engine/anim/asset/model_check.h"
 #include "engine/anim/asset/morph_limits.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/bake/footsteps.h"
@@ -19,6 +20,7 @@
 #include "engine/anim/bake/sampled.h"
 #include "engine/anim/bake/still_tracks.h"
 #include "engine/anim/bake/surface.h"
+#include "engine/anim/base/misuse.h"
 
 namespace throng::anim {
 
@@ -166,6 +168,10 @@ void add_data_keys(Character& character, BakedClip& baked, std::span<const Named
 }  // namespace
 
 Character bake_character(const Model& model, const BakeOptions& options) {
+  if (const Status valid = check_model(model); !valid) {
+    report_misuse({"bake_character", valid.error().message.c_str()});
+    return {};
+  }
   static const std::vector<Clip> rest{{.name = "rest", .tracks = {}}};
   const std::vector<Clip>& clips = model.clips.empty() ? rest : model.clips;
   const SurfaceProxy proxy = make_surface_proxy(model);

@@ -73,7 +73,11 @@ struct Character {
   std::shared_ptr<const void> lender = {};        ///< keeps the memory that lent streams lie in, for example a pack
 };
 
-/// Bakes every clip of `model`, on as many threads as the machine has cores. Never fails on what import accepted.
+/// Returns why a system cannot play this character, in one sentence that lives as long as the program; null if it can.
+const char* fault_of(const Character& character);
+
+/// Bakes every clip of `model`, on as many threads as the machine has cores. Never fails on what import accepted. A
+/// model that check_model() refuses is a misuse: the character that comes of it has no bones, and no system takes it.
 Character bake_character(const Model& model, const BakeOptions& options = {});
 
 /// Returns the character that bake_character would make of `model`, which is the model of `character` in another order

@@ -36,6 +36,7 @@ EntityPools::Kind EntityPools::add_kind(const EntityKind& kind) {
 
 Handle EntityPools::create(Kind kind, bool shared) {
   const Handle handle = (shared ? shared_ : own_)[kind].create();
+  if (!handle.valid()) return handle;
   initialise_state(state(handle), layout(handle), bone_count_, components_);
   return handle;
 }

@@ -13,6 +13,8 @@ namespace throng::anim {
 ///
 ///     [header 96 | foot placement 32 | transforms if resident | body 80 | a foot 112, a foot 112, ...]
 struct alignas(64) FootPlacementEntity {
+  static constexpr EntityType entity_type = EntityType::foot_placement;
+
   AnimationStateHeader state;  //   0
   Handle source;               //  96
   float drop;                  // 100  metres by which the last update lowered the pelvis

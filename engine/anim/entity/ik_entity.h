@@ -15,6 +15,8 @@ namespace throng::anim {
 ///
 ///     [header 96 | inverse kinematics 32 | transforms if resident | IkMemory]
 struct alignas(64) IkEntity {
+  static constexpr EntityType entity_type = EntityType::two_bone_ik;
+
   AnimationStateHeader state;  //   0
   Handle source;               //  96
   float target[3];             // 100  metres, model space: the place that the end of the limb reaches for

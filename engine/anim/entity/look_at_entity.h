@@ -13,6 +13,8 @@ namespace throng::anim {
 ///
 ///     [header 96 | look-at 32 | transforms if resident | LookAtMemory]
 struct alignas(64) LookAtEntity {
+  static constexpr EntityType entity_type = EntityType::look_at;
+
   AnimationStateHeader state;  //   0
   Handle source;               //  96
   float target[3];             // 100  metres, model space

@@ -13,6 +13,8 @@ namespace throng::anim {
 ///
 ///     [header 96 | noise 32 | transforms if resident]
 struct alignas(64) NoiseMaker {
+  static constexpr EntityType entity_type = EntityType::noise_maker;
+
   AnimationStateHeader state;  //   0
   Ticks time;                  //  96
   Handle source;               // 104

@@ -62,7 +62,7 @@ bool only_moves(const Player& player, const ClipStreams& clip) {
 // Inline, since this is the frame's innermost loop, where a call takes as long as its body.
 inline void move_player(Player& player, const ClipStreams& clip) {
   const FineTicks duration = clip.duration * fine_ticks_per_tick;
-  const FineTicks position = player.position + player.state.delta_time * player.speed;
+  const FineTicks position = player.position + distance(player.state.delta_time, player.speed);
   player.position = position;
   clear_motion(player.state);
   const bool is_inside = static_cast<std::uint64_t>(position) < static_cast<std::uint64_t>(duration);

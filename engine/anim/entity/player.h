@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 #include "engine/anim/asset/bone_priorities.h"
@@ -53,8 +55,18 @@ static_assert(sizeof(Player) == entity_header_bytes);
 static_assert(offsetof(Player, position) == 96 && offsetof(Player, flags) == 112 && offsetof(Player, cursor) == 120);
 static_assert(offsetof(Player, bone_selection) == 124);
 
+/// Returns how far a player of this speed gets in a time: their product, or the end of FineTicks on its side, as after
+/// 55 hours at the clip's own speed.
+inline FineTicks distance(Ticks time, std::int32_t speed) {
+  constexpr Ticks surely_fits = Ticks{1} << 31;
+  if (time < surely_fits && time > -surely_fits) [[likely]]
+    return time * speed;
+  constexpr FineTicks most = FineTicks{1} << 62;
+  const Ticks longest = most / std::max<FineTicks>(std::abs(FineTicks{speed}), 1);
+  return std::clamp(time, -longest, longest) * speed;
+}
+
 /// Uses up `state.delta_time` and moves position, loop count, flags and velocity: the first half of an update (2.2.3).
-/// delta * |speed| stays below 2^63, which is 55 hours at the clip's own speed.
 void advance_player(Player& player, const ClipStreams& clip);
 
 /// Returns the player's position with whole loops added. for_each_data_key and displacement take two of these.

@@ -18,6 +18,7 @@ namespace throng::anim {
 ///
 ///     animated --let_go()--> first --> second --> loose
 struct alignas(64) RagdollEntity {
+  static constexpr EntityType entity_type = EntityType::ragdoll;
   enum class Phase : std::uint32_t { animated, first, second, loose };
 
   AnimationStateHeader state;  //   0

@@ -27,6 +27,8 @@ using SocketPlaces = std::vector<SocketPlace>;
 ///
 ///     [header 96 | socket 32 | transforms if resident]
 struct alignas(64) Socket {
+  static constexpr EntityType entity_type = EntityType::socket;
+
   AnimationStateHeader state;  //   0
   float position[3];           //  96  metres, model space, after the last update
   float rotation[3];           // 108  x y z of a unit quaternion, w is not negative

@@ -132,7 +132,7 @@ void LevelOfDetail::list_updates(const LodCrowd& crowd) {
     const BoneStep bones = step_bones(due);
     // An agent that is evaluated in each frame has the pose of now.
     const bool ahead = request_.rules.smooth && due.look_ahead > 1 && is_shown(due.agent);
-    updates_.push_back({.agent = due.agent,
+    updates_.push_back({.agent = {due.agent},
                         .level = bones.level,
                         .look_ahead = ahead ? due.look_ahead * request_.frame_step : 0,
                         .palette = nullptr,
@@ -151,17 +151,17 @@ BoneStep LevelOfDetail::step_bones(const DueAgent& due) {
 
 AgentUpdate& LevelOfDetail::update_also(std::uint32_t agent) {
   bone_steps_[agent] = settled_at(0);
-  return updates_.emplace_back(AgentUpdate{.agent = agent});
+  return updates_.emplace_back(AgentUpdate{.agent = {agent}});
 }
 
 void LevelOfDetail::show_at_once(AgentUpdate& update) {
   update.look_ahead = 0;
-  make_due(update.agent);
+  make_due(update.agent.number);
 }
 
 void LevelOfDetail::settle(double predicted_nanoseconds, std::optional<float> measured_error_pixels) {
   for (const AgentUpdate& update : updates_) {
-    shown_in_[update.agent] = update.palette.memory() != nullptr ? frame_ : never_shown;
+    shown_in_[update.agent.number] = update.palette.memory() != nullptr ? frame_ : never_shown;
   }
   if (request_.frame_step == 0) return;
   const bool by_error = request_.rules.rule == LodRule::budget;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "engine/anim/base/ids.h"
 #include "engine/anim/base/units.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
 
@@ -9,7 +10,7 @@ namespace throng::anim {
 
 /// One agent to be posed in this frame.
 struct AgentUpdate {
-  std::uint32_t agent = 0;
+  AgentId agent{};
   std::uint8_t level = 0;           ///< bone level
   Ticks look_ahead = 0;             ///< the pose is that of now + look_ahead (smooth skipping); see can_wind_back()
   PaletteDestination palette = {};  ///< the PU writes it there, room for the level's entries; null: nobody draws it

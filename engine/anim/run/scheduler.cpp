@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "engine/anim/base/misuse.h"
+#include "engine/anim/base/room.h"
+
 namespace throng::anim {
 namespace {
 
@@ -19,12 +22,13 @@ double cost_of(const EntityKind& kind, int packets, const CostModel& cost) {
 }  // namespace
 
 Scheduler::Scheduler(const ScheduleOptions& options, std::size_t palette_entries)
-    : options_(options), queue_(options.pus) {
+    : options_(options), palette_entries_(palette_entries), queue_(options.pus) {
   units_.reserve(static_cast<std::size_t>(options.pus));
   for (int pu = 0; pu < options.pus; ++pu) units_.emplace_back(options.local_store_bytes, palette_entries);
   set_plan(options.plan);
   priorities_.resize(PoseProgram::max_depth);
   shares_.resize(static_cast<std::size_t>(options.pus) + 1);
+  is_waiting_ = std::vector<std::atomic<bool>>(static_cast<std::size_t>(options.pus));
 }
 
 void Scheduler::set_plan(const LocalStorePlan& plan) {
@@ -44,8 +48,8 @@ void Scheduler::reserve(std::size_t agents) {
   cutter_.reserve(agents);
   record_trace(options_.trace, agents);
   if (options_.schedule == Schedule::fused) return;
-  priorities_[0].reserve(agents * usual_entities);
-  for (std::size_t i = 1; i < usual_entities; ++i) priorities_[i].reserve(agents * 2);
+  make_room(priorities_[0], agents * usual_entities);
+  for (std::size_t i = 1; i < usual_entities; ++i) make_room(priorities_[i], agents * 2);
 }
 
 void Scheduler::update(std::span<const UpdateContext> contexts, std::span<const AgentWork> shared,
@@ -83,13 +87,29 @@ void Scheduler::on_units(Executor& executor, RunUnit&& run_unit) {
     Scheduler* scheduler;
     RunUnit* run_unit;
   } shared{this, &run_unit};
+  const int jobs = static_cast<int>(used_shares_.size()) - 1;
   queue_.open(used_shares_);
+  for (int pu = 0; pu < jobs; ++pu) is_waiting_[static_cast<std::size_t>(pu)].store(true, std::memory_order_relaxed);
   units_.front().trace().close(TraceSpan::Kind::schedule);
   const auto run = [](void* context, int pu) {
     const auto& job = *static_cast<Context*>(context);
+    if (!job.scheduler->begin_job(pu)) return;
     (*job.run_unit)(job.scheduler->units_[static_cast<std::size_t>(pu)], TaskQueue::Taker(job.scheduler->queue_, pu));
   };
-  executor.run(static_cast<int>(used_shares_.size()) - 1, {run, &shared});
+  executor.run(jobs, {run, &shared});
+  for (int pu = 0; pu < jobs; ++pu) {
+    if (is_waiting_[static_cast<std::size_t>(pu)].exchange(false)) {
+      report_misuse({"Executor::run", "an executor runs each of its jobs before it returns"});
+    }
+  }
+}
+
+// A job that a host's executor runs twice, or makes up, does nothing.
+bool Scheduler::begin_job(int pu) {
+  const bool exists = pu >= 0 && static_cast<std::size_t>(pu) < is_waiting_.size();
+  if (exists && is_waiting_[static_cast<std::size_t>(pu)].exchange(false)) return true;
+  report_misuse({"Executor::run", "an executor runs jobs 0 to count - 1, each once"});
+  return false;
 }
 
 void Scheduler::run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, double task_ns,

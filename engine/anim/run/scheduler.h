@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <vector>
@@ -83,8 +84,11 @@ class Scheduler {
   /// Returns the time of the last update. Its clocks make milliseconds of the units' traces.
   const UpdateTime& time() const { return time_; }
   const ScheduleOptions& options() const { return options_; }
+  /// Returns the most entries of a palette that it has room for.
+  int palette_entries() const { return static_cast<int>(palette_entries_); }
 
  private:
+  bool begin_job(int pu);
   std::span<int> shares_for(double nanoseconds);
   void collect_entities(std::span<const UpdateContext> contexts, std::span<const AgentWork> work);
   void run_fused(std::span<const UpdateContext> contexts, std::span<const AgentWork> work, double task_ns,
@@ -105,6 +109,8 @@ class Scheduler {
   std::vector<int> shares_;                            // room for a share a PU
   std::span<int> used_shares_;                         // the shares of the PUs that are worth waking
   std::vector<std::vector<EntityUpdate>> priorities_;  // [i] entities of priority highest - i; [0] players
+  std::vector<std::atomic<bool>> is_waiting_;          // [pu] its job was handed out and has not begun
+  std::size_t palette_entries_;
   TaskQueue queue_;
   UpdateTime time_;
 };

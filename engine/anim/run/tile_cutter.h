@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/anim/base/room.h"
 #include "engine/anim/run/local_store_plan.h"
 #include "engine/anim/run/program/agent_work.h"
 #include "engine/anim/run/program/cost_model.h"
@@ -17,8 +18,8 @@ class TileCutter {
  public:
   /// Makes room for so many agents, so that cut() does not allocate.
   void reserve(std::size_t agents) {
-    tiles_.reserve(agents);
-    runs_.reserve(agents);
+    make_room(tiles_, agents);
+    make_room(runs_, agents);
   }
 
   /// Cuts tiles as wide as the plan lets them be, and once more where a share ends so that no PU is late. `shares` gets

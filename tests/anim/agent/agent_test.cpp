@@ -63,18 +63,20 @@ TEST(Agent, HandsTheChannelsThatItHasOut) {
   ASSERT_TRUE(crowd->agent(0).add_channel(std::make_unique<SimpleChannel>(PlayerStart{.clip = 1})));
   EXPECT_EQ(crowd->agent(0).channel_count(), 2U);
   EXPECT_EQ(crowd->agent(1).channel_count(), 1U);
-  const Handle top = crowd->agent(0).channel<SimpleChannel>(1).state();
-  crowd->agent(0).remove_channel(0);
-  EXPECT_EQ(crowd->agent(0).channel(0).state(), top) << "it moved up";
+  const Handle top = crowd->agent(0).channel<SimpleChannel>({1})->state();
+  crowd->agent(0).remove_channel({0});
+  EXPECT_EQ(crowd->agent(0).channel(crowd->agent(0).channel_id(0))->state(), top) << "it moved up";
 }
 
-TEST(Agent, GivesItsLastPostProcessToAnother) {
+TEST(Agent, GivesAPostProcessToAnother) {
   CrowdRig crowd = two_agents();
-  ASSERT_TRUE(crowd->agent(0).add_post_process(std::make_unique<NoiseProcess>(NoiseProcess::Settings{})));
-  const PostProcess* const noise = &crowd->agent(0).post_process(0);
-  ASSERT_TRUE(crowd->agent(1).add_post_process(crowd->agent(0).take_last_post_process()));
+  const auto added = crowd->agent(0).add_post_process(std::make_unique<NoiseProcess>(NoiseProcess::Settings{}));
+  ASSERT_TRUE(added);
+  const NoiseProcess* const noise = crowd->agent(0).post_process<NoiseProcess>(*added);
+  const auto given = crowd->agent(1).add_post_process(crowd->agent(0).take_post_process<NoiseProcess>(*added));
+  ASSERT_TRUE(given);
   EXPECT_EQ(crowd->agent(0).post_process_count(), 0U);
-  EXPECT_EQ(&crowd->agent(1).post_process<NoiseProcess>(0), noise);
+  EXPECT_EQ(crowd->agent(1).post_process<NoiseProcess>(*given), noise);
   crowd->agent(1).remove_post_processes();
   EXPECT_EQ(crowd->agent(1).post_process_count(), 0U);
 }

@@ -20,13 +20,13 @@ constexpr BlendPoint run{.clip = 0, .parameter = 4.2F};
 
 struct Runner {
   explicit Runner(float speed, const SystemOptions& options = {}) : crowd(options) {
-    const Status added =
+    const Result<ChannelId> added =
         crowd->agent(0).add_channel(std::make_unique<BlendSpaceChannel>(std::vector{walk, jog, run}, speed, true));
     EXPECT_TRUE(added) << added.error().message;
   }
   void set_speed(float speed) {
-    const Status changed =
-        crowd->agent(0).change<BlendSpaceChannel>(0, [&](BlendSpaceChannel& channel) { channel.set_parameter(speed); });
+    const Status changed = crowd->agent(0).change<BlendSpaceChannel>(
+        {0}, [&](BlendSpaceChannel& channel) { channel.set_parameter(speed); });
     EXPECT_TRUE(changed) << changed.error().message;
   }
   /// Where each player is in its cycle, 0 to 1.
@@ -94,7 +94,7 @@ TEST(BlendSpace, KeepsPhasesAlignedAfterMinutesOfChangingSpeed) {
 
 TEST(BlendSpace, KeepsPhasesAlignedAfterAnHourOfOneSpeed) {
   Runner runner(1.9F);
-  const AgentUpdate update{.agent = 0};
+  const AgentUpdate update{.agent = {0}};
   double farthest = 0.0;
   for (int second = 0; second < 3600; ++second) {
     runner.crowd->advance(ticks_per_second);

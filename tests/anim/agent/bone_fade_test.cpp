@@ -33,7 +33,7 @@ Palette pose(const Fade& fade, const SystemOptions& options) {
   (*system)->set_agent_count(1);
   (*system)->agent(0).play({.clip = 0, .start = to_ticks(0.3)});
   Palette palette(64);
-  const AgentUpdate update{.agent = 0,
+  const AgentUpdate update{.agent = {0},
                            .level = fade.level,
                            .palette = palette.data(),
                            .fade_level = fade.fade_level,

@@ -17,7 +17,7 @@ std::shared_ptr<const Character> character_of(int bones) {
 
 std::unique_ptr<AnimationSystem> two_characters(const SystemOptions& options = {}) {
   auto system = std::move(*AnimationSystem::create(character_of(30), options));
-  EXPECT_EQ(*system->characters().add(character_of(12)), 1U);
+  EXPECT_EQ(system->characters().add(character_of(12))->number, 1U);
   return system;
 }
 

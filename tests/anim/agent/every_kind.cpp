@@ -112,8 +112,8 @@ EveryKind::EveryKind(const SystemOptions& options) {
   EXPECT_TRUE(created.has_value()) << created.error().message;
   system = std::move(*created);
   system->set_agent_count(agents);
-  const EntityPools::Kind drifts = system->characters().add_entity_kind(drift_kind);
-  const EntityPools::Kind whole_drifts = system->characters().add_entity_kind(whole_drift_kind);
+  const EntityPools::Kind drifts = *system->characters().add_entity_kind(drift_kind);
+  const EntityPools::Kind whole_drifts = *system->characters().add_entity_kind(whole_drift_kind);
   for (const int bone : {1, 5}) {
     const SubtreeWeight subtree{.bone = bone, .weight = 0.75F};
     system->characters().add_mask(BoneMask("part", test_character()->skeleton, {&subtree, 1}));
@@ -160,7 +160,7 @@ EveryKind::EveryKind(const SystemOptions& options) {
 void EveryKind::request(std::uint32_t agent, std::uint32_t frame) {
   const std::uint32_t mixed = (agent * 2654435761U + frame * 40503U) >> 4U;
   if (agent % 8 == 3 && (agent + frame) % 5 == 0) {
-    expect_done(system->agent(agent).change<BlendSpaceChannel>(0, [&](BlendSpaceChannel& channel) {
+    expect_done(system->agent(agent).change<BlendSpaceChannel>({0}, [&](BlendSpaceChannel& channel) {
       channel.set_parameter(static_cast<float>(mixed % 300U) * 0.01F + 0.5F);
     }));
   } else if (agent % 8 > 3 && (agent + frame) % 9 == 0) {
@@ -181,7 +181,7 @@ void EveryKind::step(int frames) {
       request(agent, frame);
       const bool skips = agent % 3 == 1;
       if (skips && frame % 2 == 0) continue;
-      updates.push_back({.agent = agent,
+      updates.push_back({.agent = {agent},
                          .level = static_cast<std::uint8_t>((agent / 8 + frame / 64) % levels),
                          .look_ahead = skips ? 2 * frame_ticks : 0});
     }

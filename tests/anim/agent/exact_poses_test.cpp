@@ -40,9 +40,9 @@ class Skipped : public testing::TestWithParam<SystemOptions> {
     for (int i = 0; i < frames; ++i, ++frame_) {
       each_frame_.step();
       skipped_->advance(frame_ticks);
-      const AgentUpdate update{.agent = 0, .level = level, .look_ahead = look_ahead};
+      const AgentUpdate update{.agent = {0}, .level = level, .look_ahead = look_ahead};
       if (frame_ % interval == 0) skipped_->update({&update, 1});
-      const ExactPose exact{.agent = 0, .palette = exact_.get()};
+      const ExactPose exact{.agent = {0}, .palette = exact_.get()};
       skipped_->pose_exactly({&exact, 1});
       EXPECT_TRUE(exact_.is(each_frame_.palette())) << "frame " << frame_;
     }
@@ -78,7 +78,7 @@ TEST_P(Skipped, IsWoundBackByAnUpdateBeforeTheTimeWhereItStands) {
   ASSERT_TRUE(skipped_->agent(0).can_wind_back());
   each_frame_.step();
   skipped_->advance(frame_ticks);
-  const AgentUpdate update{.agent = 0, .palette = exact_.get()};
+  const AgentUpdate update{.agent = {0}, .palette = exact_.get()};
   skipped_->update({&update, 1});
   EXPECT_TRUE(exact_.is(each_frame_.palette()));
 }
@@ -92,7 +92,7 @@ TEST_P(Skipped, SaysWhenAFadeThatWasInterruptedCannotBeWoundBack) {
   int unknown = 0;
   for (int i = 0; i < 3 * interval; ++i) {
     skipped_->advance(frame_ticks);
-    const AgentUpdate update{.agent = 0, .look_ahead = interval * frame_ticks};
+    const AgentUpdate update{.agent = {0}, .look_ahead = interval * frame_ticks};
     if (i % interval == 0) skipped_->update({&update, 1});
     unknown += skipped_->agent(0).can_pose_exactly() ? 0 : 1;
   }
@@ -112,7 +112,7 @@ TEST(PoseExactly, ChangesNothingInACrowdOfEveryKind) {
     looked_at.step(1);
     left_alone.step(1);
     for (std::uint32_t agent = 0; agent < EveryKind::agents; ++agent) {
-      const ExactPose exact{.agent = agent, .palette = palette.get()};
+      const ExactPose exact{.agent = {agent}, .palette = palette.get()};
       looked_at->pose_exactly({&exact, 1});
     }
   }
@@ -129,7 +129,7 @@ TEST(PoseExactly, GivesEachOfManyAgentsItsOwnPalette) {
   std::vector<Palette> palettes(agents);
   std::vector<ExactPose> exact;
   for (std::uint32_t agent = 0; agent < agents; ++agent)
-    exact.push_back({.agent = agent, .palette = palettes[agent].get()});
+    exact.push_back({.agent = {agent}, .palette = palettes[agent].get()});
   crowd->pose_exactly(exact);
   for (std::uint32_t agent = 0; agent < agents; ++agent) EXPECT_TRUE(palettes[agent].is(crowd.palette(agent))) << agent;
 }

@@ -43,7 +43,7 @@ std::uint64_t hash_of_fading_crowd(const SystemOptions& options, unsigned seed) 
       if ((agent + frame) % 11 == 0) system.agent(agent).play(request(agent, frame, seed));
       if (agent % 3 == 0 && frame % 2 == 0) continue;
       const auto levels = static_cast<std::uint32_t>(character()->skeleton.level_bone_counts.size());
-      updates.push_back({.agent = agent,
+      updates.push_back({.agent = {agent},
                          .level = static_cast<std::uint8_t>(agent / 7 % levels),
                          .look_ahead = agent % 3 == 0 ? ticks_per_second / 30 : 0});
     }

@@ -28,7 +28,7 @@ class PersonOnASlope : public testing::TestWithParam<float> {
     feet->set_placement(placement_);
     EXPECT_TRUE(crowd_.system().agent(0).add_post_process(std::move(feet)));
   }
-  const FootPlacementProcess& feet() { return crowd_.system().agent(0).post_process<FootPlacementProcess>(0); }
+  const FootPlacementProcess& feet() { return *crowd_.system().agent(0).post_process<FootPlacementProcess>({0}); }
   glm::vec3 in_world(const glm::vec3& point) const { return placement_.position + placement_.rotation * point; }
 
   /// How far the animation has lifted an ankle from where it is in the bind pose.
@@ -83,10 +83,10 @@ TEST_P(PersonOnASlope, StandsOnGroundThatTheHostSamplesUnderEachAnkle) {
     process.set_planted(1, 1.0F);
   };
   EXPECT_TRUE(crowd_.system().agent(0).play({.clip = 1}));
-  EXPECT_TRUE(crowd_.system().agent(0).change_process<FootPlacementProcess>(0, stand_up));
+  EXPECT_TRUE(crowd_.system().agent(0).change_process<FootPlacementProcess>({0}, stand_up));
   for (int frame = 0; frame < 60; ++frame) {
     crowd_.step();
-    EXPECT_TRUE(crowd_.system().agent(0).change_process<FootPlacementProcess>(0, [&](auto& process) {
+    EXPECT_TRUE(crowd_.system().agent(0).change_process<FootPlacementProcess>({0}, [&](auto& process) {
       for (int leg = 0; leg < 2; ++leg) {
         process.set_ground(leg, ground_at(process.ankle(crowd_.system().characters().pools(0), leg)));
       }

@@ -102,8 +102,8 @@ std::uint64_t hash_of_held_crowd(const SystemOptions& options) {
   }
   AnimationSystem& system = **created;
   const RigKinds kinds = rigs().add_to(system);
-  const EntityPools::Kind wanderers = system.characters().add_entity_kind(wanderer_kind);
-  const EntityPools::Kind keepers = system.characters().add_entity_kind(keeping_wanderer_kind);
+  const EntityPools::Kind wanderers = *system.characters().add_entity_kind(wanderer_kind);
+  const EntityPools::Kind keepers = *system.characters().add_entity_kind(keeping_wanderer_kind);
   system.set_agent_count(held_agents);
   for (std::uint32_t agent = 0; agent < held_agents; ++agent) {
     system.agent(agent).play({.clip = 0, .start = agent * ticks_per_second / 60});
@@ -118,7 +118,7 @@ std::uint64_t hash_of_held_crowd(const SystemOptions& options) {
   for (int frame = 0; frame < held_frames; ++frame) {
     updates.clear();
     for (std::uint32_t agent = 0; agent < held_agents; ++agent) {
-      updates.push_back({.agent = agent, .level = static_cast<std::uint8_t>(agent % 7 == 0 ? 2 : agent % 11 == 0)});
+      updates.push_back({.agent = {agent}, .level = static_cast<std::uint8_t>(agent % 7 == 0 ? 2 : agent % 11 == 0)});
     }
     system.advance(ticks_per_second / 60);
     system.update(updates);

@@ -68,10 +68,10 @@ TEST(Layer, MovesWithItsWeight) {
   ASSERT_TRUE(lay(layered, wave, {.weight = 0.0F}));
   float before = 0.0F;
   for (const float weight : {0.25F, 0.5F, 0.75F, 1.0F}) {
-    layered->agent(0).set_channel_weight(1, weight);
+    layered->agent(0).set_channel_weight({1}, weight);
     for (CrowdRig* crowd : {&layered, &walking})
       crowd->system->update(
-          std::vector<AgentUpdate>{{.agent = 0, .palette = const_cast<PaletteMatrix*>(crowd->palette())}});
+          std::vector<AgentUpdate>{{.agent = {0}, .palette = const_cast<PaletteMatrix*>(crowd->palette())}});
     float farthest = 0.0F;
     for (std::size_t bone = 0; bone < 40; ++bone) farthest = std::max(farthest, distance(layered, walking, bone));
     EXPECT_GT(farthest, before);
@@ -104,8 +104,8 @@ TEST(Layer, ThatIsRemovedGivesItsEntitiesBack) {
   ASSERT_TRUE(lay(layered, 3, {.weight = 0.5F}));
   CrowdRig walking = playing(walk);
   for (CrowdRig* crowd : {&layered, &walking}) crowd->step(10);
-  layered->agent(0).remove_channel(2);
-  layered->agent(0).remove_channel(1);
+  layered->agent(0).remove_channel({2});
+  layered->agent(0).remove_channel({1});
   for (CrowdRig* crowd : {&layered, &walking}) crowd->step();
   EXPECT_TRUE(layered.bones_unlike(walking).empty());
   EXPECT_EQ(layered->characters().pools(0).pool(EntityPools::ease_blenders).alive_count(), 0U);
@@ -115,7 +115,7 @@ TEST(Layer, ThatIsRemovedGivesItsEntitiesBack) {
 TEST(Layer, TheFirstMayBeRemovedToo) {
   CrowdRig layered = playing(walk);
   ASSERT_TRUE(lay(layered, wave, {.weight = 0.5F}));
-  layered->agent(0).remove_channel(0);
+  layered->agent(0).remove_channel({0});
   CrowdRig waving = playing(wave);
   for (CrowdRig* crowd : {&layered, &waving}) crowd->step(10);
   EXPECT_TRUE(layered.bones_unlike(waving).empty());

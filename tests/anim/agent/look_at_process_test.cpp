@@ -24,7 +24,7 @@ class PersonWhoIsToldToLook : public PersonWhoIsTold {
   }
   template <typename Change>
   void tell(Change&& change) {
-    EXPECT_TRUE(crowd_.system().agent(0).change_process<LookAtProcess>(0, change));
+    EXPECT_TRUE(crowd_.system().agent(0).change_process<LookAtProcess>({0}, change));
   }
 };
 
@@ -41,7 +41,7 @@ TEST_F(PersonWhoIsToldToLook, LooksAtTheTargetAndAwayAgainWithoutAJump) {
   };
   watch(1);
   watch(120);
-  EXPECT_LT(crowd_.system().agent(0).post_process<LookAtProcess>(0).remaining(crowd_.system().characters().pools(0)),
+  EXPECT_LT(crowd_.system().agent(0).post_process<LookAtProcess>({0})->remaining(crowd_.system().characters().pools(0)),
             0.03F);
   EXPECT_GT(facing().x, 0.6F);
   tell([](auto& look) { look.look_away(ticks_per_second / 2); });
@@ -56,8 +56,9 @@ TEST_F(PersonWhoIsToldToLook, FollowsATargetThatMovesFromFrameToFrame) {
     tell([&](auto& look) { look.look_at({2.0F * side, 1.5F, 2.0F}); });
     crowd_.step();
     if (frame < 100) continue;
-    EXPECT_LT(crowd_.system().agent(0).post_process<LookAtProcess>(0).remaining(crowd_.system().characters().pools(0)),
-              0.2F)
+    EXPECT_LT(
+        crowd_.system().agent(0).post_process<LookAtProcess>({0})->remaining(crowd_.system().characters().pools(0)),
+        0.2F)
         << frame;
   }
 }
@@ -73,7 +74,7 @@ TEST_F(PersonWhoIsTold, ReachesForAPlaceWithAHand) {
   EXPECT_GT(glm::distance(crowd_.joint("hand.R").position, target), 0.1F);
   crowd_.step(20);
   EXPECT_LT(glm::distance(crowd_.joint("hand.R").position, target), 1e-3F);
-  EXPECT_LT(crowd_.system().agent(0).post_process<ReachProcess>(0).missed_by(crowd_.system().characters().pools(0)),
+  EXPECT_LT(crowd_.system().agent(0).post_process<ReachProcess>({0})->missed_by(crowd_.system().characters().pools(0)),
             1e-3F);
 }
 

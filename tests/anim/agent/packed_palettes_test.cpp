@@ -34,7 +34,7 @@ class PackedCrowd {
     }
     std::vector<AgentUpdate> updates;
     for (std::uint32_t agent = 0; agent < agents; ++agent) {
-      updates.push_back({.agent = agent, .palette = PaletteDestination(palette(agent))});
+      updates.push_back({.agent = {agent}, .palette = PaletteDestination(palette(agent))});
     }
     for (int frame = 0; frame < frames; ++frame) {
       system_->advance(ticks_per_second / 60);

@@ -49,20 +49,20 @@ void play_on(PersonCrowd& crowd, int first, int last) {
   for (int frame = first; frame < last; ++frame) {
     for (std::uint32_t agent = 0; agent < people; ++agent) {
       const auto time = static_cast<float>(frame) * 0.05F + static_cast<float>(agent);
-      EXPECT_TRUE(system.agent(agent).change_process<LookAtProcess>(looks, [&](auto& look) {
+      EXPECT_TRUE(system.agent(agent).change_process<LookAtProcess>({looks}, [&](auto& look) {
         look.look_at({2.0F * std::sin(time), 1.5F, 2.0F});
       }));
-      EXPECT_TRUE(system.agent(agent).change_process<FootPlacementProcess>(stands, [&](auto& feet) {
+      EXPECT_TRUE(system.agent(agent).change_process<FootPlacementProcess>({stands}, [&](auto& feet) {
         feet.set_placement({.rotation = {1.0F, 0.0F, 0.0F, 0.0F}, .position = {0.01F * time, 0.1F, 0.0F}});
       }));
       if (frame % 40 == static_cast<int>(agent)) {
-        EXPECT_TRUE(system.agent(agent).change_process<RagdollProcess>(falls, [](auto& ragdoll) {
+        EXPECT_TRUE(system.agent(agent).change_process<RagdollProcess>({falls}, [](auto& ragdoll) {
           ragdoll.push({0.0F, 5.0F, -60.0F}, {0.0F, 1.3F, 0.1F});
         }));
       }
       if (frame % 40 == static_cast<int>(agent) + 18) {
         EXPECT_TRUE(system.agent(agent).change_process<RagdollProcess>(
-            falls, [](auto& ragdoll) { ragdoll.recover(ticks_per_second / 5); }));
+            {falls}, [](auto& ragdoll) { ragdoll.recover(ticks_per_second / 5); }));
       }
     }
     crowd.step(1, static_cast<std::uint8_t>(frame % 10 == 9 ? 1 : 0));

@@ -21,15 +21,15 @@ class PersonPushedOver : public testing::Test {
     joints_ = crowd_.joints();
   }
   void push(const glm::vec3& impulse = {0.0F, 0.0F, -40.0F}) {
-    EXPECT_TRUE(crowd_.system().agent(0).change_process<RagdollProcess>(0, [&](auto& ragdoll) {
+    EXPECT_TRUE(crowd_.system().agent(0).change_process<RagdollProcess>({0}, [&](auto& ragdoll) {
       ragdoll.push(impulse, {0.0F, 1.3F, 0.0F});
     }));
   }
   void recover(Ticks fade = ticks_per_second) {
     EXPECT_TRUE(
-        crowd_.system().agent(0).change_process<RagdollProcess>(0, [&](auto& ragdoll) { ragdoll.recover(fade); }));
+        crowd_.system().agent(0).change_process<RagdollProcess>({0}, [&](auto& ragdoll) { ragdoll.recover(fade); }));
   }
-  const RagdollProcess& ragdoll() { return crowd_.system().agent(0).post_process<RagdollProcess>(0); }
+  const RagdollProcess& ragdoll() { return *crowd_.system().agent(0).post_process<RagdollProcess>({0}); }
   /// The longest way that a joint goes from one frame to the next, in metres.
   double largest_step(int frames) {
     double largest = 0.0;
@@ -129,10 +129,10 @@ TEST(PersonInASmallStore, StaysAsItIsWhereARagdollHasNoRoom) {
   PersonCrowd other({.local_store_bytes = kib * 1024});
   ASSERT_TRUE(crowd.system().agent(0).add_post_process(std::make_unique<RagdollProcess>(*crowd.kinds().ragdoll)));
   const auto push = [](auto& ragdoll) { ragdoll.push({0.0F, 0.0F, -40.0F}, {0.0F, 1.3F, 0.0F}); };
-  const Status pushed = crowd.system().agent(0).change_process<RagdollProcess>(0, push);
+  const Status pushed = crowd.system().agent(0).change_process<RagdollProcess>({0}, push);
   ASSERT_FALSE(pushed);
   EXPECT_NE(pushed.error().message.find("local store"), std::string::npos);
-  EXPECT_EQ(crowd.system().agent(0).post_process<RagdollProcess>(0).phase(), Phase::standing);
+  EXPECT_EQ(crowd.system().agent(0).post_process<RagdollProcess>({0})->phase(), Phase::standing);
   crowd.step(10);
   other.step(10);
   EXPECT_EQ(crowd.system().figures().pose_hash(), other.system().figures().pose_hash());

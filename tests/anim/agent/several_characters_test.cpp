@@ -34,7 +34,7 @@ struct Palettes {
 void run(AnimationSystem& system, Palettes& palettes, int frames) {
   std::vector<AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < system.agent_count(); ++agent) {
-    updates.push_back({.agent = agent, .palette = palettes.of(agent)});
+    updates.push_back({.agent = {agent}, .palette = palettes.of(agent)});
   }
   for (int i = 0; i < frames; ++i) {
     system.advance(frame);
@@ -49,11 +49,11 @@ void play(AnimationSystem& system, std::uint32_t agent, int seed) {
 
 std::unique_ptr<AnimationSystem> mixed_crowd(const SystemOptions& options, std::uint32_t agents_of_each) {
   auto system = std::move(*AnimationSystem::create(character_of(bone_counts[0]), options));
-  EXPECT_EQ(*system->characters().add(character_of(bone_counts[1])), 1U);
-  EXPECT_EQ(*system->characters().add(character_of(bone_counts[2])), 2U);
+  EXPECT_EQ(system->characters().add(character_of(bone_counts[1]))->number, 1U);
+  EXPECT_EQ(system->characters().add(character_of(bone_counts[2]))->number, 2U);
   for (std::uint32_t i = 0; i < agents_of_each; ++i) {
     for (std::uint32_t character = 0; character < bone_counts.size(); ++character) {
-      const std::uint32_t agent = system->add_agents(1, character);
+      const std::uint32_t agent = system->add_agent(character).number;
       play(*system, agent, static_cast<int>(i));
     }
   }
@@ -131,12 +131,12 @@ TEST(CutScene, PlacesAgentsACameraAndAPropByTheirAbsoluteRoots) {
   const Ticks duration = walker.clips[0].duration;
   walker.clips[0].root_motion = straight_root_curve(duration, {0.0, 0.0, 2.0});
   auto system = std::move(*AnimationSystem::create(std::make_shared<const Character>(std::move(walker)), {}));
-  const std::uint32_t camera_kind = *system->characters().add(character_of(2));
-  const std::uint32_t prop_kind = *system->characters().add(character_of(20));
-  const std::uint32_t actor = system->add_agents(1, 0);
-  const std::uint32_t camera = system->add_agents(1, camera_kind);
-  const std::uint32_t prop = system->add_agents(1, prop_kind);
-  const std::uint32_t bystander = system->add_agents(1, 0);
+  const CharacterId camera_kind = *system->characters().add(character_of(2));
+  const CharacterId prop_kind = *system->characters().add(character_of(20));
+  const std::uint32_t actor = system->add_agent().number;
+  const std::uint32_t camera = system->add_agent(camera_kind).number;
+  const std::uint32_t prop = system->add_agent(prop_kind).number;
+  const std::uint32_t bystander = system->add_agent().number;
 
   const AbsoluteRoot scene{.position = {10.0, 0.5, -3.0},
                            .rotation = glm::angleAxis(glm::half_pi<float>(), glm::vec3(0.0F, 1.0F, 0.0F))};
@@ -147,7 +147,8 @@ TEST(CutScene, PlacesAgentsACameraAndAPropByTheirAbsoluteRoots) {
 
   Palettes palettes(4);
   std::vector<AgentUpdate> updates;
-  for (std::uint32_t agent = 0; agent < 4; ++agent) updates.push_back({.agent = agent, .palette = palettes.of(agent)});
+  for (std::uint32_t agent = 0; agent < 4; ++agent)
+    updates.push_back({.agent = {agent}, .palette = palettes.of(agent)});
   system->advance(duration / 2);
   system->update(updates);
   const auto actor_root = system->agent(actor).motion().absolute_root(system->clock());

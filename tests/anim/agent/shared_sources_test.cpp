@@ -181,7 +181,7 @@ TEST(SharedSources, AreReadWithoutLookAhead) {
     ahead.crowd->advance(frame_ticks);
     std::vector<AgentUpdate> updates;
     for (std::uint32_t agent = 0; agent < 16; ++agent)
-      updates.push_back({.agent = agent, .look_ahead = 5 * frame_ticks});
+      updates.push_back({.agent = {agent}, .look_ahead = 5 * frame_ticks});
     ahead.crowd->update(updates);
   }
   EXPECT_EQ(ahead.crowd->figures().pose_hash(), now.crowd->figures().pose_hash());

@@ -122,7 +122,7 @@ TEST(Snapshot, IsRefusedWhereItsGraphsHaveNoRoom) {
   }
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
-  while (crowd->agent(0).channel_count() > 1) crowd->agent(0).remove_channel(1);
+  while (crowd->agent(0).channel_count() > 1) crowd->agent(0).remove_channel(crowd->agent(0).channel_id(1));
   ASSERT_TRUE(crowd->configure({.local_store_bytes = 16 * 1024}));
   EXPECT_FALSE(crowd->restore(snapshot));
   EXPECT_EQ(crowd->agent(0).channel_count(), 1U);

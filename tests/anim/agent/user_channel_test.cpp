@@ -58,9 +58,7 @@ CrowdRig idling(unsigned seed, const SystemOptions& options = {}) {
   return crowd;
 }
 
-const RandomIdleChannel& channel_of(const CrowdRig& crowd) {
-  return static_cast<const RandomIdleChannel&>(crowd->agent(0).channel(0));
-}
+const RandomIdleChannel& channel_of(const CrowdRig& crowd) { return *crowd->agent(0).channel<RandomIdleChannel>({0}); }
 
 TEST(UserChannel, PlaysOneIdleAfterTheOther) {
   CrowdRig crowd = idling(1);

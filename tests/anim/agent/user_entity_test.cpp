@@ -75,7 +75,7 @@ Handle make_sway(const EntityBuilder& build, EntityPools::Kind kind) {
 /// Half a clip, half a sway.
 CrowdRig swaying(const SystemOptions& options, std::uint32_t agents = 3) {
   CrowdRig crowd(options, agents);
-  const EntityPools::Kind kind = crowd->characters().add_entity_kind(sway_kind);
+  const EntityPools::Kind kind = *crowd->characters().add_entity_kind(sway_kind);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     const Status added =
         crowd->agent(agent).add_channel(std::make_unique<FixedChannel>([kind](const EntityBuilder& build) {
@@ -145,7 +145,7 @@ TEST(UserEntity, OfAKindThatIsNewSinceASnapshotKeepsItFromBeingRestored) {
   crowd->agent(0).play({.clip = 0});
   SystemSnapshot snapshot;
   crowd->snapshot(snapshot);
-  crowd->characters().add_entity_kind(sway_kind);
+  ASSERT_TRUE(crowd->characters().add_entity_kind(sway_kind));
   const Status restored = crowd->restore(snapshot);
   ASSERT_FALSE(restored);
   EXPECT_EQ(restored.error().message, "kinds of entities were added since this snapshot: take another one");

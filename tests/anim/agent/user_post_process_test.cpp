@@ -76,7 +76,7 @@ constexpr int neck = 5;
 
 struct Dancer {
   explicit Dancer(const SystemOptions& options = {})
-      : crowd(options), tilts(crowd->characters().add_entity_kind(tilt_kind)) {
+      : crowd(options), tilts(*crowd->characters().add_entity_kind(tilt_kind)) {
     crowd->agent(0).play({.clip = 1});
   }
   void tilt(float radians) {

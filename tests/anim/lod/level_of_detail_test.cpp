@@ -58,13 +58,13 @@ struct Row : testing::Test {
   /// Every agent that is updated gets a palette, but for `undrawn`.
   void pass_frame(std::uint32_t undrawn = UINT32_MAX) {
     for (AgentUpdate& update : select()) {
-      if (update.agent != undrawn) update.palette = PaletteDestination(memory.data());
+      if (update.agent.number != undrawn) update.palette = PaletteDestination(memory.data());
     }
     lod.settle(1000.0);
   }
 
   const AgentUpdate* update_of(std::uint32_t agent) {
-    const auto found = std::ranges::find(lod.updates(), agent, &AgentUpdate::agent);
+    const auto found = std::ranges::find(lod.updates(), AgentId{agent}, &AgentUpdate::agent);
     return found == lod.updates().end() ? nullptr : &*found;
   }
   /// Passes frames until it is an agent's turn.
@@ -104,7 +104,7 @@ TEST_F(Row, AnUpdateThatCannotBlendIsOfNowAndIsDueAgainInTheNextFrame) {
   for (bool met = false; !met;) {
     for (AgentUpdate& update : select()) {
       update.palette = PaletteDestination(memory.data());
-      if (update.agent != 90 || update.look_ahead == 0) continue;
+      if (update.agent.number != 90 || update.look_ahead == 0) continue;
       lod.show_at_once(update);
       EXPECT_EQ(update.look_ahead, 0);
       met = true;
@@ -171,7 +171,7 @@ TEST_F(Row, AfterARestartTheSameFramesAreDecidedTheSame) {
     for (int i = 0; i < 30; ++i) {
       request.frame_step = i == 0 ? first_step : frame_step;
       pass_frame();
-      for (const AgentUpdate& update : lod.updates()) decided.emplace_back(update.agent, update.look_ahead);
+      for (const AgentUpdate& update : lod.updates()) decided.emplace_back(update.agent.number, update.look_ahead);
     }
     return decided;
   };

@@ -78,7 +78,7 @@ std::uint64_t pose_hash(std::shared_ptr<const anim::Character> character, anim::
   const anim::AlignedBytes palettes = anim::allocate_aligned(3 * stride);
   std::vector<anim::AgentUpdate> updates(3);
   for (std::uint32_t agent = 0; agent < 3; ++agent) {
-    updates[agent] = {.agent = agent, .palette = anim::PaletteDestination(palettes.get() + agent * stride)};
+    updates[agent] = {.agent = {agent}, .palette = anim::PaletteDestination(palettes.get() + agent * stride)};
   }
   for (int frame = 0; frame < 20; ++frame) {
     system.advance(anim::ticks_per_second / 60);

@@ -32,7 +32,7 @@ CopyCounts counts_of_one_frame(SystemOptions options, StreamKind stream, int pus
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     (*system)->agent(agent).play({.clip = 0});
     (*system)->agent(agent).play({.clip = 1, .fade = ticks_per_second});
-    updates.push_back({.agent = agent});
+    updates.push_back({.agent = {agent}});
   }
   (*system)->advance(ticks_per_second / 60);
   (*system)->update(updates);

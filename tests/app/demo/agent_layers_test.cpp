@@ -28,7 +28,7 @@ struct LayeredAgent : testing::Test {
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
       system->advance(anim::ticks_per_second / 60);
-      system->update(std::vector<anim::AgentUpdate>{{.agent = 0}});
+      system->update(std::vector<anim::AgentUpdate>{{.agent = {0}}});
     }
   }
   std::vector<LayerRow> layers() const { return agent_layers(*system, 0); }
@@ -75,7 +75,7 @@ TEST_F(LayeredAgent, TellsOfEachChannelHowMuchOfItIsLaidOverThoseBefore) {
   EXPECT_EQ(all[2].weight, 0.5F);
   EXPECT_TRUE(all[2].is_masked);
   for (const LayerRow& layer : all) EXPECT_EQ(layer.entities.size(), 1U);
-  system->agent(0).set_channel_weight(1, 0.75F);
+  system->agent(0).set_channel_weight({1}, 0.75F);
   EXPECT_EQ(layers()[1].weight, 0.75F);
 }
 
@@ -87,7 +87,7 @@ TEST_F(LayeredAgent, TellsOfWhatChangesThePoseHowMuchOfItIsApplied) {
   EXPECT_FALSE(layers()[1].is_channel);
   EXPECT_EQ(layers()[1].name, "look-at");
   EXPECT_EQ(layers()[1].weight, 0) << "it looks nowhere yet, though all of the pose passes through it";
-  ASSERT_TRUE(system->agent(0).change_process<anim::LookAtProcess>(0, [](auto& look) {
+  ASSERT_TRUE(system->agent(0).change_process<anim::LookAtProcess>({0}, [](auto& look) {
     look.look_at({1.0F, 1.0F, 1.0F});
   }));
   pass(1);

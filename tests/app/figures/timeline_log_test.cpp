@@ -97,7 +97,7 @@ TEST(TimelineLog, KeepsTheNewestFramesOnly) {
   std::vector<anim::AgentUpdate> updates;
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     (*system)->agent(agent).play({});
-    updates.push_back({.agent = agent});
+    updates.push_back({.agent = {agent}});
   }
   TimelineLog log;
   for (int frame = 0; frame < 20; ++frame) {

@@ -150,7 +150,7 @@ class DisplacedBone : public testing::Test {
     meter_.begin_frame(ErrorSampling::all, {&visible, 1}, shown_);
     system_->advance(frame);
     const anim::PaletteDestination slot = shown_.show({.agent = 0, .level = 0, .entries = entries(), .time = 0}, 0, 0);
-    const anim::AgentUpdate update{.agent = 0, .palette = meter_.destination(0, shown_.pose(0), entries(), slot)};
+    const anim::AgentUpdate update{.agent = {0}, .palette = meter_.destination(0, shown_.pose(0), entries(), slot)};
     system_->update({&update, 1});
     auto& entry = reinterpret_cast<anim::PaletteMatrix*>(update.palette.memory())[shin()];
     for (int axis = 0; axis < 3; ++axis) entry.rows[axis][3] += off_by[axis];

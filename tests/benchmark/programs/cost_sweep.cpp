@@ -102,7 +102,7 @@ std::unique_ptr<ShapedCrowd> make_crowd(const BenchOptions& options, const Shape
       gaze->look_at({1.0F, 1.5F, 2.0F});
       if (!crowd->system->agent(agent).add_post_process(std::move(gaze))) return nullptr;
     }
-    crowd->updates.push_back({.agent = agent, .palette = crowd->palettes->of(agent)});
+    crowd->updates.push_back({.agent = {agent}, .palette = crowd->palettes->of(agent)});
   }
   return crowd;
 }

@@ -13,7 +13,7 @@ int main() {
   (*system)->set_agent_count(1);
   (*system)->agent(0).play({.clip = 1});
 
-  const AgentUpdate update{.agent = 0};
+  const AgentUpdate update{.agent = {0}};
   (*system)->advance(ticks_per_second / 60);
   (*system)->update({&update, 1});
   std::printf("pose hash %016llx\n", static_cast<unsigned long long>((*system)->figures().pose_hash()));

@@ -71,6 +71,8 @@ class PaletteDestination {
   PaletteDestination(PackedPaletteEntry* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}
 
   std::byte* memory() const { return memory_; }
+  /// Returns whether it is not at a multiple of 16 bytes, where no palette can be written.
+  bool is_misaligned() const { return reinterpret_cast<std::uintptr_t>(memory_) % 16 != 0; }
   friend bool operator==(const PaletteDestination&, const PaletteDestination&) = default;
 
  private:

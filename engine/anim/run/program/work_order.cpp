@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "engine/anim/base/room.h"
+
 namespace throng::anim {
 namespace {
 
@@ -64,8 +66,8 @@ void find_runs(std::span<const AgentWork> work, std::vector<WorkRun>& runs) {
 }
 
 void WorkOrder::reserve(std::size_t agents) {
-  sorted_.reserve(agents);
-  sorted_runs_.reserve(agents);
+  make_room(sorted_, agents);
+  make_room(sorted_runs_, agents);
 }
 
 // A stable counting sort.

@@ -5,6 +5,10 @@
 #include <limits>
 #include <span>
 
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
 #include "engine/anim/base/aligned_bytes.h"
 
 namespace throng::anim {
@@ -29,6 +33,9 @@ double seconds_to_write(std::span<float> lines, StorePolicy stores) {
 /// away for a while.
 constexpr double clearly_longer = 1.1;
 
+/// A machine of many programs names caches that no one of them has to itself.
+constexpr std::size_t most_named_bytes = std::size_t{32} << 20U;
+
 bool measured_faster_where_they_lie(std::size_t bytes) {
   const AlignedBytes memory = allocate_aligned(bytes);
   const std::span lines(reinterpret_cast<float*>(memory.get()), bytes / sizeof(float));
@@ -38,7 +45,7 @@ bool measured_faster_where_they_lie(std::size_t bytes) {
 
 }  // namespace
 
-std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie) {
+std::size_t measured_cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie) {
   std::size_t bytes = least_cached_bytes;
   while (are_faster_where_they_lie(2 * bytes)) {
     bytes *= 2;
@@ -47,15 +54,22 @@ std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& are_faste
   return bytes;
 }
 
-std::size_t cached_bytes() {
-  static const std::size_t bytes = cached_bytes(measured_faster_where_they_lie);
+std::size_t measured_cached_bytes() {
+  static const std::size_t bytes = measured_cached_bytes(measured_faster_where_they_lie);
   return bytes;
 }
 
-StorePolicy store_policy_for(std::size_t palette_bytes) {
+std::size_t named_cached_bytes() {
+  long last_level = 0;
+#ifdef _SC_LEVEL3_CACHE_SIZE
+  last_level = sysconf(_SC_LEVEL3_CACHE_SIZE);
+#endif
+  return last_level <= 0 ? least_cached_bytes : std::clamp(static_cast<std::size_t>(last_level) / 4, least_cached_bytes, most_named_bytes);
+}
+
+StorePolicy store_policy_for(std::size_t palette_bytes, std::size_t cached_bytes) {
   const std::size_t bytes = bytes_of_an_update(palette_bytes);
-  const bool cached = bytes <= least_cached_bytes || bytes <= cached_bytes();
-  return cached ? StorePolicy::prefetched : StorePolicy::streaming;
+  return bytes <= std::max(least_cached_bytes, cached_bytes) ? StorePolicy::prefetched : StorePolicy::streaming;
 }
 
 }  // namespace throng::anim

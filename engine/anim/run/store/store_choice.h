@@ -12,23 +12,26 @@ namespace throng::anim {
 /// are written again are written fastest where they lie, and the next reader finds them there. Other lines would be
 /// fetched from memory only to be overwritten, so they are written past the caches on machines where that is faster.
 
+/// Returns the bytes that the machine says its caches hold for one program: a quarter of its last level, since it lends
+/// no program all of it; least_cached_bytes if it says nothing. Takes no time.
+std::size_t named_cached_bytes();
+
 /// Returns the most bytes that are written fastest where they lie, or within a tenth of that: a power of two, from
 /// least_cached_bytes to below most_measured_bytes, or any_bytes. The first call measures it, in some tenths of a
-/// second and with twice as much memory, because a machine does not lend one program all the caches that it names.
-std::size_t cached_bytes();
+/// second and with twice as much memory. A host calls it at load time, if at all.
+std::size_t measured_cached_bytes();
 inline constexpr std::size_t least_cached_bytes = std::size_t{8} << 20U;
 inline constexpr std::size_t most_measured_bytes = std::size_t{128} << 20U;
 inline constexpr std::size_t any_bytes = SIZE_MAX;  ///< even most_measured_bytes are written fastest where they lie
 
 /// Does the same with a measurement of the caller's.
-std::size_t cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie);
+std::size_t measured_cached_bytes(const std::function<bool(std::size_t bytes)>& are_faster_where_they_lie);
 
 /// Returns the bytes that go through the caches until a palette is written again. Blocks and streams take a quarter of
 /// what palettes do.
 constexpr std::size_t bytes_of_an_update(std::size_t palette_bytes) { return palette_bytes + palette_bytes / 4; }
 
-/// Returns the policy for so many bytes of palettes. The machine is measured only if an update of them has more than
-/// least_cached_bytes.
-StorePolicy store_policy_for(std::size_t palette_bytes);
+/// Returns the policy for so many bytes of palettes, on a machine whose caches hold `cached_bytes`.
+StorePolicy store_policy_for(std::size_t palette_bytes, std::size_t cached_bytes);
 
 }  // namespace throng::anim

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/anim/base/room.h"
 #include "engine/anim/run/program/task_content.h"
 
 namespace throng::anim {
@@ -101,7 +102,7 @@ class Trace {
   /// Makes room for so many spans. The trace records nothing if they are 0.
   void reserve(std::size_t spans, Tracing tracing) {
     spans_.clear();
-    spans_.reserve(spans);
+    make_room(spans_, spans);
     room_ = spans;
     every_task_ = tracing == Tracing::every_task;
   }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/anim/asset/model.h"
+#include "engine/anim/base/result.h"
+
+namespace throng::anim {
+
+/// Checks that a model is what its types say: every index names something, lists that belong together are of one
+/// length, every number is finite, keys ascend. What import returns always is; a model that a host makes or changes may
+/// not be. Errors: the first fault, by the name of the bone, clip or mesh.
+Status check_model(const Model& model);
+
+}  // namespace throng::anim

@@ -22,6 +22,7 @@ enum class EntityType : std::uint32_t {
   foot_placement,
   two_bone_ik,
   ragdoll,
+  spring_bones,
   socket,
   user
 };

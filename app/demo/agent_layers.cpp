@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/anim/entity/chain_reach_entity.h"
 #include "engine/anim/entity/fading_weight.h"
 #include "engine/anim/entity/foot_placement_entity.h"
 #include "engine/anim/entity/ik_entity.h"
@@ -53,6 +54,8 @@ float applied_weight(const anim::EntityPools& pools, anim::Handle entity, float 
       return weight_in<anim::IkEntity>(pools, entity);
     case anim::EntityType::spring_bones:
       return weight_in<anim::SpringBonesEntity>(pools, entity);
+    case anim::EntityType::chain_reach:
+      return weight_in<anim::ChainReachEntity>(pools, entity);
     case anim::EntityType::look_at:
       return weight_in<anim::LookAtEntity>(pools, entity);
     default:

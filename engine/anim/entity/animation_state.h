@@ -23,6 +23,7 @@ enum class EntityType : std::uint32_t {
   two_bone_ik,
   ragdoll,
   spring_bones,
+  chain_reach,
   socket,
   user
 };

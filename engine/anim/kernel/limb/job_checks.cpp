@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/anim/kernel/limb/chain_reach.h"
 #include "engine/anim/kernel/limb/foot_placement.h"
 #include "engine/anim/kernel/limb/look_at.h"
 #include "engine/anim/kernel/limb/spring_bones.h"
@@ -73,6 +74,12 @@ bool is_valid(const SpringBonesJob& job) {
   return job.joints.size() == job.rig->joints.size() &&
          job.carriers.size() == job.rig->chains.size() + job.rig->colliders.size() && is_not_negative(job.seconds) &&
          is_share(job.weight);
+}
+
+bool is_valid(const ChainReachJob& job) {
+  return job.reach != nullptr && is_chain(job.reach->chain) && job.reach->first >= 0 &&
+         job.reach->first < job.reach->chain.tip() && is_rigid(job.pose) && is_share(job.weight) &&
+         job.iterations >= 1 && job.iterations <= most_reach_iterations && is_not_negative(job.tolerance);
 }
 
 bool is_valid(std::span<const LookAtJob> jobs) {

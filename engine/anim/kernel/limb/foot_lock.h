@@ -38,7 +38,7 @@ static_assert(offsetof(FootLock, last_ball) == 48 && offsetof(FootLock, flags) =
 static_assert(std::is_trivially_copyable_v<FootLock>);
 
 /// A planted foot that its leg no longer holds steps back to its pose this share of the way high.
-inline constexpr float step_height = 0.15F;
+inline constexpr float step_height = 0.25F;
 
 struct FootLockOptions {
   float release_seconds = 0.2F;  ///< the time that a released foot takes to return to its pose

@@ -23,7 +23,7 @@ inline constexpr int most_leg_quads = 64;  ///< quads (pose.h) that the bones of
 inline constexpr float knee_reserve = 0.02F;
 
 /// A share of the leg's length: a lock lowers the pelvis by no more than this below what the ground asks.
-inline constexpr float lock_reserve = 0.01F;
+inline constexpr float lock_reserve = 0.012F;
 
 /// The bones of one leg, by index.
 struct LegBones {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "engine/anim/entity/chain_reach_entity.h"
 #include "engine/anim/entity/fading_weight.h"
 #include "engine/anim/entity/foot_placement_entity.h"
 #include "engine/anim/entity/ik_entity.h"
 #include "engine/anim/entity/look_at_entity.h"
+#include "engine/anim/entity/spring_bones_entity.h"
 
 namespace throng::app {
 namespace {
@@ -50,6 +52,10 @@ float applied_weight(const anim::EntityPools& pools, anim::Handle entity, float 
       return weight_in<anim::FootPlacementEntity>(pools, entity);
     case anim::EntityType::two_bone_ik:
       return weight_in<anim::IkEntity>(pools, entity);
+    case anim::EntityType::spring_bones:
+      return weight_in<anim::SpringBonesEntity>(pools, entity);
+    case anim::EntityType::chain_reach:
+      return weight_in<anim::ChainReachEntity>(pools, entity);
     case anim::EntityType::look_at:
       return weight_in<anim::LookAtEntity>(pools, entity);
     default:

@@ -63,8 +63,8 @@ class AgentView {
   /// the offset of an interrupted fade was captured in between, or its feet are placed.
   bool can_pose_exactly() const;
   /// Returns whether update() can take the agent back to the clock. It cannot while the agent stands ahead of the clock
-  /// and one of its entities remembers more than a time (gazes, limbs that reach, held feet, rag-dolls, kinds of a
-  /// host's own) or is shared. Then update() leaves the agent where it stands.
+  /// and one of its entities remembers more than a time (gazes, limbs that reach, held feet, springs, rag-dolls, kinds
+  /// of a host's own) or is shared. Then update() leaves the agent where it stands.
   bool can_wind_back() const;
 
   /// Returns the last pose, [packet][components][16], in state space; nothing if none is kept. Only the schedule

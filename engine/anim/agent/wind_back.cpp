@@ -47,6 +47,8 @@ bool can_wind_back(const Population& population, std::uint32_t agent) {
              case EntityType::look_at:
              case EntityType::two_bone_ik:
              case EntityType::ragdoll:
+             case EntityType::spring_bones:
+             case EntityType::chain_reach:
              case EntityType::user:
                return true;
              default:

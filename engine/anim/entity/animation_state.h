@@ -22,6 +22,8 @@ enum class EntityType : std::uint32_t {
   foot_placement,
   two_bone_ik,
   ragdoll,
+  spring_bones,
+  chain_reach,
   socket,
   user
 };

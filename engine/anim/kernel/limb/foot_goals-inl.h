@@ -68,11 +68,49 @@ HWY_INLINE Vectors<V> to_world(const JointMotions<V>& model, const Vectors<V>& p
   return sum(model.position, rotated(model.rotation, place));
 }
 
+/// What a leg reaches, model space.
+template <class V>
+struct LegReaches {
+  Vectors<V> hip;
+  V length;
+  V farthest;  ///< from the hip to the ankle, no straighter than the pose has it or than the reserve
+};
+
+template <class D, class V>
+HWY_INLINE LegReaches<V> reach_of(D d, const Vectors<V>& hip, const Vectors<V>& knee, const Vectors<V>& ankle) {
+  const V length = hn::Add(length_of(difference(knee, hip)), length_of(difference(ankle, knee)));
+  const V reserved = hn::Mul(length, hn::Set(d, 1.0F - knee_reserve));
+  return {hip, length, hn::Max(length_of(difference(ankle, hip)), reserved)};
+}
+
+/// Returns how far the hip must come down for the leg to reach an ankle.
+template <class D, class V>
+HWY_INLINE V needed_drop(D d, const LegReaches<V>& leg, const Vectors<V>& ankle) {
+  const Vectors<V> away = difference(leg.hip, ankle);
+  const V level = hn::MulAdd(away.z, away.z, hn::Mul(away.x, away.x));
+  return hn::Sub(away.y, hn::Sqrt(hn::Max(hn::MulSub(leg.farthest, leg.farthest, level), hn::Zero(d))));
+}
+
+/// Returns the share, 0 to 1, of the way from a place to another that the leg reaches when its hip is lowered by
+/// `drop`, for which it reaches the first.
+template <class D, class V>
+HWY_INLINE V reached_share(D d, const LegReaches<V>& leg, V drop, const Vectors<V>& from, const Vectors<V>& to) {
+  const Vectors<V> start = difference(from, difference(leg.hip, upwards(d, drop)));
+  const Vectors<V> way = difference(to, from);
+  const V square = dot(way, way);
+  const V along = dot(start, way);
+  const V room = hn::Max(hn::MulSub(leg.farthest, leg.farthest, dot(start, start)), hn::Zero(d));
+  const V root = hn::Sqrt(hn::MulAdd(square, room, hn::Mul(along, along)));
+  return hn::Min(hn::Div(hn::Sub(root, along), hn::Max(square, hn::Set(d, 1e-12F))), hn::Set(d, 1.0F));
+}
+
 /// The goal of a foot, model space.
 template <class V>
 struct FootGoals {
   JointMotions<V> ankle;
   V planted;
+  V drop;   ///< metres that the hip must come down for it
+  V steps;  ///< metres that it is lifted on its way back
 };
 
 /// Returns how firmly a foot is planted: as given, or by the height of its sole in the pose.
@@ -84,10 +122,12 @@ HWY_INLINE V planted_share(D d, const PlacedBodies<D>& bodies, V planted, V lift
   return hn::IfThenElse(hn::Ge(planted, zero), planted, share);
 }
 
-/// Returns the goal of a foot. The footing of the ball is locked, so that the heel may rise and fall.
+/// Returns the goal of a foot. The footing of the ball is locked, so that the heel may rise and fall. The ground under
+/// the foot says how far the hip comes down for it. A place that is still out of reach then, behind a body that walks
+/// away, is approached as far as the leg goes, and its lock ends.
 template <class D, class V>
-HWY_INLINE FootGoals<V> goal_of(D d, const PlacedLeg& leg, const PlacedBodies<D>& bodies, const JointMotions<V>& ankle,
-                                PlacedFeet<D>& foot) {
+HWY_INLINE FootGoals<V> goal_of(D d, const PlacedLeg& leg, const PlacedBodies<D>& bodies, const LegReaches<V>& reach,
+                                const JointMotions<V>& ankle, PlacedFeet<D>& foot) {
   const Soles<V> sole = sole_of(d, leg, ankle.rotation);
   const V lift = hn::Add(ankle.position.y, hn::Min(sole.heel.y, sole.ball.y));
   FootGoals<V> goal;
@@ -98,15 +138,29 @@ HWY_INLINE FootGoals<V> goal_of(D d, const PlacedLeg& leg, const PlacedBodies<D>
       to_world(bodies.model_in_world,
                Vectors<V>{hn::Add(ankle.position.x, sole.ball.x), hn::Zero(d), hn::Add(ankle.position.z, sole.ball.z)});
   const Footings<V> posed{{ball.x, ground_height(ground, ball.x, ball.z), ball.z}, ground.normal};
-  const Footings<V> locked =
-      to_model(bodies.model_in_world, step_foot_lock(d, foot.lock, posed, goal.planted, bodies.lock, bodies.seconds));
+  const Footings<V> locked = to_model(bodies.model_in_world, step_foot_lock(d, foot.lock, posed, goal.planted,
+                                                                            foot.reached, bodies.lock, bodies.seconds));
 
   goal.ankle.rotation = product(limited_tilt(d, locked.normal, bodies.least_tilt_cosine), ankle.rotation);
   const Soles<V> tilted = sole_of(d, leg, goal.ankle.rotation);
-  const V x = hn::Sub(locked.place.x, tilted.ball.x);
-  const V z = hn::Sub(locked.place.z, tilted.ball.z);
-  const V above_ground = hn::Add(clearance(tilted, locked.normal), hn::NegMulAdd(lift, goal.planted, lift));
-  goal.ankle.position = {x, hn::Add(ground_height(locked, x, z), hn::Div(above_ground, locked.normal.y)), z};
+  goal.steps = rise_of_step(d, foot.lock, goal.planted, bodies.lock.release_seconds);
+  const V lifted = hn::Add(hn::NegMulAdd(lift, goal.planted, lift), goal.steps);
+  const V above_ground = hn::Div(hn::Add(clearance(tilted, locked.normal), lifted), locked.normal.y);
+  const auto ankle_over = [&](V ball_x, V ball_z) {
+    const V x = hn::Sub(ball_x, tilted.ball.x);
+    const V z = hn::Sub(ball_z, tilted.ball.z);
+    return Vectors<V>{x, hn::Add(ground_height(locked, x, z), above_ground), z};
+  };
+  const Vectors<V> held = ankle_over(locked.place.x, locked.place.z);
+  const Vectors<V> carried = ankle_over(hn::Add(ankle.position.x, sole.ball.x), hn::Add(ankle.position.z, sole.ball.z));
+  const V held_drop = needed_drop(d, reach, held);
+  const V most_drop =
+      hn::MulAdd(reach.length, hn::Set(d, lock_reserve), hn::Max(needed_drop(d, reach, carried), hn::Zero(d)));
+  const auto is_beyond = hn::Gt(held_drop, most_drop);
+  const V share = reached_share(d, reach, most_drop, carried, held);
+  foot.reached = hn::IfThenElse(is_beyond, share, hn::Set(d, 1.0F));
+  goal.drop = hn::Min(held_drop, most_drop);
+  goal.ankle.position = choose(is_beyond, scaled_add(difference(held, carried), share, carried), held);
   return goal;
 }
 

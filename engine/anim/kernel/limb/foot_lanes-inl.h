@@ -75,7 +75,7 @@ struct PlacedFeet {
   using V = hn::Vec<D>;
 
   Footings<V> ground;
-  V planted, missed_by;
+  V planted, missed_by, reached;
   FootLocks<D> lock;
   Vectors<V> ankle;
 
@@ -86,9 +86,10 @@ struct PlacedFeet {
     load_rows_of_four<2>(d, from, 0, block_floats, grounds);
     ground = {{grounds[0].v[0], grounds[0].v[1], grounds[0].v[2]}, {grounds[0].v[3], grounds[1].v[0], grounds[1].v[1]}};
     planted = grounds[1].v[2];
-    FourVectors<V> locks[foot_lock_rows];
-    load_rows_of_four<foot_lock_rows>(d, from, 2 * block_floats, block_floats, locks);
-    lock.load(d, locks);
+    FourVectors<V> rest[foot_lock_rows + 1];
+    load_rows_of_four<foot_lock_rows + 1>(d, from, 2 * block_floats, block_floats, rest);
+    lock.load(d, rest);
+    reached = rest[foot_lock_rows].v[3];
   }
   /// Stores all but the ground.
   void store(D d, const FootPlacementJobs<D>& jobs, int leg) const {
@@ -98,7 +99,7 @@ struct PlacedFeet {
     FourVectors<V> rows[2 + foot_lock_rows];
     rows[0] = {{ground.normal.y, ground.normal.z, planted, missed_by}};
     lock.store(d, rows + 1);
-    rows[1 + foot_lock_rows] = {{ankle.x, ankle.y, ankle.z, hn::Zero(d)}};
+    rows[1 + foot_lock_rows] = {{ankle.x, ankle.y, ankle.z, reached}};
     store_rows_of_four<2 + foot_lock_rows>(d, rows, to, block_floats);
   }
 

@@ -52,9 +52,9 @@ struct FootLocks {
 
   Vectors<V> place, normal, offset, last_ball;
   V released_for, slid, standing_seconds;
-  hn::Mask<D> locked, overstretched, standing;
+  hn::Mask<D> locked, overstretched, standing, stepping;
 
-  void load(D d, const FourVectors<V> (&rows)[foot_lock_rows]) {
+  void load(D d, const FourVectors<V>* rows) {
     const auto vector_of = [&](int row) { return Vectors<V>{rows[row].v[0], rows[row].v[1], rows[row].v[2]}; };
     place = vector_of(0);
     released_for = rows[0].v[3];
@@ -66,11 +66,13 @@ struct FootLocks {
     locked = has_flag(d, rows[3].v[3], FootLock::is_locked);
     overstretched = has_flag(d, rows[3].v[3], FootLock::is_overstretched);
     standing = has_flag(d, rows[3].v[3], FootLock::is_standing);
+    stepping = has_flag(d, rows[3].v[3], FootLock::is_stepping);
   }
   void store(D d, FourVectors<V>* rows) const {
-    const V flags = hn::Or(flag_where(d, locked, FootLock::is_locked),
-                           hn::Or(flag_where(d, overstretched, FootLock::is_overstretched),
-                                  flag_where(d, standing, FootLock::is_standing)));
+    const V flags =
+        hn::Or(hn::Or(flag_where(d, locked, FootLock::is_locked), flag_where(d, stepping, FootLock::is_stepping)),
+               hn::Or(flag_where(d, overstretched, FootLock::is_overstretched),
+                      flag_where(d, standing, FootLock::is_standing)));
     rows[0] = {{place.x, place.y, place.z, released_for}};
     rows[1] = {{normal.x, normal.y, normal.z, slid}};
     rows[2] = {{offset.x, offset.y, offset.z, standing_seconds}};
@@ -114,40 +116,67 @@ HWY_INLINE Footings<V> free_footing(D d, const FootLocks<D>& lock, const Footing
   return {choose(eases, easing, posed.place), choose(eases, unit_or(d, between, upwards(d, one)), posed.normal)};
 }
 
-/// Returns which locks end in this step.
+/// Ends the locks of feet that are lifted, too far from their pose or, as time passes, `short_of` their place: these go
+/// from where their legs left them.
 template <class D, class V>
-HWY_INLINE void let_go(FootLocks<D>& lock, const Footings<V>& posed, hn::Mask<D> planted,
-                       const FootLockOptionLanes<D>& options) {
+HWY_INLINE void let_go(D d, FootLocks<D>& lock, const Footings<V>& posed, hn::Mask<D> planted, hn::Mask<D> short_of,
+                       const FootLockOptionLanes<D>& options, V seconds) {
   const auto too_far = hn::Gt(horizontal_distance(lock.place, posed.place), options.farthest);
-  const auto goes = hn::And(lock.locked, hn::Or(hn::Not(planted), too_far));
-  const Vectors<V> offset{hn::Sub(lock.place.x, posed.place.x),
-                          hn::Sub(lock.place.y, ground_height(posed, lock.place.x, lock.place.z)),
-                          hn::Sub(lock.place.z, posed.place.z)};
+  const auto gives_way = hn::And(short_of, hn::Gt(seconds, hn::Zero(d)));
+  const auto goes = hn::And(lock.locked, hn::Or(hn::Not(planted), hn::Or(too_far, gives_way)));
+  const V x = hn::IfThenElse(short_of, lock.last_ball.x, lock.place.x);
+  const V z = hn::IfThenElse(short_of, lock.last_ball.z, lock.place.z);
+  const V y = hn::IfThenElse(short_of, ground_height(Footings<V>{lock.place, lock.normal}, x, z), lock.place.y);
+  const Vectors<V> offset{hn::Sub(x, posed.place.x), hn::Sub(y, ground_height(posed, x, z)), hn::Sub(z, posed.place.z)};
   lock.offset = choose(goes, offset, lock.offset);
   lock.released_for = hn::IfThenZeroElse(goes, lock.released_for);
-  lock.overstretched = hn::And(planted, hn::Or(lock.overstretched, goes));
+  lock.overstretched = hn::And(planted, hn::Or(lock.overstretched, hn::And(goes, too_far)));
+  lock.stepping = hn::And(planted, hn::Or(lock.stepping, hn::And(goes, gives_way)));
   lock.locked = hn::AndNot(goes, lock.locked);
 }
 
-/// Makes one step and returns the footing to use, world space. `posed` is the footing in the pose; a foot locks from
-/// `planted` of planted_from on. The footing never jumps: a foot locks where it is, and its distance from the pose
-/// fades out after the release.
+/// Moves the offset of a released foot on: to where its leg left it, and to nothing once its time is over.
 template <class D, class V>
-HWY_INLINE Footings<V> step_foot_lock(D d, FootLocks<D>& lock, const Footings<V>& posed, V planted,
+HWY_INLINE void bring_back(D d, FootLocks<D>& lock, V reached, V release_seconds, V seconds) {
+  const V since = hn::Add(lock.released_for, seconds);
+  const auto is_back = hn::AndNot(lock.locked, hn::Ge(since, release_seconds));
+  const V kept = hn::IfThenElse(hn::Or(lock.locked, hn::Le(seconds, hn::Zero(d))), hn::Set(d, 1.0F), reached);
+  lock.released_for = hn::IfThenElse(lock.locked, lock.released_for, since);
+  lock.stepping = hn::AndNot(is_back, lock.stepping);
+  lock.offset = {hn::IfThenZeroElse(is_back, hn::Mul(lock.offset.x, kept)), hn::IfThenZeroElse(is_back, lock.offset.y),
+                 hn::IfThenZeroElse(is_back, hn::Mul(lock.offset.z, kept))};
+}
+
+/// Makes one step and returns the footing to use, world space. `posed` is the footing in the pose; a foot locks from
+/// `planted` of planted_from on. `reached` is the share of the way from there to its footing that its leg reached in
+/// the last step. The footing never jumps: a foot locks where it is, and its distance from the pose fades out after the
+/// release.
+template <class D, class V>
+HWY_INLINE Footings<V> step_foot_lock(D d, FootLocks<D>& lock, const Footings<V>& posed, V planted, V reached,
                                       const FootLockOptionLanes<D>& options, V seconds) {
   const auto is_planted = hn::And(options.enabled, hn::Ge(planted, hn::Set(d, planted_from)));
-  const V since = hn::Add(lock.released_for, seconds);
-  const auto is_back = hn::AndNot(lock.locked, hn::Ge(since, options.release_seconds));
-  lock.released_for = hn::IfThenElse(lock.locked, lock.released_for, since);
-  lock.offset = {hn::IfThenZeroElse(is_back, lock.offset.x), hn::IfThenZeroElse(is_back, lock.offset.y),
-                 hn::IfThenZeroElse(is_back, lock.offset.z)};
-  let_go(lock, posed, is_planted, options);
+  bring_back(d, lock, reached, options.release_seconds, seconds);
+  let_go(d, lock, posed, is_planted, hn::Lt(reached, hn::Set(d, 1.0F)), options, seconds);
   const Footings<V> free = free_footing(d, lock, posed, options.release_seconds);
-  const auto comes_down = hn::AndNot(lock.overstretched, hn::AndNot(lock.locked, is_planted));
+  const auto waits = hn::Or(hn::Or(lock.overstretched, lock.stepping), lock.locked);
+  const auto comes_down = hn::AndNot(waits, is_planted);
   lock.locked = hn::Or(lock.locked, comes_down);
   lock.place = choose(comes_down, free.place, lock.place);
   lock.normal = choose(comes_down, free.normal, lock.normal);
   return {choose(lock.locked, lock.place, free.place), choose(lock.locked, lock.normal, free.normal)};
+}
+
+/// Returns how high a planted foot steps on its way back from a lock that it was released from, metres. It comes down
+/// where the pose has it.
+template <class D, class V>
+HWY_INLINE V rise_of_step(D d, const FootLocks<D>& lock, V planted, V release_seconds) {
+  const V one = hn::Set(d, 1.0F);
+  const V fade = fading(d, lock.released_for, release_seconds);
+  const V distance = hn::Sqrt(hn::MulAdd(lock.offset.z, lock.offset.z, hn::Mul(lock.offset.x, lock.offset.x)));
+  const V highest = hn::Mul(distance, hn::Set(d, 4.0F * step_height));
+  const V firmly = hn::Max(hn::MulSub(hn::Set(d, 2.0F), planted, one), hn::Zero(d));
+  const auto steps = hn::AndNot(lock.locked, hn::Or(lock.overstretched, lock.stepping));
+  return hn::IfThenElseZero(steps, hn::Mul(hn::Mul(highest, firmly), hn::Mul(fade, hn::Sub(one, fade))));
 }
 
 /// Adds the distance that the ball of a planted foot moved since the last frame, world space.

@@ -8,8 +8,8 @@
 
 namespace throng::anim {
 
-/// Keeps a planted foot where it came down until it is lifted. This is its state from frame to frame, in world space,
-/// in rows of four floats:
+/// Keeps a planted foot where it came down until it is lifted or its leg no longer reaches. This is its state from
+/// frame to frame, in world space, in rows of four floats:
 ///
 ///      0           12             16            28     32            44                 48               60
 ///     [ place     | released_for | normal      | slid | offset      | standing_seconds | last_ball      | flags ]
@@ -18,6 +18,8 @@ struct alignas(16) FootLock {
   static constexpr std::uint32_t is_locked = 1;
   static constexpr std::uint32_t is_overstretched = 2;  ///< released although planted; locks after the next step
   static constexpr std::uint32_t is_standing = 4;       ///< was planted last frame
+  static constexpr std::uint32_t is_stepping = 8;       ///< released although planted, because its leg did not reach;
+                                                        ///< locks when it is back
 
   glm::vec3 place{0.0F};               ///< locked: point of the ground below the ball of the foot
   float released_for = long_ago;       ///< seconds since its release
@@ -34,6 +36,9 @@ inline constexpr int foot_lock_rows = 4;  ///< rows of four floats
 static_assert(sizeof(FootLock) == 64 && offsetof(FootLock, normal) == 16 && offsetof(FootLock, offset) == 32);
 static_assert(offsetof(FootLock, last_ball) == 48 && offsetof(FootLock, flags) == 60);
 static_assert(std::is_trivially_copyable_v<FootLock>);
+
+/// A planted foot that its leg no longer holds steps back to its pose this share of the way high.
+inline constexpr float step_height = 0.25F;
 
 struct FootLockOptions {
   float release_seconds = 0.2F;  ///< the time that a released foot takes to return to its pose

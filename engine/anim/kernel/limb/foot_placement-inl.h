@@ -15,22 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::anim::HWY_NAMESPACE {
 
-/// A share of the leg's length: the pelvis is lowered before a leg is straighter than that.
-inline constexpr float knee_reserve = 0.02F;
-
-/// Returns how far the hip must come down for a leg to reach its goal, no straighter than it was or than the reserve.
-template <class D, class V>
-HWY_INLINE V needed_drop(D d, const TwoBoneLimb& limb, const ChainLanes<D>& leg, const Vectors<V>& ankle) {
-  const Vectors<V>& hip = leg.motions[limb.upper].position;
-  const Vectors<V>& knee = leg.motions[limb.middle].position;
-  const Vectors<V>& posed = leg.motions[limb.end()].position;
-  const V length = hn::Add(length_of(difference(knee, hip)), length_of(difference(posed, knee)));
-  const V reach = hn::Max(length_of(difference(posed, hip)), hn::Mul(length, hn::Set(d, 1.0F - knee_reserve)));
-  const Vectors<V> away = difference(hip, ankle);
-  const V level = hn::MulAdd(away.z, away.z, hn::Mul(away.x, away.x));
-  return hn::Sub(away.y, hn::Sqrt(hn::Max(hn::MulSub(reach, reach, level), hn::Zero(d))));
-}
-
 /// Smooths the drop, in time for a foot that lands. A new character has its drop at once.
 template <class D, class V>
 HWY_INLINE DampedValues<V> next_drop(D d, const PlacedBodies<D>& bodies, V wanted) {
@@ -58,9 +42,10 @@ class FootPlacer {
       const PlacedLeg& about = rig.legs.data()[leg];
       feet_[leg].load(d, jobs_, leg);
       feet_[leg].ankle = ankle_of(rig, leg).position;
-      goals_[leg] = goal_of(d, about, bodies_, ankle_of(rig, leg), feet_[leg]);
-      const V needed = needed_drop(d, about.limb, legs_[leg], goals_[leg].ankle.position);
-      wanted = hn::Max(wanted, hn::Mul(goals_[leg].planted, needed));
+      const LegReaches<V> reach = reach_of(d, legs_[leg].motions[about.limb.upper].position,
+                                           legs_[leg].motions[about.limb.middle].position, ankle_of(rig, leg).position);
+      goals_[leg] = goal_of(d, about, bodies_, reach, ankle_of(rig, leg), feet_[leg]);
+      wanted = hn::Max(wanted, hn::Mul(goals_[leg].planted, goals_[leg].drop));
     }
     bodies_.drop = next_drop(d, bodies_, hn::Min(wanted, bodies_.max_drop));
     lower_pelvis(d, rig);
@@ -117,7 +102,8 @@ class FootPlacer {
     foot.missed_by = solve_two_bone_ik(d, about.limb, limb_goals, pose_, legs_[leg]);
     const JointMotions<V>& ankle = ankle_of(rig, leg);
     const Vectors<V> ball = sum(ankle.position, rotated(ankle.rotation, broadcast_vector(d, &about.sole[1].x)));
-    measure_slide(d, foot.lock, to_world(bodies_.model_in_world, ball), goal.planted, bodies_.seconds);
+    const V standing = hn::IfThenZeroElse(hn::Gt(goal.steps, zero), goal.planted);
+    measure_slide(d, foot.lock, to_world(bodies_.model_in_world, ball), standing, bodies_.seconds);
     foot.store(d, jobs_, leg);
   }
 

@@ -74,6 +74,7 @@ void forget_feet(const FootPlacementJob& job) {
   for (PlacedFoot& foot : std::span(job.feet, static_cast<std::size_t>(job.rig->leg_count))) {
     foot.lock = {};
     foot.missed_by = 0.0F;
+    foot.reached = 1.0F;
   }
 }
 

@@ -19,6 +19,12 @@ namespace throng::anim {
 inline constexpr int max_legs = 8;
 inline constexpr int most_leg_quads = 64;  ///< quads (pose.h) that the bones of all legs may lie in
 
+/// A share of the leg's length: the pelvis is lowered before a leg is straighter than that.
+inline constexpr float knee_reserve = 0.02F;
+
+/// A share of the leg's length: a lock lowers the pelvis by no more than this below what the ground asks.
+inline constexpr float lock_reserve = 0.012F;
+
 /// The bones of one leg, by index.
 struct LegBones {
   int hip = -1;
@@ -85,8 +91,8 @@ static_assert(std::is_trivially_copyable_v<PlacedBody>);
 
 /// The state of one foot, in rows of four floats.
 ///
-///      0        24        28          32     96      112
-///     [ ground | planted | missed_by | lock | ankle ]
+///      0        24        28          32     96      108       112
+///     [ ground | planted | missed_by | lock | ankle | reached ]
 struct alignas(16) PlacedFoot {
   // The owner sets these two.
   Footing ground{};                 ///< the plane to stand on, world space; too steep or broken, it counts as flat
@@ -95,14 +101,16 @@ struct alignas(16) PlacedFoot {
   float missed_by = 0.0F;  ///< metres that the ankle is from where it should be
   FootLock lock{};
   glm::vec3 ankle{0.0F};  ///< model space, before it was placed: where to look for the ground
+  float reached = 1.0F;  ///< the share of the way from its pose to its lock that the leg reaches; below 1: it gives way
 };
 static_assert(sizeof(PlacedFoot) == 112 && offsetof(PlacedFoot, missed_by) == 28 && offsetof(PlacedFoot, lock) == 32);
-static_assert(offsetof(PlacedFoot, ankle) == 96);
+static_assert(offsetof(PlacedFoot, ankle) == 96 && offsetof(PlacedFoot, reached) == 108);
 static_assert(std::is_trivially_copyable_v<PlacedFoot>);
 
 /// Puts feet on uneven ground. The pose is made for flat ground at height 0 and moves to the ground given. Feet keep
 /// their height above it and tilt with it. Planted feet touch it with the lowest point of the sole and stay where they
-/// came down. The pelvis is lowered for the legs to reach. Levels of detail without all legs are left alone.
+/// came down, as far as their legs reach. The pelvis is lowered as the ground asks: a place that a foot is locked at
+/// lowers it by no more than lock_reserve. Levels of detail without all legs are left alone.
 struct FootPlacementJob {
   const FootPlacementRig* rig = nullptr;
   PlacedBody* body = nullptr;

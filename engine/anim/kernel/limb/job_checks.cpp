@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/anim/kernel/limb/chain_reach.h"
 #include "engine/anim/kernel/limb/foot_placement.h"
 #include "engine/anim/kernel/limb/look_at.h"
+#include "engine/anim/kernel/limb/spring_bones.h"
 #include "engine/anim/kernel/limb/two_bone_ik.h"
 
 namespace throng::anim {
@@ -65,6 +67,19 @@ bool is_valid(const FootPlacementJob& job) {
   if (!is_rigid(job.pose) || !is_unit(job.body->model_in_world.rotation)) return false;
   const bool lowers = !has_all_legs(*job.rig, job.pose) || job.pose.displaces(job.rig->pelvis_bone());
   return lowers && are_options(job.body->options) && is_not_negative(job.seconds) && is_share(job.weight);
+}
+
+bool is_valid(const SpringBonesJob& job) {
+  if (job.rig == nullptr || job.body == nullptr || !is_rigid(job.pose)) return false;
+  return job.joints.size() == job.rig->joints.size() &&
+         job.carriers.size() == job.rig->chains.size() + job.rig->colliders.size() && is_not_negative(job.seconds) &&
+         is_share(job.weight);
+}
+
+bool is_valid(const ChainReachJob& job) {
+  return job.reach != nullptr && is_chain(job.reach->chain) && job.reach->first >= 0 &&
+         job.reach->first < job.reach->chain.tip() && is_rigid(job.pose) && is_share(job.weight) &&
+         job.iterations >= 1 && job.iterations <= most_reach_iterations && is_not_negative(job.tolerance);
 }
 
 bool is_valid(std::span<const LookAtJob> jobs) {

@@ -43,10 +43,6 @@ Result<JointChain> make_joint_chain(const Skeleton& skeleton, int bone) {
 
 namespace {
 
-/// Makes a product of nearly unit quaternions unit by one Newton step. A square root and a division would delay the
-/// next joint.
-glm::quat renormalised(const glm::quat& product) { return product * (1.5F - 0.5F * glm::dot(product, product)); }
-
 void pose_joint(const JointChain& chain, std::size_t joint, const PoseView& pose, std::span<JointMotion> motions) {
   const JointMotion parent = joint == 0 ? JointMotion{} : motions[joint - 1];
   const int bone = chain.bones[joint];

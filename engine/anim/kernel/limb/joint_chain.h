@@ -38,6 +38,10 @@ struct JointMotion {
 };
 static_assert(std::is_trivially_copyable_v<JointMotion>);
 
+/// Makes a product of nearly unit quaternions unit by one Newton step. A square root and a division would delay the
+/// next joint.
+inline glm::quat renormalised(const glm::quat& product) { return product * (1.5F - 0.5F * glm::dot(product, product)); }
+
 /// Memory for the motions of a chain. It is not initialised, because that takes as long as posing.
 class ChainMotion {
  public:

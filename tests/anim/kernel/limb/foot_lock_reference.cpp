@@ -34,31 +34,54 @@ Footing free_footing(const FootLock& lock, const Footing& posed, const FootLockO
           .normal = unit_or(posed.normal * (1.0F - fade) + lock.normal * fade, up)};
 }
 
-void let_go(FootLock& lock, const Footing& posed) {
+/// The foot goes from its lock, or from where its leg left it short of that.
+void let_go(FootLock& lock, const Footing& posed, bool is_short) {
+  glm::vec3 from = lock.place;
+  if (is_short) {
+    from = lock.last_ball;
+    from.y = ground_height({.place = lock.place, .normal = lock.normal}, from.x, from.z);
+  }
   lock.flags &= ~FootLock::is_locked;
   lock.released_for = 0.0F;
-  lock.offset = lock.place - posed.place;
-  lock.offset.y = lock.place.y - ground_height(posed, lock.place.x, lock.place.z);
+  lock.offset = from - posed.place;
+  lock.offset.y = from.y - ground_height(posed, from.x, from.z);
 }
 
 void set(FootLock& lock, std::uint32_t flag, bool on) { lock.flags = on ? lock.flags | flag : lock.flags & ~flag; }
+bool has(const FootLock& lock, std::uint32_t flag) { return (lock.flags & flag) != 0; }
+
+void bring_back(FootLock& lock, const FootLockOptions& options, float seconds, float reached) {
+  lock.released_for += seconds;
+  if (seconds > 0.0F) {
+    lock.offset.x *= reached;
+    lock.offset.z *= reached;
+  }
+  if (lock.released_for < options.release_seconds) return;
+  lock.offset = glm::vec3(0.0F);
+  set(lock, FootLock::is_stepping, false);
+}
 
 }  // namespace
 
 Footing step_foot_lock(FootLock& lock, const Footing& posed, float planted, const FootLockOptions& options,
-                       float seconds) {
+                       float seconds, float reached) {
   assert(seconds >= 0.0F);
   const bool is_planted = planted >= planted_from && options.enabled;
-  if (!is_planted) set(lock, FootLock::is_overstretched, false);
-  const bool too_far = lock.locked() && horizontal_distance(lock.place, posed.place) > options.farthest;
-  if (lock.locked() && (!is_planted || too_far)) {
-    let_go(lock, posed);
-    set(lock, FootLock::is_overstretched, too_far && is_planted);
-  } else if (!lock.locked()) {
-    lock.released_for += seconds;
-    if (lock.released_for >= options.release_seconds) lock.offset = glm::vec3(0.0F);
+  if (!is_planted) {
+    set(lock, FootLock::is_overstretched, false);
+    set(lock, FootLock::is_stepping, false);
   }
-  if (!lock.locked() && is_planted && (lock.flags & FootLock::is_overstretched) == 0) {
+  const bool is_short = reached < 1.0F;
+  const bool gives_way = is_short && seconds > 0.0F;
+  const bool too_far = horizontal_distance(lock.place, posed.place) > options.farthest;
+  if (lock.locked() && (!is_planted || too_far || gives_way)) {
+    let_go(lock, posed, is_short);
+    set(lock, FootLock::is_overstretched, too_far && is_planted);
+    set(lock, FootLock::is_stepping, gives_way && is_planted);
+  } else if (!lock.locked()) {
+    bring_back(lock, options, seconds, reached);
+  }
+  if (!lock.locked() && is_planted && !has(lock, FootLock::is_overstretched) && !has(lock, FootLock::is_stepping)) {
     const Footing here = free_footing(lock, posed, options);
     set(lock, FootLock::is_locked, true);
     lock.place = here.place;
@@ -66,6 +89,13 @@ Footing step_foot_lock(FootLock& lock, const Footing& posed, float planted, cons
   }
   if (lock.locked()) return {.place = lock.place, .normal = lock.normal};
   return free_footing(lock, posed, options);
+}
+
+float rise_of_step(const FootLock& lock, float planted, const FootLockOptions& options) {
+  if (lock.locked() || !(has(lock, FootLock::is_overstretched) || has(lock, FootLock::is_stepping))) return 0.0F;
+  const float fade = fading(lock.released_for, options.release_seconds);
+  const float distance = glm::length(glm::vec2(lock.offset.x, lock.offset.z));
+  return 4.0F * step_height * distance * std::max(2.0F * planted - 1.0F, 0.0F) * fade * (1.0F - fade);
 }
 
 void measure_slide(FootLock& lock, const glm::vec3& ball, float planted, float seconds) {

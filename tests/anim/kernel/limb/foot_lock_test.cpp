@@ -1,5 +1,7 @@
 // What locks promise, by their definition, which kernels are held to (foot_placement_strip_test.cpp).
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -71,6 +73,43 @@ TEST_F(FootLockOfAWalk, LetsAFootGoThatIsLeftTooFarBehindUntilItsNextStep) {
   EXPECT_EQ(step_for(40, 1.0F).place, posed_.place);
   step(0.0F);
   step(1.0F);
+  EXPECT_TRUE(lock_.locked());
+}
+
+TEST_F(FootLockOfAWalk, StepsBackFromWhereItsLegLeftItAndLocksThere) {
+  step_for(12, 1.0F);
+  lock_.last_ball = 0.5F * (posed_.place + lock_.place);
+  const glm::vec3 left_at = lock_.last_ball;
+  const auto step_back = [&](float reached) {
+    posed_.place.z += frame;
+    return step_foot_lock(lock_, posed_, 1.0F, options_, frame, reached);
+  };
+  EXPECT_LT(glm::distance(step_back(0.5F).place, left_at), 1e-6F);
+  EXPECT_FALSE(lock_.locked());
+  float highest = 0.0F;
+  for (int i = 0; i < 11; ++i) {
+    step_back(1.0F);
+    EXPECT_FALSE(lock_.locked());
+    highest = std::max(highest, rise_of_step(lock_, 1.0F, options_));
+  }
+  EXPECT_NEAR(highest, step_height * glm::length(lock_.offset), 1e-3F) << "it does not drag over the ground";
+  step_back(1.0F);
+  step_back(1.0F);
+  EXPECT_TRUE(lock_.locked());
+  EXPECT_EQ(rise_of_step(lock_, 1.0F, options_), 0.0F);
+}
+
+TEST_F(FootLockOfAWalk, DoesNotReachOutAgainOnItsWayBack) {
+  step_for(12, 1.0F);
+  step(0.0F);
+  const float offset = lock_.offset.z;
+  step_foot_lock(lock_, posed_, 0.0F, options_, frame, 0.5F);
+  EXPECT_FLOAT_EQ(lock_.offset.z, 0.5F * offset);
+}
+
+TEST_F(FootLockOfAWalk, HoldsAFootOutOfReachUntilTimePasses) {
+  const Footing down = step_for(12, 1.0F);
+  EXPECT_EQ(step_foot_lock(lock_, posed_, 1.0F, options_, 0.0F, 0.5F).place, down.place);
   EXPECT_TRUE(lock_.locked());
 }
 

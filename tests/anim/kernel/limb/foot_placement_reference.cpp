@@ -17,14 +17,21 @@ namespace {
 
 constexpr glm::vec3 upwards{0.0F, 1.0F, 0.0F};
 constexpr float steepest_ground = 0.2F;  // least y of a normal; steeper or broken ones count as flat
-constexpr float knee_reserve =
-    0.02F;  // of the leg's length: the pelvis is lowered before a leg is straighter than that
 
 /// How a foot is to be: model space.
 struct FootGoal {
   glm::vec3 ankle{0.0F};
   glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
   float planted = 0.0F;
+  float drop = 0.0F;   // metres that the hip must come down for it
+  float steps = 0.0F;  // metres that it is lifted on its way back
+};
+
+/// What a leg reaches, model space.
+struct LegReach {
+  glm::vec3 hip{0.0F};
+  float length = 0.0F;
+  float farthest = 0.0F;  // from the hip to the ankle
 };
 
 /// How far the lowest point of the sole is below the ankle, along `normal`.
@@ -71,30 +78,52 @@ float planted_share(const PlacedFoot& foot, const FootPlacementOptions& options,
   return std::clamp((options.up_above - lift) / (options.up_above - options.down_below), 0.0F, 1.0F);
 }
 
-FootGoal goal_of(const FootPlacementJob& job, const PlacedLeg& leg, const JointMotion& ankle, PlacedFoot& foot) {
+LegReach reach_of(const TwoBoneLimb& limb, const ChainMotion& leg) {
+  const glm::vec3 hip = leg[static_cast<std::size_t>(limb.upper)].position;
+  const glm::vec3 ankle = leg[static_cast<std::size_t>(limb.end())].position;
+  const float length = limb_length(limb, leg);
+  return {hip, length, std::max(glm::distance(hip, ankle), length * (1.0F - knee_reserve))};
+}
+
+/// How far the hip must come down for a leg to reach an ankle without being straighter than it was or than the reserve.
+float needed_drop(const LegReach& leg, const glm::vec3& ankle) {
+  const glm::vec3 away = leg.hip - ankle;
+  return away.y - std::sqrt(std::max(0.0F, leg.farthest * leg.farthest - away.x * away.x - away.z * away.z));
+}
+
+/// The share of the way from one ankle to another that a leg reaches when its hip is lowered by `drop`.
+float reached_share(const LegReach& leg, float drop, const glm::vec3& from, const glm::vec3& to) {
+  const glm::vec3 start = from - (leg.hip - drop * upwards);
+  const glm::vec3 way = to - from;
+  const float square = glm::dot(way, way);
+  const float along = glm::dot(start, way);
+  const float room = std::max(0.0F, leg.farthest * leg.farthest - glm::dot(start, start));
+  return std::min((std::sqrt(along * along + square * room) - along) / std::max(square, 1e-12F), 1.0F);
+}
+
+FootGoal goal_of(const FootPlacementJob& job, const PlacedLeg& leg, const LegReach& reach, const JointMotion& ankle,
+                 PlacedFoot& foot) {
   const JointMotion& model = job.body->model_in_world;
   const FootPlacementOptions& options = job.body->options;
   const float planted = planted_share(foot, options, lift_of(leg, ankle));
   const Footing under_ball = moved(ground_of(job, foot), ankle.position + to_ball(leg, ankle.rotation));
-  const Footing locked =
-      to_model(model, step_foot_lock(foot.lock, to_world(model, under_ball), planted, options.lock, job.seconds));
-  FootGoal goal{.planted = planted};
+  const Footing locked = to_model(
+      model, step_foot_lock(foot.lock, to_world(model, under_ball), planted, options.lock, job.seconds, foot.reached));
+  FootGoal goal{.planted = planted, .steps = rise_of_step(foot.lock, planted, options.lock)};
   goal.rotation = limited_turn(upwards, locked.normal, options.least_tilt_cosine) * ankle.rotation;
-  const Footing footing = moved(locked, locked.place - to_ball(leg, goal.rotation));
-  const float lift = lift_of(leg, ankle) * (1.0F - planted);
-  const float above_ground = clearance(leg, goal.rotation, footing.normal) + lift;
-  goal.ankle = footing.place + upwards * (above_ground / footing.normal.y);
+  const float lift = lift_of(leg, ankle) * (1.0F - planted) + goal.steps;
+  const float above_ground = clearance(leg, goal.rotation, locked.normal) + lift;
+  const auto ankle_over = [&](const glm::vec3& ball) {
+    return moved(locked, ball - to_ball(leg, goal.rotation)).place + upwards * (above_ground / locked.normal.y);
+  };
+  const glm::vec3 held = ankle_over(locked.place);
+  const glm::vec3 carried = ankle_over(under_ball.place);
+  const float most_drop = std::max(needed_drop(reach, carried), 0.0F) + lock_reserve * reach.length;
+  const bool is_beyond = needed_drop(reach, held) > most_drop;
+  foot.reached = is_beyond ? reached_share(reach, most_drop, carried, held) : 1.0F;
+  goal.drop = std::min(needed_drop(reach, held), most_drop);
+  goal.ankle = is_beyond ? carried + foot.reached * (held - carried) : held;
   return goal;
-}
-
-/// How far the hip must come down for a leg to reach its goal without being straighter than it was or than the reserve.
-float needed_drop(const TwoBoneLimb& limb, const ChainMotion& leg, const FootGoal& goal) {
-  const glm::vec3 hip = leg[static_cast<std::size_t>(limb.upper)].position;
-  const glm::vec3 ankle = leg[static_cast<std::size_t>(limb.end())].position;
-  const float length = limb_length(limb, leg);
-  const float reach = std::max(glm::distance(hip, ankle), length * (1.0F - knee_reserve));
-  const glm::vec3 away = hip - goal.ankle;
-  return away.y - std::sqrt(std::max(0.0F, reach * reach - away.x * away.x - away.z * away.z));
 }
 
 DampedValue next_drop(const FootPlacementJob& job, float wanted) {
@@ -133,8 +162,8 @@ float place_feet_by_definition(const FootPlacementJob& job) {
     pose_chain(limb.chain, job.pose, chain);
     const JointMotion& ankle = chain[static_cast<std::size_t>(limb.end())];
     job.feet[i].ankle = ankle.position;
-    goals[i] = goal_of(job, rig.legs[i], ankle, job.feet[i]);
-    wanted_drop = std::max(wanted_drop, goals[i].planted * needed_drop(limb, chain, goals[i]));
+    goals[i] = goal_of(job, rig.legs[i], reach_of(limb, chain), ankle, job.feet[i]);
+    wanted_drop = std::max(wanted_drop, goals[i].planted * goals[i].drop);
   }
   if (job.weight <= 0.0F) {
     forget_feet(job);
@@ -155,7 +184,7 @@ float place_feet_by_definition(const FootPlacementJob& job) {
     const JointMotion& ankle = chain[static_cast<std::size_t>(limb.end())];
     const glm::vec3 ball = ankle.position + ankle.rotation * rig.legs[i].sole[1];
     measure_slide(job.feet[i].lock, body.model_in_world.position + body.model_in_world.rotation * ball,
-                  goals[i].planted, job.seconds);
+                  goals[i].steps > 0.0F ? 0.0F : goals[i].planted, job.seconds);
   }
   return body.drop.value * job.weight;
 }

@@ -125,6 +125,7 @@ TEST(FootPlacementStrip, AgreesWithTheDefinitionOnEveryTarget) {
         for (std::size_t leg = 0; leg < 2; ++leg) {
           const PlacedFoot& foot = strip.feet(i)[leg];
           EXPECT_NEAR(foot.missed_by, defined.feet(i)[leg].missed_by, 2e-5F);
+          EXPECT_NEAR(foot.reached, defined.feet(i)[leg].reached, 1e-4F);
           EXPECT_LT(glm::distance(foot.ankle, defined.feet(i)[leg].ankle), 1e-6F);
           expect_alike(foot.lock, defined.feet(i)[leg].lock);
           seen |= foot.lock.flags;
@@ -133,7 +134,8 @@ TEST(FootPlacementStrip, AgreesWithTheDefinitionOnEveryTarget) {
         if (HasFailure()) return;
       }
     }
-    EXPECT_EQ(seen, FootLock::is_locked | FootLock::is_overstretched | FootLock::is_standing) << "what there is to see";
+    EXPECT_EQ(seen, FootLock::is_locked | FootLock::is_overstretched | FootLock::is_standing | FootLock::is_stepping)
+        << "what there is to see";
   }
 }
 

@@ -215,6 +215,37 @@ TEST_F(PersonOnGround, KeepsPlantedFeetInTheWorldWhileTheBodyMovesOn) {
   EXPECT_NEAR(feet_[0].lock.standing_seconds, 11.0F * frame, 1e-5F);
 }
 
+TEST_F(PersonOnGround, GivesAFootUpToABodyThatWalksAwayAndKeepsTheHips) {
+  const float most_drop = lock_reserve * 0.9F;  // of a leg of 0.9 m
+  bool stepped = false;
+  glm::vec3 last(0.0F);
+  for (int i = 0; i < 90; ++i) {
+    pose_ = HeldPose(skeleton_);
+    body_.model_in_world.position.z = static_cast<float>(std::min(i, 60)) * frame;
+    EXPECT_LT(place_feet(job(planted)), most_drop) << i;
+    EXPECT_LT(feet_[0].missed_by, 0.01F) << "the foot comes along: " << i;
+    const glm::vec3 ankle = body_.model_in_world.position + place("foot.L");
+    EXPECT_LT(i == 0 ? 0.0F : glm::distance(ankle, last), 0.06F) << "without a jump: " << i;
+    last = ankle;
+    stepped = stepped || ankle.y > 0.09F;
+  }
+  EXPECT_TRUE(stepped) << "and it is lifted on its way";
+  EXPECT_TRUE(feet_[0].lock.locked());
+  EXPECT_LT(glm::distance(place("foot.L"), glm::vec3(0.1F, 0.08F, 0.0F)), 0.1F) << "it stands again";
+}
+
+TEST_F(PersonOnGround, LowersThePelvisForAHoleThatALockedFootStandsIn) {
+  feet_[0].ground.place.y = -0.15F;
+  place_feet(job(planted));
+  ASSERT_TRUE(feet_[0].lock.locked());
+  for (PlacedFoot& foot : feet_) foot.ground.place.y = 0.0F;
+  for (int i = 0; i < 30; ++i) {
+    pose_ = HeldPose(skeleton_);
+    body_.model_in_world.position.z += 0.001F;
+    EXPECT_NEAR(place_feet(job(planted)), 0.15F, 0.02F) << "the ground is where the foot stands, not where the pose is";
+  }
+}
+
 TEST_F(PersonOnGround, TellsHowFarFeetSlideThatAreNotLocked) {
   for (int i = 0; i < 12; ++i) {
     pose_ = HeldPose(skeleton_);

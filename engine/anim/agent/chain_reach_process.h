@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/anim/agent/weighted_process.h"
+#include "engine/anim/entity/chain_reach_entity.h"
+
+namespace throng::anim {
+
+/// Lets any chain of bones, such as a tail or a spine, reach for a place. Its weight is 0 until it is set.
+class ChainReachProcess final : public WeightedProcess<ChainReachEntity> {
+ public:
+  struct Settings {
+    std::uint32_t chain = 0;  ///< index into the chains of the kind
+    int iterations = 16;      ///< see ChainReachJob
+    float tolerance = 1e-3F;
+  };
+  /// `kind` is what Characters::add_entity_kind returned for chain_reach_kind(chains).
+  explicit ChainReachProcess(EntityPools::Kind kind, const Settings& settings)
+      : WeightedProcess(kind, 0.0F), settings_(settings) {}
+
+  /// Sets the target at once, from the next update on, in metres in model space. A caller that wants a slow change
+  /// moves it slowly.
+  void set_target(const glm::vec3& target) { target_ = target; }
+
+  /// Returns the metres from the end of the chain to the target at the last update.
+  float missed_by(const EntityPools& pools) const {
+    return entity().valid() ? pools.private_as<ChainReachMemory>(entity()).missed_by : 0.0F;
+  }
+
+  std::unique_ptr<PostProcess> clone() const override { return std::make_unique<ChainReachProcess>(*this); }
+
+ private:
+  void begin_private(const EntityBuilder& build, Handle reach) const override {
+    build.private_as<ChainReachMemory>(reach) = {.chain = settings_.chain,
+                                                 .iterations = settings_.iterations,
+                                                 .tolerance = settings_.tolerance,
+                                                 .missed_by = 0.0F};
+  }
+  void write(const EntityBuilder& build, Handle reach) const override {
+    for (int axis = 0; axis < 3; ++axis) build.as<ChainReachEntity>(reach).target[axis] = target_[axis];
+  }
+
+  Settings settings_;
+  glm::vec3 target_{0.0F};
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,48 @@
+#include "engine/anim/entity/chain_reach_entity.h"
+
+#include <algorithm>
+
+#include "engine/anim/entity/whole_pose_step.h"
+
+namespace throng::anim {
+namespace {
+
+void advance_reach(const EntityInStore& entity, const SourcesInStore& sources) {
+  advance_weight(entity.as<ChainReachEntity>().weight, begin_whole_pose(entity, sources).elapsed);
+}
+
+void reach(const EntityInStore& entity, const PoseView& pose) {
+  const auto& reaching = entity.as<ChainReachEntity>();
+  auto& memory = entity.private_as<ChainReachMemory>();
+  memory.missed_by = reach_with_chain({.reach = &entity.resource_as<std::vector<ReachChain>>()[memory.chain],
+                                       .pose = pose,
+                                       .target = {reaching.target[0], reaching.target[1], reaching.target[2]},
+                                       .weight = value(reaching.weight),
+                                       .iterations = memory.iterations,
+                                       .tolerance = memory.tolerance});
+}
+
+int bone_end(const std::vector<ReachChain>& chains) {
+  int end = 0;
+  for (const ReachChain& chain : chains) end = std::max(end, chain.chain.bone_end());
+  return end;
+}
+
+}  // namespace
+
+EntityKind chain_reach_kind(const std::vector<ReachChain>& chains) {
+  return {.name = "chain reach",
+          .type = EntityType::chain_reach,
+          .sources = only_source<ChainReachEntity>,
+          .private_bytes = sizeof(ChainReachMemory),
+          .prepared_bytes = whole_pose_prepared_bytes,
+          .reads_identity = false,
+          .advance = advance_each<advance_reach>,
+          .pose_whole = reach,
+          .whole_bones = bone_end(chains),
+          .whole_pose_work = 4,
+          .displaced_quads = 0,
+          .resource = &chains};
+}
+
+}  // namespace throng::anim

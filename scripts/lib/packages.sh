@@ -1,11 +1,13 @@
-# Installs what scripts/packages lists and the machine lacks; silent and instant when nothing is missing.
+# Installs what scripts/packages lists, and what else is asked for, where the machine lacks it; silent and instant when
+# nothing is missing.
 # shellcheck shell=bash
 
 missing_packages() {
   local package
   while read -r package; do
+    [ -n "$package" ] || continue
     [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"
-  done < <(grep '^[a-z]' scripts/packages)
+  done < <(grep '^[a-z]' scripts/packages && printf '%s\n' "$@")
 }
 
 # Reads what apt-get says: its status lines become a percentage (a line every tenth where there is no terminal), the rest
@@ -40,10 +42,11 @@ apt_get() {
     show_progress "$log" || { tail -n 20 "$log" >&2 && fail "apt-get $1 failed; all that it said is in $log"; }
 }
 
+# install_packages [PACKAGE...]
 install_packages() {
   command -v dpkg-query >/dev/null || fail "no dpkg here: install by hand what scripts/packages lists (names of Debian 12)"
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$@")
   [ ${#missing[@]} -gt 0 ] || return 0
   [ "$(id -u)" = 0 ] || command -v sudo >/dev/null ||
     fail "these packages are missing, and only root or sudo can install them: ${missing[*]}"

@@ -2,7 +2,7 @@
 # draws or reads files.
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${PROGRAM} RESOLVED_DEPENDENCIES_VAR linked)
 foreach(library IN LISTS linked)
-  if(NOT library MATCHES "/(libhwy|libstdc\\+\\+|libm|libgcc_s|libc|libasan|libubsan|libtsan|ld-linux[^/]*)\\.so[^/]*$")
+  if(NOT library MATCHES "/(libhwy|libstdc\\+\\+|libthrong_anim|libm|libgcc_s|libc|libasan|libubsan|libtsan|ld-linux[^/]*)\\.so[^/]*$")
     message(SEND_ERROR "${PROGRAM} needs ${library}")
   endif()
 endforeach()

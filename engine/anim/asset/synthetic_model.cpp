@@ -69,7 +69,11 @@ class Random {
     return low + (high - low) * static_cast<float>(engine_() >> 8U) / static_cast<float>(1U << 24U);
   }
   glm::vec3 axis() {
-    return glm::normalize(glm::vec3(between(-1.0F, 1.0F), between(-1.0F, 1.0F), between(0.1F, 1.0F)));
+    // One statement each: the order in which a compiler computes arguments is its own.
+    const float z = between(0.1F, 1.0F);
+    const float y = between(-1.0F, 1.0F);
+    const float x = between(-1.0F, 1.0F);
+    return glm::normalize(glm::vec3(x, y, z));
   }
 
  private:
@@ -89,7 +93,8 @@ Skeleton skeleton_of(const Body& body, Random& random) {
   for (const int joint : order.bones) {
     const auto j = static_cast<std::size_t>(joint);
     const int parent = body.parents[j] < 0 ? -1 : place[static_cast<std::size_t>(body.parents[j])];
-    const glm::quat turned = glm::angleAxis(random.between(-0.4F, 0.4F), random.axis());
+    const glm::vec3 axis = random.axis();
+    const glm::quat turned = glm::angleAxis(random.between(-0.4F, 0.4F), axis);
     skeleton.bones.push_back(
         {.name = body.names[j], .node = joint, .parent = parent, .rest = {body.offsets[j], turned, glm::vec3(1.0F)}});
   }

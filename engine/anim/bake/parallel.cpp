@@ -5,9 +5,28 @@
 #include <future>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace throng::anim {
+
+namespace {
+
+/// Starts a helper. Returns an invalid future if the machine has no more threads.
+template <typename Work>
+std::future<void> start_helper(const Work& work) {
+#if defined(__cpp_exceptions)
+  try {
+    return std::async(std::launch::async, work);
+  } catch (const std::system_error&) {
+    return {};
+  }
+#else
+  return std::async(std::launch::async, work);  // ends the program if there are no more threads
+#endif
+}
+
+}  // namespace
 
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
@@ -16,10 +35,10 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
   };
   const std::size_t threads = std::min<std::size_t>(count, std::thread::hardware_concurrency());
   std::vector<std::future<void>> helpers;
-  try {
-    while (helpers.size() + 1 < threads) helpers.push_back(std::async(std::launch::async, take));
-  } catch (const std::system_error&) {
-    // The machine has no more threads: those that began do all of it.
+  while (helpers.size() + 1 < threads) {
+    std::future<void> helper = start_helper(take);
+    if (!helper.valid()) break;  // those that began do all of it
+    helpers.push_back(std::move(helper));
   }
   take();
   for (std::future<void>& helper : helpers) helper.get();

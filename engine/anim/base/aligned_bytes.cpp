@@ -32,8 +32,7 @@ AlignedBytes allocate_aligned(std::size_t size) {
   const bool huge = size >= worth_huge_pages;
   const std::size_t alignment = huge ? huge_page : block_alignment;
   const std::size_t allocated = round_up(size, alignment);
-  AlignedBytes bytes(static_cast<std::byte*>(std::aligned_alloc(alignment, allocated)));
-  if (bytes == nullptr && size > 0) throw std::bad_alloc();
+  AlignedBytes bytes(static_cast<std::byte*>(::operator new (allocated, std::align_val_t{alignment})));
   if (huge) ask_for_huge_pages(bytes.get(), allocated);
   if (size > 0) std::memset(bytes.get(), 0, size);
   return bytes;

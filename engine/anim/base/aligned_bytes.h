@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
+#include <new>
 
 namespace throng::anim {
 
@@ -11,7 +11,7 @@ inline constexpr std::size_t block_alignment = 64;
 struct AlignedDelete {
   bool lent = false;  ///< the bytes belong to somebody else, who keeps them for longer
   void operator()(std::byte* bytes) const {
-    if (!lent) std::free(bytes);
+    if (!lent) ::operator delete (bytes, std::align_val_t{block_alignment});
   }
 };
 

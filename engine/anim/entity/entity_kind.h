@@ -9,12 +9,12 @@
 #include "engine/anim/asset/bone_priorities.h"
 #include "engine/anim/base/pool.h"
 #include "engine/anim/entity/animation_state.h"
+#include "engine/anim/entity/clip_streams.h"
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/pose/pose_view.h"
 
 namespace throng::anim {
 
-struct ClipStreams;
 struct EntityKind;
 struct EntityRun;
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "engine/anim/asset/data_keys.h"
+#include "engine/anim/base/compiler.h"
 #include "engine/anim/entity/entity_run.h"
 
 namespace throng::anim {
@@ -111,8 +112,8 @@ Ticks time_of(const Player& player) {
 void prefetch_rows(const SampledStream& stream, const SamplePoint& point) {
   constexpr std::uint32_t line = 64;
   for (std::uint32_t offset = 0; offset < stream.row_stride; offset += line) {
-    __builtin_prefetch(point.from + offset);
-    __builtin_prefetch(point.to + offset);
+    prefetch(point.from + offset);
+    prefetch(point.to + offset);
   }
 }
 

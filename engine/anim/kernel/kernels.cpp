@@ -19,9 +19,18 @@ Kernels kernels_of(std::int64_t target) {
   return kernels;
 }
 
+/// Returns one bit for each target that was compiled and that this machine can run. A lower bit is a better one.
+std::int64_t runnable_targets() {
+#if defined(THRONG_PLAIN_NEON)
+  return (hwy::SupportedTargets() | HWY_NEON) & HWY_TARGETS;  // Highway leaves NEON out where there is no AES
+#else
+  return hwy::SupportedTargets() & HWY_TARGETS;
+#endif
+}
+
 std::vector<Kernels> find_runnable_kernels() {
   std::vector<Kernels> sets;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) sets.push_back(kernels_of(target));
+  for (std::int64_t left = runnable_targets(); left != 0; left &= left - 1) sets.push_back(kernels_of(left & -left));
   return sets;
 }
 

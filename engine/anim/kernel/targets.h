@@ -10,6 +10,17 @@
 #define HWY_BROKEN_EMU128 1
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
+#if defined(__aarch64__)
+#include <hwy/detect_targets.h>
+#if !defined(HWY_NEON_WITHOUT_AES)
+// Highway 1.0.3 marks functions for NEON with an attribute, for the sake of AES, which we do not use. The constructors
+// that a compiler makes by itself have no such mark, and could not call those of vectors. Without it all is plain NEON.
+#undef HWY_HAVE_RUNTIME_DISPATCH
+#define HWY_HAVE_RUNTIME_DISPATCH 0
+#define THRONG_PLAIN_NEON 1
+#endif
+#endif
+
 namespace throng::anim {
 
 struct Kernels;

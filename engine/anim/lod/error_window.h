@@ -36,8 +36,14 @@ class ErrorCounts {
 
   static Step step_of(float pixels);
 
-  void add(Step step) { ++counts_[step], ++total_; }
-  void remove(Step step) { --counts_[step], --total_; }
+  void add(Step step) {
+    ++counts_[step];
+    ++total_;
+  }
+  void remove(Step step) {
+    --counts_[step];
+    --total_;
+  }
   /// Returns the error that `part` of the samples, 0 to 1, do not exceed; 0 without samples.
   float percentile(double part) const;
   std::uint64_t total() const { return total_; }

@@ -1,5 +1,7 @@
 #include "engine/anim/pack/mapped_file.h"
 
+#if !defined(_WIN32)  // mapped_file_windows.cpp is for Windows
+
 #include <cerrno>
 #include <cstring>
 
@@ -50,3 +52,5 @@ anim::Result<MappedFile> map_file(const std::string& path) {
 }
 
 }  // namespace throng::pack
+
+#endif  // !_WIN32

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <chrono>
 
+#include "engine/anim/base/compiler.h"
+
 namespace throng::anim {
 namespace {
 
@@ -10,14 +12,6 @@ using Clock = std::chrono::steady_clock;
 
 /// About the time that putting a thread to sleep and waking it takes on virtual cores.
 constexpr std::chrono::microseconds waits_awake(50);
-
-void pause() {
-#if defined(__x86_64__)
-  __builtin_ia32_pause();
-#elif defined(__aarch64__)
-  asm volatile("yield");
-#endif
-}
 
 }  // namespace
 
@@ -55,7 +49,7 @@ void PuThreads::wait_while(const std::atomic<Value>& value, Value is) const {
   while (has_cores_ && Clock::now() < end) {
     for (int look = 0; look < looks_at_a_time; ++look) {
       if (value.load(std::memory_order_acquire) != is) return;
-      pause();
+      pause_in_loop();
     }
   }
   value.wait(is, std::memory_order_acquire);

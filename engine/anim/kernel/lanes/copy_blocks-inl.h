@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "engine/anim/base/compiler.h"
 #include "engine/anim/base/guard.h"
 #include "engine/anim/kernel/lanes/copy_blocks.h"
 #include "engine/anim/kernel/lanes/lanes-inl.h"
@@ -21,15 +22,15 @@ inline constexpr std::size_t copied_line = 64;
 /// must reach guarded pools.
 THRONG_COPIES_GUARDED_MEMORY inline void copy_lines(const std::byte* from, std::byte* to, std::size_t size) {
   constexpr std::size_t part_bytes = HWY_MIN(HWY_MAX(HWY_MAX_BYTES, 16), copied_line);
-  using Part [[gnu::vector_size(part_bytes), gnu::may_alias]] = long long;
+  using Part THRONG_ALIASING_VECTOR(part_bytes) = long long;
   const std::byte* const end = from + size;
   do {
-    for (std::size_t part = 0; part < copied_line; part += part_bytes) {
+    for (std::size_t part = 0; part < copied_line; part += sizeof(Part)) {
       *reinterpret_cast<Part*>(to + part) = *reinterpret_cast<const Part*>(from + part);
     }
     from += copied_line;
     to += copied_line;
-    asm volatile("" : "+r"(from));  // keeps the compiler from turning the loop into memcpy
+    forget_origin(from);
   } while (from != end);
 }
 

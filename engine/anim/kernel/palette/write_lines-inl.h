@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "engine/anim/base/compiler.h"
 #include "engine/anim/kernel/lanes/lanes-inl.h"
 #include "engine/anim/kernel/palette/write_lines.h"
 
@@ -22,7 +23,7 @@ inline void write_lines(const WriteLinesJob& job) {
   const auto value = hn::Set(d, job.value);
   for (std::size_t at = 0; at < job.lines.size(); at += line_floats) {
     float* const line = job.lines.data() + at;
-    if (job.stores == StorePolicy::prefetched) __builtin_prefetch(line + floats_ahead, 1);
+    if (job.stores == StorePolicy::prefetched) prefetch_to_write(line + floats_ahead);
     for (std::size_t i = 0; i < line_floats; i += static_cast<std::size_t>(lane_count<BoneLanes>)) {
       if (job.stores == StorePolicy::streaming) {
         hn::Stream(value, d, line + i);

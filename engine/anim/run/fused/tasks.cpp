@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "engine/anim/base/compiler.h"
 #include "engine/anim/run/fused/advance.h"
 #include "engine/anim/run/fused/pose_strip.h"
 
@@ -11,13 +12,13 @@ namespace {
 
 /// A hint: they lie scattered, and are read once an update.
 void prefetch_entities(std::span<const AgentWork> soon) {
-  for (const AgentWork& work : soon) __builtin_prefetch(work.entities);
+  for (const AgentWork& work : soon) prefetch(work.entities);
 }
 
 /// A hint: a long list has left the near caches, and is read too slowly to be seen coming.
 void prefetch_work(std::span<const AgentWork> later) {
   const std::span<const std::byte> bytes = std::as_bytes(later);
-  for (std::size_t line = 0; line < bytes.size(); line += block_alignment) __builtin_prefetch(&bytes[line]);
+  for (std::size_t line = 0; line < bytes.size(); line += block_alignment) prefetch(&bytes[line]);
 }
 
 int lanes_for(std::size_t characters) { return static_cast<int>(std::bit_ceil(characters)); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/anim/base/compiler.h"
+
 namespace throng::anim {
 namespace {
 
@@ -71,8 +73,7 @@ void CopyEngine::ask_for_rows(std::size_t due) {
     if (!entry.inward) continue;
     const std::size_t asked = std::min(entry.moved_size(), most_asked_bytes);
     for (const std::byte* block : entry.blocks()) {
-      for (std::size_t offset = 0; offset < asked; offset += block_alignment)
-        __builtin_prefetch(block + entry.skipped + offset);
+      for (std::size_t offset = 0; offset < asked; offset += block_alignment) prefetch(block + entry.skipped + offset);
     }
   }
 }

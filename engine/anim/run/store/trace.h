@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/anim/base/compiler.h"
 #include "engine/anim/base/room.h"
 #include "engine/anim/run/program/task_content.h"
 
@@ -18,8 +19,8 @@ namespace throng::anim {
 /// both clocks over a whole update.
 struct TraceClock {
   static std::uint64_t now() {
-#if defined(__x86_64__)
-    return __builtin_ia32_rdtsc();
+#if defined(THRONG_HAS_TIME_STAMP)
+    return time_stamp();
 #else
     return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
 #endif

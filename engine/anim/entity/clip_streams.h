@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "engine/anim/asset/data_keys.h"
+#include "engine/anim/asset/keyframe_stream.h"
+#include "engine/anim/asset/morph_curves.h"
+#include "engine/anim/asset/root_curve.h"
+#include "engine/anim/asset/sampled_stream.h"
+
+namespace throng::anim {
+
+/// The read-only resource of one clip, in main memory (paper 2.2.2 "pointer to the animation stream").
+struct ClipStreams {
+  const KeyframeStream* keyframe = nullptr;
+  const SampledStream* sampled = nullptr;  ///< null: the clip plays from its keyframe stream
+  Ticks duration = 0;
+  const RootCurve* root_motion = nullptr;  ///< the motion that was taken out of the pose; null: none was
+  std::span<const DataKey> data_keys{};    ///< ascending
+  const MorphCurves* morphs = nullptr;     ///< null: the clip leaves the surface as it is
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,74 @@
+# Builds throng::anim and throng::pack as a project of someone else does (tests/ports): with another compiler, another
+# standard library, for another processor or system; and holds its poses to the pinned hashes.
+# shellcheck shell=bash
+
+# test_port NAME [OPTION OF CMAKE...]
+test_port() {
+  local name=$1 folder=build/port-$1 log=build/configure-port-$1.log
+  shift
+  if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache; fi
+  say "Building for $name"
+  mkdir -p build
+  cmake -S tests/ports -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$log" 2>&1 ||
+    { cat "$log" >&2 && fail "configuring for $name failed"; }
+  ninja -C "$folder" || fail "building for $name failed"
+  ctest --test-dir "$folder" --output-on-failure --no-tests=error || fail "the tests for $name failed"
+}
+
+# Leaves a port out, and says so, if one of its commands is missing: can_port NAME PACKAGES COMMAND...
+can_port() {
+  local name=$1 packages=$2 command
+  shift 2
+  for command in "$@"; do
+    if ! command -v "$command" >/dev/null; then
+      say "Leaving out $name: there is no $command (apt-get install $packages)"
+      return 1
+    fi
+  done
+}
+
+# The source of Highway as Debian has it, for compilers that no package of it is for. Needs no root.
+highway_source() {
+  local folder=$PWD/build/highway
+  if ! compgen -G "$folder/highway-*/" >/dev/null; then
+    mkdir -p "$folder/lists/partial" "$folder/cache/archives/partial"
+    (
+      cd "$folder"
+      . /etc/os-release
+      echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian $VERSION_CODENAME main" >sources.list
+      options=(-o "Dir::Etc::sourcelist=$folder/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$folder/lists"
+        -o "Dir::Cache=$folder/cache")
+      apt-get "${options[@]}" update && apt-get "${options[@]}" source --download-only highway && tar xf highway_*.orig.tar.gz
+    ) >"$folder/log" 2>&1 || { cat "$folder/log" >&2 && fail "Highway's source cannot be fetched"; }
+  fi
+  compgen -G "$folder/highway-*/"
+}
+
+# Headers that are the same for every system, without those of this one beside them.
+plain_headers() {
+  local folder=$PWD/build/headers
+  mkdir -p "$folder"
+  cp -r /usr/include/glm /usr/include/xxhash.h "$folder"
+  echo "$folder"
+}
+
+test_clang() { test_port clang -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++; }
+
+# On Windows the crowds of the tests do not give the pinned hashes yet: poses are held to each other alone.
+test_all_ports() {
+  local toolchains=$PWD/scripts/lib/toolchains highway headers
+  test_clang
+  test_port shared -DBUILD_SHARED_LIBS=ON
+  test_port plain "-DCMAKE_CXX_FLAGS=-fno-exceptions -fno-rtti"
+  if can_port libc++ "clang-16 libc++-16-dev libc++abi-16-dev" clang++-16 && [ -e /usr/lib/llvm-16/include/c++/v1 ]; then
+    test_port libc++ -DCMAKE_C_COMPILER=clang-16 -DCMAKE_CXX_COMPILER=clang++-16 -DCMAKE_CXX_FLAGS=-stdlib=libc++
+  fi
+  if can_port arm64 "g++-aarch64-linux-gnu qemu-user" aarch64-linux-gnu-g++ qemu-aarch64; then
+    highway=$(highway_source)
+    test_port arm64 -DCMAKE_TOOLCHAIN_FILE="$toolchains/aarch64-linux-gnu.cmake" -DPORT_HIGHWAY="$highway"
+  fi
+  if can_port windows "g++-mingw-w64-x86-64-posix wine64" x86_64-w64-mingw32-g++-posix /usr/lib/wine/wine64; then
+    highway=$(highway_source) headers=$(plain_headers)
+    test_port windows -DCMAKE_TOOLCHAIN_FILE="$toolchains/x86_64-w64-mingw32.cmake" -DPORT_PINNED=OFF -DPORT_HIGHWAY="$highway" -DPORT_HEADERS="$headers"
+  fi
+}

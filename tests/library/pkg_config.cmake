@@ -1,0 +1,22 @@
+# COMPILER builds SOURCE with what pkg-config says of the library in PREFIX, which was moved, and the program runs.
+find_program(pkg_config NAMES pkg-config pkgconf)
+if(NOT pkg_config)
+  message(STATUS "pkg-config is not here: nothing to test")
+  return()
+endif()
+file(REMOVE_RECURSE ${PREFIX}-packed)
+file(COPY ${PREFIX}/include ${PREFIX}/lib DESTINATION ${PREFIX}-packed)
+set(ENV{PKG_CONFIG_PATH} ${PREFIX}-packed/${LIBDIR}/pkgconfig)
+execute_process(COMMAND ${pkg_config} --cflags --libs throng OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE
+  COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(flags UNIX_COMMAND "${flags}")
+if(NOT flags MATCHES "-packed/")
+  message(SEND_ERROR "throng.pc does not follow its library: ${flags}")
+endif()
+set(program ${PREFIX}-packed/program)
+execute_process(COMMAND ${COMPILER} -std=c++20 ${SOURCE} -o ${program} ${flags} ${MORE_FLAGS} -Wl,-rpath,${PREFIX}-packed/${LIBDIR}
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${program} OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+if(NOT said MATCHES "^pose hash [0-9a-f]+\n$")
+  message(SEND_ERROR "the program said: ${said}")
+endif()

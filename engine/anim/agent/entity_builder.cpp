@@ -72,7 +72,10 @@ FineTicks EntityBuilder::position(Handle player) const {
 }
 
 void EntityBuilder::set_speed(Handle player, double speed) const {
-  const FineTicks at = position(player);
+  const auto& own = as<Player>(player);
+  const bool looping = (own.flags & Player::looping) != 0;
+  const FineTicks length = clips_[own.clip].duration * fine_ticks_per_tick;
+  const FineTicks at = looping ? position(player) : std::clamp(position(player), FineTicks{0}, length);
   as<Player>(player).speed = fixed_point(speed);
   seek(player, at);
 }

@@ -13,6 +13,7 @@
 #include "engine/anim/bake/character.h"
 #include "engine/anim/bake/footsteps.h"
 #include "engine/anim/bake/grid.h"
+#include "engine/anim/bake/ground_speed.h"
 #include "engine/anim/bake/parallel.h"
 #include "engine/anim/bake/reorder.h"
 #include "engine/anim/bake/root_motion.h"
@@ -127,6 +128,9 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
   if (baked.loop_displacement != glm::dvec3(0.0)) take_root_motion(skeleton, state, baked.loop_displacement);
   baked.root_motion = straight_root_curve(state.duration, baked.loop_displacement);
   baked.keyframe_block = pack_keyframe_stream(state);
+  if (baked.loop_displacement == glm::dvec3(0.0)) {
+    baked.stance_speed = stance_speed(skeleton, baked.keyframe(), proxy.height);
+  }
 
   const SampleSource source{
       skeleton, proxy, baked.keyframe(), baked.loop_displacement, baked.error_bound - baked.keyframe_error, steps};

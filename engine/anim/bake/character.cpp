@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/anim/bake/ground_speed.h"
+#include <glm/geometric.hpp>
 
 namespace throng::anim {
 
@@ -12,8 +12,7 @@ double ground_speed(const Character& character, int clip) {
   const BakedClip& baked = character.clips[static_cast<std::size_t>(clip)];
   if (baked.duration <= 0) return 0.0;
   const double travel = glm::length(baked.loop_displacement);
-  if (travel > 0.0) return travel / to_seconds(baked.duration);
-  return stance_speed(character.skeleton, baked.keyframe(), character.height);
+  return travel > 0.0 ? travel / to_seconds(baked.duration) : baked.stance_speed;
 }
 
 }  // namespace throng::anim

@@ -37,6 +37,7 @@ struct BakedClip {
   RootCurve root_motion;              ///< the same over time: a pose stands where the curve is at its time
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
   MorphCurves morphs = {};            ///< empty: the surface keeps its shape
+  double stance_speed = 0.0;  ///< metres a second of the foot that stands; 0: nobody strides, or the clip travels
   AlignedBytes keyframe_block;
   double keyframe_error = 0.0;  ///< metres: what the tracks that stand still in it may move the surface by at most
   AlignedBytes sampled_block;   ///< null: the clip plays from its keyframe stream, and `note` says why

@@ -18,6 +18,7 @@ BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::spa
                       .root_motion = clip.root_motion,
                       .data_keys = clip.data_keys,
                       .morphs = clip.morphs,
+                      .stance_speed = clip.stance_speed,
                       .keyframe_block = reorder_keyframe_stream(clip.keyframe(), places),
                       .keyframe_error = clip.keyframe_error,
                       .sampled_block = {},

@@ -165,7 +165,7 @@ void describe(Archive& archive, T& clip) {
   archive.template lend_block<anim::KeyframeStream>(clip.keyframe_block);
   archive.template lend_block<anim::SampledStream>(clip.sampled_block);
   archive(clip.keyframe_error, clip.sampled_rate, clip.sampled_error, clip.error_bound, clip.sampled_rounding,
-          clip.morphs, clip.note);
+          clip.morphs, clip.stance_speed, clip.note);
 }
 
 template <typename Archive, Same<anim::BoneLodRow> T>

@@ -45,16 +45,40 @@ RootMotion AgentMotion::displacement_of(std::size_t step, Ticks from, Ticks to) 
   return anim::displacement(*curve, place_on_root_curve(step, from), place_on_root_curve(step, to), looping);
 }
 
+// Straight motions blend as vectors. Those that turn are blended as steady velocities, over steps in which nobody turns
+// far, so that the result does not depend on where an interval was cut.
 RootMotion AgentMotion::displacement(Ticks from, Ticks to) const {
-  RootMotion sum;
   const PoseWeights shares = weights(to);
+  RootMotion sum;
+  double most_turn = 0.0;
+  bool alone = true;
   for_each_player([&](std::size_t step, const Player&, const ClipStreams&) {
     if (shares[step] == 0.0F) return;
     const RootMotion one = displacement_of(step, from, to);
     sum.translation += one.translation * static_cast<double>(shares[step]);
     sum.yaw += one.yaw * static_cast<double>(shares[step]);
+    most_turn = std::max(most_turn, std::abs(one.yaw));
+    alone = alone && shares[step] == 1.0F;
   });
-  return sum;
+  return most_turn == 0.0 || alone ? sum : blended_turn(shares, from, to, most_turn);
+}
+
+RootMotion AgentMotion::blended_turn(const PoseWeights& shares, Ticks from, Ticks to, double most_turn) const {
+  constexpr double turn_a_step = 0.5;  // radians
+  const auto steps = static_cast<Ticks>(std::clamp(std::ceil(most_turn / turn_a_step), 1.0, 1024.0));
+  RootMotion whole;
+  for (Ticks i = 0; i < steps; ++i) {
+    const Ticks begin = from + (to - from) * i / steps, end = from + (to - from) * (i + 1) / steps;
+    RootVelocity blend;
+    for_each_player([&](std::size_t step, const Player&, const ClipStreams&) {
+      if (shares[step] == 0.0F) return;
+      const RootVelocity one = steady_velocity(displacement_of(step, begin, end), 1.0);
+      blend.linear += one.linear * static_cast<double>(shares[step]);
+      blend.yaw += one.yaw * static_cast<double>(shares[step]);
+    });
+    whole = compose(whole, moved_by(blend, 1.0));
+  }
+  return whole;
 }
 
 bool AgentMotion::plays_morphs() const {

@@ -56,7 +56,8 @@ class AgentMotion {
   /// and mixers share out to the others. A state that a mask or an additive layer lays over a pose has no share.
   PoseWeights weights(Ticks at) const;
 
-  /// Returns how the agent moved from `from` to `to`, in its own space at `from`.
+  /// Returns how the agent moved from `from` to `to`, in its own space at `from`: over the ground, up and down, and by
+  /// how much it turned. While weights stay, the motions of adjoining intervals compose to the motion of the whole.
   RootMotion displacement(Ticks from, Ticks to) const;
 
   /// Visits the data keys met in [from, to), player after player, each in the order of its motion. Adjoining intervals
@@ -96,6 +97,7 @@ class AgentMotion {
   const Player& player(std::size_t step) const { return pools_->as<Player>(graph_->entities[step]); }
   FineTicks position(const Player& player, Ticks at) const;
   RootMotion displacement_of(std::size_t step, Ticks from, Ticks to) const;
+  RootMotion blended_turn(const PoseWeights& shares, Ticks from, Ticks to, double most_turn) const;
   FineTicks place_on_root_curve(std::size_t step, Ticks at) const;
   std::optional<std::size_t> leader_of(std::size_t step) const;
   float weight_of_key(std::size_t step, std::uint32_t name, const PoseWeights& felt) const;

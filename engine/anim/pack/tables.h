@@ -141,7 +141,7 @@ void describe(Archive& archive, T& program) {
 
 template <typename Archive, Same<anim::RootKey> T>
 void describe(Archive& archive, T& key) {
-  archive(key.time, key.x, key.z, key.yaw);
+  archive(key.time, key.x, key.y, key.z, key.yaw);
 }
 
 template <typename Archive, Same<anim::RootCurve> T>

@@ -1,6 +1,7 @@
 #include "tests/anim/agent/gait_crowd.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ void travel(BakedClip& clip, const glm::dvec3& metres_a_second) {
 }
 
 Character make_character() {
-  Model model = synthetic_model(20, 7);
+  Model model = synthetic_model(20, 8);
   const auto keys = [&](int clip) -> std::vector<NamedDataKey>& {
     return model.clips[static_cast<std::size_t>(clip)].data_keys;
   };
@@ -34,6 +35,10 @@ Character make_character() {
   travel(character.clips[gaits::run], {0.0, 0.0, gaits::run_speed});
   travel(character.clips[gaits::aside], {gaits::walk_speed, 0.0, 0.0});
   travel(character.clips[gaits::gallop], {0.0, 0.0, 3.0});
+  BakedClip& bend = character.clips[gaits::bend];
+  bend.root_motion =
+      steady_root_curve(bend.duration, {.linear = {0.0, 0.0, gaits::walk_speed}, .yaw = 0.5 * std::numbers::pi});
+  bend.loop_displacement = whole_motion(bend.root_motion).translation;
   return character;
 }
 

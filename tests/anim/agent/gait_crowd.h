@@ -18,6 +18,7 @@ inline constexpr int run = 3;     ///< 4.2 m/s; left at 0.05 s, right at 0.6 s
 inline constexpr int aside = 4;   ///< 1.4 m/s towards +X; left at 0.1 s, right at 0.5 s
 inline constexpr int gallop = 5;  ///< 3 m/s; left, left, right
 inline constexpr int wave = 6;    ///< has the key "hit" at 0.3 s
+inline constexpr int bend = 7;    ///< walks at 1.4 m/s and turns left by a quarter a second
 inline constexpr double walk_speed = 1.4;
 inline constexpr double jog_speed = 2.6;
 inline constexpr double run_speed = 4.2;

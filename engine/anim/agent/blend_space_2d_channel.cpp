@@ -56,7 +56,7 @@ double BlendSpace2dChannel::cycles_per_second(const EntityBuilder& build, std::s
   StrideSum across, along;
   for (const PlayingPoint& one : playing) {
     if (!one.is_gait) continue;
-    const glm::vec2 own = space_->point(one.point).place;
+    const glm::dvec2 own(space_->point(one.point).place);
     across.add(build, one, own.x);
     along.add(build, one, own.y);
   }

@@ -37,7 +37,7 @@ PlayingPoint BlendSpaceChannel::playing(const EntityBuilder& build, std::size_t 
 double BlendSpaceChannel::cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const {
   StrideSum sum;
   for (const PlayingPoint& one : playing) {
-    if (one.is_gait) sum.add(build, one, points_[one.point].parameter);
+    if (one.is_gait) sum.add(build, one, static_cast<double>(points_[one.point].parameter));
   }
   return is_ground_speed_ && sum.metres_a_cycle > StrideSum::least
              ? static_cast<double>(parameter_) / sum.metres_a_cycle

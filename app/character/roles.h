@@ -57,6 +57,7 @@ struct CharacterRoles {
   double jog_speed = 0.0;         ///< the same for the jog; 0: agents that would jog walk
   double run_speed = 0.0;         ///< the same for the run; 0: agents that would run jog or walk
   double walk_seconds = 1.0;      ///< length of the walk clip: one left and one right step
+  std::vector<double> turns;      ///< [clip] quarter turns a second to the left of its root motion; empty: none turns
   double height = person_height;  ///< metres
   double radius = 0.3;            ///< metres; radius of the body seen from above, arms down
   bool is_prop = false;           ///< a thing: it stands only where a scene asks for one
@@ -64,6 +65,11 @@ struct CharacterRoles {
   double share = 1.0;             ///< of the crowd, beside the shares of the others
 
   int clip(Role role) const { return role == Role::other ? no_clip : clips[index_of(role)]; }
+  /// Returns the quarter turns a second that a clip makes to the left.
+  double turn(int clip) const {
+    const auto index = static_cast<std::size_t>(clip);
+    return clip == no_clip || index >= turns.size() ? 0.0 : turns[index];
+  }
   /// Returns the character's height over that of a person.
   double size() const { return height / person_height; }
   /// Returns how much more room the character needs than a person 1.8 metres tall. Every distance of a scene is

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include "app/character/morph_deltas.h"
@@ -247,6 +248,10 @@ void assign_roles(CharacterSource& source, const RoleClips& clips) {
       roles.clip(Role::sit) == source.suggested[index_of(Role::sit)];  // who chose another seat fades
   roles.sit_down = as_suggested ? source.passages[0] : Passage{};
   roles.stand_up = as_suggested ? source.passages[1] : Passage{};
+  roles.turns.clear();
+  for (const anim::BakedClip& clip : source.character->clips) {
+    roles.turns.push_back(anim::root_velocity(clip.root_motion, 0).yaw / (0.5 * std::numbers::pi));
+  }
   roles.walk_speed = gait_speed(source, Role::walk);
   const double jog = gait_speed(source, Role::jog), run = gait_speed(source, Role::run);
   roles.jog_speed = jog > least_gain * roles.walk_speed ? jog : 0.0;

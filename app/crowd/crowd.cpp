@@ -12,6 +12,7 @@
 #include "app/crowd/cut_scene_layout.h"
 #include "app/crowd/parade.h"
 #include "app/crowd/stadium.h"
+#include "app/crowd/turn.h"
 
 namespace throng::app {
 namespace {
@@ -238,6 +239,21 @@ void Crowd::march(anim::Ticks dt) {
   }
 }
 
+// The turn of a clip is not in its pose. Who walks or marches turns by the way that it goes.
+void Crowd::turn_standers(anim::Ticks dt) {
+  for (std::size_t agent = walkers() + marchers(); agent < size(); ++agent) {
+    if (state_.minds.holds(agent) || habits()[agent] == Habit::act) continue;
+    const double quarters_a_second = cast_.of(agent).turn(clips()[agent]);
+    if (quarters_a_second == 0.0) continue;
+    const auto pace = static_cast<double>(state_.playback_speeds[agent]);
+    const glm::dvec2 turn = cosine_sine(quarters_a_second * pace * anim::to_seconds(dt));
+    const glm::dvec2 before(state_.headings[agent].cosine, state_.headings[agent].sine);
+    const glm::dvec2 after(before.x * turn.x - before.y * turn.y, before.y * turn.x + before.x * turn.y);
+    const glm::dvec2 unit = after / glm::length(after);
+    state_.headings[agent] = {static_cast<float>(unit.x), static_cast<float>(unit.y)};
+  }
+}
+
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& executor, int jobs) {
   assert(dt >= 0);
   state_.now += dt;
@@ -247,6 +263,7 @@ std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& exec
     state_.walkers.advance(dt, state_.now, state_.minds, executor, jobs);
     follow_walkers();
     march(dt);
+    turn_standers(dt);
   }
   for (const ClipRequest& request : state_.minds.requests()) match_playback(request.agent);
   return state_.minds.requests();

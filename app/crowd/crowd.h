@@ -110,6 +110,7 @@ class Crowd {
   void lead_wave();
   void follow_walkers();
   void march(anim::Ticks dt);
+  void turn_standers(anim::Ticks dt);
   double marching_time(std::size_t marcher, anim::Ticks dt);
   void match_playback(std::size_t agent);
 

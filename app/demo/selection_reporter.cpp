@@ -45,7 +45,8 @@ EntityRow row_of(anim::Handle entity, const anim::EntityPools& pools, const anim
   const auto& player = pools.as<anim::Player>(entity);
   const anim::BakedClip& clip = character.clips[player.clip];
   row.clip = clip.name;
-  row.position_seconds = static_cast<float>(anim::to_seconds(player.position / anim::fine_ticks_per_tick));
+  row.position_seconds =
+      static_cast<float>(anim::to_seconds(anim::position_in_clip(player, clip.duration) / anim::fine_ticks_per_tick));
   row.duration_seconds = static_cast<float>(anim::to_seconds(clip.duration));
   return row;
 }

@@ -78,11 +78,18 @@ std::vector<anim::StateTransform> ReferenceCrowd::locals_of(const Play& play, co
   const double played = known->position + anim::to_seconds(moment.time - known->since) * known->speed;
   const double seconds = std::fmod(played, duration);
   auto locals = anim::reference_pose(skeleton, &clips_[play.clip], seconds).locals;
-  // The crowd moves its agents itself, so the travel of a clip is no part of the pose.
-  const glm::dvec3 travelled = clip.loop_displacement * (seconds / duration);
+  // The crowd moves its agents itself, so the root motion of a clip is no part of the pose.
+  const anim::FineTicks position = anim::to_ticks(seconds) * anim::fine_ticks_per_tick;
+  const anim::RootMotion back = inverse(displacement(clip.root_motion, 0, position, false));
+  const glm::dquat turn = glm::angleAxis(back.yaw, glm::dvec3(0.0, 1.0, 0.0));
   for (std::size_t bone = 0; bone < locals.size(); ++bone) {
-    if (skeleton.bones[bone].parent >= 0) continue;
-    locals[bone].position -= glm::inverse(glm::dmat3(skeleton.bones[bone].prefix)) * travelled;
+    const anim::Bone& root = skeleton.bones[bone];
+    if (root.parent >= 0) continue;
+    const glm::dvec3 place = root.prefix * glm::dvec4(locals[bone].position, 1.0);
+    locals[bone].position = glm::inverse(root.prefix) * glm::dvec4(turn * place + back.translation, 1.0);
+    const glm::dquat above =
+        glm::quat_cast(glm::dmat3(root.prefix) / std::cbrt(glm::determinant(glm::dmat3(root.prefix))));
+    locals[bone].rotation = glm::conjugate(above) * turn * above * locals[bone].rotation;
   }
   return locals;
 }

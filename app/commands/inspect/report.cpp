@@ -42,13 +42,15 @@ std::string error_text(const anim::BakedClip& clip) {
 std::string root_text(const anim::BakedClip& clip) {
   constexpr double least = 1e-3;  // metres and radians
   if (clip.root_motion.keys.empty()) return "none";
-  const double metres = glm::length(clip.loop_displacement);
+  const double metres = std::hypot(clip.loop_displacement.x, clip.loop_displacement.z);
+  const double climb = clip.loop_displacement.y;
   const double turn = std::abs(clip.root_motion.keys.back().yaw);
-  if (metres < least && turn < least) return "returns";
+  if (metres < least && turn < least && std::abs(climb) < least) return "returns";
   std::string text;
   if (metres >= least) {
     text = fixed(metres, 2) + " m, " + fixed(metres / anim::to_seconds(clip.duration), 2) + " m/s";
   }
+  if (std::abs(climb) >= least) text += (text.empty() ? "" : ", ") + fixed(climb, 2) + " m up";
   if (turn >= least) text += (text.empty() ? "" : ", ") + fixed(glm::degrees(turn), 0) + " deg";
   return text;
 }

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <span>
 
+#include "engine/anim/agent/pose_weights.h"
 #include "engine/anim/asset/root_curve.h"
 #include "engine/anim/entity/entity_pools.h"
 #include "engine/anim/entity/player.h"
-#include "engine/anim/run/program/pose_program.h"
 
 namespace throng::anim {
 
@@ -18,22 +17,27 @@ struct DataKeyEvent {
   std::uint32_t name = 0;  ///< index of Character::data_key_names
   std::uint32_t clip = 0;
   Ticks time = 0;       ///< the time of the clock at which it was met
-  float weight = 0.0F;  ///< the share of the clip in the agent's pose, 0 to 1
+  float weight = 0.0F;  ///< how much of the clip is felt, 0 to 1: its largest share in the pose of any bone
+};
+
+/// Says which of the data keys that were met are delivered.
+enum class KeyChoice : unsigned char {
+  felt,      ///< those of clips that have some weight
+  heaviest,  ///< those of the clip with the largest weight alone
+  all        ///< those of clips without weight too
+};
+
+/// A clip that does not loop has reached its end, or its start where it plays backwards.
+struct ClipEnd {
+  std::uint32_t clip = 0;
+  Ticks time = 0;       ///< the time of the clock at which it arrived
+  float weight = 0.0F;  ///< as in DataKeyEvent
 };
 
 /// The place of a cut scene in the world: the absolute root (paper 2.2.1).
 struct AbsoluteRoot {
   glm::dvec3 position{0.0};
   glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
-};
-
-/// The weights of the steps of a program, in their order.
-using PoseWeights = std::array<float, PoseProgram::max_steps>;
-
-/// Holds the data by which the weights of morphs are blended.
-struct MorphBlend {
-  std::span<const int> bones{};           ///< of each morph, the bone at which masks count for it
-  std::span<const float* const> masks{};  ///< each [bone]
 };
 
 /// Finds in closed form what an agent's players do between two times of the clock. The agent need not be posed, and may
@@ -52,12 +56,22 @@ class AgentMotion {
   /// and mixers share out to the others. A state that a mask or an additive layer lays over a pose has no share.
   PoseWeights weights(Ticks at) const;
 
-  /// Returns how the agent moved from `from` to `to`, in its own space at `from`.
+  /// Returns how the agent moved from `from` to `to`, in its own space at `from`: over the ground, up and down, and by
+  /// how much it turned. While weights stay, the motions of adjoining intervals compose to the motion of the whole.
   RootMotion displacement(Ticks from, Ticks to) const;
 
-  /// Visits every data key met in [from, to), player after player, each in the order of its motion. Adjoining intervals
-  /// deliver each key once.
-  void for_each_data_key(Ticks from, Ticks to, const std::function<void(const DataKeyEvent&)>& visit) const;
+  /// Visits the data keys met in [from, to), player after player, each in the order of its motion. Adjoining intervals
+  /// deliver each key once. Weights are those at `to`. Under a mask a clip weighs what it has in the bone where it has
+  /// most.
+  ///
+  /// Gaits that keep step in a blend space meet the same key together: the one that leads delivers it, with the weight
+  /// of all of them.
+  void for_each_data_key(Ticks from, Ticks to, const std::function<void(const DataKeyEvent&)>& visit,
+                         KeyChoice choice = KeyChoice::felt) const;
+
+  /// Visits each clip that does not loop and arrived at its end in (from, to], or at its start where it plays
+  /// backwards, whatever its weight. Adjoining intervals deliver each arrival once. Nobody arrives who began there.
+  void for_each_end(Ticks from, Ticks to, const std::function<void(const ClipEnd&)>& visit) const;
 
   /// Adds the weights of the character's morphs at `at` to `weights`, which has one for each. They are blended as the
   /// pose of their bones is. Returns whether any clip that plays has morphs; else nothing is added.
@@ -68,10 +82,28 @@ class AgentMotion {
   std::optional<AbsoluteRoot> absolute_root(Ticks now) const;
 
  private:
+  PoseSharing sharing(Ticks at) const { return {*pools_, *graph_, morphs_, at - posed_at_}; }
+  /// Calls visit(step, player, clip) for each player, the root's side first.
   template <typename Visit>
-  void for_each_player(const PoseWeights& shares, Visit&& visit) const;
+  void for_each_player(Visit&& visit) const {
+    for (std::size_t step = graph_->entities.size(); step-- > 0;) {
+      if (is_player(step)) visit(step, player(step), clips_[player(step).clip]);
+    }
+  }
+  bool is_player(std::size_t step) const {
+    const std::uint32_t kind = graph_->entities[step].pool();
+    return kind == EntityPools::sampled_players || kind == EntityPools::keyframe_players;
+  }
+  const Player& player(std::size_t step) const { return pools_->as<Player>(graph_->entities[step]); }
   FineTicks position(const Player& player, Ticks at) const;
-  PoseWeights weights_at_bone(Ticks at, int bone) const;
+  RootMotion displacement_of(std::size_t step, Ticks from, Ticks to) const;
+  RootMotion blended_turn(const PoseWeights& shares, Ticks from, Ticks to, double most_turn) const;
+  FineTicks place_on_root_curve(std::size_t step, Ticks at) const;
+  std::optional<std::size_t> leader_of(std::size_t step) const;
+  float weight_of_key(std::size_t step, std::uint32_t name, const PoseWeights& felt) const;
+  std::size_t heaviest_player(const PoseWeights& felt) const;
+  void visit_data_keys(std::size_t step, Ticks from, Ticks to,
+                       const std::function<void(const DataKey&, Ticks)>& visit) const;
   bool plays_morphs() const;
   bool differs_by_bone() const;
 

@@ -1,61 +1,69 @@
 #pragma once
 
-#include <array>
+#include <span>
 #include <vector>
 
-#include "engine/anim/agent/channel.h"
+#include "engine/anim/agent/in_step_players.h"
 
 namespace throng::anim {
+
+/// Says whether a clip of a blend space keeps step with others.
+enum class Pace : unsigned char {
+  automatic,  ///< a gait if it has a speed over ground, as `BlendSpaceChannel` says
+  gait,       ///< it keeps step with the other gaits
+  own         ///< it plays at its own rate
+};
 
 /// A clip, and the value of the parameter at which it is played alone.
 struct BlendPoint {
   int clip = 0;
   float parameter = 0.0F;
+  Pace pace = Pace::automatic;
 };
 
-/// Plays looping clips along one parameter, such as walk, jog and run by speed. The two neighbours of the parameter are
-/// blended cycle by cycle: their phases are the same, so that feet meet the ground together.
+/// Plays looping clips along one parameter, such as idle, walk, jog and run by speed. It blends the two neighbours of
+/// the parameter. Gaits keep step, foot by foot (`in_step_players.h`); a clip that is no gait, such as idle, plays at
+/// its own rate.
+///
+/// Where the parameter is a ground speed, a gait is a point whose parameter is not 0; else, a clip with a speed over
+/// ground (`ground_speed` in character.h). The root then moves at the parameter, so that feet do not slide. A walk
+/// that is blended with idle shortens its steps and keeps its pace, which therefore needs no floor. Below the slowest
+/// gait of a space without idle, the pace falls with the parameter.
 class BlendSpaceChannel final : public Channel {
  public:
   /// Takes at least one of `points`, whose parameters ascend. Set `is_ground_speed` if the parameter is the speed over
-  /// ground, in metres a second, at which each clip was made. It sets the pace between the points so that feet do not
-  /// slide.
+  /// ground, in metres a second, at which each clip was made.
   BlendSpaceChannel(std::vector<BlendPoint> points, float parameter, bool is_ground_speed);
 
-  /// Sets the parameter at once, from the next update on. A caller that wants a slow change moves it slowly.
-  void set_parameter(float parameter) { parameter_ = parameter; }
+  /// Sets the parameter at once, from the next update on. A caller that wants a slow change moves it slowly. A value
+  /// that is not a number changes nothing.
+  void set_parameter(float parameter);
   float parameter() const { return parameter_; }
-  /// Returns the phase of the current cycle at the clock, 0 to below 1; 0 before the first update.
-  double phase(const EntityBuilder& build) const;
+  /// Returns the phase of the gait that leads at the clock, 0 to below 1; 0 where no gait plays.
+  double phase(const EntityBuilder& build) const { return players_.phase(build); }
 
-  Handle state() const override { return blender_.valid() ? blender_ : players_[0]; }
+  Handle state() const override { return blender_.valid() ? blender_ : players_.player(0); }
   bool update(const EntityBuilder& build) override;
-  /// Returns when two players must be put in step again. Speeds are rounded to 1/65536, so two players would drift
-  /// apart by up to 1e-3 of a cycle a minute.
-  Ticks next_update() const override { return blender_.valid() ? in_step_at_ + in_step_for : never; }
+  Ticks next_update() const override { return players_.next_update(); }
   void visit_handles(const std::function<void(Handle&)>& visit) override;
   void destroy_entities(const EntityBuilder& build) override;
   std::unique_ptr<Channel> clone() const override { return std::make_unique<BlendSpaceChannel>(*this); }
 
  private:
-  static constexpr Ticks in_step_for = 10 * ticks_per_second;
-
   struct Place {
     std::size_t lower;  ///< the point at or below the parameter
     float fraction;     ///< the way towards the next point, 0 to below 1
-    double cycles_per_second;
   };
-  Place place(const EntityBuilder& build) const;
-  double duration(const EntityBuilder& build, std::size_t point) const;
-  void set_in_step(const EntityBuilder& build, Handle player, std::size_t point, double phase, double cycles) const;
+  Place place() const;
+  PlayingPoint playing(const EntityBuilder& build, std::size_t point, float weight) const;
+  double cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
+  bool blend(const EntityBuilder& build, float fraction);
 
   std::vector<BlendPoint> points_;
-  float parameter_;
+  float parameter_ = 0.0F;
   bool is_ground_speed_;
-  std::array<Handle, 2> players_;         // the players of the points around the parameter, the lower first
-  std::array<std::size_t, 2> playing_{};  // the points that they play
-  Ticks in_step_at_ = 0;
-  Handle blender_;  // between the two; invalid where one plays alone
+  InStepPlayers players_;  // of the points around the parameter, the lower first
+  Handle blender_;         // between the two; invalid where one plays alone
 };
 
 }  // namespace throng::anim

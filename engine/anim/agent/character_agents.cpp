@@ -11,18 +11,21 @@
 namespace throng::anim {
 namespace {
 
-ClipStreams streams_of(const BakedClip& clip) {
+ClipStreams streams_of(const Character& character, int index) {
+  const BakedClip& clip = character.clips[static_cast<std::size_t>(index)];
   return {.keyframe = &clip.keyframe(),
           .sampled = clip.sampled(),
           .duration = clip.duration,
           .root_motion = clip.root_motion.keys.empty() ? nullptr : &clip.root_motion,
           .data_keys = clip.data_keys,
-          .morphs = clip.morphs.empty() ? nullptr : &clip.morphs};
+          .morphs = clip.morphs.empty() ? nullptr : &clip.morphs,
+          .ground_speed = ground_speed(character, index)};
 }
 
 std::vector<ClipStreams> all_streams_of(const Character& character) {
   std::vector<ClipStreams> streams;
-  for (const BakedClip& clip : character.clips) streams.push_back(streams_of(clip));
+  const int count = static_cast<int>(character.clips.size());
+  for (int clip = 0; clip < count; ++clip) streams.push_back(streams_of(character, clip));
   return streams;
 }
 
@@ -84,6 +87,8 @@ int CharacterAgents::add_mask(BoneMask mask) {
   assert(mask.packets() == packets_for(skeleton().bone_count()) && "a mask of another skeleton");
   assert(masks.size() < std::numeric_limits<std::int16_t>::max());
   mask_weights.push_back(mask.packet(0));
+  const std::span weights(mask.packet(0), static_cast<std::size_t>(skeleton().bone_count()));
+  mask_ranges.push_back({.least = *std::ranges::min_element(weights), .most = *std::ranges::max_element(weights)});
   masks.push_back(std::move(mask));
   return static_cast<int>(masks.size()) - 1;
 }

@@ -43,7 +43,9 @@ struct CharacterAgents {
   UpdateContext context(const Kernels& kernels) const;
 
   /// Returns what blends the morphs of its agents. It is valid as long as context().
-  MorphBlend morph_blend() const { return {.bones = character->morph_bones, .masks = mask_weights}; }
+  MorphBlend morph_blend() const {
+    return {.bones = character->morph_bones, .masks = mask_weights, .ranges = mask_ranges};
+  }
 
   /// Takes the same character with its bones in another order, and returns the one before.
   std::shared_ptr<const Character> replace_character(std::shared_ptr<const Character> reordered);
@@ -78,6 +80,7 @@ struct CharacterAgents {
   std::vector<ClipStreams> clips;
   std::vector<BoneMask> masks;
   std::vector<const float*> mask_weights;  // [mask], as the context lists them
+  std::vector<MaskRange> mask_ranges;      // [mask]
   std::vector<BoneSelection> selections;
   EntityPools pools;
   ProgramTable programs;  // all graphs find theirs here

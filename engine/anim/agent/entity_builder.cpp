@@ -125,11 +125,14 @@ FineTicks EntityBuilder::position(Handle player) const {
 }
 
 void EntityBuilder::set_speed(Handle player, double speed) const {
-  const FineTicks at = position(player);
   if (!is_speed(speed)) {
     report_misuse({"EntityBuilder::set_speed", "a speed is a number of less than 32,768"});
     return;
   }
+  const auto& own = as<Player>(player);
+  const bool looping = (own.flags & Player::looping) != 0;
+  const FineTicks length = clips_[own.clip].duration * fine_ticks_per_tick;
+  const FineTicks at = looping ? position(player) : std::clamp(position(player), FineTicks{0}, length);
   as<Player>(player).speed = fixed_point(speed);
   seek(player, at);
 }

@@ -84,7 +84,8 @@ class EntityBuilder {
   /// Returns the position of a player at the clock, wherever it stands. It may lie outside of the clip, whole loops
   /// away.
   FineTicks position(Handle player) const;
-  /// Sets the speed of a player from the clock on. Position and time go on without a jump.
+  /// Sets the speed of a player from the clock on. Position and time go on without a jump; a player that holds an end
+  /// goes on from there.
   void set_speed(Handle player, double speed) const;
 
   void destroy(Handle entity) const {

@@ -35,16 +35,28 @@ Segment segment_at(const RootCurve& curve, FineTicks position) {
   return {.from = &*from, .to = &*to, .fraction = fraction};
 }
 
-RootMotion motion_at(const RootCurve& curve, FineTicks position) {
-  const auto [from, to, fraction] = segment_at(curve, position);
-  const auto between = [part = fraction](double a, double b) { return a + (b - a) * part; };
-  return {.translation = {between(from->x, to->x), 0.0, between(from->z, to->z)}, .yaw = between(from->yaw, to->yaw)};
+RootMotion motion_to(const RootKey& key) { return {.translation = {key.x, key.y, key.z}, .yaw = key.yaw}; }
+
+/// Returns the motion from one key to the next, seen from the first.
+RootMotion motion_along(const Segment& segment) {
+  return compose(inverse(motion_to(*segment.from)), motion_to(*segment.to));
 }
 
-RootMotion whole_motion(const RootCurve& curve) {
-  const RootKey& last = curve.keys.back();
-  return {.translation = {last.x, 0.0, last.z}, .yaw = last.yaw};
+RootMotion motion_at(const RootCurve& curve, FineTicks position) {
+  const Segment segment = segment_at(curve, position);
+  const auto [from, to, fraction] = segment;
+  if (from->yaw != to->yaw) {
+    return compose(motion_to(*from), moved_by(steady_velocity(motion_along(segment), 1.0), fraction));
+  }
+  const auto between = [part = fraction](double a, double b) { return a + (b - a) * part; };
+  return {.translation = {between(from->x, to->x), between(from->y, to->y), between(from->z, to->z)}, .yaw = from->yaw};
 }
+
+/// Returns the chord of an arc of half that angle over the arc's length.
+double chord_share(double half) { return std::abs(half) < 1e-8 ? 1.0 : std::sin(half) / half; }
+
+/// Scales what lies over the ground, and not the climb.
+glm::dvec3 scaled_on_ground(const glm::dvec3& v, double scale) { return {v.x * scale, v.y, v.z * scale}; }
 
 }  // namespace
 
@@ -61,15 +73,48 @@ RootMotion power(const RootMotion& motion, double times) {
   const double half = 0.5 * std::remainder(motion.yaw, 2.0 * std::numbers::pi);
   const double sine = std::sin(half);
   const double steps = sine == 0.0 ? times : std::sin(times * half) / sine;
-  return {.translation = turned(motion.translation * steps, (times - 1.0) * half), .yaw = motion.yaw * times};
+  RootMotion repeated{.translation = turned(motion.translation * steps, (times - 1.0) * half),
+                      .yaw = motion.yaw * times};
+  repeated.translation.y = motion.translation.y * times;
+  return repeated;
+}
+
+RootMotion moved_by(const RootVelocity& velocity, double seconds) {
+  const double half = 0.5 * velocity.yaw * seconds;
+  const glm::dvec3 along = velocity.linear * seconds;
+  return {.translation = turned(scaled_on_ground(along, chord_share(half)), half), .yaw = velocity.yaw * seconds};
+}
+
+RootVelocity steady_velocity(const RootMotion& motion, double seconds) {
+  const double half = 0.5 * motion.yaw;
+  const glm::dvec3 along = turned(scaled_on_ground(motion.translation, 1.0 / chord_share(half)), -half);
+  return {.linear = along / seconds, .yaw = motion.yaw / seconds};
 }
 
 RootCurve straight_root_curve(Ticks duration, const glm::dvec3& translation) {
-  assert(translation.y == 0.0);
   RootCurve curve{.duration = duration, .keys = {}};
   if (duration <= 0 || translation == glm::dvec3(0.0)) return curve;
-  curve.keys = {RootKey{}, RootKey{.time = duration, .x = translation.x, .z = translation.z}};
+  curve.keys = {RootKey{}, RootKey{.time = duration, .x = translation.x, .y = translation.y, .z = translation.z}};
   return curve;
+}
+
+// Keys lie an eighth of a turn apart at most, since the way along an arc is told by its ends.
+RootCurve steady_root_curve(Ticks duration, const RootVelocity& velocity) {
+  const double turn = std::abs(velocity.yaw) * to_seconds(duration);
+  const auto arcs = static_cast<Ticks>(std::ceil(turn / (0.25 * std::numbers::pi)));
+  if (arcs == 0) return straight_root_curve(duration, velocity.linear * to_seconds(duration));
+  RootCurve curve{.duration = duration, .keys = {RootKey{}}};
+  for (Ticks i = 1; i <= arcs; ++i) {
+    const Ticks time = duration * i / arcs;
+    const RootMotion there = moved_by(velocity, to_seconds(time));
+    const glm::dvec3& place = there.translation;
+    curve.keys.push_back({.time = time, .x = place.x, .y = place.y, .z = place.z, .yaw = there.yaw});
+  }
+  return curve;
+}
+
+RootMotion whole_motion(const RootCurve& curve) {
+  return curve.keys.empty() ? RootMotion{} : motion_to(curve.keys.back());
 }
 
 RootMotion displacement(const RootCurve& curve, FineTicks from, FineTicks to, bool looping) {
@@ -88,11 +133,12 @@ RootMotion displacement(const RootCurve& curve, FineTicks from, FineTicks to, bo
 
 RootVelocity root_velocity(const RootCurve& curve, FineTicks position) {
   if (curve.keys.size() < 2) return {};
-  const auto [from, to, fraction] = segment_at(curve, position);
-  const double seconds = to_seconds(to->time - from->time);
-  const double yaw = from->yaw + (to->yaw - from->yaw) * fraction;
-  const glm::dvec3 moved(to->x - from->x, 0.0, to->z - from->z);
-  return {.linear = turned(moved / seconds, -yaw), .yaw = (to->yaw - from->yaw) / seconds};
+  const Segment segment = segment_at(curve, position);
+  const RootKey &from = *segment.from, &to = *segment.to;
+  const double seconds = to_seconds(to.time - from.time);
+  if (from.yaw != to.yaw) return steady_velocity(motion_along(segment), seconds);
+  const glm::dvec3 moved(to.x - from.x, to.y - from.y, to.z - from.z);
+  return {.linear = turned(moved / seconds, -from.yaw), .yaw = 0.0};
 }
 
 }  // namespace throng::anim

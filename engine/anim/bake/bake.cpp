@@ -12,8 +12,10 @@
 #include "engine/anim/asset/model_check.h"
 #include "engine/anim/asset/morph_limits.h"
 #include "engine/anim/bake/character.h"
+#include "engine/anim/bake/clip_in_place.h"
 #include "engine/anim/bake/footsteps.h"
 #include "engine/anim/bake/grid.h"
+#include "engine/anim/bake/ground_speed.h"
 #include "engine/anim/bake/parallel.h"
 #include "engine/anim/bake/reorder.h"
 #include "engine/anim/bake/root_motion.h"
@@ -31,7 +33,6 @@ constexpr double surface_error = 0.0002;  // metres: the bound of sampled stream
 constexpr double still_share = 0.2;       // of the bound: what tracks that hardly move may take of it
 constexpr double hopeless_step = 4.0;     // times the bound: no sampled stream comes near to such a step
 constexpr double closing_error = 0.005;   // metres between the first and the last pose of a loop
-constexpr double least_travel = 0.05;     // metres of root motion
 
 void add_note(BakedClip& baked, const std::string& note) { baked.note += (baked.note.empty() ? "" : "; ") + note; }
 
@@ -108,33 +109,44 @@ void bake_sampled_stream(BakedClip& baked, const SampleSource& source, const Sta
   baked.sampled_error = baked.keyframe_error + bake.error;
 }
 
+double start_of(const Clip& clip, const BakeOptions& options) { return options.as_in_the_file ? 0.0 : clip.start; }
+
 BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const Clip& clip, const BakeOptions& options) {
   const double size = proxy.height / tall_person;
-  const double start = options.as_in_the_file ? 0.0 : clip.start;
-  StateClip state = to_state_space(skeleton, clip, start);
+  const double start = start_of(clip, options);
+  ClipInPlace placed = put_in_place(skeleton, proxy, clip,
+                                    {.start = start,
+                                     .take_root_motion = options.take_root_motion,
+                                     .still = options.as_in_the_file ? 0.0 : still_share * surface_error * size});
+  const StateClip& state = placed.state;
   BakedClip baked;
   baked.morphs = bake_morph_curves(clip, start);
   baked.name = clip.name;
   baked.duration = state.duration;
   baked.error_bound = surface_error * size;
-  if (!options.as_in_the_file) {
-    baked.keyframe_error = hold_still_tracks(skeleton, proxy, still_share * baked.error_bound, state);
-  }
-  const std::vector<Ticks> keys = key_times(state);
+  baked.keyframe_error = placed.error;
+  const std::vector<Ticks>& keys = placed.keys;
   const std::vector<Ticks> steps = step_times(state);
   const std::optional<KeyGrid> grid = keys.empty() ? std::nullopt : find_grid(keys, state.start);
-  if (options.take_root_motion && state.duration > 0) {
-    baked.loop_displacement = find_root_motion(skeleton, state, least_travel * size);
-  }
-  if (baked.loop_displacement != glm::dvec3(0.0)) take_root_motion(skeleton, state, baked.loop_displacement);
-  baked.root_motion = straight_root_curve(state.duration, baked.loop_displacement);
+  baked.root_motion = std::move(placed.root_motion);
+  baked.loop_displacement = whole_motion(baked.root_motion).translation;
   baked.keyframe_block = pack_keyframe_stream(state);
+  if (baked.loop_displacement == glm::dvec3(0.0)) {
+    baked.stance_speed = stance_speed(skeleton, baked.keyframe(), proxy.height);
+  }
 
-  const SampleSource source{
-      skeleton, proxy, baked.keyframe(), baked.loop_displacement, baked.error_bound - baked.keyframe_error, steps};
+  const glm::dvec3 travel = straight_travel(baked.root_motion);
+  const SampleSource source{skeleton, proxy, baked.keyframe(), travel, baked.error_bound - baked.keyframe_error, steps};
   find_loop(baked, source, steps.empty() ? grid : std::nullopt);
   bake_sampled_stream(baked, source, state, grid, keys.empty() ? 0 : keys.back());
   return baked;
+}
+
+/// Returns how far the poses of a baked clip reach.
+double reach_of(const BoundsSurvey& room, const Skeleton& skeleton, const SurfaceProxy& proxy, const Clip& clip,
+                const BakedClip& baked, double start) {
+  if (!turns(baked.root_motion)) return room.reach(clip, baked.loop_displacement);
+  return room.reach(without_turn(skeleton, proxy, clip, baked.root_motion, start), glm::dvec3(0.0));
 }
 
 /// Returns the index of `name` among `names`, and adds it if it is new.
@@ -190,7 +202,7 @@ Character bake_character(const Model& model, const BakeOptions& options) {
     BakedClip& baked = character.clips[clip];
     baked = bake_clip(character.skeleton, proxy, clips[clip], options);
     data_keys[clip] = data_keys_of(character, clips[clip], baked, options);
-    reaches[clip] = room.reach(clips[clip], baked.loop_displacement);
+    reaches[clip] = reach_of(room, character.skeleton, proxy, clips[clip], baked, start_of(clips[clip], options));
     character.skip_errors[clip] = measure_skip_error(character.skeleton, proxy, baked, clips.size());
   };
   const std::function<void()> surveys[] = {[&] { character.bone_lod = measure_bone_lod(model); },

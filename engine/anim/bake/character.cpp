@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-
-#include "engine/anim/bake/ground_speed.h"
+#include <cmath>
 
 namespace throng::anim {
 
@@ -25,9 +24,13 @@ double ground_speed(const Character& character, int clip) {
   assert(clip >= 0 && clip < static_cast<int>(character.clips.size()));
   const BakedClip& baked = character.clips[static_cast<std::size_t>(clip)];
   if (baked.duration <= 0) return 0.0;
-  const double travel = glm::length(baked.loop_displacement);
-  if (travel > 0.0) return travel / to_seconds(baked.duration);
-  return stance_speed(character.skeleton, baked.keyframe(), character.height);
+  if (baked.root_motion.keys.empty()) return baked.stance_speed;
+  const RootVelocity velocity = root_velocity(baked.root_motion, 0);
+  const double speed = std::hypot(velocity.linear.x, velocity.linear.z);
+  constexpr double least_arc = 0.25;  // metres a second: a body that turns on the spot shifts its weight
+  if (velocity.yaw != 0.0) return speed < least_arc ? 0.0 : speed;
+  const double travel = std::hypot(baked.loop_displacement.x, baked.loop_displacement.z);
+  return travel / to_seconds(baked.duration);
 }
 
 }  // namespace throng::anim

@@ -33,12 +33,13 @@ struct BakedClip {
   std::string name;
   Ticks duration = 0;
   bool loops = false;                 ///< first and last pose agree, without root motion
-  glm::dvec3 loop_displacement{0.0};  ///< root motion taken out of the pose: metres a loop, model space
-  RootCurve root_motion;              ///< the same over time: a pose stands where the curve is at its time
+  glm::dvec3 loop_displacement{0.0};  ///< where a loop's root motion leads: metres, in the space of its start
+  RootCurve root_motion;              ///< taken out of the pose, which stands where the curve is at its time
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
   MorphCurves morphs = {};            ///< empty: the surface keeps its shape
+  double stance_speed = 0.0;  ///< metres a second of the foot that stands; 0: nobody strides, or the clip travels
   AlignedBytes keyframe_block;
-  double keyframe_error = 0.0;  ///< metres: what the tracks that stand still in it may move the surface by at most
+  double keyframe_error = 0.0;  ///< metres: what still tracks and a turn taken out may move the surface by at most
   AlignedBytes sampled_block;   ///< null: the clip plays from its keyframe stream, and `note` says why
   double sampled_rate = 0.0;    ///< Hz
   double sampled_error = 0.0;   ///< metres, the largest measured on the surface proxy, `keyframe_error` included
@@ -51,7 +52,7 @@ struct BakedClip {
 };
 
 struct BakeOptions {
-  bool take_root_motion = true;  ///< remove the ground-plane travel of the root from the pose (off for `pose`)
+  bool take_root_motion = true;  ///< remove travel, turn and climb of the root from the pose (off for `pose`)
   /// Time 0 is the file's, not that of the clip's first key, and tracks that hardly move keep their keys (for `pose`).
   bool as_in_the_file = false;
 };

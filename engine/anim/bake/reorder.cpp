@@ -2,6 +2,7 @@
 
 #include "engine/anim/bake/character.h"
 #include "engine/anim/bake/parallel.h"
+#include "engine/anim/bake/root_motion.h"
 #include "engine/anim/bake/sampled.h"
 
 namespace throng::anim {
@@ -18,6 +19,7 @@ BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::spa
                       .root_motion = clip.root_motion,
                       .data_keys = clip.data_keys,
                       .morphs = clip.morphs,
+                      .stance_speed = clip.stance_speed,
                       .keyframe_block = reorder_keyframe_stream(clip.keyframe(), places),
                       .keyframe_error = clip.keyframe_error,
                       .sampled_block = {},
@@ -28,7 +30,7 @@ BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::spa
                       .note = clip.note};
   if (clip.sampled() == nullptr) return reordered;
   const SurfaceProxy unused;
-  const SampleSource source{skeleton, unused, reordered.keyframe(), clip.loop_displacement,
+  const SampleSource source{skeleton, unused, reordered.keyframe(), straight_travel(clip.root_motion),
                             clip.error_bound - clip.keyframe_error};
   reordered.sampled_block = sample_as(source, *clip.sampled(), clip.sampled_rounding);
   return reordered;

@@ -18,6 +18,7 @@ struct ClipStreams {
   const RootCurve* root_motion = nullptr;  ///< the motion that was taken out of the pose; null: none was
   std::span<const DataKey> data_keys{};    ///< ascending
   const MorphCurves* morphs = nullptr;     ///< null: the clip leaves the surface as it is
+  double ground_speed = 0.0;               ///< metres a second (character.h); above 0 the clip is a gait
 };
 
 }  // namespace throng::anim

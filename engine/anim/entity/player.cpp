@@ -22,9 +22,12 @@ void wrap(Player& player, FineTicks duration) {
   player.flags |= Player::reached_end;
 }
 
+/// The position goes on beyond an end, so that a player that was posed ahead of the clock knows when it got there. It
+/// stops an hour beyond, before 64 bits are full.
 void hold_at_end(Player& player, FineTicks duration) {
+  constexpr FineTicks beyond = 3600 * ticks_per_second * fine_ticks_per_tick;
   const bool at_end = player.speed < 0 ? player.position <= 0 : player.position >= duration;
-  player.position = std::clamp(player.position, FineTicks{0}, duration);
+  player.position = std::clamp(player.position, -beyond, duration + beyond);
   if (at_end) player.flags |= Player::reached_end;
 }
 
@@ -71,13 +74,17 @@ inline void move_player(Player& player, const ClipStreams& clip) {
     return;
   keep_in_clip(player, duration);
   if (stands_still(player, clip)) return;
-  set_velocity(player.state, root_velocity(*clip.root_motion, player.position),
+  set_velocity(player.state, root_velocity(*clip.root_motion, position_in_clip(player, clip.duration)),
                static_cast<double>(player.speed) / 65536.0);
 }
 
 }  // namespace
 
 void advance_player(Player& player, const ClipStreams& clip) { move_player(player, clip); }
+
+FineTicks position_in_clip(const Player& player, Ticks duration) {
+  return std::clamp(player.position, FineTicks{0}, duration * fine_ticks_per_tick);
+}
 
 FineTicks unwrapped_position(const Player& player, Ticks duration) {
   return player.loop_count * duration * fine_ticks_per_tick + player.position;
@@ -104,8 +111,9 @@ constexpr std::size_t prepared_pose_bytes = 64;
 static_assert(sizeof(SampledPose) <= prepared_pose_bytes && sizeof(KeyframePose) <= prepared_pose_bytes);
 
 /// Returns the time in the clip, which is not negative.
-Ticks time_of(const Player& player) {
-  return static_cast<Ticks>(static_cast<std::uint64_t>(player.position) / std::uint64_t{fine_ticks_per_tick});
+Ticks time_of(const Player& player, const ClipStreams& clip) {
+  const auto position = static_cast<std::uint64_t>(position_in_clip(player, clip.duration));
+  return static_cast<Ticks>(position / std::uint64_t{fine_ticks_per_tick});
 }
 
 /// Prefetches both rows (paper 2.2.3, note 5). Packets are sampled one by one, so most of a row has time to arrive.
@@ -129,7 +137,7 @@ void advance_sampled(const EntityInStore& entity, const SourcesInStore&) {
   move_player(player, clip);
   // Constructed in place, since a copy waits for the parts that were just written.
   ::new (entity.prepared)
-      SampledPose{.moment = {.stream = clip.sampled, .point = locate(*clip.sampled, time_of(player))},
+      SampledPose{.moment = {.stream = clip.sampled, .point = locate(*clip.sampled, time_of(player, clip))},
                   .bones = selection_of(player, *entity.assets)};
 }
 
@@ -138,7 +146,7 @@ void advance_keyframed(const EntityInStore& entity, const SourcesInStore&) {
   const ClipStreams& clip = entity.assets->clips[player.clip];
   move_player(player, clip);
   const auto& pose = *::new (entity.prepared) KeyframePose{.stream = clip.keyframe,
-                                                           .time = time_of(player),
+                                                           .time = time_of(player, clip),
                                                            .interpolations = entity.private_part(),
                                                            .bones = selection_of(player, *entity.assets)};
   advance_keyframes(*pose.stream, pose.time, player.cursor, pose.interpolations);

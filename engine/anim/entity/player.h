@@ -26,10 +26,12 @@ struct alignas(64) Player {
   static constexpr std::uint32_t looping = 1;
   static constexpr std::uint32_t reached_end =
       2;  ///< holds the end of a clip that does not loop, or wrapped in this update
+  static constexpr std::uint32_t leads_step = 4;  ///< its data keys speak for players of its blend that are in_step
+  static constexpr std::uint32_t in_step = 8;     ///< meets the data keys that it shares with the leader with it
   static constexpr std::uint32_t every_bone = 0;
 
   AnimationStateHeader state;    //   0
-  FineTicks position;            //  96  in the clip, 0 to its duration once updated
+  FineTicks position;            //  96  once updated in the clip, or beyond its end if it does not loop
   std::uint32_t clip;            // 104  index into the character's clips
   std::int32_t speed;            // 108  1/65536 of the clip's own
   std::uint32_t flags;           // 112
@@ -54,6 +56,9 @@ inline FineTicks distance(Ticks time, std::int32_t speed) {
 
 /// Uses up `state.delta_time` and moves position, loop count, flags and velocity: the first half of an update (2.2.3).
 void advance_player(Player& player, const ClipStreams& clip);
+
+/// Returns where an updated player stands in its clip, from 0 to its duration.
+FineTicks position_in_clip(const Player& player, Ticks duration);
 
 /// Returns the player's position with whole loops added. for_each_data_key and displacement take two of these.
 FineTicks unwrapped_position(const Player& player, Ticks duration);

@@ -141,7 +141,7 @@ void describe(Archive& archive, T& program) {
 
 template <typename Archive, Same<anim::RootKey> T>
 void describe(Archive& archive, T& key) {
-  archive(key.time, key.x, key.z, key.yaw);
+  archive(key.time, key.x, key.y, key.z, key.yaw);
 }
 
 template <typename Archive, Same<anim::RootCurve> T>
@@ -165,7 +165,7 @@ void describe(Archive& archive, T& clip) {
   archive.template lend_block<anim::KeyframeStream>(clip.keyframe_block);
   archive.template lend_block<anim::SampledStream>(clip.sampled_block);
   archive(clip.keyframe_error, clip.sampled_rate, clip.sampled_error, clip.error_bound, clip.sampled_rounding,
-          clip.morphs, clip.note);
+          clip.morphs, clip.stance_speed, clip.note);
 }
 
 template <typename Archive, Same<anim::BoneLodRow> T>

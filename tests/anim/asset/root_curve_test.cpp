@@ -32,7 +32,9 @@ RootCurve bent(double yaw) {
           .keys = {{},
                    {.time = duration / 5, .x = 0.3, .z = 0.2, .yaw = 0.5},
                    {.time = duration / 2, .x = 0.1, .z = 0.9, .yaw = -0.2},
-                   {.time = duration, .x = 0.4, .z = 1.6, .yaw = yaw}}};
+                   {.time = duration * 2 / 3, .x = 0.2, .y = 0.1, .z = 1.1, .yaw = yaw / 3.0},
+                   {.time = duration * 5 / 6, .x = 0.3, .y = 0.2, .z = 1.3, .yaw = yaw / 1.5},
+                   {.time = duration, .x = 0.4, .y = 0.3, .z = 1.6, .yaw = yaw}}};
 }
 
 double distance(const RootMotion& a, const RootMotion& b) {
@@ -62,7 +64,7 @@ glm::dvec3 sum_of_loops(const RootMotion& loop, int loops) {
     z += static_cast<long double>(loop.translation.z) * std::cos(yaw) -
          static_cast<long double>(loop.translation.x) * std::sin(yaw);
   }
-  return {static_cast<double>(x), 0.0, static_cast<double>(z)};
+  return {static_cast<double>(x), loop.translation.y * loops, static_cast<double>(z)};
 }
 
 TEST_P(Displacement, OfWholeLoopsIsTheSumOfItsLoops) {
@@ -79,7 +81,7 @@ TEST_P(Displacement, OfWholeLoopsIsTheSumOfItsLoops) {
 TEST_P(Displacement, OfALoopIsTheCurvesLastKey) {
   const RootKey& last = curve().keys.back();
   const RootMotion loop = displacement(curve(), 0, length(), true);
-  EXPECT_LT(distance(loop, {.translation = {last.x, 0.0, last.z}, .yaw = last.yaw}), 1e-12);
+  EXPECT_LT(distance(loop, {.translation = {last.x, last.y, last.z}, .yaw = last.yaw}), 1e-12);
 }
 
 TEST_P(Displacement, IsTheClosedFormAfterTenThousandRandomSteps) {
@@ -124,22 +126,24 @@ TEST_P(Displacement, OfAClipThatDoesNotLoopIsHeldAtItsEnds) {
 }
 
 TEST_P(Displacement, HasTheRootVelocityAsItsRate) {
-  const FineTicks step = fine(1e-4);
+  const FineTicks step = fine(1e-5);
   for (const double part : {0.02, 0.1, 0.35, 0.7, 0.98}) {
     const auto position = static_cast<FineTicks>(part * static_cast<double>(length()));
     const RootMotion moved = displacement(curve(), position, position + step, true);
     const RootVelocity velocity = root_velocity(curve(), position);
-    EXPECT_LT(glm::distance(moved.translation / 1e-4, velocity.linear), 2e-3) << part;
-    EXPECT_NEAR(moved.yaw / 1e-4, velocity.yaw, 1e-6) << part;
+    EXPECT_LT(glm::distance(moved.translation / 1e-5, velocity.linear), 2e-3) << part;
+    EXPECT_NEAR(moved.yaw / 1e-5, velocity.yaw, 1e-6) << part;
   }
 }
 
 TEST_P(Displacement, HasAVelocityAtBothEnds) {
-  const RootKey& second_key = curve().keys[1];
-  EXPECT_NEAR(root_velocity(curve(), 0).linear.z, second_key.z / to_seconds(second_key.time), 1e-12);
-  const RootKey& before = curve().keys[curve().keys.size() - 2];
-  const double yaw = (curve().keys.back().yaw - before.yaw) / to_seconds(curve().duration - before.time);
-  EXPECT_NEAR(root_velocity(curve(), length()).yaw, yaw, 1e-12);
+  const FineTicks step = fine(1e-5);
+  for (const FineTicks from : {FineTicks{0}, length() - step}) {
+    const RootMotion moved = displacement(curve(), from, from + step, false);
+    const RootVelocity velocity = root_velocity(curve(), from == 0 ? 0 : length());
+    EXPECT_LT(glm::distance(moved.translation / 1e-5, velocity.linear), 2e-3);
+    EXPECT_NEAR(moved.yaw / 1e-5, velocity.yaw, 1e-6);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Curves, Displacement,
@@ -161,6 +165,47 @@ TEST(RootMotion, OfAClipThatStaysIsNone) {
   EXPECT_TRUE(none.keys.empty());
   EXPECT_EQ(distance(displacement(none, 0, fine(17.0), true), {}), 0.0);
   EXPECT_EQ(root_velocity(none, 0).linear, glm::dvec3(0.0));
+}
+
+TEST(SteadyCurve, OfAQuarterTurnALoopWalksASquare) {
+  const RootCurve walk = steady_root_curve(second, {.linear = {0.0, 0.0, 2.0}, .yaw = 0.5 * pi});
+  const FineTicks loop = walk.duration * fine_ticks_per_tick;
+  const RootMotion side = displacement(walk, 0, loop, true);
+  EXPECT_NEAR(side.yaw, 0.5 * pi, 1e-12);
+  EXPECT_NEAR(glm::length(side.translation), 2.0 * std::sqrt(2.0) / (0.5 * pi), 1e-9) << "the chord of a quarter";
+  RootMotion place;
+  for (int corner = 1; corner <= 4; ++corner) {
+    place = compose(place, side);
+    EXPECT_LT(distance(place, displacement(walk, 0, corner * loop, true)), 1e-12);
+  }
+  EXPECT_LT(glm::length(place.translation), 1e-9) << "back where it began";
+}
+
+TEST(SteadyCurve, IsSteadyFromWhereverOneLooks) {
+  const RootVelocity velocity{.linear = {0.3, 0.2, 1.4}, .yaw = -1.1};
+  const RootCurve curve = steady_root_curve(3 * second, velocity);
+  for (const double from : {0.0, 0.7, 1.9, 2.8}) {
+    for (const double seconds : {0.1, 1.0, 7.3}) {
+      const RootMotion moved = displacement(curve, fine(from), fine(from + seconds), true);
+      EXPECT_LT(distance(moved, moved_by(velocity, seconds)), 1e-9) << from << " + " << seconds;
+    }
+    EXPECT_LT(glm::distance(root_velocity(curve, fine(from)).linear, velocity.linear), 1e-9);
+  }
+}
+
+TEST(SteadyVelocity, LeadsToTheMotionItIsOf) {
+  for (const double yaw : {0.0, 1e-12, 0.3, -2.0, 5.0}) {
+    const RootMotion motion{.translation = {0.4, -0.3, 1.1}, .yaw = yaw};
+    EXPECT_LT(distance(moved_by(steady_velocity(motion, 1.7), 1.7), motion), 1e-12);
+  }
+}
+
+TEST(RootMotion, ThatIsRepeatedClimbsEachTime) {
+  const RootMotion stairs{.translation = {0.1, 0.2, 0.5}, .yaw = 0.4};
+  RootMotion twelve;
+  for (int i = 0; i < 12; ++i) twelve = compose(twelve, stairs);
+  EXPECT_LT(distance(power(stairs, 12.0), twelve), 1e-12);
+  EXPECT_NEAR(power(stairs, -5.0).translation.y, -1.0, 1e-12);
 }
 
 TEST(RootMotion, OfADayOfWalkingIsExactToAMicrometre) {

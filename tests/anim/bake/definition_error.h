@@ -27,6 +27,12 @@ inline std::vector<BoneFrame> frames_by_definition(const Model& model, const Cli
   return frames;
 }
 
+inline BoneFrame moved_frame(const RootMotion& motion, const BoneFrame& frame) {
+  const glm::dmat3 turn = glm::mat3_cast(glm::angleAxis(motion.yaw, glm::dvec3(0.0, 1.0, 0.0)));
+  return motion.yaw == 0.0 ? BoneFrame{.axes = frame.axes, .origin = frame.origin + motion.translation}
+                           : BoneFrame{.axes = turn * frame.axes, .origin = turn * frame.origin + motion.translation};
+}
+
 /// Returns how far the stream that a clip plays from is off the definition at most, in metres on the surface, at
 /// `times` even times from its first key to its last.
 inline double error_by_definition(const Model& model, const Clip& clip, const BakedClip& baked, int times) {
@@ -49,8 +55,8 @@ inline double error_by_definition(const Model& model, const Clip& clip, const Ba
       std::ranges::copy(keys.at(time), pose.begin());
     }
     compute_frames(model.skeleton, pose, shown);
-    const glm::dvec3 moved = displacement(baked.root_motion, 0, time * fine_ticks_per_tick, false).translation;
-    for (BoneFrame& frame : shown) frame.origin += moved;
+    const RootMotion moved = displacement(baked.root_motion, 0, time * fine_ticks_per_tick, false);
+    for (BoneFrame& frame : shown) frame = moved_frame(moved, frame);
     const auto expected = frames_by_definition(model, clip, clip.start + to_seconds(time));
     worst = std::max(worst, largest_distance(proxy, expected, shown));
   }

@@ -64,15 +64,31 @@ TEST(Player, HoldsAtTheEndOfAClipThatDoesNotLoop) {
   const ClipStreams clip{.duration = second};
   Player player = player_at(0, 1.0, 0);
   advance(player, clip, 3 * second);
-  EXPECT_EQ(position(player), second);
+  EXPECT_EQ(position_in_clip(player, second) / fine_ticks_per_tick, second);
   EXPECT_TRUE(player.flags & Player::reached_end);
+}
+
+TEST(Player, RemembersHowFarBeyondItsEndItHasBeen) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(0, 1.0, 0);
+  advance(player, clip, 3 * second);
+  advance(player, clip, -second * 5 / 2);
+  EXPECT_EQ(position(player), second / 2) << "wound back, it stands where it stood then";
+  EXPECT_FALSE(player.flags & Player::reached_end);
+}
+
+TEST(Player, StaysNearItsEndHoweverLongItHolds) {
+  const ClipStreams clip{.duration = second};
+  Player player = player_at(0, 1.0, 0);
+  for (int day = 0; day < 30; ++day) advance(player, clip, 24 * 3600 * second);
+  EXPECT_LE(position(player), 3601 * second);
 }
 
 TEST(Player, StandsInAClipWithoutDuration) {
   const ClipStreams clip{.duration = 0};
   Player player = player_at(0, 1.0, Player::looping);
   advance(player, clip, second);
-  EXPECT_EQ(position(player), 0);
+  EXPECT_EQ(position_in_clip(player, 0), 0);
 }
 
 TEST(Player, WhereItStandsDoesNotDependOnHowTimeWasCutIntoSteps) {
@@ -106,10 +122,10 @@ TEST(Player, HoldsTheStartOfAClipThatItPlaysBackwards) {
   EXPECT_EQ(position(player), second / 2);
   EXPECT_FALSE(player.flags & Player::reached_end);
   advance(player, clip, second / 4);
-  EXPECT_EQ(position(player), 0);
+  EXPECT_EQ(position_in_clip(player, second), 0);
   EXPECT_TRUE(player.flags & Player::reached_end) << "as one that comes to the very end forwards";
   advance(player, clip, second);
-  EXPECT_EQ(position(player), 0);
+  EXPECT_EQ(position_in_clip(player, second), 0);
 }
 
 TEST(Player, IsAClosedFormOfTimeWhateverItsSpeed) {

@@ -275,6 +275,21 @@ TEST(Crowd, WithoutAnIdleStandersTakeTurnsInWhatThereIs) {
   EXPECT_GE(requests, 30U);
 }
 
+TEST(Crowd, StandersTurnAsTheirClipDoes) {
+  CharacterRoles turner;
+  turner.others = {0};
+  turner.turns = {0.5};  // an eighth of a turn a second
+  Crowd crowd(Scene::plaza, 8, 1, turner);
+  const std::vector<Heading> before(crowd.headings().begin(), crowd.headings().end());
+  for (int i = 0; i < 60; ++i) crowd.advance(frame);
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    const Heading& from = before[agent];
+    const Heading& to = crowd.headings()[agent];
+    const float sine = from.cosine * to.sine - from.sine * to.cosine;
+    EXPECT_NEAR(std::asin(sine), 0.785F * crowd.playback_speeds()[agent], 0.01F) << "to the left";
+  }
+}
+
 TEST(Crowd, WithOneClipOrNoneNothingIsAsked) {
   CharacterRoles lone;
   lone.others = {0};

@@ -1,0 +1,124 @@
+#include "engine/anim/agent/blend_space_2d_channel.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "engine/anim/entity/mixer.h"
+
+namespace throng::anim {
+
+Result<std::shared_ptr<const BlendSpace2d>> BlendSpace2d::create(std::vector<BlendPoint2d> points, PlaneMeaning meaning,
+                                                                 int clip_count) {
+  std::vector<glm::vec2> places;
+  for (const BlendPoint2d& point : points) {
+    if (point.clip < 0 || point.clip >= clip_count) {
+      return Error{"point " + std::to_string(places.size()) + " of a blend space plays clip " +
+                   std::to_string(point.clip) + ", and the character has " + std::to_string(clip_count) +
+                   ": give it one of these"};
+    }
+    places.push_back(point.place);
+  }
+  Result<BlendPlane> plane = BlendPlane::create(places);
+  if (!plane) return plane.error();
+  return std::shared_ptr<const BlendSpace2d>(new BlendSpace2d(std::move(points), meaning, std::move(*plane)));
+}
+
+BlendSpace2dChannel::BlendSpace2dChannel(std::shared_ptr<const BlendSpace2d> space, const glm::vec2& place)
+    : space_(std::move(space)) {
+  assert(space_ != nullptr);
+  set_place(place);
+}
+
+void BlendSpace2dChannel::set_place(const glm::vec2& place) {
+  if (std::isfinite(place.x) && std::isfinite(place.y)) place_ = place;
+}
+
+bool BlendSpace2dChannel::is_gait(const EntityBuilder& build, const BlendPoint2d& point) const {
+  if (point.pace != Pace::automatic) return point.pace == Pace::gait;
+  switch (space_->meaning()) {
+    case PlaneMeaning::velocity:
+      return point.place != glm::vec2(0.0F);
+    case PlaneMeaning::speed_and_turn:
+      return point.place.x != 0.0F;
+    default:
+      return build.clip(point.clip).ground_speed > 0.0;
+  }
+}
+
+// The strides of clips that go in several directions add up as vectors.
+double BlendSpace2dChannel::cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const {
+  StrideSum across, along;
+  for (const PlayingPoint& one : playing) {
+    if (!one.is_gait) continue;
+    const glm::dvec2 own(space_->point(one.point).place);
+    across.add(build, one, own.x);
+    along.add(build, one, own.y);
+  }
+  const bool by_turn = space_->meaning() == PlaneMeaning::speed_and_turn;
+  const double stride = by_turn ? across.metres_a_cycle : std::hypot(across.metres_a_cycle, along.metres_a_cycle);
+  if (space_->meaning() == PlaneMeaning::plain || std::abs(stride) <= StrideSum::least) {
+    return across.own_cycles_per_second();
+  }
+  const double speed = by_turn ? static_cast<double>(place_.x) : glm::length(glm::dvec2(place_));
+  return speed / stride;
+}
+
+bool BlendSpace2dChannel::update(const EntityBuilder& build) {
+  const BlendPlane::Shares shares = space_->plane().shares(place_);
+  std::array<PlayingPoint, InStepPlayers::most> points;
+  std::ranges::transform(shares.all(), points.begin(), [&](const BlendPlane::Share& share) {
+    const BlendPoint2d& point = space_->point(share.point);
+    return PlayingPoint{
+        .point = share.point, .clip = point.clip, .weight = share.weight, .is_gait = is_gait(build, point)};
+  });
+  const std::span<const PlayingPoint> playing(points.data(), shares.count);
+  const bool others = players_.play(build, playing, cycles_per_second(build, playing));
+  return blend(build, playing) || others;
+}
+
+bool BlendSpace2dChannel::blend(const EntityBuilder& build, std::span<const PlayingPoint> playing) {
+  const Handle before = blend_;
+  const bool is_mixer = blend_.valid() && build.pools().state(blend_).type == EntityType::mixer;
+  const bool fits = blend_.valid() && playing.size() > 1 && is_mixer == (playing.size() == 3);
+  if (blend_.valid() && !fits) build.destroy(std::exchange(blend_, {}));
+  if (playing.size() == 3) {
+    if (!blend_.valid()) blend_ = build.create(EntityPools::mixers);
+    mix(build, playing);
+  } else if (playing.size() == 2) {
+    if (!blend_.valid()) blend_ = build.hold(players_.player(0), players_.player(1), playing[1].weight);
+    auto& blender = build.as<EaseBlender>(blend_);
+    blender.from = players_.player(0);
+    blender.to = players_.player(1);
+    blender.fraction = playing[1].weight;
+  }
+  return blend_ != before;
+}
+
+void BlendSpace2dChannel::mix(const EntityBuilder& build, std::span<const PlayingPoint> playing) const {
+  auto& mixer = build.as<Mixer>(blend_);
+  auto& mixed = build.private_as<MixerSources>(blend_);
+  mixer.source_count = static_cast<std::uint32_t>(playing.size());
+  std::ranges::fill(mixer.masks, EaseBlender::no_mask);
+  for (std::size_t i = 0; i < playing.size(); ++i) {
+    mixed.sources[i] = players_.player(i);
+    mixed.weights[i] = playing[i].weight;
+  }
+}
+
+void BlendSpace2dChannel::visit_handles(const std::function<void(Handle&)>& visit) {
+  players_.visit_handles(visit);
+  if (blend_.valid()) visit(blend_);
+}
+
+void BlendSpace2dChannel::destroy_entities(const EntityBuilder& build) {
+  players_.destroy_entities(build);
+  if (blend_.valid()) build.destroy(std::exchange(blend_, {}));
+}
+
+}  // namespace throng::anim

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "engine/anim/agent/blend_plane.h"
+#include "engine/anim/agent/blend_space_channel.h"
+
+namespace throng::anim {
+
+/// A clip, and the place in the plane at which it is played alone.
+struct BlendPoint2d {
+  int clip = 0;
+  glm::vec2 place{0.0F};
+  Pace pace = Pace::automatic;
+};
+
+/// Says what the two parameters of a plane are, and with it the speed over ground of a point.
+enum class PlaneMeaning : unsigned char {
+  plain,          ///< no speed: each clip keeps its own, and gaits make their mean pace
+  velocity,       ///< metres a second, aside and ahead: the length of the place is the speed
+  speed_and_turn  ///< x is the speed, in metres a second; y is anything, such as a rate of turning
+};
+
+/// The points of a blend space in a plane, which any number of agents share.
+class BlendSpace2d {
+ public:
+  /// `clip_count` is that of the character. Errors: those of BlendPlane::create; a point plays a clip that there is
+  /// not.
+  static Result<std::shared_ptr<const BlendSpace2d>> create(std::vector<BlendPoint2d> points, PlaneMeaning meaning,
+                                                            int clip_count);
+
+  const BlendPoint2d& point(std::size_t index) const { return points_[index]; }
+  PlaneMeaning meaning() const { return meaning_; }
+  const BlendPlane& plane() const { return plane_; }
+
+ private:
+  BlendSpace2d(std::vector<BlendPoint2d> points, PlaneMeaning meaning, BlendPlane plane)
+      : points_(std::move(points)), meaning_(meaning), plane_(std::move(plane)) {}
+
+  std::vector<BlendPoint2d> points_;
+  PlaneMeaning meaning_;
+  BlendPlane plane_;
+};
+
+/// Plays looping clips by two parameters, such as a velocity aside and ahead, or speed and turn. It mixes the corners
+/// of the triangle that holds the place, at most three; a place outside of all triangles is moved to the nearest in
+/// them. Gaits keep step and others play at their own rate, as in BlendSpaceChannel. The root moves at the speed that
+/// was asked for, also outside of the triangles.
+class BlendSpace2dChannel final : public Channel {
+ public:
+  /// `space` is not null.
+  BlendSpace2dChannel(std::shared_ptr<const BlendSpace2d> space, const glm::vec2& place);
+
+  /// Sets both parameters at once, from the next update on. A place that is not finite changes nothing.
+  void set_place(const glm::vec2& place);
+  const glm::vec2& place() const { return place_; }
+  /// Returns the phase of the gait that leads at the clock, 0 to below 1; 0 where no gait plays.
+  double phase(const EntityBuilder& build) const { return players_.phase(build); }
+
+  Handle state() const override { return blend_.valid() ? blend_ : players_.player(0); }
+  bool update(const EntityBuilder& build) override;
+  Ticks next_update() const override { return players_.next_update(); }
+  void visit_handles(const std::function<void(Handle&)>& visit) override;
+  void destroy_entities(const EntityBuilder& build) override;
+  std::unique_ptr<Channel> clone() const override { return std::make_unique<BlendSpace2dChannel>(*this); }
+
+ private:
+  bool is_gait(const EntityBuilder& build, const BlendPoint2d& point) const;
+  double cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
+  bool blend(const EntityBuilder& build, std::span<const PlayingPoint> playing);
+  void mix(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
+
+  std::shared_ptr<const BlendSpace2d> space_;
+  glm::vec2 place_{0.0F};
+  InStepPlayers players_;
+  Handle blend_;  // an ease blender of two, or a mixer of three; invalid where one plays alone
+};
+
+}  // namespace throng::anim

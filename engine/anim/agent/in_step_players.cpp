@@ -1,0 +1,144 @@
+#include "engine/anim/agent/in_step_players.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdlib>
+
+#include "engine/anim/asset/marker_map.h"
+
+namespace throng::anim {
+namespace {
+
+constexpr Ticks in_step_for = 10 * ticks_per_second;
+
+MarkedClip marked(const EntityBuilder& build, int clip) {
+  const ClipStreams& streams = build.clip(clip);
+  return {.keys = streams.data_keys, .duration = std::max<Ticks>(streams.duration, 1)};
+}
+
+FineTicks length_of(const EntityBuilder& build, int clip) { return marked(build, clip).duration * fine_ticks_per_tick; }
+
+/// Returns the ticks until a position leaves [begin, end) at that speed, which is not 0.
+Ticks ticks_until_left(FineTicks position, const MarkerMap::Place& place, FineTicks speed) {
+  const FineTicks left = speed > 0 ? place.end - position : position - place.begin + 1;
+  return (left + std::abs(speed) - 1) / std::abs(speed);
+}
+
+}  // namespace
+
+void StrideSum::add(const EntityBuilder& build, const PlayingPoint& gait, double speed) {
+  const auto share = static_cast<double>(gait.weight);
+  const double seconds = to_seconds(marked(build, gait.clip).duration);
+  weight += share;
+  cycles += share / seconds;
+  metres_a_cycle += share * speed * seconds;
+}
+
+InStepPlayers::Stride InStepPlayers::stride(const EntityBuilder& build) const {
+  if (leader_ == nobody) return {};
+  const int clip = points_[leader_].clip;
+  const FineTicks length = length_of(build, clip);
+  const FineTicks position = build.position(players_[leader_]);
+  return {.clip = clip, .position = position - whole_loops(position, length) * length};
+}
+
+double InStepPlayers::phase(const EntityBuilder& build) const {
+  if (leader_ == nobody) return 0.0;
+  const Stride now = stride(build);
+  return static_cast<double>(now.position) / static_cast<double>(length_of(build, now.clip));
+}
+
+// Keeps the players of points that go on, so that nothing jumps.
+bool InStepPlayers::take_players(const EntityBuilder& build, std::span<const PlayingPoint> points) {
+  const std::array<Handle, most> before = players_;
+  const std::array<PlayingPoint, most> played = points_;
+  std::array<bool, most> kept{};
+  bool changed = points.size() != count_;
+  const std::size_t had = count_;
+  const std::size_t leading = leader_ == nobody ? nobody : played[leader_].point;
+  count_ = points.size();
+  leader_ = nobody;
+  for (std::size_t i = 0; i < count_; ++i) {
+    points_[i] = points[i];
+    players_[i] = {};
+    for (std::size_t old = 0; old < had; ++old) {
+      if (played[old].point != points[i].point) continue;
+      players_[i] = before[old];
+      kept[old] = true;
+      changed = changed || old != i;
+      if (leading == points[i].point) leader_ = i;
+    }
+    if (players_[i].valid()) continue;
+    players_[i] = build.player({.clip = points[i].clip});
+    changed = true;
+  }
+  for (std::size_t old = 0; old < had; ++old) {
+    if (!kept[old]) build.destroy(before[old]);
+  }
+  for (std::size_t i = count_; i < most; ++i) players_[i] = {};
+  return changed;
+}
+
+// The leader of before stays as long as nobody is heavier.
+std::size_t InStepPlayers::choose_leader() const {
+  std::size_t best = leader_;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (points_[i].is_gait && (best == nobody || points_[i].weight > points_[best].weight)) best = i;
+  }
+  return best;
+}
+
+bool InStepPlayers::play(const EntityBuilder& build, std::span<const PlayingPoint> points, double cycles_per_second) {
+  assert(!points.empty() && points.size() <= most);
+  const Stride before = stride(build);
+  const bool changed = take_players(build, points);
+  next_update_ = never;
+  for (std::size_t i = 0; i < count_; ++i) {
+    build.as<Player>(players_[i]).flags &= ~(Player::leads_step | Player::in_step);
+    if (!points_[i].is_gait) build.set_speed(players_[i], 1.0);
+  }
+  const std::size_t old_leader = leader_;
+  leader_ = choose_leader();
+  if (leader_ == nobody) return changed;
+  lead(build, old_leader == leader_ ? Stride{} : before, cycles_per_second);
+  const Stride now = stride(build);
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (i != leader_ && points_[i].is_gait) follow(build, i, now);
+  }
+  return changed;
+}
+
+// Without a stride of `before` the leader goes on where it stands.
+void InStepPlayers::lead(const EntityBuilder& build, const Stride& before, double cycles_per_second) {
+  const Handle leader = players_[leader_];
+  const MarkedClip clip = marked(build, points_[leader_].clip);
+  build.set_speed(leader, cycles_per_second * to_seconds(clip.duration));
+  if (before.clip < 0) return;
+  build.seek(leader, MarkerMap(marked(build, before.clip), clip).at(before.position).position);
+}
+
+void InStepPlayers::follow(const EntityBuilder& build, std::size_t place, const Stride& leader) {
+  const MarkerMap map(marked(build, leader.clip), marked(build, points_[place].clip));
+  const MarkerMap::Place at = map.at(leader.position);
+  auto& leading = build.as<Player>(players_[leader_]);
+  build.set_speed(players_[place], at.rate * static_cast<double>(leading.speed) / 65536.0);
+  build.seek(players_[place], at.position);
+  Ticks wait = in_step_for;
+  if (map.has_markers()) {
+    leading.flags |= Player::leads_step;
+    build.as<Player>(players_[place]).flags |= Player::in_step;
+    if (leading.speed != 0) wait = std::min(wait, ticks_until_left(leader.position, at, leading.speed));
+  }
+  next_update_ = std::min(next_update_, build.now() + wait);
+}
+
+void InStepPlayers::visit_handles(const std::function<void(Handle&)>& visit) {
+  for (std::size_t i = 0; i < count_; ++i) visit(players_[i]);
+}
+
+void InStepPlayers::destroy_entities(const EntityBuilder& build) {
+  for (std::size_t i = 0; i < count_; ++i) build.destroy(players_[i]);
+  *this = {};
+}
+
+}  // namespace throng::anim

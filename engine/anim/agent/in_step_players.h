@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "engine/anim/agent/channel.h"
+
+namespace throng::anim {
+
+/// A point of a blend space that plays now.
+struct PlayingPoint {
+  std::size_t point = 0;  ///< its number in the blend space
+  int clip = 0;
+  float weight = 1.0F;  ///< above 0
+  bool is_gait = true;  ///< it keeps step with the other gaits; else it plays at its own rate
+};
+
+/// Sums up the strides of the gaits that play, from which their common pace follows.
+struct StrideSum {
+  static constexpr double least = 1e-6;  ///< metres a cycle: clips that go less far set no pace
+
+  double weight = 0.0;
+  double cycles = 0.0;          ///< weight * cycles a second of the clips as they were made
+  double metres_a_cycle = 0.0;  ///< weight * metres
+
+  /// `speed`: metres a second at which the clip was made.
+  void add(const EntityBuilder& build, const PlayingPoint& gait, double speed);
+  /// Returns the mean pace of the clips; 0 without any.
+  double own_cycles_per_second() const { return weight > 0.0 ? cycles / weight : 0.0; }
+};
+
+/// Plays the clips of up to three points of a blend space. It is a part of channels, which blend what it plays.
+///
+/// Gaits keep step. The heaviest leads at an even pace. Each of the others is placed where its own markers, the data
+/// keys that it shares with the leader, come at the same time as the leader's (asset/marker_map.h). A leader stays
+/// until another gait is heavier, and hands its place in the stride over. Clips that are no gaits play at their own
+/// rate and keep their place as long as they have a weight.
+class InStepPlayers {
+ public:
+  static constexpr std::size_t most = 3;
+
+  /// Plays `points`, 1 to `most`, from the clock on. All gaits make `cycles_per_second`. Returns whether some player is
+  /// another than before.
+  bool play(const EntityBuilder& build, std::span<const PlayingPoint> points, double cycles_per_second);
+
+  std::size_t count() const { return count_; }
+  Handle player(std::size_t place) const { return players_[place]; }  ///< of points[place]
+  /// Returns the phase of the leader at the clock, 0 to below 1; 0 where no gait plays.
+  double phase(const EntityBuilder& build) const;
+  /// Returns when the players must be put in step again: where a foot of the leader comes down, or after ten seconds,
+  /// because speeds are rounded to 1/65536.
+  Ticks next_update() const { return next_update_; }
+  void visit_handles(const std::function<void(Handle&)>& visit);
+  void destroy_entities(const EntityBuilder& build);
+
+ private:
+  static constexpr std::size_t nobody = most;
+
+  /// A place in the stride of a clip.
+  struct Stride {
+    int clip = -1;           ///< -1: no gait plays
+    FineTicks position = 0;  ///< 0 to below the clip's duration
+  };
+  Stride stride(const EntityBuilder& build) const;
+  bool take_players(const EntityBuilder& build, std::span<const PlayingPoint> points);
+  std::size_t choose_leader() const;
+  void lead(const EntityBuilder& build, const Stride& before, double cycles_per_second);
+  void follow(const EntityBuilder& build, std::size_t place, const Stride& leader);
+
+  std::array<Handle, most> players_;
+  std::array<PlayingPoint, most> points_{};
+  std::size_t count_ = 0;
+  std::size_t leader_ = nobody;
+  Ticks next_update_ = never;
+};
+
+}  // namespace throng::anim

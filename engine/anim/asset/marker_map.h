@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/anim/asset/data_keys.h"
+#include "engine/anim/base/units.h"
+
+namespace throng::anim {
+
+/// A looping clip and the moments that mark its way, such as the strikes of its feet.
+struct MarkedClip {
+  std::span<const DataKey> keys;  ///< ascending
+  Ticks duration = 0;             ///< above 0
+};
+
+/// Maps the positions of one looping clip, the leader, to those of another, so that the markers of both come at the
+/// same time. Between two markers the map is linear. Markers are the data keys whose names both clips have. Where their
+/// names do not follow each other in the same order, where two fall on one moment, or where there are none or more
+/// than `most_markers`, the map goes by the phase of the loop alone. It allocates nothing.
+class MarkerMap {
+ public:
+  static constexpr std::size_t most_markers = 16;
+
+  MarkerMap(const MarkedClip& leader, const MarkedClip& follower);
+
+  bool has_markers() const { return has_markers_; }
+
+  /// A place of the follower. The leader moves from `begin` to `end`, both unwrapped, while the map stays linear.
+  struct Place {
+    FineTicks position = 0;  ///< of the follower, 0 to below its duration
+    double rate = 1.0;       ///< of the follower, in its own time for each unit of the leader's
+    FineTicks begin = 0;     ///< at most the leader's position
+    FineTicks end = 0;       ///< above it
+  };
+  /// `leader` is a position from 0 to below the leader's duration.
+  Place at(FineTicks leader) const;
+
+ private:
+  FineTicks leader_length_;
+  FineTicks follower_length_;
+  std::array<FineTicks, most_markers> leader_{};    // [marker] ascending
+  std::array<FineTicks, most_markers> follower_{};  // [marker] ascending, but for one seam
+  std::size_t count_ = 1;
+  bool has_markers_ = false;
+};
+
+}  // namespace throng::anim

@@ -1,0 +1,91 @@
+#include "engine/anim/asset/marker_map.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace throng::anim::marker_map_test {
+namespace {
+
+constexpr std::uint32_t left = 0, right = 1, clap = 2;
+constexpr FineTicks fine = fine_ticks_per_tick;
+
+struct Clip {
+  std::vector<DataKey> keys;
+  Ticks duration = 1000;
+  MarkedClip marked() const { return {.keys = keys, .duration = duration}; }
+};
+
+const Clip walk{.keys = {{100, left}, {600, right}}};
+const Clip run{.keys = {{50, right}, {250, left}}, .duration = 500};
+
+TEST(MarkerMap, LeadsFromMarkerToMarker) {
+  const MarkerMap map(walk.marked(), run.marked());
+  ASSERT_TRUE(map.has_markers());
+  EXPECT_EQ(map.at(100 * fine).position, 250 * fine) << "left";
+  EXPECT_EQ(map.at(600 * fine).position, 50 * fine) << "right";
+  EXPECT_EQ(map.at(350 * fine).position, 400 * fine) << "half the way from left to right, which is 300 over the seam";
+  EXPECT_EQ(map.at(850 * fine).position, 150 * fine) << "half the way from right to left, which is 200";
+  EXPECT_EQ(map.at(50 * fine).position, 230 * fine) << "nine tenths of that way";
+}
+
+TEST(MarkerMap, SaysHowLongItStaysLinear) {
+  const MarkerMap map(walk.marked(), run.marked());
+  const MarkerMap::Place place = map.at(50 * fine);
+  EXPECT_EQ(place.begin, -400 * fine);
+  EXPECT_EQ(place.end, 100 * fine);
+  EXPECT_DOUBLE_EQ(place.rate, 0.4);
+}
+
+TEST(MarkerMap, NeverComesToAMarkerBeforeTheLeaderDoes) {
+  const Clip odd{.keys = {{33, left}, {701, right}}, .duration = 997};
+  const MarkerMap map(walk.marked(), odd.marked());
+  for (const Ticks marker : {Ticks{100}, Ticks{600}}) {
+    const FineTicks before = map.at(marker * fine - 1).position, there = map.at(marker * fine).position;
+    EXPECT_LT(before, there);
+    EXPECT_EQ(there, (marker == 100 ? 33 : 701) * fine);
+  }
+}
+
+TEST(MarkerMap, LeavesKeysOutThatOnlyOneClipHas) {
+  Clip clapping = run;
+  clapping.keys.insert(clapping.keys.begin() + 1, DataKey{100, clap});
+  const MarkerMap map(walk.marked(), clapping.marked());
+  ASSERT_TRUE(map.has_markers());
+  EXPECT_EQ(map.at(600 * fine).position, 50 * fine);
+}
+
+TEST(MarkerMap, OfOneMarkerShiftsTheWholeLoop) {
+  const Clip once{.keys = {{100, left}}}, other{.keys = {{300, left}}, .duration = 2000};
+  const MarkerMap map(once.marked(), other.marked());
+  ASSERT_TRUE(map.has_markers());
+  EXPECT_EQ(map.at(100 * fine).position, 300 * fine);
+  EXPECT_EQ(map.at(600 * fine).position, 1300 * fine);
+}
+
+TEST(MarkerMap, ShiftsAsLittleAsItCanWhereSeveralStepsFit) {
+  const Clip four{.keys = {{0, left}, {250, right}, {500, left}, {750, right}}};
+  const Clip late{.keys = {{20, left}, {270, right}, {520, left}, {770, right}}};
+  EXPECT_EQ(MarkerMap(four.marked(), late.marked()).at(500 * fine).position, 520 * fine);
+}
+
+TEST(MarkerMap, GoesByThePhaseWhereMarkersAreUnlikeOrNone) {
+  const Clip none{.keys = {}, .duration = 300};
+  const Clip gallop{.keys = {{0, left}, {10, left}, {500, right}}};
+  const Clip at_once{.keys = {{100, left}, {100, right}}};
+  const Clip at_the_seam{.keys = {{0, left}, {1000, right}}};
+  for (const Clip* other : {&none, &gallop, &at_once, &at_the_seam}) {
+    const MarkerMap map(walk.marked(), other->marked());
+    EXPECT_FALSE(map.has_markers());
+    EXPECT_EQ(map.at(500 * fine).position, other->duration * fine / 2);
+  }
+}
+
+TEST(MarkerMap, GoesByThePhaseWhereThereAreTooManyMarkers) {
+  Clip busy;
+  for (Ticks i = 0; i < 17; ++i) busy.keys.push_back({i * 10, left});
+  EXPECT_FALSE(MarkerMap(busy.marked(), busy.marked()).has_markers());
+}
+
+}  // namespace
+}  // namespace throng::anim::marker_map_test

@@ -31,7 +31,7 @@ std::uint32_t microseconds(anim::Ticks ticks) {
 }  // namespace
 
 void Stage::move(anim::Ticks delta) {
-  moving_ = delta > 0;
+  moving_ = delta > anim::Ticks{};
   animated_->move(delta);
 }
 
@@ -47,7 +47,7 @@ anim::LodRequest Stage::lod_request(const render::Camera& camera, const glm::vec
           .force = lod_force(tuning_.inspection, selected_),
           .selected = selected_,
           .now = system().clock(),
-          .frame_step = moving_ ? frame_step : 0};
+          .frame_step = moving_ ? frame_step : anim::Ticks{}};
 }
 
 void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
@@ -66,7 +66,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   meter_.begin_frame(error_sampling(tuning_), selection().visible, shown_);
   for (anim::AgentUpdate& update : lod_.updates()) {
     const bool visible = lod_.is_visible(update.agent);
-    const bool ahead = update.look_ahead > 0;
+    const bool ahead = update.look_ahead > anim::Ticks{};
     place_feet(update, visible && !ahead);
     if (!visible) continue;
     show(update, last_frame);

@@ -70,7 +70,7 @@ void share(const Sharing& sharing, const PoseStep& step, Handle entity, float we
 /// Returns the time within a clip at an unwrapped position.
 Ticks time_within(Ticks duration, bool looping, FineTicks position) {
   const FineTicks length = duration * fine_ticks_per_tick;
-  if (length <= 0) return 0;
+  if (length <= 0) return Ticks{};
   const FineTicks in_clip =
       looping ? position - whole_loops(position, length) * length : std::clamp<FineTicks>(position, 0, length);
   return in_clip / fine_ticks_per_tick;
@@ -105,7 +105,7 @@ void AgentMotion::for_each_player(const PoseWeights& shares, Visit&& visit) cons
 
 FineTicks AgentMotion::position(const Player& player, Ticks at) const {
   const Ticks since = at - posed_at_ + player.state.delta_time;
-  return unwrapped_position(player, clips_[player.clip].duration) + since * player.speed;
+  return unwrapped_position(player, clips_[player.clip].duration) + since.count() * player.speed;
 }
 
 RootMotion AgentMotion::displacement(Ticks from, Ticks to) const {
@@ -125,7 +125,7 @@ void AgentMotion::for_each_data_key(Ticks from, Ticks to, const std::function<vo
     const FineTicks begin = position(player, from);
     anim::for_each_data_key(clip.data_keys, clip.duration, (player.flags & Player::looping) != 0, begin,
                             position(player, to), [&](const DataKey& key, FineTicks at) {
-                              const Ticks since = player.speed == 0 ? 0 : (at - begin) / player.speed;
+                              const Ticks since{player.speed == 0 ? 0 : (at - begin) / player.speed};
                               visit({.name = key.name, .clip = player.clip, .time = from + since, .weight = weight});
                               return true;
                             });

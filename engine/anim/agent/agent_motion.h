@@ -17,7 +17,7 @@ namespace throng::anim {
 struct DataKeyEvent {
   std::uint32_t name = 0;  ///< index of Character::data_key_names
   std::uint32_t clip = 0;
-  Ticks time = 0;       ///< the time of the clock at which it was met
+  Ticks time{};         ///< the time of the clock at which it was met
   float weight = 0.0F;  ///< the share of the clip in the agent's pose, 0 to 1
 };
 

@@ -37,8 +37,9 @@ BlendSpaceChannel::Place BlendSpaceChannel::place(const EntityBuilder& build) co
 
 double BlendSpaceChannel::phase(const EntityBuilder& build) const {
   if (!players_[0].valid()) return 0.0;
-  const auto position = static_cast<double>(build.position(players_[0])) / static_cast<double>(fine_ticks_per_tick);
-  const double cycles = position / static_cast<double>(ticks_per_second) / duration(build, playing_[0]);
+  const auto position =
+      static_cast<double>(build.position(players_[0])) / static_cast<double>(fine_ticks_per_tick.count());
+  const double cycles = position / static_cast<double>(ticks_per_second.count()) / duration(build, playing_[0]);
   return cycles - std::floor(cycles);
 }
 
@@ -46,7 +47,7 @@ void BlendSpaceChannel::set_in_step(const EntityBuilder& build, Handle player, s
                                     double cycles) const {
   const double seconds = duration(build, point);
   build.set_speed(player, cycles * seconds);
-  build.seek(player, std::llround(phase * seconds * static_cast<double>(ticks_per_second)) * fine_ticks_per_tick);
+  build.seek(player, to_ticks(phase * seconds) * fine_ticks_per_tick);
 }
 
 bool BlendSpaceChannel::update(const EntityBuilder& build) {

@@ -54,7 +54,7 @@ class BlendSpaceChannel final : public Channel {
   bool is_ground_speed_;
   std::array<Handle, 2> players_;         // the players of the points around the parameter, the lower first
   std::array<std::size_t, 2> playing_{};  // the points that they play
-  Ticks in_step_at_ = 0;
+  Ticks in_step_at_{};
   Handle blender_;  // between the two; invalid where one plays alone
 };
 

@@ -20,8 +20,8 @@ struct PopulationSnapshot {
   std::vector<CharacterAgentsSnapshot> characters;
   std::vector<Member> members;
   std::vector<Ticks> posed_at;
-  Ticks clock = 0;
-  Ticks shared_posed_at = 0;
+  Ticks clock{};
+  Ticks shared_posed_at{};
 
   std::size_t bytes() const;
   /// Widens the demand to what these graphs ask of the local stores.
@@ -78,8 +78,8 @@ class Population {
   std::vector<std::unique_ptr<CharacterAgents>> characters_;
   std::vector<Member> members_;  // [agent]
   std::vector<Ticks> posed_at_;  // [agent] the time at which its entities stand
-  Ticks clock_ = 0;
-  Ticks shared_posed_at_ = 0;
+  Ticks clock_{};
+  Ticks shared_posed_at_{};
   StreamKind stream_ = StreamKind::sampled;  // the stream of new players
 };
 

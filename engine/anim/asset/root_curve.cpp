@@ -67,7 +67,7 @@ RootMotion power(const RootMotion& motion, double times) {
 RootCurve straight_root_curve(Ticks duration, const glm::dvec3& translation) {
   assert(translation.y == 0.0);
   RootCurve curve{.duration = duration, .keys = {}};
-  if (duration <= 0 || translation == glm::dvec3(0.0)) return curve;
+  if (duration <= Ticks{} || translation == glm::dvec3(0.0)) return curve;
   curve.keys = {RootKey{}, RootKey{.time = duration, .x = translation.x, .z = translation.z}};
   return curve;
 }

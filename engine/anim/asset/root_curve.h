@@ -22,7 +22,7 @@ RootMotion power(const RootMotion& motion, double times);
 
 /// The place and direction that the root has reached since the clip's start, in model space.
 struct RootKey {
-  Ticks time = 0;
+  Ticks time{};
   double x = 0.0;  ///< metres
   double z = 0.0;
   double yaw = 0.0;  ///< radians, not wrapped
@@ -30,7 +30,7 @@ struct RootKey {
 
 /// The motion that baking takes out of a clip's pose, as straight lines between keys.
 struct RootCurve {
-  Ticks duration = 0;
+  Ticks duration{};
   std::vector<RootKey> keys;  ///< ascending; the first is all zero, the last at `duration`; empty: no motion
 };
 

@@ -31,7 +31,7 @@ enum class StreamKind : unsigned char { sampled, keyframe };
 /// A clip that is ready to play: both streams, and the results of baking.
 struct BakedClip {
   std::string name;
-  Ticks duration = 0;
+  Ticks duration{};
   bool loops = false;                 ///< first and last pose agree, without root motion
   glm::dvec3 loop_displacement{0.0};  ///< root motion taken out of the pose: metres a loop, model space
   RootCurve root_motion;              ///< the same over time: a pose stands where the curve is at its time

@@ -56,7 +56,7 @@ glm::dvec3 find_root_motion(const Skeleton& skeleton, const StateClip& clip, dou
   if (bone < 0 || a_root_steps(skeleton, clip)) return glm::dvec3(0.0);
   const AlignedBytes block = pack_keyframe_stream(clip);
   ExactPoses poses(*reinterpret_cast<const KeyframeStream*>(block.get()));
-  glm::dvec3 travel = origin_at(skeleton, poses, bone, clip.duration) - origin_at(skeleton, poses, bone, 0);
+  glm::dvec3 travel = origin_at(skeleton, poses, bone, clip.duration) - origin_at(skeleton, poses, bone, Ticks{});
   travel.y = 0.0;
   return glm::length(travel) > least ? travel : glm::dvec3(0.0);
 }

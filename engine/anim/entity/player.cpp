@@ -62,7 +62,7 @@ bool only_moves(const Player& player, const ClipStreams& clip) {
 // Inline, since this is the frame's innermost loop, where a call takes as long as its body.
 inline void move_player(Player& player, const ClipStreams& clip) {
   const FineTicks duration = clip.duration * fine_ticks_per_tick;
-  const FineTicks position = player.position + player.state.delta_time * player.speed;
+  const FineTicks position = player.position + player.state.delta_time.count() * player.speed;
   player.position = position;
   clear_motion(player.state);
   const bool is_inside = static_cast<std::uint64_t>(position) < static_cast<std::uint64_t>(duration);
@@ -104,7 +104,8 @@ static_assert(sizeof(SampledPose) <= prepared_pose_bytes && sizeof(KeyframePose)
 
 /// Returns the time in the clip, which is not negative.
 Ticks time_of(const Player& player) {
-  return static_cast<Ticks>(static_cast<std::uint64_t>(player.position) / std::uint64_t{fine_ticks_per_tick});
+  constexpr std::uint64_t fine = fine_ticks_per_tick.count();
+  return Ticks{static_cast<std::int64_t>(static_cast<std::uint64_t>(player.position) / fine)};
 }
 
 /// Prefetches both rows (paper 2.2.3, note 5). Packets are sampled one by one, so most of a row has time to arrive.

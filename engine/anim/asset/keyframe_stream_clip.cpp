@@ -214,7 +214,7 @@ StateClip to_state_space(const Skeleton& skeleton, const Clip& clip, double star
 }
 
 void subtract_drift(StateClip& clip, int bone, const glm::dvec3& drift) {
-  assert(clip.duration > 0);
+  assert(clip.duration > Ticks{});
   StateTrack& track = position_track(clip, bone);
   assert(track.interpolation != Interpolation::step);
   cover(track, clip.duration);

@@ -23,7 +23,7 @@ constexpr float slowest_pace = 0.94F, fastest_pace = 1.06F;  // of walkers, over
 constexpr float least_playback = 0.4F, most_playback = 1.7F;
 constexpr float out_of_step = 0.04F;  // of a walk cycle
 constexpr double widest_in_spacings = 0.4;
-constexpr anim::Ticks slowness_to_catch_up = 4;  // who is behind makes up one second in so many
+constexpr int slowness_to_catch_up = 4;  // who is behind makes up one second in so many
 
 constexpr std::uint64_t looks_stream = 4;
 constexpr std::uint64_t variants_stream = 9;
@@ -221,7 +221,7 @@ double Crowd::marching_time(std::size_t marcher, anim::Ticks dt) {
   if (state_.minds.holds(walkers() + marcher)) {
     behind += dt;
   } else {
-    behind = std::max<anim::Ticks>(0, behind - dt / slowness_to_catch_up);
+    behind = std::max(anim::Ticks{}, behind - dt / slowness_to_catch_up);
   }
   return anim::to_seconds(state_.now - behind);
 }
@@ -255,11 +255,11 @@ void Crowd::turn_standers(anim::Ticks dt) {
 }
 
 std::span<const ClipRequest> Crowd::advance(anim::Ticks dt, anim::Executor& executor, int jobs) {
-  assert(dt >= 0);
+  assert(dt >= anim::Ticks{});
   state_.now += dt;
   state_.minds.decide(state_.now);
   lead_wave();
-  if (dt > 0) {
+  if (dt > anim::Ticks{}) {
     state_.walkers.advance(dt, state_.now, state_.minds, executor, jobs);
     follow_walkers();
     march(dt);

@@ -33,7 +33,7 @@ struct CrowdLooks {
 
 /// Everything in a crowd that changes as time passes.
 struct CrowdState {
-  anim::Ticks now = 0;
+  anim::Ticks now{};
   std::vector<anim::Ticks> behind;      ///< [marcher] how late it is at its places
   std::vector<anim::Ticks> next_waves;  ///< [stander] when the wave is there; empty: there is no wave
   CrowdMinds minds;
@@ -119,7 +119,7 @@ class Crowd {
   std::vector<MarcherStart> marchers_;
   CrowdLooks looks_;
   CrowdState state_;
-  anim::Ticks wave_period_ = 0;
+  anim::Ticks wave_period_{};
 };
 
 /// A sphere around all agents' feet.

@@ -74,7 +74,7 @@ class CrowdMinds {
   };
 
   const CrowdCast* cast_;
-  anim::Ticks now_ = 0;
+  anim::Ticks now_{};
   std::vector<Habit> habits_;
   std::vector<Role> intentions_, roles_;
   std::vector<int> clips_;

@@ -69,8 +69,8 @@ CrowdWalkers::CrowdWalkers(const CrowdCast& cast, std::vector<Lane> lanes, std::
       ahead_(starts_.size()),
       paces_(std::move(paces)),
       headings_(starts_.size()),
-      moved_at_(starts_.size(), 0),
-      new_gait_at_(starts_.size(), 0),
+      moved_at_(starts_.size()),
+      new_gait_at_(starts_.size()),
       bodies_(std::move(bodies)),
       wishes_(bodies_.size()) {
   assert(paces_.size() == starts_.size() && bodies_.size() >= starts_.size());
@@ -198,13 +198,14 @@ void CrowdWalkers::show_gait(std::size_t walker, anim::Ticks now, CrowdMinds& mi
 }
 
 void CrowdWalkers::advance(anim::Ticks dt, anim::Ticks now, CrowdMinds& minds, anim::Executor& executor, int jobs) {
-  if (starts_.empty() || dt <= 0) return;
+  if (starts_.empty() || dt <= anim::Ticks{}) return;
   for (const std::uint32_t agent : minds.changed()) {
     if (agent >= count() || !is_gait(minds.intentions()[agent])) continue;
     moved_at_[agent] = now;
     if (minds.whim(agent).chance(chance_of_another_way)) set_out(agent, minds.whim(agent));
   }
-  const auto steps = static_cast<int>(std::min<anim::Ticks>((dt + longest_step - 1) / longest_step, most_steps));
+  const auto steps =
+      static_cast<int>(std::min<std::int64_t>((dt + longest_step - anim::Ticks{1}) / longest_step, most_steps));
   const auto seconds = static_cast<float>(anim::to_seconds(dt) / steps);
   for (int step = 0; step < steps; ++step) {
     visit_in_tiles(count(), executor, jobs, [&](std::size_t walker) {

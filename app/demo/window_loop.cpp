@@ -135,7 +135,7 @@ class WindowLoop {
   }
 
   anim::Ticks step(double seconds, bool single) const {
-    if (tuning_.paused) return single ? anim::to_ticks(single_step) : 0;
+    if (tuning_.paused) return single ? anim::to_ticks(single_step) : anim::Ticks{};
     return anim::to_ticks(options_.dt.value_or(seconds) * static_cast<double>(tuning_.time_scale));
   }
 

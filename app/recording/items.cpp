@@ -130,7 +130,7 @@ std::optional<RecordedRequest> read_request(RecordKind kind, std::string_view pa
 
 std::optional<RecordedFrame> read_frame(NumberReader& numbers) {
   RecordedFrame frame;
-  frame.delta = numbers.next<std::int64_t>();
+  frame.delta = anim::Ticks{numbers.next<std::int64_t>()};
   frame.view.camera.position = next_vector(numbers);
   frame.view.camera.yaw = numbers.next<float>();
   frame.view.camera.pitch = numbers.next<float>();
@@ -138,7 +138,7 @@ std::optional<RecordedFrame> read_frame(NumberReader& numbers) {
   frame.view.width = static_cast<int>(numbers.next<std::uint32_t>());
   frame.view.height = static_cast<int>(numbers.next<std::uint32_t>());
   frame.pose_hash = numbers.next<std::uint64_t>();
-  const bool can_be = frame.delta >= 0 && frame.delta <= longest_frame && is_view(frame.view);
+  const bool can_be = frame.delta >= anim::Ticks{} && frame.delta <= longest_frame && is_view(frame.view);
   return numbers.good() && can_be ? std::optional(frame) : std::nullopt;
 }
 

@@ -37,7 +37,7 @@ std::string fingerprint(const CharacterSource& source) {
   std::uint64_t hash = hash_of_bones(source.character->skeleton);
   for (const std::string& name : source.clip_names) hash = chained(hash, name);
   for (const anim::BakedClip& clip : source.character->clips) {
-    hash = anim::chain_hash(hash, static_cast<std::uint64_t>(clip.duration));
+    hash = anim::chain_hash(hash, static_cast<std::uint64_t>(clip.duration.count()));
   }
   return hex_string(hash);
 }

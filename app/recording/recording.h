@@ -109,7 +109,7 @@ using RecordedRequest = std::variant<Tuning, RecordedSelection, RecordedPush, Re
                                      RecordedRewind, RecordedBoneOrder, RecordedCharacters, RecordedShare, RecordedRig>;
 
 struct RecordedFrame {
-  anim::Ticks delta = 0;  ///< 0 while paused
+  anim::Ticks delta{};  ///< 0 while paused
   LodView view;
   std::uint64_t pose_hash = 0;
 };

@@ -98,7 +98,7 @@ void RecordingWriter::add(const RecordedRig& rig) {
 
 void RecordingWriter::add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes) {
   const render::Camera& camera = frame.view.camera;
-  append_number(payload_, std::int64_t{frame.delta});
+  append_number(payload_, frame.delta.count());
   for (int axis = 0; axis < 3; ++axis) append_number(payload_, camera.position[axis]);
   for (const float angle : {camera.yaw, camera.pitch, camera.vertical_view}) append_number(payload_, angle);
   append_number(payload_, static_cast<std::uint32_t>(frame.view.width));

@@ -78,7 +78,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks) {
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    play(agent, crowd_->clips()[agent], 0, static_cast<double>(crowd_->start_phases()[agent]));
+    play(agent, crowd_->clips()[agent], anim::Ticks{}, static_cast<double>(crowd_->start_phases()[agent]));
   }
   if (tuning.scene == Scene::film) {
     cut_scene_ = std::make_unique<CutScene>(*system_, *crowd_, characters_, film_camera_);
@@ -94,7 +94,7 @@ void AnimatedCrowd::move(anim::Ticks delta) {
   if (event_sums_) event_sums_->add_places(*crowd_);
   for (const ClipRequest& request : requests) change_clip(request);
   match_playback();
-  if (cut_scene_ && delta > 0) cut_scene_->advance();
+  if (cut_scene_ && delta > anim::Ticks{}) cut_scene_->advance();
 }
 
 // Agents that walk go at their own pace from frame to frame, and their feet with them.
@@ -125,7 +125,8 @@ void AnimatedCrowd::play(std::uint32_t agent, int clip, anim::Ticks fade, double
       {.clip = index,
        .fade = fade,
        .speed = plays ? static_cast<double>(played_speeds_[agent]) : 0.0,
-       .start = plays ? static_cast<anim::Ticks>(start_phase * static_cast<double>(duration)) : 0});
+       .start = plays ? anim::Ticks{static_cast<std::int64_t>(start_phase * static_cast<double>(duration.count()))}
+                      : anim::Ticks{}});
 }
 
 void AnimatedCrowd::change_clip(std::uint32_t agent, int clip, anim::Ticks fade) {

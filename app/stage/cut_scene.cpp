@@ -48,18 +48,18 @@ void CutScene::begin(Act act) {
     case Act::before:
       break;
     case Act::walk_on: {
-      play(camera_.number, 0, 0, false, origin);
-      if (has_balloon()) play(balloon_agent, carried, 0, true, origin);
+      play(camera_.number, 0, {}, false, origin);
+      if (has_balloon()) play(balloon_agent, carried, {}, true, origin);
       const anim::AbsoluteRoot start{.position = {0.0, 0.0, -walk_on_seconds * actor_->walk_speed}};
       const int walk = actor_->clip(Role::walk);
-      if (actor_->can_walk()) play(actor, walk, 0, true, start);
+      if (actor_->can_walk()) play(actor, walk, {}, true, start);
       break;
     }
     case Act::let_go:
       play_role(Role::stand, soon);
       break;
     case Act::wave:
-      if (has_balloon()) play(balloon_agent, rise, 0, false, root_of(actor));
+      if (has_balloon()) play(balloon_agent, rise, {}, false, root_of(actor));
       play_role(Role::wave, soon);
       break;
   }

@@ -28,7 +28,7 @@ class CutScene {
 
   /// A place in the script.
   struct Moment {
-    anim::Ticks begun = 0;
+    anim::Ticks begun{};
     std::uint8_t act = 0;
   };
   Moment moment() const { return {begun_, static_cast<std::uint8_t>(act_)}; }

@@ -27,7 +27,8 @@ void EventSums::add_events(const anim::AnimationSystem& system, anim::Ticks befo
       if (event.weight <= least_weight) return;
       ++events_;
       const std::uint64_t what = std::uint64_t{event.name} << 32U | event.clip;
-      hashes_[agent] = anim::chain_hash(anim::chain_hash(hashes_[agent], what), static_cast<std::uint64_t>(event.time));
+      hashes_[agent] =
+          anim::chain_hash(anim::chain_hash(hashes_[agent], what), static_cast<std::uint64_t>(event.time.count()));
     });
   }
 }

@@ -21,7 +21,7 @@ class FallenAgents {
   using Phase = anim::RagdollProcess::Phase;
   struct Fallen {
     std::uint32_t agent = 0;
-    anim::Ticks pushed_at = 0;
+    anim::Ticks pushed_at{};
     anim::Ticks rests_since = anim::never;
   };
 

@@ -31,7 +31,7 @@ std::uint32_t microseconds(anim::Ticks ticks) {
 }  // namespace
 
 void Stage::move(anim::Ticks delta) {
-  moving_ = delta > 0;
+  moving_ = delta > anim::Ticks{};
   animated_->move(delta);
 }
 
@@ -47,7 +47,7 @@ anim::LodRequest Stage::lod_request(const render::Camera& camera, const glm::vec
           .force = lod_force(tuning_.inspection, selected_),
           .selected = selected_,
           .now = system().clock(),
-          .frame_step = moving_ ? frame_step : 0};
+          .frame_step = moving_ ? frame_step : anim::Ticks{}};
 }
 
 void Stage::pose(const render::Camera& camera, int width, int height, anim::Ticks frame_step,
@@ -67,7 +67,7 @@ void Stage::pose(const render::Camera& camera, int width, int height, anim::Tick
   for (anim::AgentUpdate& update : lod_.updates()) {
     const std::uint32_t agent = update.agent.number;
     const bool visible = lod_.is_visible(agent);
-    const bool ahead = update.look_ahead > 0;
+    const bool ahead = update.look_ahead > anim::Ticks{};
     place_feet(update, visible && !ahead);
     if (!visible) continue;
     show(update, last_frame);

@@ -35,7 +35,7 @@ void AnimatedCrowd::hold_clip(std::uint32_t agent, float seconds) {
   if (held_clip_->clip == no_clip) return;
   held_clip_->seconds = std::clamp(seconds, 0.0F, clip_seconds(agent));
   system_->agent(agent).play({.clip = held_clip_->clip,
-                              .fade = 0,
+                              .fade = {},
                               .speed = 0.0,
                               .start = anim::to_ticks(static_cast<double>(held_clip_->seconds))});
   lod_->make_due(agent);

@@ -15,7 +15,7 @@ namespace throng::app {
 /// All of a stage that changes as time passes; its memory is used again when it is filled again.
 struct StageMoment {
   std::uint64_t crowd_number = 0;  ///< AnimatedCrowd::number; the moment cannot be put back into another crowd
-  anim::Ticks clock = 0;
+  anim::Ticks clock{};
   anim::SystemSnapshot system;
   CrowdMoment crowd;
   std::optional<CutScene::Moment> cut_scene;

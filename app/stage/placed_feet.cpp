@@ -57,7 +57,7 @@ bool PlacedFeet::give(std::uint32_t agent, bool is_shown) {
   if (feet.process.valid()) return true;
   std::unique_ptr<Process> process = make(character);
   *process = Process(*kinds_[character]);
-  process->set_weight(1.0F, is_shown ? fade : 0);
+  process->set_weight(1.0F, is_shown ? fade : anim::Ticks{});
   const anim::Result<anim::ProcessId> added = system_->agent(agent).add_post_process(std::move(process));
   if (!added) {
     kinds_[character].reset();
@@ -76,7 +76,7 @@ void PlacedFeet::place(const Crowd& crowd, std::uint32_t agent, bool is_shown) {
         const anim::JointMotion placement = placement_of(crowd, agent);
         feet.set_placement(placement);
         feet.set_ground({.place = placement.position});  // the tier of a stadium that it stands on
-        if (begins) feet.set_weight(1.0F, is_shown ? fade : 0);
+        if (begins) feet.set_weight(1.0F, is_shown ? fade : anim::Ticks{});
       });
   assert(placed && "the graph is as large as it was");
 }

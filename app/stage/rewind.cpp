@@ -26,7 +26,7 @@ anim::Status Rewind::go_back(Stage& stage) {
 }
 
 anim::Ticks Rewind::age(const Stage& stage) const {
-  return moments_.empty() ? 0 : stage.system().clock() - moments_.back()->clock;
+  return moments_.empty() ? anim::Ticks{} : stage.system().clock() - moments_.back()->clock;
 }
 
 }  // namespace throng::app

@@ -118,7 +118,7 @@ class Crowd {
         palettes_(static_cast<std::size_t>(characters * palette_lines)) {
     std::mt19937 random(1);
     for (int i = 0; i < characters; ++i) {
-      const auto time = [&] { return static_cast<Ticks>(random()) % ticks_per_second; };
+      const auto time = [&] { return Ticks{static_cast<std::int64_t>(random())} % ticks_per_second; };
       characters_.push_back({time(), time(), static_cast<float>(random() % 1000U) * 1e-3F});
     }
   }
@@ -220,7 +220,7 @@ class Workbench {
     for (int lane = 0; lane < widest_strip; ++lane) {
       const Ticks time = ticks_per_second * lane / widest_strip;
       clips_[lane] = {&as_stream(stream_), locate(as_stream(stream_), time)};
-      blended_[lane] = {&as_stream(stream_), locate(as_stream(stream_), ticks_per_second - 1 - time)};
+      blended_[lane] = {&as_stream(stream_), locate(as_stream(stream_), ticks_per_second - Ticks{1} - time)};
       shown_[lane] = {&clips_[lane], blended ? &blended_[lane] : nullptr, 0.3F};
     }
     return {.characters = shown_, .local = local_.front().floats};
@@ -240,7 +240,7 @@ class Workbench {
   }
 
  private:
-  NoiseMoment noise_moment_ = noise_moment(1, noise_at(12345678, 3.0F), 0.02F);
+  NoiseMoment noise_moment_ = noise_moment(1, noise_at(Ticks{12345678}, 3.0F), 0.02F);
   ShakenBones shaken_;
   HierarchyProgram program_ = compile_hierarchy(branching_skeleton());
   Lines stream_ = stream_of(turning_rows(1.0));

@@ -186,7 +186,7 @@ void keyframe_player(benchmark::State& state) {
   const AlignedBytes interpolations = allocate_aligned(size);
   const PoseView pose = person.bind_pose();
   KeyframeCursor cursor;
-  Ticks time = 0;
+  Ticks time{};
   for ([[maybe_unused]] const auto& round : state) {
     time = (time + ticks_per_second / 60) % clip.duration;
     advance_keyframes(clip.keyframe(), time, cursor, {interpolations.get(), size});

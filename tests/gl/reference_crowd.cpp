@@ -100,7 +100,7 @@ std::vector<glm::dmat4> ReferenceCrowd::palette(std::uint32_t agent, const PoseM
     if (play.asked > moment.evaluated) break;
     std::vector<anim::StateTransform> next = locals_of(play, moment);
     const double faded =
-        play.fade == 0 ? 1.0 : anim::to_seconds(moment.time - play.asked) / anim::to_seconds(play.fade);
+        play.fade == anim::Ticks{} ? 1.0 : anim::to_seconds(moment.time - play.asked) / anim::to_seconds(play.fade);
     if (faded < 1.0) {
       for (std::size_t bone = 0; bone < next.size(); ++bone) {
         next[bone] = blended(locals[bone], next[bone], eased(faded));

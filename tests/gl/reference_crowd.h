@@ -16,8 +16,8 @@ namespace throng::app::test {
 /// The moment at which a palette was evaluated, and the moment whose pose it is. Requests that an agent gets in between
 /// do not show in it.
 struct PoseMoment {
-  anim::Ticks evaluated = 0;
-  anim::Ticks time = 0;  ///< `evaluated` or later
+  anim::Ticks evaluated{};
+  anim::Ticks time{};  ///< `evaluated` or later
   /// The coarser level on the way. The bones that it lacks have come `faded`, 0 to 1, towards their rest.
   std::size_t fade_level = 0;
   double faded = 0.0;
@@ -47,14 +47,14 @@ class ReferenceCrowd {
  private:
   /// A time during which a clip plays at one speed.
   struct Stretch {
-    anim::Ticks since = 0;
+    anim::Ticks since{};
     double position = 0.0;  ///< seconds into the clip at its start, loops included
     double speed = 1.0;
   };
   struct Play {
-    anim::Ticks asked = 0;
+    anim::Ticks asked{};
     std::size_t clip = 0;
-    anim::Ticks fade = 0;
+    anim::Ticks fade{};
     std::vector<Stretch> stretches;  // oldest first; never empty
   };
 
@@ -65,7 +65,7 @@ class ReferenceCrowd {
   const CharacterSource& character_;
   std::vector<anim::Clip> clips_;
   Crowd crowd_;
-  anim::Ticks clock_ = 0;
+  anim::Ticks clock_{};
   std::vector<std::vector<Play>> plays_;  // [agent], oldest first
 };
 

@@ -25,8 +25,8 @@ std::vector<BenchAgent> bench_agents(const anim::Character& character, int agent
   const auto random = [&generator] { return static_cast<std::uint32_t>(generator()); };
   const auto clip_count = static_cast<std::uint32_t>(character.clips.size());
   const auto start_in = [&](std::uint32_t clip) {
-    const anim::Ticks duration = std::max<anim::Ticks>(character.clips[clip].duration, 1);
-    return static_cast<anim::Ticks>(random() % static_cast<std::uint64_t>(duration));
+    const anim::Ticks duration = std::max(character.clips[clip].duration, anim::Ticks{1});
+    return anim::Ticks{static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(duration.count()))};
   };
   std::vector<BenchAgent> result;
   for (int i = 0; i < agents; ++i) {
@@ -104,7 +104,7 @@ KernelSubject::KernelSubject(const anim::Character& character, const anim::Kerne
 
 void KernelSubject::run() {
   for (std::size_t clip = 0; clip < clocks_.size(); ++clip) {
-    clocks_[clip] = (clocks_[clip] + frame_step) % std::max<anim::Ticks>(character_->clips[clip].duration, 1);
+    clocks_[clip] = (clocks_[clip] + frame_step) % std::max(character_->clips[clip].duration, anim::Ticks{1});
   }
   for (std::size_t first = 0; first < agents_.size(); first += anim::widest_strip) {
     run_strip(agents_.subspan(first, std::min<std::size_t>(anim::widest_strip, agents_.size() - first)), first);

@@ -98,7 +98,7 @@ std::vector<BenchAgent> paper_agents(const anim::Character& character) {
     agents.push_back({.from_clip = static_cast<int>(clip),
                       .to_clip = BenchAgent::none,
                       .from_start = character.clips[clip].duration * i / paper_skeletons,
-                      .to_start = 0,
+                      .to_start = {},
                       .fraction = 0});
   }
   return agents;

@@ -64,7 +64,7 @@ bool Agent::play(const PlayRequest& request) {
   const bool taken = channel->play(build, request);
   if (settle([&] { return own_graphs().rebuild(build, index()); })) return taken;
   PlayRequest at_once = request;
-  at_once.fade = 0;
+  at_once.fade = Ticks{};
   at_once.held_fraction.reset();
   at_once.mask = PlayRequest::no_mask;
   channel->play(build, at_once);

@@ -13,7 +13,7 @@ namespace {
 /// Returns the time within a clip at an unwrapped position.
 Ticks time_within(Ticks duration, bool looping, FineTicks position) {
   const FineTicks length = duration * fine_ticks_per_tick;
-  if (length <= 0) return 0;
+  if (length <= 0) return Ticks{};
   const FineTicks in_clip =
       looping ? position - whole_loops(position, length) * length : std::clamp<FineTicks>(position, 0, length);
   return in_clip / fine_ticks_per_tick;
@@ -25,15 +25,15 @@ PoseWeights AgentMotion::weights(Ticks at) const { return sharing(at).weights(Po
 
 FineTicks AgentMotion::position(const Player& player, Ticks at) const {
   const Ticks since = at - posed_at_ + player.state.delta_time;
-  return unwrapped_position(player, clips_[player.clip].duration) + since * player.speed;
+  return unwrapped_position(player, clips_[player.clip].duration) + distance(since, player.speed);
 }
 
 // A gait in step moves as the leader does, evenly, and not from foot to foot as its pose does.
 FineTicks AgentMotion::place_on_root_curve(std::size_t step, Ticks at) const {
   const std::optional<std::size_t> leader = leader_of(step);
   if (!leader) return position(player(step), at);
-  const auto own = static_cast<double>(clips_[player(step).clip].duration);
-  const auto leading = static_cast<double>(clips_[player(*leader).clip].duration);
+  const double own = to_seconds(clips_[player(step).clip].duration);
+  const double leading = to_seconds(clips_[player(*leader).clip].duration);
   return std::llround(static_cast<double>(position(player(*leader), at)) * (own / leading));
 }
 
@@ -65,9 +65,9 @@ RootMotion AgentMotion::displacement(Ticks from, Ticks to) const {
 
 RootMotion AgentMotion::blended_turn(const PoseWeights& shares, Ticks from, Ticks to, double most_turn) const {
   constexpr double turn_a_step = 0.5;  // radians
-  const auto steps = static_cast<Ticks>(std::clamp(std::ceil(most_turn / turn_a_step), 1.0, 1024.0));
+  const auto steps = static_cast<std::int64_t>(std::clamp(std::ceil(most_turn / turn_a_step), 1.0, 1024.0));
   RootMotion whole;
-  for (Ticks i = 0; i < steps; ++i) {
+  for (std::int64_t i = 0; i < steps; ++i) {
     const Ticks begin = from + (to - from) * i / steps, end = from + (to - from) * (i + 1) / steps;
     RootVelocity blend;
     for_each_player([&](std::size_t step, const Player&, const ClipStreams&) {

@@ -36,7 +36,7 @@ bool CrossFadeChannel::play(const EntityBuilder& build, const PlayRequest& reque
   end_fades(build);
   end_interruption(build);
   const bool full = tree_.player_count() == BlendTree::max_players;
-  if (tree_.count == 0 || (request.fade <= 0 && !stays(request))) {
+  if (tree_.count == 0 || (request.fade <= Ticks{} && !stays(request))) {
     cut(build, request);
   } else if (stays(request)) {
     if (full) return false;
@@ -129,7 +129,7 @@ bool CrossFadeChannel::is_fading(Ticks now) const {
 }
 
 Ticks CrossFadeChannel::next_update() const {
-  if (inertialiser_.valid()) return 0;
+  if (inertialiser_.valid()) return Ticks{};
   Ticks next = never;
   for (std::size_t i = 1; i < tree_.player_count(); ++i) next = std::min(next, fade_end_[i]);
   return next;
@@ -146,7 +146,7 @@ void CrossFadeChannel::destroy_entities(const EntityBuilder& build) {
   destroy(build, left_);
   if (inertialiser_.valid()) build.destroy(inertialiser_);
   inertialiser_ = {};
-  settled_at_ = 0;
+  settled_at_ = Ticks{};
 }
 
 }  // namespace throng::anim

@@ -12,9 +12,9 @@ namespace throng::anim {
 /// "Play this clip", as a user of the system says it (paper 2.1.2).
 struct PlayRequest {
   int clip = 0;        ///< index into the character's clips
-  Ticks fade = 0;      ///< eases in from what plays now; 0 replaces it at once (on the masked bones)
+  Ticks fade{};        ///< eases in from what plays now; 0 replaces it at once (on the masked bones)
   double speed = 1.0;  ///< multiple of the clip's own speed; negative: backwards
-  Ticks start = 0;     ///< position in the clip, 0 to its duration
+  Ticks start{};       ///< position in the clip, 0 to its duration
   bool loop = true;
   std::optional<float> held_fraction = std::nullopt;  ///< instead of fading: blend for good, this much of the new clip
   /// The number that `Characters::add_mask` returned. The clip is laid over what plays now, on the masked bones, and
@@ -78,7 +78,7 @@ class CrossFadeChannel final : public Channel {
   std::array<Ticks, BlendTree::max_players> fade_end_{};  // [i] the end of the blender over player i; [0] unused
   BlendTree left_;                                        // the tree that the inertialiser is leaving
   Handle inertialiser_;
-  Ticks settled_at_ = 0;  // when the newest interruption settles, by the clock, so it does not depend on who was posed
+  Ticks settled_at_{};  // when the newest interruption settles, by the clock, so it does not depend on who was posed
 };
 
 }  // namespace throng::anim

@@ -108,7 +108,7 @@ Handle EntityBuilder::ease(Handle from, Handle to, Ticks total, int mask) const 
 }
 
 Handle EntityBuilder::hold(Handle from, Handle to, float fraction, int mask) const {
-  const Handle handle = ease(from, to, 0, mask);
+  const Handle handle = ease(from, to, Ticks{}, mask);
   if (!handle.valid()) return handle;
   auto& blender = as<EaseBlender>(handle);
   blender.flags = EaseBlender::held;
@@ -117,11 +117,11 @@ Handle EntityBuilder::hold(Handle from, Handle to, float fraction, int mask) con
 }
 
 void EntityBuilder::seek(Handle player, FineTicks position) const {
-  as<Player>(player).position = position + lead() * as<Player>(player).speed;
+  as<Player>(player).position = position + lead().count() * as<Player>(player).speed;
 }
 
 FineTicks EntityBuilder::position(Handle player) const {
-  return as<Player>(player).position - lead() * as<Player>(player).speed;
+  return as<Player>(player).position - lead().count() * as<Player>(player).speed;
 }
 
 void EntityBuilder::set_speed(Handle player, double speed) const {

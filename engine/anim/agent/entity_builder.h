@@ -16,7 +16,7 @@ namespace throng::anim {
 struct PlayerStart {
   int clip = 0;        ///< index into the character's clips
   double speed = 1.0;  ///< multiple of the clip's own speed; negative: backwards
-  Ticks start = 0;     ///< position in the clip, 0 to its duration
+  Ticks start{};       ///< position in the clip, 0 to its duration
   bool loop = true;
   std::optional<AbsoluteRoot> absolute_root = std::nullopt;  ///< the root of a cut scene
   std::uint32_t bone_selection = Player::every_bone;  ///< the number that `Characters::add_bone_selection` returned
@@ -31,8 +31,8 @@ class EntityBuilder {
  public:
   struct About {
     std::uint32_t owner = 0;  ///< the agent; with the bit shared_owner, all agents may read what is made
-    Ticks now = 0;            ///< the clock
-    Ticks posed_at = 0;       ///< the time at which the agent's entities stand
+    Ticks now{};              ///< the clock
+    Ticks posed_at{};         ///< the time at which the agent's entities stand
     StreamKind stream = StreamKind::sampled;
     std::size_t masks = 0;       ///< how many the character has
     std::size_t selections = 0;  ///< how many the character has

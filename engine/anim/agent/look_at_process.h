@@ -16,7 +16,7 @@ class LookAtProcess final : public WeightedProcess<LookAtEntity> {
   /// head turns.
   void set_target(const glm::vec3& target) { target_ = target; }
   /// Sets the target, and fades to the full weight if it looked away.
-  void look_at(const glm::vec3& target, Ticks fade = 0) {
+  void look_at(const glm::vec3& target, Ticks fade = {}) {
     set_target(target);
     if (!std::exchange(looks_, true)) set_weight(1.0F, fade);
   }

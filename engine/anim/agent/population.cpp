@@ -149,8 +149,8 @@ EntityBuilder Population::shared_builder(CharacterAgents& character, std::uint32
 
 void Population::restart() {
   assert(count() == 0 && "agents stand at times of the old clock");
-  clock_ = 0;
-  shared_posed_at_ = 0;
+  clock_ = Ticks{};
+  shared_posed_at_ = Ticks{};
 }
 
 void Population::snapshot(PopulationSnapshot& into) const {

@@ -36,8 +36,8 @@ struct PopulationSnapshot {
   std::vector<std::uint32_t> free;
   AgentOrder order;
   std::vector<Ticks> posed_at;
-  Ticks clock = 0;
-  Ticks shared_posed_at = 0;
+  Ticks clock{};
+  Ticks shared_posed_at{};
 
   std::size_t bytes() const;
   /// Widens the demand to what these graphs ask of the local stores.
@@ -118,8 +118,8 @@ class Population {
   AgentOrder order_;
   bool some_in_order_died_ = false;
   std::vector<Ticks> posed_at_;  // [agent] the time at which its entities stand
-  Ticks clock_ = 0;
-  Ticks shared_posed_at_ = 0;
+  Ticks clock_{};
+  Ticks shared_posed_at_{};
   StreamKind stream_ = StreamKind::sampled;  // the stream of new players
   Residency residency_ = Residency::transient;
 };

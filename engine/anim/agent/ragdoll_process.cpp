@@ -42,8 +42,9 @@ bool RagdollProcess::take_push(const EntityBuilder& build) {
 // Easing is symmetric: what is left of one way is what is done of the other.
 void RagdollProcess::turn_round(const EntityBuilder& build, Phase phase, Ticks fade) {
   auto& blender = build.as<EaseBlender>(blender_);
-  const auto elapsed = static_cast<double>(blender.elapsed - build.lead());
-  const double done = blender.total > 0 ? std::clamp(elapsed / static_cast<double>(blender.total), 0.0, 1.0) : 1.0;
+  const auto elapsed = static_cast<double>((blender.elapsed - build.lead()).count());
+  const double done =
+      blender.total > Ticks{} ? std::clamp(elapsed / static_cast<double>(blender.total.count()), 0.0, 1.0) : 1.0;
   const Ticks ahead = to_ticks((1.0 - done) * to_seconds(fade));
   blender.elapsed = build.lead() + ahead;
   blender.total = fade;
@@ -57,7 +58,7 @@ bool RagdollProcess::update(const EntityBuilder& build) {
     build.as<RagdollEntity>(ragdoll_).source = {};
     auto& blender = build.as<EaseBlender>(blender_);
     blender.flags = 0;
-    blender.elapsed = 0;  // from the pose in which it was let go
+    blender.elapsed = Ticks{};  // from the pose in which it was let go
     blender.total = fade_;
     phase_ = Phase::down;
     return true;
@@ -74,7 +75,7 @@ bool RagdollProcess::update(const EntityBuilder& build) {
 }
 
 Ticks RagdollProcess::next_update() const {
-  if (phase_ == Phase::letting_go || (phase_ == Phase::down && recovers_)) return 0;
+  if (phase_ == Phase::letting_go || (phase_ == Phase::down && recovers_)) return Ticks{};
   return phase_ == Phase::recovering ? fade_end_ : never;
 }
 

@@ -60,12 +60,12 @@ class RagdollProcess final : public PostProcess {
   glm::vec3 place_{0.0F};
   bool pushed_ = false;
   bool recovers_ = false;
-  Ticks recovery_ = 0;
+  Ticks recovery_{};
 
   Phase phase_ = Phase::standing;
   Handle ragdoll_;
   Handle blender_;  // between the animation and the rag-doll
-  Ticks fade_end_ = 0;
+  Ticks fade_end_{};
 };
 
 }  // namespace throng::anim

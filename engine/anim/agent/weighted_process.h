@@ -14,7 +14,7 @@ class WeightedProcess : public OneEntityProcess<Entity> {
  public:
   /// Sets the weight, and fades to it from where it is. The pose is left as it is, to the bit, at 0; the process has
   /// its full effect at 1.
-  void set_weight(float weight, Ticks fade = 0) {
+  void set_weight(float weight, Ticks fade = {}) {
     weight_ = weight;
     fade_ = fade;
     fades_ = true;
@@ -52,7 +52,7 @@ class WeightedProcess : public OneEntityProcess<Entity> {
   }
 
   float weight_;
-  Ticks fade_ = 0;
+  Ticks fade_{};
   bool fades_ = false;
 };
 

@@ -25,7 +25,7 @@ bool holds_feet_of(const FootPlacementEntity& feet, Ticks ahead) {
 bool can_pose_exactly(const Population& population, std::uint32_t agent) {
   const Ticks ahead = population.posed_at(agent) - population.clock();
   const EntityPools& pools = population.character_of(agent).pools;
-  return ahead <= 0 || std::ranges::none_of(population.graph(agent).entities, [&](Handle entity) {
+  return ahead <= Ticks{} || std::ranges::none_of(population.graph(agent).entities, [&](Handle entity) {
            switch (pools.state(entity).type) {
              case EntityType::inertialiser:
                return has_no_offset_of(pools.as<Inertialiser>(entity), ahead);
@@ -40,7 +40,7 @@ bool can_pose_exactly(const Population& population, std::uint32_t agent) {
 bool can_wind_back(const Population& population, std::uint32_t agent) {
   const Ticks ahead = population.posed_at(agent) - population.clock();
   const EntityPools& pools = population.character_of(agent).pools;
-  return ahead <= 0 || std::ranges::none_of(population.graph(agent).entities, [&](Handle entity) {
+  return ahead <= Ticks{} || std::ranges::none_of(population.graph(agent).entities, [&](Handle entity) {
            switch (pools.state(entity).type) {
              case EntityType::foot_placement:
                return holds_feet_of(pools.as<FootPlacementEntity>(entity), ahead);

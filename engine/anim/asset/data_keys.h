@@ -10,7 +10,7 @@ namespace throng::anim {
 
 /// A named moment of a clip for game play: a foot lands, a hand lets go (paper 2.2.2).
 struct DataKey {
-  Ticks time = 0;          ///< from 0 to the clip's duration
+  Ticks time{};            ///< from 0 to the clip's duration
   std::uint32_t name = 0;  ///< index into Character::data_key_names
 };
 
@@ -49,7 +49,7 @@ void for_each_data_key(std::span<const DataKey> keys, Ticks duration, bool loopi
     from = held(from);
     to = held(to);
   }
-  if (keys.empty() || duration <= 0 || from == to) return;
+  if (keys.empty() || duration <= Ticks{} || from == to) return;
   const bool forward = from < to;
   const FineTicks low = forward ? from : to;
   const FineTicks high = forward ? to : from;

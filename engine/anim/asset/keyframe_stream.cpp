@@ -23,7 +23,7 @@ struct PendingEvent {
 
 int choose_time_shift(Ticks duration) {
   int shift = 0;
-  while ((duration >> shift) > INT32_MAX / 2) ++shift;
+  while ((duration.count() >> shift) > INT32_MAX / 2) ++shift;
   return shift;
 }
 
@@ -31,7 +31,7 @@ int choose_time_shift(Ticks duration) {
 /// is empty.
 std::vector<std::int32_t> unit_times(const StateTrack& track, int time_shift) {
   std::vector<std::int32_t> units;
-  for (const StateKey& key : track.keys) units.push_back(static_cast<std::int32_t>(key.time >> time_shift));
+  for (const StateKey& key : track.keys) units.push_back(static_cast<std::int32_t>(key.time.count() >> time_shift));
   for (std::size_t k = units.size() - 1; k > 0; --k) units[k - 1] = std::min(units[k - 1], units[k] - 1);
   return units;
 }

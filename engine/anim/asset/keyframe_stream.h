@@ -64,7 +64,7 @@ struct alignas(64) KeyframeStream {
   std::uint32_t seek_points_offset;
   std::uint32_t values_offsets[key_channels];
 
-  std::int32_t time_units(Ticks time) const { return static_cast<std::int32_t>(time >> time_shift); }
+  std::int32_t time_units(Ticks time) const { return static_cast<std::int32_t>(time.count() >> time_shift); }
   const float* constants(int packet) const {
     return at<float>(constants_offset) + static_cast<std::ptrdiff_t>(packet) * components * packet_bones;
   }

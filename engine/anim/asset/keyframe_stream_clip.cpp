@@ -186,9 +186,9 @@ StateTrack& position_track(StateClip& clip, int bone) {
 
 /// Adds keys at both ends of the clip where the nearest key held, so that the track covers the whole line.
 void cover(StateTrack& track, Ticks duration) {
-  if (StateKey& first = track.keys.front(); first.time > 0) {
+  if (StateKey& first = track.keys.front(); first.time > Ticks{}) {
     first.in_tangent = glm::dvec4(0.0);
-    const StateKey held{.time = 0, .value = first.value};
+    const StateKey held{.time = Ticks{}, .value = first.value};
     track.keys.insert(track.keys.begin(), held);
   }
   if (StateKey& last = track.keys.back(); last.time < duration) {
@@ -214,7 +214,7 @@ StateClip to_state_space(const Skeleton& skeleton, const Clip& clip, double star
 }
 
 void subtract_drift(StateClip& clip, int bone, const glm::dvec3& drift) {
-  assert(clip.duration > 0);
+  assert(clip.duration > Ticks{});
   StateTrack& track = position_track(clip, bone);
   assert(track.interpolation != Interpolation::step);
   cover(track, clip.duration);

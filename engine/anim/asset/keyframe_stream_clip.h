@@ -13,7 +13,7 @@ namespace throng::anim {
 
 /// A key in state space. Positions and scales leave w at 0. Tangents are per second and belong to CUBICSPLINE only.
 struct StateKey {
-  Ticks time = 0;
+  Ticks time{};
   glm::dvec4 value{0.0};
   glm::dvec4 in_tangent{0.0};
   glm::dvec4 out_tangent{0.0};
@@ -31,7 +31,7 @@ struct StateTrack {
 /// map, so it makes no difference whether values are interpolated before or after.
 struct StateClip {
   double start = 0.0;  ///< seconds, the file's time at time 0
-  Ticks duration = 0;
+  Ticks duration{};
   int components = rigid_components;
   std::vector<StateTransform> constants;  ///< one a bone: the values that hold where nothing moves; rotations unit
   std::vector<StateTrack> tracks;         ///< by bone, then channel

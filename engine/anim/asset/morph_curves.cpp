@@ -73,7 +73,8 @@ RowShares shares_at(const MorphCurve& curve, Ticks time) {
   if (next == 0 || next == curve.times.size() || curve.interpolation == Interpolation::step) return shares;
   shares.to = next * rows + middle;
   const Ticks length = curve.times[next] - curve.times[key];
-  const auto u = static_cast<float>(static_cast<double>(time - curve.times[key]) / static_cast<double>(length));
+  const auto u =
+      static_cast<float>(static_cast<double>((time - curve.times[key]).count()) / static_cast<double>(length.count()));
   shares.to_share = cubic ? u * u * (3.0F - 2.0F * u) : u;
   shares.from_share = 1.0F - shares.to_share;
   if (!cubic) return shares;

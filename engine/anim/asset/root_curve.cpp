@@ -93,7 +93,7 @@ RootVelocity steady_velocity(const RootMotion& motion, double seconds) {
 
 RootCurve straight_root_curve(Ticks duration, const glm::dvec3& translation) {
   RootCurve curve{.duration = duration, .keys = {}};
-  if (duration <= 0 || translation == glm::dvec3(0.0)) return curve;
+  if (duration <= Ticks{} || translation == glm::dvec3(0.0)) return curve;
   curve.keys = {RootKey{}, RootKey{.time = duration, .x = translation.x, .y = translation.y, .z = translation.z}};
   return curve;
 }

@@ -33,7 +33,7 @@ RootVelocity steady_velocity(const RootMotion& motion, double seconds);
 
 /// The place and direction that the root has reached since the clip's start, in model space.
 struct RootKey {
-  Ticks time = 0;
+  Ticks time{};
   double x = 0.0;  ///< metres
   double y = 0.0;
   double z = 0.0;
@@ -43,7 +43,7 @@ struct RootKey {
 /// The motion that baking takes out of a clip's pose. It is steady between keys: a straight line, or an arc where the
 /// root turns, by less than a whole turn.
 struct RootCurve {
-  Ticks duration = 0;
+  Ticks duration{};
   std::vector<RootKey> keys;  ///< ascending; the first is all zero, the last at `duration`; empty: no motion
 };
 

@@ -235,7 +235,7 @@ void write_row(const Source& source, int row, std::span<const SampledPacket> pac
 
 std::uint64_t rows_per_tick(Ticks row_step) {
   constexpr std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
-  return row_step > 1 ? all / static_cast<std::uint64_t>(row_step) + 1 : all;
+  return row_step > Ticks{1} ? all / static_cast<std::uint64_t>(row_step.count()) + 1 : all;
 }
 
 }  // namespace

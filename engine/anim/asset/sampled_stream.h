@@ -14,8 +14,8 @@ namespace throng::anim {
 struct SampledRows {
   int bone_count = 0;
   int components = rigid_components;
-  Ticks first_row = 0;      ///< time of row 0, on the clip's key grid; at most 0 unless the clip's keys start late
-  Ticks row_step = 0;       ///< ticks between rows, > 0
+  Ticks first_row{};        ///< time of row 0, on the clip's key grid; at most 0 unless the clip's keys start late
+  Ticks row_step{};         ///< ticks between rows, > 0
   int row_count = 0;        ///< at least 1; times outside the rows show the nearest row
   std::vector<float> rows;  ///< [row][packet][component][16]; quaternions of neighbouring rows on one hemisphere
 };
@@ -106,7 +106,8 @@ struct SamplePoint {
 inline SamplePoint locate(const SampledStream& stream, Ticks time) {
   __extension__ using FixedPoint = unsigned __int128;  // 64 bits of whole rows, 64 of the fraction
   // A time before the first row wraps around and so lies far behind the last row.
-  const std::uint64_t ticks = static_cast<std::uint64_t>(time) - static_cast<std::uint64_t>(stream.first_row);
+  const std::uint64_t ticks =
+      static_cast<std::uint64_t>(time.count()) - static_cast<std::uint64_t>(stream.first_row.count());
   const FixedPoint rows = static_cast<FixedPoint>(ticks) * stream.rows_per_tick;
   const auto whole = static_cast<std::uint64_t>(rows >> 64U);
   const int last = stream.row_count - 1;

@@ -70,13 +70,13 @@ class PoseDistance {
 /// Finds out whether a clip loops. A clip whose last key stands one step before its first looks like a loop, but would
 /// hitch at the seam, so a note says that it does not loop. `grid` is given for clips that move smoothly.
 void find_loop(BakedClip& baked, const SampleSource& source, const std::optional<KeyGrid>& grid) {
-  if (baked.duration == 0) return;
+  if (baked.duration == Ticks{}) return;
   const double limit = closing_error * source.proxy.height / tall_person;
   PoseDistance distance(source);
-  const double gap = distance.between(0, baked.duration);
+  const double gap = distance.between(Ticks{}, baked.duration);
   baked.loops = gap <= limit;
   if (baked.loops || !grid || grid->step() > baked.duration) return;
-  const double first_step = distance.between(0, grid->step());
+  const double first_step = distance.between(Ticks{}, grid->step());
   const double last_step = distance.between(baked.duration - grid->step(), baked.duration);
   if (gap < 1.5 * std::max(first_step, last_step)) {
     add_note(baked, "does not loop: its last key stands one step before its first");
@@ -138,7 +138,7 @@ BakedClip bake_clip(const Skeleton& skeleton, const SurfaceProxy& proxy, const C
   const glm::dvec3 travel = straight_travel(baked.root_motion);
   const SampleSource source{skeleton, proxy, baked.keyframe(), travel, baked.error_bound - baked.keyframe_error, steps};
   find_loop(baked, source, steps.empty() ? grid : std::nullopt);
-  bake_sampled_stream(baked, source, state, grid, keys.empty() ? 0 : keys.back());
+  bake_sampled_stream(baked, source, state, grid, keys.empty() ? Ticks{} : keys.back());
   return baked;
 }
 
@@ -171,7 +171,7 @@ std::vector<NamedDataKey> data_keys_of(const Character& character, const Clip& c
 /// Data keys get the numbers of their names one clip after the other, so that no thread decides them.
 void add_data_keys(Character& character, BakedClip& baked, std::span<const NamedDataKey> keys) {
   for (const NamedDataKey& key : keys) {
-    const Ticks time = std::clamp<Ticks>(key_ticks(key.time), 0, baked.duration);
+    const Ticks time = std::clamp(key_ticks(key.time), Ticks{}, baked.duration);
     baked.data_keys.push_back({.time = time, .name = intern(character.data_key_names, key.name)});
   }
   std::ranges::stable_sort(baked.data_keys, {}, &DataKey::time);

@@ -23,7 +23,7 @@ const char* fault_of(const Character& character) {
 double ground_speed(const Character& character, int clip) {
   assert(clip >= 0 && clip < static_cast<int>(character.clips.size()));
   const BakedClip& baked = character.clips[static_cast<std::size_t>(clip)];
-  if (baked.duration <= 0) return 0.0;
+  if (baked.duration <= Ticks{}) return 0.0;
   if (baked.root_motion.keys.empty()) return baked.stance_speed;
   const RootVelocity velocity = root_velocity(baked.root_motion, 0);
   const double speed = std::hypot(velocity.linear.x, velocity.linear.z);

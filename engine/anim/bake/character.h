@@ -31,7 +31,7 @@ enum class StreamKind : unsigned char { sampled, keyframe };
 /// A clip that is ready to play: both streams, and the results of baking.
 struct BakedClip {
   std::string name;
-  Ticks duration = 0;
+  Ticks duration{};
   bool loops = false;                 ///< first and last pose agree, without root motion
   glm::dvec3 loop_displacement{0.0};  ///< where a loop's root motion leads: metres, in the space of its start
   RootCurve root_motion;              ///< taken out of the pose, which stands where the curve is at its time

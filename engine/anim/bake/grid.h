@@ -12,7 +12,7 @@ inline constexpr double highest_sample_rate = 120.0;
 
 /// The times first + n / rate, n = 0, 1, ...
 struct KeyGrid {
-  Ticks first = 0;
+  Ticks first{};
   double rate = 0.0;  ///< Hz, 1 to highest_sample_rate
 
   Ticks step() const { return to_ticks(1.0 / rate); }

@@ -93,7 +93,7 @@ glm::dvec3 origin_at(const Skeleton& skeleton, ExactPoses& poses, int bone, Tick
 glm::dvec3 travel_of(const Skeleton& skeleton, const StateClip& clip, int bone, double least) {
   const AlignedBytes block = pack_keyframe_stream(clip);
   ExactPoses poses(*reinterpret_cast<const KeyframeStream*>(block.get()));
-  glm::dvec3 travel = origin_at(skeleton, poses, bone, clip.duration) - origin_at(skeleton, poses, bone, 0);
+  glm::dvec3 travel = origin_at(skeleton, poses, bone, clip.duration) - origin_at(skeleton, poses, bone, Ticks{});
   travel.y = 0.0;
   return glm::length(travel) > least ? travel : glm::dvec3(0.0);
 }

@@ -12,7 +12,7 @@ namespace throng::anim {
 namespace {
 
 /// The most floats of a stream: half an hour of a character at 30 Hz. More would cost more memory than they are worth.
-constexpr Ticks most_floats = 1 << 25;
+constexpr std::int64_t most_floats = 1 << 25;
 
 /// Times the bound: rounding alone errs less, so other rounding cannot mend more.
 constexpr double hopeless = 4.0;
@@ -31,9 +31,9 @@ constexpr int close_probes = 16;
 /// The kernels round fractions between two rows, so that a pose may be early or late by so much of the way.
 constexpr double fraction_rounding = 0.5 / sample_fraction_one;
 
-Ticks floats_in_pose(const KeyframeStream& stream) {
+std::int64_t floats_in_pose(const KeyframeStream& stream) {
   const std::size_t floats = pose_bytes(stream.bone_count, stream.components) / sizeof(float);
-  return static_cast<Ticks>(floats);
+  return static_cast<std::int64_t>(floats);
 }
 
 SampledRows lay_out_rows(const SampleSource& source, const KeyGrid& grid, Ticks row_step, Ticks last_key) {
@@ -43,11 +43,11 @@ SampledRows lay_out_rows(const SampleSource& source, const KeyGrid& grid, Ticks 
   rows.row_step = row_step;
   rows.first_row = grid.first;
   const bool drifts = source.travel != glm::dvec3(0.0);
-  if (drifts && grid.first > 0) rows.first_row -= (grid.first + row_step - 1) / row_step * row_step;
+  if (drifts && grid.first > Ticks{}) rows.first_row -= (grid.first + row_step - Ticks{1}) / row_step * row_step;
   const Ticks end = drifts ? source.exact.duration : last_key;
   // A last step that is only the rounding of times does not count.
-  const Ticks steps = (end - rows.first_row + row_step - row_step / 64) / row_step;
-  rows.row_count = static_cast<int>(std::min<Ticks>(steps, INT32_MAX - 1)) + 1;
+  const std::int64_t steps = (end - rows.first_row + row_step - row_step / 64) / row_step;
+  rows.row_count = static_cast<int>(std::min<std::int64_t>(steps, INT32_MAX - 1)) + 1;
   return rows;
 }
 
@@ -69,7 +69,7 @@ void fill_rows(const SampleSource& source, SampledRows& rows) {
   ExactPoses exact(source.exact);
   for (int row = 0; row < rows.row_count; ++row) {
     const Ticks time = rows.first_row + row * rows.row_step;
-    const Ticks within = std::clamp<Ticks>(time, 0, source.exact.duration);
+    const Ticks within = std::clamp(time, Ticks{}, source.exact.duration);
     const std::span<float> pose = exact.at(within);
     const std::size_t start = rows.rows.size();
     rows.rows.insert(rows.rows.end(), pose.begin(), pose.end());
@@ -116,7 +116,7 @@ SampledStream& stream_of(const AlignedBytes& block) { return *reinterpret_cast<S
 /// Makes a stream with rotations rounded to the nearest, and with carried rounding if they are too far off.
 SampledBake encode(const SampleSource& source, SampledRows& rows) {
   SampledBake bake{.block = sample(source, rows),
-                   .rate = static_cast<double>(ticks_per_second) / static_cast<double>(rows.row_step)};
+                   .rate = static_cast<double>(ticks_per_second.count()) / static_cast<double>(rows.row_step.count())};
   bake.error =
       turns_too_far(rows) ? std::numeric_limits<double>::infinity() : measure_error(source, stream_of(bake.block));
   if (bake.error <= source.error_bound || bake.error > hopeless * source.error_bound) return bake;
@@ -138,7 +138,7 @@ class ErrorMeter {
         sampled_(source.skeleton.bones.size()) {}
 
   double at(Ticks time) {
-    const Ticks within = std::clamp<Ticks>(time, 0, stream_.duration);
+    const Ticks within = std::clamp(time, Ticks{}, stream_.duration);
     compute_frames(source_.skeleton, exact_.at(within), expected_);
     compute_frames(source_.skeleton, sampled_pose(within), sampled_);
     return largest_distance(source_.proxy, expected_, sampled_);
@@ -146,7 +146,7 @@ class ErrorMeter {
 
   /// Returns the distance that the exact surface moves from the time of the last call of this function.
   double motion_to(Ticks time) {
-    compute_frames(source_.skeleton, exact_.at(std::clamp<Ticks>(time, 0, stream_.duration)), expected_);
+    compute_frames(source_.skeleton, exact_.at(std::clamp(time, Ticks{}, stream_.duration)), expected_);
     const double motion = last_.empty() ? 0.0 : largest_distance(source_.proxy, last_, expected_);
     last_ = expected_;
     return motion;
@@ -154,7 +154,7 @@ class ErrorMeter {
 
   /// Measures at a part of the way from one row to the next.
   double behind(int row, double part) {
-    const auto between = static_cast<Ticks>(part * static_cast<double>(stream_.row_step));
+    const Ticks between{static_cast<std::int64_t>(part * static_cast<double>(stream_.row_step.count()))};
     return at(stream_.first_row + row * stream_.row_step + between);
   }
 
@@ -194,7 +194,7 @@ double measure_error(const SampleSource& source, const SampledStream& stream) {
     if (of_rows[static_cast<std::size_t>(row)] < near_largest * largest) continue;
     for (int i = 1; i < close_probes; ++i) error = std::max(error, meter.behind(row, i / double{close_probes}));
   }
-  const Ticks instant = Ticks{1} << source.exact.time_shift;
+  const Ticks instant = Ticks{std::int64_t{1} << source.exact.time_shift};
   for (const Ticks step : source.steps) error = std::max({error, meter.at(step - instant), meter.at(step)});
   return error + fraction_rounding * fastest;
 }

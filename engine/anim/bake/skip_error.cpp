@@ -53,7 +53,7 @@ class MovingSurface {
 
   void fill(Stretch& stretch, Ticks start) {
     ExactPoses poses(clip_.keyframe());
-    const bool repeats = clip_.loops && clip_.duration > 0;
+    const bool repeats = clip_.loops && clip_.duration > Ticks{};
     for (int index = 0; index < frames_a_stretch; ++index) {
       const Ticks time = start + to_ticks(index / frames_a_second);
       const Ticks within = repeats ? time % clip_.duration : std::min(time, clip_.duration);
@@ -102,7 +102,7 @@ SkipError measure(MovingSurface surface, std::size_t points, Ticks duration, std
   std::array<Errors, SkipError::spans.size()> errors;
   Stretch stretch(points);
   for (std::size_t i = 0; i < stretches; ++i) {
-    surface.fill(stretch, duration * static_cast<Ticks>(i) / static_cast<Ticks>(stretches));
+    surface.fill(stretch, duration * static_cast<std::int64_t>(i) / static_cast<std::int64_t>(stretches));
     for (std::size_t span = 0; span < errors.size(); ++span) errors[span].add(stretch, SkipError::spans[span]);
   }
   SkipError error;

@@ -34,7 +34,7 @@ double farthest_from_first(const StateTrack& track) {
 /// Returns the pose of the first keys, but with every bone as large as it ever is: what a small scale hides at first
 /// may turn when it is large.
 StateClip at_its_largest(const StateClip& clip) {
-  StateClip large{.duration = 0, .components = clip.components, .constants = clip.constants, .tracks = {}};
+  StateClip large{.duration = Ticks{}, .components = clip.components, .constants = clip.constants, .tracks = {}};
   for (const StateTrack& track : clip.tracks) {
     if (track.channel != KeyChannel::scale) continue;
     glm::dvec3& scale = large.constants[static_cast<std::size_t>(track.bone)].scale;
@@ -53,7 +53,7 @@ class Levers {
         reach_(skeleton.bones.size(), least_reach * proxy.height) {
     const AlignedBytes stream = pack_keyframe_stream(at_its_largest(clip));
     ExactPoses poses(*reinterpret_cast<const KeyframeStream*>(stream.get()));
-    compute_frames(skeleton, poses.at(0), frames_);
+    compute_frames(skeleton, poses.at(Ticks{}), frames_);
     for (const SurfacePoint& point : proxy.points) {
       double& reach = reach_[static_cast<std::size_t>(point.bone)];
       reach = std::max(reach, glm::length(frame(point.bone).axes * point.offset));

@@ -46,7 +46,7 @@ Stride sample_stride(const Skeleton& skeleton, const KeyframeStream& stream, dou
   ExactPoses poses(stream);
   std::vector<BoneFrame> frames(skeleton.bones.size());
   for (std::size_t i = 0; i <= stride_instants; ++i) {
-    const Ticks time = stream.duration * static_cast<Ticks>(i) / static_cast<Ticks>(stride_instants);
+    const Ticks time = stream.duration * static_cast<std::int64_t>(i) / static_cast<std::int64_t>(stride_instants);
     compute_frames(skeleton, poses.at(time), frames);
     std::vector<glm::dvec3>& joints = stride.joints.emplace_back();
     for (const BoneFrame& frame : frames) joints.push_back(frame.origin);

@@ -104,7 +104,7 @@ double rest_height(const Model& model) {
   const AlignedBytes stream = build_keyframe_stream(model.skeleton, Clip{});
   ExactPoses poses(*reinterpret_cast<const KeyframeStream*>(stream.get()));
   std::vector<BoneFrame> frames(model.skeleton.bones.size());
-  compute_frames(model.skeleton, poses.at(0), frames);
+  compute_frames(model.skeleton, poses.at(Ticks{}), frames);
   const Box box = rest_box(model, frames);
   const glm::dvec3 size = box.high - box.low;
   if (size.y > least_height) return size.y;

@@ -17,7 +17,7 @@ void move_weight(AdditiveLayer& layer) {
   const auto seconds = static_cast<float>(to_seconds(layer.state.delta_time));
   const float most = layer.weight_per_second > 0.0F ? layer.weight_per_second * seconds : 1.0F;
   layer.weight += std::clamp(layer.target_weight - layer.weight, -most, most);
-  layer.state.delta_time = 0;
+  layer.state.delta_time = Ticks{};
 }
 
 void advance_layer(const EntityInStore& entity, const SourcesInStore& sources) {

@@ -65,10 +65,12 @@ void blend_packet(const EntityInStore& entity, const PacketJob& job) {
 
 void advance_blender(EaseBlender& blender) {
   blender.elapsed += blender.state.delta_time;
-  blender.state.delta_time = 0;
+  blender.state.delta_time = Ticks{};
   if ((blender.flags & EaseBlender::held) != 0) return;
-  const Ticks elapsed = std::clamp<Ticks>(blender.elapsed, 0, blender.total);
-  blender.fraction = blender.total > 0 ? ease(static_cast<float>(elapsed) / static_cast<float>(blender.total)) : 1.0F;
+  const Ticks elapsed = std::clamp(blender.elapsed, Ticks{}, blender.total);
+  blender.fraction = blender.total > Ticks{}
+                         ? ease(static_cast<float>(elapsed.count()) / static_cast<float>(blender.total.count()))
+                         : 1.0F;
 }
 
 const EntityKind ease_blender_kind = {.name = "ease blender",

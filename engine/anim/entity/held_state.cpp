@@ -5,7 +5,9 @@
 namespace throng::anim {
 namespace {
 
-void use_up_time(const EntityInStore& entity, const SourcesInStore&) { entity.as<HeldState>().state.delta_time = 0; }
+void use_up_time(const EntityInStore& entity, const SourcesInStore&) {
+  entity.as<HeldState>().state.delta_time = Ticks{};
+}
 
 // The block holds the pose, so there is nothing to do.
 void keep_packet(const EntityInStore&, const PacketJob&) {}

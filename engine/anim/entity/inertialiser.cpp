@@ -41,20 +41,20 @@ std::span<Handle> source_of_inertialiser(std::byte* block, const EntityLayout&) 
 OffsetDecay decay_now(const Inertialiser& inertialiser) {
   if (inertialiser.settled != 0) return undiminished;
   const float half_life = has_left(inertialiser) ? inertialiser.half_life : inertialiser.old_half_life;
-  const Ticks decayed = std::max<Ticks>(inertialiser.since_capture, 0);  // it may be wound back, at most to the capture
+  const Ticks decayed = std::max(inertialiser.since_capture, Ticks{});  // it may be wound back, at most to the capture
   return offset_decay(static_cast<float>(to_seconds(decayed)), half_life);
 }
 
 // No time has passed since the first half, so there is no velocity yet.
 Capture next_capture(const Inertialiser& inertialiser, Ticks delta) {
-  const bool again = inertialiser.capture == Capture::second && delta <= 0;
+  const bool again = inertialiser.capture == Capture::second && delta <= Ticks{};
   return again ? Capture::first : inertialiser.capture;
 }
 
 void advance_inertialiser(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& inertialiser = entity.as<Inertialiser>();
   const Ticks delta = inertialiser.state.delta_time;
-  inertialiser.state.delta_time = 0;
+  inertialiser.state.delta_time = Ticks{};
   inertialiser.since_capture += delta;
   const Plan plan = {.capture = next_capture(inertialiser, delta),
                      .decay = decay_now(inertialiser),
@@ -63,7 +63,7 @@ void advance_inertialiser(const EntityInStore& entity, const SourcesInStore& sou
   entity.prepared_as<Plan>() = plan;
   inertialiser.settled = plan.capture == Capture::first ? 1 : 0;
   inertialiser.capture = plan.capture == Capture::first ? Capture::second : Capture::none;
-  if (plan.capture == Capture::second) inertialiser.since_capture = 0;
+  if (plan.capture == Capture::second) inertialiser.since_capture = Ticks{};
   take_velocity(inertialiser.state, sources[0]);
 }
 

@@ -22,7 +22,7 @@ void advance_mixer(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& mixer = entity.as<Mixer>();
   auto& shares = entity.prepared_as<Shares>();
   const MixerSources& mixed = mixer_sources(entity.block, *entity.layout);
-  mixer.state.delta_time = 0;
+  mixer.state.delta_time = Ticks{};
   float sum = 0.0F;
   for (std::size_t i = 0; i < sources.size(); ++i) sum += mixed.weights[i];
   std::ranges::fill(mixer.state.linear_velocity, 0.0F);

@@ -19,7 +19,7 @@ static_assert(sizeof(Shaking) <= prepared_shaking_bytes);
 void advance_noise(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& noise = entity.as<NoiseMaker>();
   noise.time += noise.state.delta_time;
-  noise.state.delta_time = 0;
+  noise.state.delta_time = Ticks{};
   // Constructed in place, since a copy waits for the parts that were just written.
   ::new (entity.prepared)
       Shaking{.moment = noise_moment(noise.seed, noise_at(noise.time, noise.frequency), noise.amplitude),

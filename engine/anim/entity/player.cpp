@@ -113,7 +113,7 @@ static_assert(sizeof(SampledPose) <= prepared_pose_bytes && sizeof(KeyframePose)
 /// Returns the time in the clip, which is not negative.
 Ticks time_of(const Player& player, const ClipStreams& clip) {
   const auto position = static_cast<std::uint64_t>(position_in_clip(player, clip.duration));
-  return static_cast<Ticks>(position / std::uint64_t{fine_ticks_per_tick});
+  return Ticks{static_cast<std::int64_t>(position / std::uint64_t{fine_ticks_per_tick.count()})};
 }
 
 /// Prefetches both rows (paper 2.2.3, note 5). Packets are sampled one by one, so most of a row has time to arrive.

@@ -46,12 +46,12 @@ static_assert(offsetof(Player, bone_selection) == 124);
 /// Returns how far a player of this speed gets in a time: their product, or the end of FineTicks on its side, as after
 /// 55 hours at the clip's own speed.
 inline FineTicks distance(Ticks time, std::int32_t speed) {
-  constexpr Ticks surely_fits = Ticks{1} << 31;
+  constexpr Ticks surely_fits{std::int64_t{1} << 31U};
   if (time < surely_fits && time > -surely_fits) [[likely]]
-    return time * speed;
+    return time.count() * speed;
   constexpr FineTicks most = FineTicks{1} << 62;
-  const Ticks longest = most / std::max<FineTicks>(std::abs(FineTicks{speed}), 1);
-  return std::clamp(time, -longest, longest) * speed;
+  const std::int64_t longest = most / std::max<FineTicks>(std::abs(FineTicks{speed}), 1);
+  return std::clamp(time.count(), -longest, longest) * speed;
 }
 
 /// Uses up `state.delta_time` and moves position, loop count, flags and velocity: the first half of an update (2.2.3).

@@ -28,8 +28,8 @@ std::span<Handle> source_of_ragdoll(std::byte* block, const EntityLayout&) {
 
 void advance_ragdoll(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& ragdoll = entity.as<RagdollEntity>();
-  entity.prepared_as<Elapsed>() = {std::max<Ticks>(ragdoll.state.delta_time, 0)};
-  ragdoll.state.delta_time = 0;
+  entity.prepared_as<Elapsed>() = {std::max(ragdoll.state.delta_time, Ticks{})};
+  ragdoll.state.delta_time = Ticks{};
   std::ranges::fill(ragdoll.state.linear_velocity, 0.0F);
   std::ranges::fill(ragdoll.state.angular_velocity, 0.0F);
   if (is_loose(ragdoll) || sources.empty()) return;
@@ -101,7 +101,7 @@ void pose_ragdoll(const EntityInStore& entity, const PoseView& pose) {
   if (ragdoll.phase == Phase::first) {
     remember(entity, pose);
     ragdoll.phase = Phase::second;
-  } else if (ragdoll.phase == Phase::second && elapsed > 0) {
+  } else if (ragdoll.phase == Phase::second && elapsed > Ticks{}) {
     take_over(entity, pose, elapsed);
     ragdoll.phase = Phase::loose;
   }

@@ -10,7 +10,7 @@ namespace {
 
 void advance_socket(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& socket = entity.as<Socket>();
-  socket.state.delta_time = 0;
+  socket.state.delta_time = Ticks{};
   take_velocity(socket.state, sources[0]);
 }
 

@@ -19,7 +19,7 @@ inline WholePoseStep begin_whole_pose(const EntityInStore& entity, const Sources
   auto& state = entity.as<AnimationStateHeader>();
   const auto elapsed = static_cast<float>(to_seconds(state.delta_time));
   const WholePoseStep step{.elapsed = elapsed, .seconds = std::max(elapsed, 0.0F)};
-  state.delta_time = 0;
+  state.delta_time = Ticks{};
   take_velocity(state, sources[0]);
   entity.prepared_as<WholePoseStep>() = step;
   return step;

@@ -72,10 +72,10 @@ void LevelOfDetail::forget_shown() {
 }
 
 void LevelOfDetail::build_choices(const LodRequest& request) {
-  const double ratio = request.frame_step == 0 ? 1.0 : to_seconds(request.frame_step) / built_seconds_;
+  const double ratio = request.frame_step == Ticks{} ? 1.0 : to_seconds(request.frame_step) / built_seconds_;
   const bool same_frames = ratio <= longer_frame && ratio >= 1.0 / longer_frame;
   if (!choices_.empty() && same_but_tolerance(request.rules, built_for_) && same_frames) return;
-  built_seconds_ = request.frame_step > 0 ? to_seconds(request.frame_step) : usual_frame_seconds;
+  built_seconds_ = request.frame_step > Ticks{} ? to_seconds(request.frame_step) : usual_frame_seconds;
   built_for_ = request.rules;
   choices_.build(characters_, request.rules, static_cast<float>(built_seconds_));
 }
@@ -103,7 +103,7 @@ void LevelOfDetail::select(const LodCrowd& crowd, const LodRequest& request, Exe
   assert(!request.selected || *request.selected < shown_in_.size());
   request_ = request;
   ++frame_;
-  if (request.frame_step > 0) ++number_;
+  if (request.frame_step > Ticks{}) ++number_;
   build_choices(request);
   importance_.weigh(request.now, request.selected);
   select_for_update(frame(crowd), state_, selection_, executor, jobs);
@@ -134,7 +134,7 @@ void LevelOfDetail::list_updates(const LodCrowd& crowd) {
     const bool ahead = request_.rules.smooth && due.look_ahead > 1 && is_shown(due.agent);
     updates_.push_back({.agent = {due.agent},
                         .level = bones.level,
-                        .look_ahead = ahead ? due.look_ahead * request_.frame_step : 0,
+                        .look_ahead = ahead ? due.look_ahead * request_.frame_step : Ticks{},
                         .palette = nullptr,
                         .fade_level = bones.fade_level,
                         .fade_halves = bones.fade_halves});
@@ -144,7 +144,7 @@ void LevelOfDetail::list_updates(const LodCrowd& crowd) {
 // An agent that is shown goes from level to level by steps. Another one, and all while time stands still, go at once.
 BoneStep LevelOfDetail::step_bones(const DueAgent& due) {
   BoneStep& step = bone_steps_[due.agent];
-  const bool by_steps = request_.frame_step > 0 && is_shown(due.agent);
+  const bool by_steps = request_.frame_step > Ticks{} && is_shown(due.agent);
   step = by_steps ? next_step(step, due.bone_level) : settled_at(due.bone_level);
   return step;
 }
@@ -155,7 +155,7 @@ AgentUpdate& LevelOfDetail::update_also(std::uint32_t agent) {
 }
 
 void LevelOfDetail::show_at_once(AgentUpdate& update) {
-  update.look_ahead = 0;
+  update.look_ahead = Ticks{};
   make_due(update.agent.number);
 }
 
@@ -163,7 +163,7 @@ void LevelOfDetail::settle(double predicted_nanoseconds, std::optional<float> me
   for (const AgentUpdate& update : updates_) {
     shown_in_[update.agent.number] = update.palette.memory() != nullptr ? frame_ : never_shown;
   }
-  if (request_.frame_step == 0) return;
+  if (request_.frame_step == Ticks{}) return;
   const bool by_error = request_.rules.rule == LodRule::budget;
   const LodLimits& limits = request_.limits;
   const auto exempt = static_cast<double>(selection_.cost.reappeared);

@@ -38,8 +38,8 @@ struct LodRequest {
   LodLimits limits;  ///< the limits of LodRule::budget
   LodForce force = {};
   std::optional<std::uint32_t> selected = {};  ///< an agent of the crowd that shows a quarter of the others' error
-  Ticks now = 0;
-  Ticks frame_step = 0;  ///< the length of a frame; 0: time stands still
+  Ticks now{};
+  Ticks frame_step{};  ///< the length of a frame; 0: time stands still
 };
 
 /// The outcome of a frame.

@@ -13,15 +13,15 @@ constexpr float importance_of_fading = 2.0F;
 void LodImportance::reset(std::size_t agents) {
   importance_.assign(agents, 1.0F);
   changing_.assign(agents, 0);
-  fades_until_.assign(agents, 0);
+  fades_until_.assign(agents, Ticks{});
   fading_.clear();
   fading_.reserve(agents);
   selected_.reset();
 }
 
 void LodImportance::fade(std::uint32_t agent, Ticks until) {
-  if (fades_until_[agent] == 0) fading_.push_back(agent);
-  fades_until_[agent] = std::max<Ticks>(until, 1);
+  if (fades_until_[agent] == Ticks{}) fading_.push_back(agent);
+  fades_until_[agent] = std::max(until, Ticks{1});
 }
 
 void LodImportance::weigh(Ticks now, std::optional<std::uint32_t> selected) {
@@ -30,7 +30,7 @@ void LodImportance::weigh(Ticks now, std::optional<std::uint32_t> selected) {
     const bool over = fades_until_[agent] <= now;
     importance_[agent] = over ? 1.0F : importance_of_fading;
     changing_[agent] = over ? 0 : 1;
-    if (over) fades_until_[agent] = 0;
+    if (over) fades_until_[agent] = Ticks{};
     return over;
   });
   selected_ = selected;

@@ -21,6 +21,7 @@
 
 #include "engine/anim/base/aligned_bytes.h"
 #include "engine/anim/base/hash.h"
+#include "engine/anim/base/units.h"
 #include "engine/anim/pack/sections.h"
 
 namespace throng::pack {
@@ -39,6 +40,8 @@ concept Same = std::is_same_v<std::remove_const_t<T>, Value>;
 /// Says whether a type is written as its bytes. It has no padding, whose bytes could be anything.
 template <typename T>
 inline constexpr bool is_plain = (std::is_arithmetic_v<T> || std::is_enum_v<T>)&&!std::is_same_v<T, bool>;
+template <>
+inline constexpr bool is_plain<anim::Ticks> = true;
 template <glm::length_t size, typename T, glm::qualifier q>
 inline constexpr bool is_plain<glm::vec<size, T, q>> = true;
 template <typename T, glm::qualifier q>

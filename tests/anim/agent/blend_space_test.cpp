@@ -35,8 +35,9 @@ struct Runner {
     for (const Handle entity : crowd->agent(0).graph().entities) {
       if (crowd->characters().pools(0).state(entity).type != EntityType::sampled_player) continue;
       const auto& player = crowd->characters().pools(0).as<Player>(entity);
-      const auto duration = static_cast<double>(test_character()->clips[player.clip].duration);
-      phases.push_back(static_cast<double>(player.position) / static_cast<double>(fine_ticks_per_tick) / duration);
+      const auto duration = static_cast<double>(test_character()->clips[player.clip].duration.count());
+      phases.push_back(static_cast<double>(player.position) / static_cast<double>(fine_ticks_per_tick.count()) /
+                       duration);
     }
     return phases;
   }

@@ -29,7 +29,7 @@ float drifted(const Drift& drift) { return static_cast<float>(std::fmod(to_secon
 void advance_drift(const EntityInStore& entity, const SourcesInStore&) {
   auto& drift = entity.as<Drift>();
   drift.time += drift.state.delta_time;
-  drift.state.delta_time = 0;
+  drift.state.delta_time = Ticks{};
 }
 
 void drift_packet(const EntityInStore& entity, const PacketJob& job) {
@@ -183,7 +183,7 @@ void EveryKind::step(int frames) {
       if (skips && frame % 2 == 0) continue;
       updates.push_back({.agent = {agent},
                          .level = static_cast<std::uint8_t>((agent / 8 + frame / 64) % levels),
-                         .look_ahead = skips ? 2 * frame_ticks : 0});
+                         .look_ahead = skips ? 2 * frame_ticks : Ticks{}});
     }
     system->update(updates);
   }

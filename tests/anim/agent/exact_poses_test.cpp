@@ -61,7 +61,7 @@ TEST_P(Skipped, IsExactlyWhereItWouldBeIfItHadBeenUpdatedEachFrame) {
 
 TEST_P(Skipped, IsExactlyWhereItWouldBeWithoutLookingAhead) {
   ask_both({.clip = 0});
-  pass(40, 0);
+  pass(40, Ticks{});
 }
 
 TEST_P(Skipped, IsExactlyWhereItWouldBeWhileItFades) {

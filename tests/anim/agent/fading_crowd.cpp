@@ -21,7 +21,7 @@ std::shared_ptr<const Character> character() {
 PlayRequest request(std::uint32_t agent, std::uint32_t turn, unsigned seed) {
   const std::uint32_t mixed = (agent + seed * 31U) * 2654435761U + turn * 40503U;
   return {.clip = static_cast<int>(mixed % 3),
-          .fade = turn == 0 ? 0 : to_ticks(0.15 + 0.01 * (mixed % 7)),
+          .fade = turn == 0 ? Ticks{} : to_ticks(0.15 + 0.01 * (mixed % 7)),
           .speed = 0.8 + 0.05 * (mixed % 9),
           .start = to_ticks(0.001 * (mixed % 800))};
 }
@@ -45,7 +45,7 @@ std::uint64_t hash_of_fading_crowd(const SystemOptions& options, unsigned seed) 
       const auto levels = static_cast<std::uint32_t>(character()->skeleton.level_bone_counts.size());
       updates.push_back({.agent = {agent},
                          .level = static_cast<std::uint8_t>(agent / 7 % levels),
-                         .look_ahead = agent % 3 == 0 ? ticks_per_second / 30 : 0});
+                         .look_ahead = agent % 3 == 0 ? ticks_per_second / 30 : Ticks{}});
     }
     system.update(updates);
   }

@@ -57,7 +57,7 @@ std::span<Handle> source_of_wanderer(std::byte* block, const EntityLayout&) {
 }
 
 void advance_wanderer(const EntityInStore& entity, const SourcesInStore&) {
-  entity.as<Wanderer>().state.delta_time = 0;
+  entity.as<Wanderer>().state.delta_time = Ticks{};
 }
 
 void turn_by_positions(const EntityInStore&, const PoseView& pose) {

@@ -116,7 +116,7 @@ TEST_F(PersonPushedOver, GoesOnWithItsAnimationsClockWhileItLies) {
   other.step(2);
   push();
   crowd_.step(100);
-  recover(0);
+  recover(Ticks{});
   crowd_.step(20);
   other.step(120);
   EXPECT_EQ(crowd_.joints(), other.joints());

@@ -47,7 +47,7 @@ class RandomIdleChannel final : public Channel {
   std::vector<int> idles_;
   std::minstd_rand random_;  // part of the channel, so that a snapshot goes on to the same idles
   Handle player_;
-  Ticks ends_at_ = 0;
+  Ticks ends_at_{};
   int idles_played_ = 0;
 };
 

@@ -36,7 +36,7 @@ struct Turn {
 void advance_sway(const EntityInStore& entity, const SourcesInStore&) {
   auto& sway = entity.as<Sway>();
   sway.time += sway.state.delta_time;
-  sway.state.delta_time = 0;
+  sway.state.delta_time = Ticks{};
   const double cycles = to_seconds(sway.time) / static_cast<double>(sway.period);
   const double turn = std::sin(2.0 * std::numbers::pi * (cycles - std::floor(cycles)));
   entity.prepared_as<Turn>().radians = sway.radians * static_cast<float>(turn);

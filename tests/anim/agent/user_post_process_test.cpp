@@ -28,7 +28,7 @@ std::span<Handle> source_of(std::byte* block, const EntityLayout&) {
 
 void pass_on_velocity(const EntityInStore& entity, const SourcesInStore& sources) {
   auto& state = entity.as<Tilt>().state;
-  state.delta_time = 0;
+  state.delta_time = Ticks{};
   for (int axis = 0; axis < 3; ++axis) state.linear_velocity[axis] = sources[0].linear_velocity[axis];
 }
 

@@ -38,7 +38,7 @@ std::vector<std::uint32_t> names(const std::vector<Met>& met) {
 using Names = std::vector<std::uint32_t>;
 
 /// Keys 0 to 3 at the start, at 0.25 s, at 0.75 s and at the end of one second.
-const std::vector<DataKey> four_keys{{.time = 0, .name = 0},
+const std::vector<DataKey> four_keys{{.time = {}, .name = 0},
                                      {.time = second / 4, .name = 1},
                                      {.time = second * 3 / 4, .name = 2},
                                      {.time = second, .name = 3}};
@@ -90,9 +90,9 @@ TEST(DataKeys, AtOneTimeKeepTheirOrderAndTurnItBackwards) {
 }
 
 TEST(DataKeys, OfAClipWithoutDurationAreNeverMet) {
-  const std::vector<DataKey> key{{.time = 0, .name = 0}};
-  EXPECT_EQ(names(meet(key, 0, true, 0, fine_second)), Names{});
-  EXPECT_EQ(names(meet(key, 0, false, 0, fine_second)), Names{});
+  const std::vector<DataKey> key{{.time = {}, .name = 0}};
+  EXPECT_EQ(names(meet(key, Ticks{}, true, 0, fine_second)), Names{});
+  EXPECT_EQ(names(meet(key, Ticks{}, false, 0, fine_second)), Names{});
 }
 
 TEST(DataKeys, TellWhereTheyWereMet) {
@@ -102,7 +102,7 @@ TEST(DataKeys, TellWhereTheyWereMet) {
 
 TEST(DataKeys, StopWhenTheVisitorHasEnough) {
   int visits = 0;
-  for_each_data_key(four_keys, second, true, 0, 1'000'000 * second,
+  for_each_data_key(four_keys, second, true, 0, 100 * fine_second,
                     [&](const DataKey&, FineTicks) { return ++visits < 3; });
   EXPECT_EQ(visits, 3);
 }
@@ -116,7 +116,7 @@ std::vector<Met> meet_by_definition(const std::vector<DataKey>& keys, Ticks dura
   for (FineTicks loop = low / length - 2; loop <= high / length + 2; ++loop) {
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const FineTicks position = loop * length + keys[k].time * fine_ticks_per_tick;
-      const FineTicks inside = keys[k].time == 0 ? 1 : (keys[k].time == duration ? -1 : 0);
+      const FineTicks inside = keys[k].time == Ticks{} ? 1 : (keys[k].time == duration ? -1 : 0);
       const FineTicks place = 2 * position + inside;
       const bool met = from < to ? place >= 2 * from && place < 2 * to : place > 2 * to && place <= 2 * from;
       if (met) places.emplace_back(place, k, Met{position, keys[k].name});
@@ -164,12 +164,12 @@ class RandomSteps {
 };
 
 TEST(DataKeys, AreNeitherLostNorRepeatedInTenThousandRandomSteps) {
-  const Ticks duration = second * 7 / 5 + 3;
-  const std::vector<DataKey> keys{{.time = 0, .name = 0},
-                                  {.time = 1, .name = 1},
+  const Ticks duration = second * 7 / 5 + Ticks{3};
+  const std::vector<DataKey> keys{{.time = {}, .name = 0},
+                                  {.time = Ticks{1}, .name = 1},
                                   {.time = duration / 3, .name = 2},
                                   {.time = duration / 3, .name = 3},
-                                  {.time = duration - 1, .name = 4},
+                                  {.time = duration - Ticks{1}, .name = 4},
                                   {.time = duration, .name = 5}};
   RandomSteps steps(duration * fine_ticks_per_tick);
   FineTicks position = 0;
@@ -182,7 +182,7 @@ TEST(DataKeys, AreNeitherLostNorRepeatedInTenThousandRandomSteps) {
 }
 
 TEST(DataKeys, OfAMotionInPiecesAreThoseOfTheWhole) {
-  const Ticks duration = second + 1;
+  const Ticks duration = second + Ticks{1};
   std::mt19937_64 random(3);
   for (const FineTicks sign : {1, -1}) {
     for (const bool looping : {true, false}) {

@@ -29,7 +29,7 @@ TEST(KeyframeStream, HoldsTheRestPoseOfAClipWithoutTracks) {
   const KeyframeStream& stream = stream_in(block);
   EXPECT_EQ(stream.event_count, 0U);
   TestPlayer player(stream);
-  const std::vector<float> pose = player.pose_at(0);
+  const std::vector<float> pose = player.pose_at(Ticks{});
   for (int bone = 0; bone < 2 * packet_bones; ++bone) {
     for (int c = 0; c < rigid_components; ++c) {
       EXPECT_NEAR(component_of(pose, rigid_components, bone, c), c == 3 ? 1.0F : 0.0F, 1e-6F) << bone << ' ' << c;

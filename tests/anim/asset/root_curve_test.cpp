@@ -27,7 +27,7 @@ struct NamedCurve {
 std::ostream& operator<<(std::ostream& out, const NamedCurve& named) { return out << named.name; }
 
 RootCurve bent(double yaw) {
-  const Ticks duration = second * 6 / 5 + 7;
+  const Ticks duration = second * 6 / 5 + Ticks{7};
   return {.duration = duration,
           .keys = {{},
                    {.time = duration / 5, .x = 0.3, .z = 0.2, .yaw = 0.5},

@@ -56,7 +56,7 @@ TEST(Bake, GivesAModelWithoutClipsItsRestPose) {
   const Character character = bake_character(rod_model());
   ASSERT_EQ(character.clips.size(), 1U);
   EXPECT_EQ(character.clips.front().name, "rest");
-  EXPECT_EQ(character.clips.front().duration, 0);
+  EXPECT_EQ(character.clips.front().duration, Ticks{});
   ASSERT_NE(character.clips.front().sampled(), nullptr);
   EXPECT_EQ(character.clips.front().sampled()->row_count, 1);
 }

@@ -120,7 +120,7 @@ TEST(ClipWithoutLength, StandsInItsOnlyPose) {
   }
   const Character character = bake_character(model);
   const BakedClip& baked = character.clips.front();
-  EXPECT_EQ(baked.duration, 0);
+  EXPECT_EQ(baked.duration, Ticks{});
   ASSERT_NE(baked.sampled(), nullptr) << baked.note;
   EXPECT_LT(error_by_definition(model, clip, baked, 1), baked.error_bound);
 }

@@ -190,14 +190,14 @@ class Locate : public ::testing::Test {
 
 TEST_F(Locate, FindsTheTwoRowsAroundATime) {
   expect(-step_ / 2, 0, 1, 0);
-  expect(0, 0, 1, sample_fraction_one / 2);
+  expect(Ticks{}, 0, 1, sample_fraction_one / 2);
   expect(step_ / 2, 1, 2, 0);
   expect(step_, 1, 2, sample_fraction_one / 2);
   expect(step_ + step_ / 4, 1, 2, sample_fraction_one * 3 / 4);
 }
 
 TEST_F(Locate, ShowsTheNearestRowOutsideTheRows) {
-  expect(-step_ / 2 - 1, 0, 0, 0);
+  expect(-step_ / 2 - Ticks{1}, 0, 0, 0);
   expect(-10 * step_, 0, 0, 0);
   expect(std::numeric_limits<Ticks>::min(), 0, 0, 0);
   expect(5 * step_ / 2, 3, 3, 0);
@@ -213,15 +213,15 @@ TEST(RowWeights, AreNegativeAndFitSixteenBitsFromOneRowToTheNext) {
 }
 
 TEST_F(Locate, ReachesTheNextRowInTheLastTick) {
-  expect(step_ / 2 - 1, 0, 1, sample_fraction_one);
-  expect(5 * step_ / 2 - 1, 2, 3, sample_fraction_one);
+  expect(step_ / 2 - Ticks{1}, 0, 1, sample_fraction_one);
+  expect(5 * step_ / 2 - Ticks{1}, 2, 3, sample_fraction_one);
 }
 
 TEST(LocateInALateClip, HoldsTheFirstRowUntilItsTime) {
   SampledRows rows = wavy_rows(16, rigid_components, 2);
   rows.first_row = 3 * rows.row_step;
   const StreamBlock block(rows);
-  EXPECT_EQ(locate(block.stream(), 0).to, block.stream().row(0));
+  EXPECT_EQ(locate(block.stream(), Ticks{}).to, block.stream().row(0));
   EXPECT_EQ(locate(block.stream(), 3 * rows.row_step + rows.row_step / 4).weights,
             row_weights(sample_fraction_one / 4));
 }

@@ -26,7 +26,7 @@ struct alignas(64) Tail {
 static_assert(sizeof(Tail) <= 128);
 
 std::size_t tail_links(int bone_count, int) { return static_cast<std::size_t>(bone_count) * 12; }
-void rest(const EntityInStore& entity, const SourcesInStore&) { entity.as<Tail>().state.delta_time = 0; }
+void rest(const EntityInStore& entity, const SourcesInStore&) { entity.as<Tail>().state.delta_time = Ticks{}; }
 void keep(const EntityInStore&, const PacketJob&) {}
 const EntityKind tail_kind = {.name = "tail",
                               .private_bytes_for = tail_links,

@@ -15,14 +15,14 @@ TEST(EaseBlender, EasesFromZeroToOneAndStays) {
   blender.total = ticks_per_second;
   float before = -1.0F;
   for (int frame = 0; frame <= 10; ++frame) {
-    advance(blender, frame == 0 ? 0 : ticks_per_second / 10);
+    advance(blender, frame == 0 ? Ticks{} : ticks_per_second / 10);
     EXPECT_GT(blender.fraction, before);
     before = blender.fraction;
   }
   EXPECT_EQ(blender.fraction, 1.0F);
   advance(blender, ticks_per_second);
   EXPECT_EQ(blender.fraction, 1.0F);
-  EXPECT_EQ(blender.state.delta_time, 0);
+  EXPECT_EQ(blender.state.delta_time, Ticks{});
 }
 
 TEST(EaseBlender, IsLevelAtBothEnds) {
@@ -52,7 +52,7 @@ TEST(EaseBlender, AHeldFractionDoesNotMove) {
 
 TEST(EaseBlender, WithoutDurationIsItsTarget) {
   EaseBlender blender{};
-  advance(blender, 0);
+  advance(blender, Ticks{});
   EXPECT_EQ(blender.fraction, 1.0F);
 }
 

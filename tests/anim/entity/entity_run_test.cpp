@@ -97,14 +97,14 @@ TEST_F(RunOfEntities, IsAdvancedAsIfEachWereAlone) {
     EXPECT_EQ(together[i].entity.position, alone[i].entity.position) << i;
     EXPECT_EQ(together[i].entity.loop_count, alone[i].entity.loop_count) << i;
     EXPECT_EQ(together[i].entity.flags, alone[i].entity.flags) << i;
-    EXPECT_EQ(together[i].entity.state.delta_time, 0) << i;
+    EXPECT_EQ(together[i].entity.state.delta_time, Ticks{}) << i;
   }
 }
 
 TEST_F(RunOfEntities, TakesTheTimeThatPassesBesideTheTimeThatIsThere) {
   Slots<Player> handed = players(0);
   Slots<Player> there = players(0);
-  const std::array<Ticks, characters> deltas = {1'000, 0, 250'000};
+  const std::array<Ticks, characters> deltas = {Ticks{1'000}, Ticks{0}, Ticks{250'000}};
   for (std::size_t i = 0; i < characters; ++i) there[i].entity.state.delta_time += deltas[i];
   EntityRun run = run_of(handed, player_layout_);
   run.deltas = deltas.data();
@@ -112,7 +112,7 @@ TEST_F(RunOfEntities, TakesTheTimeThatPassesBesideTheTimeThatIsThere) {
   sampled_player_kind.advance(run_of(there, player_layout_));
   for (std::size_t i = 0; i < characters; ++i) {
     EXPECT_EQ(handed[i].entity.position, there[i].entity.position) << i;
-    EXPECT_EQ(handed[i].entity.state.delta_time, 0) << i;
+    EXPECT_EQ(handed[i].entity.state.delta_time, Ticks{}) << i;
   }
 }
 

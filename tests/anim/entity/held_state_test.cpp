@@ -22,17 +22,17 @@ TEST(HeldState, KeepsItsPoseWhateverTimePasses) {
   const std::vector<float> before = rig.floats(state);
   for (int i = 0; i < 10; ++i) rig.update(state, ticks_per_second);
   EXPECT_EQ(rig.floats(state), before);
-  EXPECT_EQ(rig.as<HeldState>(state).state.delta_time, 0);
+  EXPECT_EQ(rig.as<HeldState>(state).state.delta_time, Ticks{});
 }
 
 TEST(HeldState, IsASourceLikeAnyOther) {
   EntityRig rig;
   const Handle state = rig.held(0.0F, 2.0F);
   const Handle blender = rig.hold(rig.held(0.0F, 1.0F), state, 0.25F);
-  rig.update(blender, 1);
+  rig.update(blender, Ticks{1});
   EXPECT_FLOAT_EQ(rig.place(blender, 3), 1.25F);
   rig.set_pose(state, 0.0F, 3.0F);
-  rig.update(blender, 1);
+  rig.update(blender, Ticks{1});
   EXPECT_FLOAT_EQ(rig.place(blender, 3), 1.5F) << "what was written between frames is there in the next";
 }
 

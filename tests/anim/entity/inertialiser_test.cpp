@@ -97,7 +97,7 @@ TEST(Inertialiser, TakesNoVelocityFromAnUpdateInWhichNoTimePassed) {
   following.after(frame);
   following.change_to(following.other);
   following.after(frame);
-  following.after(0);
+  following.after(Ticks{});
   EXPECT_FALSE(has_left(following.get()));
   following.after(frame);
   EXPECT_TRUE(has_left(following.get()));

@@ -31,14 +31,14 @@ TEST(Mixer, WeighsItsSourcesByTheirShareOfTheSum) {
   EntityRig rig;
   const Handle mixer =
       mix(rig, {{rig.held(0.0F, 1.0F), 1.0F}, {rig.held(0.0F, 2.0F), 1.0F}, {rig.held(0.0F, 4.0F), 2.0F}});
-  rig.update(mixer, 1);
+  rig.update(mixer, Ticks{1});
   for (int bone = 0; bone < EntityRig::bones; ++bone) EXPECT_FLOAT_EQ(rig.place(mixer, bone), 2.75F) << bone;
 }
 
 TEST(Mixer, MeetsHalfWayBetweenTwoEqualTurns) {
   EntityRig rig;
   const Handle mixer = mix(rig, {{rig.held(0.2F), 3.0F}, {rig.held(0.6F), 3.0F}});
-  rig.update(mixer, 1);
+  rig.update(mixer, Ticks{1});
   EXPECT_NEAR(rig.angle(mixer, 7), 0.4F, 1e-6F);
 }
 
@@ -46,7 +46,7 @@ TEST(Mixer, OfOneSourceHasItsBits) {
   EntityRig rig;
   const Handle source = rig.held(0.3F, 0.1F);
   const Handle mixer = mix(rig, {{source, 0.2F}});
-  rig.update(mixer, 1);
+  rig.update(mixer, Ticks{1});
   EXPECT_EQ(rig.floats(mixer), rig.floats(source));
 }
 
@@ -56,8 +56,8 @@ TEST(Mixer, ASourceOfWeightZeroChangesNoBit) {
   const Handle other = rig.held(-0.8F, 0.7F);
   const Handle with = mix(rig, {{one, 1.0F}, {rig.held(2.0F, 9.0F), 0.0F}, {other, 0.5F}});
   const Handle without = mix(rig, {{one, 1.0F}, {other, 0.5F}});
-  rig.update(with, 1);
-  rig.update(without, 1);
+  rig.update(with, Ticks{1});
+  rig.update(without, Ticks{1});
   EXPECT_EQ(rig.floats(with), rig.floats(without));
 }
 
@@ -67,7 +67,7 @@ TEST(Mixer, TakesEachBoneFromTheSourceWhoseMaskWeighsIt) {
   const Handle below = rig.held(0.0F, 1.0F);
   const Handle above = rig.held(0.0F, 3.0F);
   const Handle mixer = mix(rig, {{below, 1.0F}, {above, 1.0F, upper}});
-  rig.update(mixer, 1);
+  rig.update(mixer, Ticks{1});
   EXPECT_FLOAT_EQ(rig.place(mixer, 11), 1.0F) << "nobody else weighs anything here";
   EXPECT_FLOAT_EQ(rig.place(mixer, 12), 2.0F);
   EXPECT_FLOAT_EQ(rig.place(mixer, EntityRig::bones - 1), 2.0F);
@@ -81,18 +81,18 @@ TEST(Mixer, MovesAtTheVelocityOfItsSourcesWeighedAlike) {
   rig.as<HeldState>(fast).state.linear_velocity[2] = 3.0F;
   rig.as<HeldState>(fast).state.angular_velocity[1] = 0.4F;
   const Handle mixer = mix(rig, {{slow, 3.0F}, {fast, 1.0F}});
-  rig.update(mixer, 1);
+  rig.update(mixer, Ticks{1});
   EXPECT_FLOAT_EQ(rig.as<Mixer>(mixer).state.linear_velocity[2], 1.5F);
   EXPECT_FLOAT_EQ(rig.as<Mixer>(mixer).state.angular_velocity[1], 0.1F);
-  rig.update(mixer, 1);
+  rig.update(mixer, Ticks{1});
   EXPECT_FLOAT_EQ(rig.as<Mixer>(mixer).state.linear_velocity[2], 1.5F) << "not added up from update to update";
 }
 
 TEST(Mixer, UsesUpItsDeltaTime) {
   EntityRig rig;
   const Handle mixer = mix(rig, {{rig.held(0.0F), 1.0F}});
-  rig.update(mixer, 1234);
-  EXPECT_EQ(rig.as<Mixer>(mixer).state.delta_time, 0);
+  rig.update(mixer, Ticks{1234});
+  EXPECT_EQ(rig.as<Mixer>(mixer).state.delta_time, Ticks{});
 }
 
 }  // namespace

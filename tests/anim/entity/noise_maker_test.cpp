@@ -52,7 +52,7 @@ TEST(NoiseMaker, IsTheSameHoweverTimeWasCutIntoSteps) {
   Fidget once;
   Fidget often;
   for (int frame = 0; frame < 60; ++frame) often.after(ticks_per_second / 60);
-  EXPECT_EQ(often.after(0), once.after(ticks_per_second));
+  EXPECT_EQ(often.after(Ticks{}), once.after(ticks_per_second));
 }
 
 TEST(NoiseMaker, DiffersBySeed) {

@@ -28,22 +28,22 @@ Ticks position(const Player& player) { return player.position / fine_ticks_per_t
 
 TEST(Player, UsesUpItsDeltaTime) {
   const ClipStreams clip{.duration = second};
-  Player player = player_at(0, 1.0, Player::looping);
+  Player player = player_at(Ticks{}, 1.0, Player::looping);
   advance(player, clip, second / 4);
   EXPECT_EQ(position(player), second / 4);
-  EXPECT_EQ(player.state.delta_time, 0);
+  EXPECT_EQ(player.state.delta_time, Ticks{});
 }
 
 TEST(Player, MovesAtItsSpeed) {
   const ClipStreams clip{.duration = second};
-  Player player = player_at(0, 0.5, Player::looping);
+  Player player = player_at(Ticks{}, 0.5, Player::looping);
   advance(player, clip, second);
   EXPECT_EQ(position(player), second / 2);
 }
 
 TEST(Player, LoopsAndSaysSoOnce) {
   const ClipStreams clip{.duration = second};
-  Player player = player_at(0, 1.0, Player::looping);
+  Player player = player_at(Ticks{}, 1.0, Player::looping);
   advance(player, clip, 2 * second + second / 4);
   EXPECT_EQ(position(player), second / 4);
   EXPECT_EQ(player.loop_count, 2);
@@ -54,7 +54,7 @@ TEST(Player, LoopsAndSaysSoOnce) {
 
 TEST(Player, LoopsBackwardsAlike) {
   const ClipStreams clip{.duration = second};
-  Player player = player_at(0, -1.0, Player::looping);
+  Player player = player_at(Ticks{}, -1.0, Player::looping);
   advance(player, clip, second / 4);
   EXPECT_EQ(position(player), second * 3 / 4);
   EXPECT_EQ(player.loop_count, -1);
@@ -62,7 +62,7 @@ TEST(Player, LoopsBackwardsAlike) {
 
 TEST(Player, HoldsAtTheEndOfAClipThatDoesNotLoop) {
   const ClipStreams clip{.duration = second};
-  Player player = player_at(0, 1.0, 0);
+  Player player = player_at(Ticks{}, 1.0, 0);
   advance(player, clip, 3 * second);
   EXPECT_EQ(position_in_clip(player, second) / fine_ticks_per_tick, second);
   EXPECT_TRUE(player.flags & Player::reached_end);
@@ -85,20 +85,20 @@ TEST(Player, StaysNearItsEndHoweverLongItHolds) {
 }
 
 TEST(Player, StandsInAClipWithoutDuration) {
-  const ClipStreams clip{.duration = 0};
-  Player player = player_at(0, 1.0, Player::looping);
+  const ClipStreams clip{.duration = {}};
+  Player player = player_at(Ticks{}, 1.0, Player::looping);
   advance(player, clip, second);
-  EXPECT_EQ(position_in_clip(player, 0), 0);
+  EXPECT_EQ(position_in_clip(player, Ticks{}), 0);
 }
 
 TEST(Player, WhereItStandsDoesNotDependOnHowTimeWasCutIntoSteps) {
-  const ClipStreams clip{.duration = second * 7 / 5 + 3};
-  Player in_one_step = player_at(1234, 1.2345, Player::looping);
+  const ClipStreams clip{.duration = second * 7 / 5 + Ticks{3}};
+  Player in_one_step = player_at(Ticks{1234}, 1.2345, Player::looping);
   Player in_many = in_one_step;
   std::mt19937 random(7);
-  Ticks total = 0;
+  Ticks total{};
   for (int i = 0; i < 10'000; ++i) {
-    const auto step = static_cast<Ticks>(random() % static_cast<std::uint32_t>(second / 20));
+    const Ticks step{static_cast<std::int64_t>(random() % static_cast<std::uint32_t>((second / 20).count()))};
     advance(in_many, clip, step);
     total += step;
   }
@@ -110,7 +110,7 @@ TEST(Player, WhereItStandsDoesNotDependOnHowTimeWasCutIntoSteps) {
 TEST(Player, CarriesTheVelocityOfItsClip) {
   const RootCurve walk = straight_root_curve(second, {0.0, 0.0, 1.4});
   const ClipStreams clip{.duration = second, .root_motion = &walk};
-  Player player = player_at(0, 0.5, Player::looping);
+  Player player = player_at(Ticks{}, 0.5, Player::looping);
   advance(player, clip, second / 60);
   EXPECT_FLOAT_EQ(player.state.linear_velocity[2], 0.7F);
 }
@@ -129,17 +129,17 @@ TEST(Player, HoldsTheStartOfAClipThatItPlaysBackwards) {
 }
 
 TEST(Player, IsAClosedFormOfTimeWhateverItsSpeed) {
-  const ClipStreams clip{.duration = second / 3 + 1};
+  const ClipStreams clip{.duration = second / 3 + Ticks{1}};
   const FineTicks start = second / 7 * fine_ticks_per_tick;
   for (const double speed : {-100.0, -1.7, -1.0 / 65536.0, 0.0, 0.3, 1.0, 250.0}) {
     Player player = player_at(second / 7, speed, Player::looping);
     std::mt19937 random(13);
-    Ticks total = 0;
+    Ticks total{};
     for (int i = 0; i < 500; ++i) {
-      const auto step = static_cast<Ticks>(random() % static_cast<std::uint32_t>(second));
+      const Ticks step{static_cast<std::int64_t>(random() % static_cast<std::uint32_t>(second.count()))};
       advance(player, clip, step);
       total += step;
-      ASSERT_EQ(unwrapped_position(player, clip.duration), start + total * player.speed) << speed;
+      ASSERT_EQ(unwrapped_position(player, clip.duration), start + total.count() * player.speed) << speed;
       ASSERT_GE(player.position, 0);
       ASSERT_LT(player.position, clip.duration * fine_ticks_per_tick);
     }
@@ -154,7 +154,7 @@ RootCurve walk_and_turn() {
 TEST(Player, HasTheVelocityOfItsRootMotionWhereItStands) {
   const RootCurve curve = walk_and_turn();
   const ClipStreams clip{.duration = second, .root_motion = &curve};
-  Player player = player_at(0, -2.0, Player::looping);
+  Player player = player_at(Ticks{}, -2.0, Player::looping);
   advance(player, clip, second / 8);
   EXPECT_FLOAT_EQ(player.state.linear_velocity[2], 0.0F);
   EXPECT_FLOAT_EQ(player.state.angular_velocity[1], -2.0F) << "backwards it turns right";

@@ -35,7 +35,7 @@ class RagdollOfAPerson : public testing::Test {
     const SourceRow source{reinterpret_cast<const std::byte*>(&source_), 0, nullptr};
     kind_.advance({.first = store(), .sources = {&source, ragdoll().source.valid() ? 1U : 0U}});
     kind_.pose_whole(store(), pose);
-    EXPECT_EQ(ragdoll().state.delta_time, 0);
+    EXPECT_EQ(ragdoll().state.delta_time, Ticks{});
   }
 
   Model person_ = ragdoll_stage::person();
@@ -63,7 +63,7 @@ TEST_F(RagdollOfAPerson, PassesItsSourceOnUntilItHasSeenTwoPoses) {
   update(frame, pose.view());
   EXPECT_EQ(ragdoll().phase, Phase::second);
   EXPECT_EQ(ragdoll().state.linear_velocity[2], 1.5F);
-  update(0, pose.view());
+  update(Ticks{}, pose.view());
   EXPECT_EQ(ragdoll().phase, Phase::second) << "without time there is no movement to be had";
   update(frame, pose.view());
   EXPECT_TRUE(is_loose(ragdoll()));

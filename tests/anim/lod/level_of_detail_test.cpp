@@ -81,11 +81,12 @@ struct Row : testing::Test {
 TEST_F(Row, ComesIntoViewAtOnceAndLooksAheadFromThere) {
   pass_frame();
   ASSERT_EQ(lod.updates().size(), 100U);
-  EXPECT_TRUE(std::ranges::all_of(lod.updates(), [](const AgentUpdate& update) { return update.look_ahead == 0; }));
+  EXPECT_TRUE(
+      std::ranges::all_of(lod.updates(), [](const AgentUpdate& update) { return update.look_ahead == Ticks{}; }));
   const AgentUpdate far = next_update_of(90);
-  EXPECT_EQ(far.look_ahead % frame_step, 0);
+  EXPECT_EQ(far.look_ahead % frame_step, Ticks{});
   EXPECT_GT(far.look_ahead, frame_step);
-  EXPECT_EQ(next_update_of(1).look_ahead, 0) << "near by, posed in each frame";
+  EXPECT_EQ(next_update_of(1).look_ahead, Ticks{}) << "near by, posed in each frame";
 }
 
 TEST_F(Row, AnAgentWithoutPaletteHasNothingToBlendFrom) {
@@ -93,7 +94,7 @@ TEST_F(Row, AnAgentWithoutPaletteHasNothingToBlendFrom) {
     pass_frame(90);
     EXPECT_FALSE(lod.is_shown(90));
     if (const AgentUpdate* update = update_of(90)) {
-      EXPECT_EQ(update->look_ahead, 0);
+      EXPECT_EQ(update->look_ahead, Ticks{});
     }
   }
   EXPECT_TRUE(lod.is_shown(89));
@@ -104,9 +105,9 @@ TEST_F(Row, AnUpdateThatCannotBlendIsOfNowAndIsDueAgainInTheNextFrame) {
   for (bool met = false; !met;) {
     for (AgentUpdate& update : select()) {
       update.palette = PaletteDestination(memory.data());
-      if (update.agent.number != 90 || update.look_ahead == 0) continue;
+      if (update.agent.number != 90 || update.look_ahead == Ticks{}) continue;
       lod.show_at_once(update);
-      EXPECT_EQ(update.look_ahead, 0);
+      EXPECT_EQ(update.look_ahead, Ticks{});
       met = true;
     }
     lod.settle(1000.0);
@@ -183,7 +184,7 @@ TEST_F(Row, AfterARestartTheSameFramesAreDecidedTheSame) {
 TEST_F(Row, WhileTimeStandsStillNoTurnComesAndNoFigureChanges) {
   for (int i = 0; i < 20; ++i) pass_frame();
   const double predicted = lod.figures().predicted_ms;
-  request.frame_step = 0;
+  request.frame_step = Ticks{};
   select();
   lod.settle(5e6);
   EXPECT_EQ(lod.figures().predicted_ms, predicted);

@@ -121,7 +121,8 @@ TEST(Pack, KeepsMorphsAndWhatClipsMakeOfThem) {
   model.morphs.push_back({.name = "smile", .node = 3, .target = 1, .rest_weight = 0.25});
   model.meshes.emplace_back().morph_deltas.push_back({.vertex = 7, .morph = 0, .position = glm::vec3(0.5F)});
   auto morphing = std::make_shared<anim::Character>(anim::bake_character(file.file.models[1]));
-  morphing->clips[0].morphs.push_back({.morphs = {0}, .times = {0, 10}, .weights = {0.0F, 1.0F}});
+  morphing->clips[0].morphs.push_back(
+      {.morphs = {0}, .times = {anim::Ticks{0}, anim::Ticks{10}}, .weights = {0.0F, 1.0F}});
   morphing->morph_bones = {2};
   file.characters[0].character = morphing;
   const auto pack = Pack::open(written(write_pack({&file, 1})));

@@ -336,7 +336,7 @@ TEST(Crowd, TheGridStandsInRowsThatFaceForward) {
 TEST(Crowd, AdvancingByNothingChangesNothing) {
   Crowd crowd(Scene::plaza, 100, 1, person());
   const std::vector<glm::vec3> before(crowd.positions().begin(), crowd.positions().end());
-  EXPECT_TRUE(crowd.advance(0).empty());
+  EXPECT_TRUE(crowd.advance(anim::Ticks{}).empty());
   EXPECT_TRUE(std::ranges::equal(crowd.positions(), before));
 }
 

@@ -71,14 +71,14 @@ TEST(CrowdMinds, ShowWhatTheCharacterCanPlayOfWhatTheyHaveInMind) {
 TEST(CrowdMinds, KeepARoleForItsTime) {
   const CrowdCast cast = standing(person(), 50);
   CrowdMinds minds(cast, std::vector<Habit>(50, Habit::stand_about), 1);
-  std::vector<anim::Ticks> since(50, -1);
-  for (anim::Ticks now = 0; now < 60 * anim::ticks_per_second; now += anim::ticks_per_second / 60) {
+  std::vector<anim::Ticks> since(50, anim::Ticks{-1});
+  for (anim::Ticks now{}; now < 60 * anim::ticks_per_second; now += anim::ticks_per_second / 60) {
     const std::vector<Role> before(minds.intentions().begin(), minds.intentions().end());
     minds.decide(now);
     for (const std::uint32_t agent : minds.changed()) {
       const double kept = anim::to_seconds(now - since[agent]);
       const Stay stay = stay_in(before[agent]);
-      EXPECT_TRUE(since[agent] < 0 || kept > static_cast<double>(stay.least) - 1e-6);
+      EXPECT_TRUE(since[agent] < anim::Ticks{} || kept > static_cast<double>(stay.least) - 1e-6);
       EXPECT_LT(kept, static_cast<double>(stay.most) + 0.1);
       since[agent] = now;
     }
@@ -88,7 +88,7 @@ TEST(CrowdMinds, KeepARoleForItsTime) {
 TEST(CrowdMinds, AreInterruptedAndGoOnFromThere) {
   const CrowdCast cast = standing(person(), 1);
   CrowdMinds minds(cast, {Habit::sit}, 3);
-  minds.decide(0);
+  minds.decide(anim::Ticks{});
   minds.interrupt(0, Role::cheer, anim::ticks_per_second);
   ASSERT_EQ(minds.roles()[0], Role::cheer);
   minds.decide(anim::ticks_per_second / 2);

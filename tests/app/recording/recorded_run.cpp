@@ -45,7 +45,7 @@ void RecordedRun::record(Show& show, int frames, const Act& act) const {
   ASSERT_TRUE(started) << started.error().message;
   for (int frame = 1; frame <= frames; ++frame) {
     act(show, frame);
-    show.animate(show.stage().tuning().paused ? 0 : sixtieth + frame % 3 * 1000);
+    show.animate(show.stage().tuning().paused ? anim::Ticks{} : sixtieth + anim::Ticks{frame % 3 * 1000});
   }
   const anim::Status stopped = show.stop_recording();
   ASSERT_TRUE(stopped) << stopped.error().message;

@@ -58,7 +58,7 @@ class Recordings : public test::TemporaryFolder {
   void write_recording() const {
     auto writer = RecordingWriter::create(file_, header());
     ASSERT_TRUE(writer) << writer.error().message;
-    (*writer)->add(frame(10), std::vector{high_bits(1), high_bits(2), high_bits(3)});
+    (*writer)->add(frame(anim::Ticks{10}), std::vector{high_bits(1), high_bits(2), high_bits(3)});
     Tuning tuning = header().tuning;
     tuning.agents = 2;
     tuning.time_scale = 0.3F;
@@ -73,7 +73,7 @@ class Recordings : public test::TemporaryFolder {
     (*writer)->add(RecordedBoneOrder{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}});
     (*writer)->add(RecordedRig{.character = 0, .choices = *person().rig});
     (*writer)->add(RecordedCharacters{{person(), person()}});
-    (*writer)->add(frame(0), std::vector{high_bits(1), high_bits(9)});
+    (*writer)->add(frame(anim::Ticks{}), std::vector{high_bits(1), high_bits(9)});
     ASSERT_TRUE((*writer)->finish());
   }
 
@@ -107,8 +107,8 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   EXPECT_EQ(reader.header().height, 360);
 
   const auto first = std::get<RecordedFrame>(*reader.next());
-  EXPECT_EQ(first.delta, 10);
-  EXPECT_EQ(first.view.camera, frame(10).view.camera);
+  EXPECT_EQ(first.delta, anim::Ticks{10});
+  EXPECT_EQ(first.view.camera, frame(anim::Ticks{10}).view.camera);
   EXPECT_EQ(first.pose_hash, 77U);
   EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 2, 3));
 
@@ -130,7 +130,7 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
   EXPECT_THAT(order.choice.level_counts, ElementsAre(2, 1));
   EXPECT_EQ(asked<RecordedRig>(reader).choices, person().rig);
   EXPECT_THAT(asked<RecordedCharacters>(reader).characters, ElementsAre(person(), person()));
-  EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, 0);
+  EXPECT_EQ(std::get<RecordedFrame>(*reader.next()).delta, anim::Ticks{});
   EXPECT_THAT(reader.agent_hashes(), ElementsAre(1, 9));
   EXPECT_EQ(std::get<RecordedEnd>(*reader.next()).frames, 2U);
 }
@@ -138,7 +138,7 @@ TEST_F(Recordings, ReadBackAsTheyWereWritten) {
 TEST_F(Recordings, AreNotThereUntilTheyAreWhole) {
   auto writer = RecordingWriter::create(file_, header());
   ASSERT_TRUE(writer);
-  (*writer)->add(frame(10), std::vector{high_bits(1)});
+  (*writer)->add(frame(anim::Ticks{10}), std::vector{high_bits(1)});
   EXPECT_FALSE(fs::exists(file_));
   ASSERT_TRUE((*writer)->finish());
   EXPECT_TRUE(fs::exists(file_));
@@ -149,7 +149,7 @@ TEST_F(Recordings, OfARunThatCrashedStayBesideAndSayHowFarTheyGo) {
   {
     auto writer = RecordingWriter::create(file_, header());
     ASSERT_TRUE(writer);
-    (*writer)->add(frame(10), std::vector{high_bits(1)});
+    (*writer)->add(frame(anim::Ticks{10}), std::vector{high_bits(1)});
   }
   file_ = fs::directory_iterator(folder_)->path();
   EXPECT_EQ(file_.extension(), ".part");

@@ -93,7 +93,7 @@ std::unique_ptr<ShapedCrowd> make_crowd(const BenchOptions& options, const Shape
   crowd->system->set_agent_count(agents_of_a_crowd);
   for (std::uint32_t agent = 0; agent < agents_of_a_crowd; ++agent) {
     for (int clip = 0; clip < shape.players; ++clip) {
-      anim::PlayRequest request{.clip = clip, .start = agent * 100};
+      anim::PlayRequest request{.clip = clip, .start = anim::Ticks{agent * 100}};
       if (clip > 0) request.held_fraction = 0.3F;
       crowd->system->agent(agent).play(request);
     }

@@ -184,7 +184,7 @@ class PlainOzzSubject final : public OzzSubject {
 
   std::span<const BenchAgent> agents_;
   const BenchPalettes* palettes_;
-  anim::Ticks clock_ = 0;
+  anim::Ticks clock_{};
   ozz::unique_ptr<ozz::animation::Skeleton> skeleton_;
   std::vector<ozz::unique_ptr<ozz::animation::Animation>> clips_;
   std::vector<std::unique_ptr<ozz::animation::SamplingJob::Context>> contexts_;  // two an agent

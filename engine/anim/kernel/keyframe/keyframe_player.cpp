@@ -97,7 +97,7 @@ bool reads_on(const KeyframeStream& stream, std::uint32_t met, std::int32_t now)
 
 void advance_keyframes(const KeyframeStream& stream, Ticks time, KeyframeCursor& cursor,
                        std::span<std::byte> interpolations) {
-  assert(time >= 0 && time <= stream.duration);
+  assert(time >= Ticks{} && time <= stream.duration);
   assert(interpolations.size() >= interpolation_bytes(stream.bone_count, stream.components));
   const std::int32_t now = stream.time_units(time);
   const bool started = cursor.next_key != 0;

@@ -8,13 +8,15 @@ namespace throng::anim {
 
 NoisePoint noise_at(Ticks time, float frequency) {
   __extension__ using Wide = __int128;
-  const double points_a_second = std::min(static_cast<double>(frequency), 0.5 * static_cast<double>(ticks_per_second));
+  const double points_a_second =
+      std::min(static_cast<double>(frequency), 0.5 * static_cast<double>(ticks_per_second.count()));
   // In fixed point, which does not wait for one conversion after the other: 32 bits below the point, and 63.
   const auto of_seconds = static_cast<std::int64_t>(points_a_second * 0x1p32);
-  const auto of_ticks = static_cast<std::int64_t>(points_a_second * (0x1p63 / static_cast<double>(ticks_per_second)));
-  const Ticks seconds = time / ticks_per_second;
+  const auto of_ticks =
+      static_cast<std::int64_t>(points_a_second * (0x1p63 / static_cast<double>(ticks_per_second.count())));
+  const std::int64_t seconds = time / ticks_per_second;
   const Ticks rest = time % ticks_per_second;
-  const Wide points = static_cast<Wide>(seconds) * of_seconds + (static_cast<Wide>(rest) * of_ticks >> 31);
+  const Wide points = static_cast<Wide>(seconds) * of_seconds + (static_cast<Wide>(rest.count()) * of_ticks >> 31);
   const auto fraction = static_cast<std::uint32_t>(points) >> 8U;  // as many bits as a float has
   return {static_cast<std::int64_t>(points >> 32), static_cast<float>(fraction) * 0x1p-24F};
 }

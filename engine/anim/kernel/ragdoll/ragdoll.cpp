@@ -140,10 +140,10 @@ void step_once(const RagdollRig& rig, std::span<const GroundPlane> ground, Ragdo
 }  // namespace
 
 void ragdoll_step(const RagdollRig& rig, std::span<const GroundPlane> ground, Ticks elapsed, RagdollState& state) {
-  assert(elapsed >= 0);
+  assert(elapsed >= Ticks{});
   assert(ground.size() == 1 || ground.size() == rig.bodies.size());
   state.unspent += elapsed;
-  Ticks steps = state.unspent / ragdoll_step_ticks;
+  std::int64_t steps = state.unspent / ragdoll_step_ticks;
   state.unspent %= ragdoll_step_ticks;
   for (; steps > 0 && state.asleep == 0; --steps) step_once(rig, ground, state);
 }

@@ -32,7 +32,7 @@ struct RagdollBodyState {
 /// The whole state between two frames, in plain bytes that may be copied and moved.
 struct RagdollState {
   RagdollBodyState bodies[max_ragdoll_bodies];  ///< those at and above the rig's count are not used
-  Ticks unspent = 0;                            ///< time given but not yet simulated, below a step
+  Ticks unspent{};                              ///< time given but not yet simulated, below a step
   std::int32_t quiet_steps = 0;                 ///< steps in a row with almost no movement
   std::int32_t asleep = 0;                      ///< 1: nothing moves until a push or wake_ragdoll
 };
@@ -48,7 +48,7 @@ struct GroundPlane {
 struct RagdollStart {
   PoseView before{};  ///< the pose `elapsed` ago; may be the same as `now`
   PoseView now{};
-  Ticks elapsed = 0;         ///< 0: it starts without movement of its own
+  Ticks elapsed{};           ///< 0: it starts without movement of its own
   glm::vec3 velocity{0.0F};  ///< velocity of the character as a whole, beside what its poses do
 };
 

@@ -62,12 +62,12 @@ glm::vec3 origin_of(const RagdollBody& body, const RagdollBodyState& state) {
 }  // namespace
 
 void ragdoll_from_pose(const RagdollRig& rig, const RagdollStart& start, RagdollState& state) {
-  assert(start.elapsed >= 0);
+  assert(start.elapsed >= Ticks{});
   state = {};
   const std::span now(state.bodies, rig.bodies.size());
   place_bodies(rig, start.now, now);
   for (RagdollBodyState& body : now) body.velocity = start.velocity;
-  if (start.elapsed == 0) return;
+  if (start.elapsed == Ticks{}) return;
   RagdollBodyState before[max_ragdoll_bodies];
   place_bodies(rig, start.before, before);
   set_velocities(before, static_cast<float>(to_seconds(start.elapsed)), now);

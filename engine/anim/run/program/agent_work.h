@@ -20,7 +20,7 @@ inline constexpr std::size_t most_skeletons = 32;  ///< the most in one update
 struct AgentWork {
   const PoseProgram* program = nullptr;
   const Handle* entities = nullptr;  ///< [step of the program]; they stay where they are until the update is over
-  Ticks delta = 0;                   ///< since its last update
+  Ticks delta{};                     ///< since its last update
   PaletteDestination palette = {};   ///< written once; null: posed, but nobody draws it
   std::uint32_t agent = 0;
   std::uint16_t cost = 1;        ///< predicted, in steps of cost_step

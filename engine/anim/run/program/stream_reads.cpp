@@ -12,7 +12,8 @@ std::uint64_t of_rows(const SampledStream& stream, int packets) {
 }
 
 std::uint64_t of_keys(const KeyframeStream& stream, Ticks passed, Ticks duration) {
-  const double loops = duration > 0 ? static_cast<double>(std::abs(passed)) / static_cast<double>(duration) : 0.0;
+  const double loops =
+      duration > Ticks{} ? static_cast<double>(std::abs(passed.count())) / static_cast<double>(duration.count()) : 0.0;
   return static_cast<std::uint64_t>(std::min(loops, 1.0) * stream.total_size);
 }
 
@@ -31,7 +32,9 @@ std::uint64_t stream_bytes_read(const UpdateContext& context, const AgentWork& w
       bytes += of_rows(*clip.sampled, context.packets(work.level));
     } else {
       const double speed = static_cast<double>(player.speed) / 65536.0;
-      bytes += of_keys(*clip.keyframe, static_cast<Ticks>(static_cast<double>(work.delta) * speed), clip.duration);
+      bytes +=
+          of_keys(*clip.keyframe, Ticks{static_cast<std::int64_t>(static_cast<double>(work.delta.count()) * speed)},
+                  clip.duration);
     }
   }
   return bytes;

@@ -74,15 +74,15 @@ TEST_P(EveryInterpolation, ShowsEachKeyAtItsTime) {
 TEST_P(EveryInterpolation, DependsOnTimeAloneWhateverThePath) {
   std::mt19937 random(11);
   TestPlayer wanderer(stream_);
-  Ticks time = 0;
+  Ticks time{};
   for (int step = 0; step < 1000; ++step) {
     const auto dice = random() % 8U;
-    if (dice < 4) time += static_cast<Ticks>(random() % 20'000'000U);             // on, by some frames
-    if (dice == 4) time -= static_cast<Ticks>(random() % 20'000'000U);            // back a little
-    if (dice == 5) time = static_cast<Ticks>(random()) % (stream_.duration + 1);  // anywhere
+    if (dice < 4) time += Ticks{static_cast<std::int64_t>(random() % 20'000'000U)};   // on, by some frames
+    if (dice == 4) time -= Ticks{static_cast<std::int64_t>(random() % 20'000'000U)};  // back a little
+    if (dice == 5) time = Ticks{static_cast<std::int64_t>(random())} % (stream_.duration + Ticks{1});  // anywhere
     if (dice == 6) time = stream_.duration;
     if (time > stream_.duration) time -= stream_.duration;  // a loop
-    time = std::clamp<Ticks>(time, 0, stream_.duration);
+    time = std::clamp(time, Ticks{}, stream_.duration);
     TestPlayer fresh(stream_);
     ASSERT_TRUE(same_bits(wanderer.pose_at(time), fresh.pose_at(time))) << "step " << step << ", tick " << time;
     ASSERT_TRUE(std::ranges::equal(wanderer.interpolations(), fresh.interpolations())) << "step " << step;
@@ -181,7 +181,7 @@ TEST(KeyframePlayer, HoldsTheNearestKeyOutsideATrack) {
                         .values = {glm::vec3(1.0F, 2.0F, 3.0F), glm::vec3(4.0F, 5.0F, 6.0F)}};
   const AlignedBytes block = build_keyframe_stream(model.skeleton, one_bone_clip(tracks, 1.0));
   TestPlayer player(stream_in(block));
-  EXPECT_EQ(component_of(player.pose_at(0), rigid_components, 0, 4), 1.0F);
+  EXPECT_EQ(component_of(player.pose_at(Ticks{}), rigid_components, 0, 4), 1.0F);
   EXPECT_EQ(component_of(player.pose_at(ticks_per_second), rigid_components, 0, 6), 6.0F);
 }
 

@@ -167,7 +167,7 @@ TEST(Noise, HasNoJumpsInValueOrVelocity) {
   constexpr Ticks step = ticks_per_second / 10000;
   constexpr double seconds = 1e-4;
   glm::dvec3 before = turn_at({.amplitudes = even_amplitudes(1.0F), .point = noise_at(-step, frequency)}, 3);
-  glm::dvec3 now = turn_at({.amplitudes = even_amplitudes(1.0F), .point = noise_at(0, frequency)}, 3);
+  glm::dvec3 now = turn_at({.amplitudes = even_amplitudes(1.0F), .point = noise_at(Ticks{}, frequency)}, 3);
   for (int i = 1; i < 12500; ++i) {
     const glm::dvec3 next = turn_at({.amplitudes = even_amplitudes(1.0F), .point = noise_at(i * step, frequency)}, 3);
     ASSERT_LT(glm::length(next - now), 8.0 * seconds) << i;
@@ -179,7 +179,7 @@ TEST(Noise, HasNoJumpsInValueOrVelocity) {
 }
 
 TEST(Noise, IsAsExactAfterAYearAsAtFirst) {
-  constexpr Ticks year = Ticks{365} * 24 * 3600 * ticks_per_second;
+  constexpr Ticks year = 365 * 24 * 3600 * ticks_per_second;
   constexpr float frequency = 7.25F;
   const NoisePoint first = noise_at(ticks_per_second / 3, frequency);
   const NoisePoint later = noise_at(year + ticks_per_second / 3, frequency);
@@ -202,7 +202,7 @@ TEST(Noise, StandsStillAtNoFrequency) {
 }
 
 TEST(Noise, HasAtMostHalfALatticePointATick) {
-  const NoisePoint point = noise_at(3, 1e30F);
+  const NoisePoint point = noise_at(Ticks{3}, 1e30F);
   EXPECT_NEAR(static_cast<double>(point.lattice) + static_cast<double>(point.fraction), 1.5, 1e-6);
 }
 

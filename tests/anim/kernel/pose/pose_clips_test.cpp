@@ -101,7 +101,8 @@ class PoseClips : public ::testing::TestWithParam<int> {
 /// A clip, and characters that show it in a wrong way.
 struct ShownWrongly {
   static inline const StreamBlock block{wavy_rows(bones, rigid_components, 24)};
-  static inline const ClipMoment moment{&block.stream(), locate(block.stream(), 0)}, no_stream{nullptr, moment.point};
+  static inline const ClipMoment moment{&block.stream(), locate(block.stream(), Ticks{})},
+      no_stream{nullptr, moment.point};
   static inline const ClipMoment no_rows{&block.stream(), {}};
   static inline const ClipMoment heavy{&block.stream(), {moment.point.from, moment.point.to, 7}};
   static inline const ShownClips right{&moment, &moment, 0.5F}, alone{&moment, nullptr, 0.0F},

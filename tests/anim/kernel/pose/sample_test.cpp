@@ -56,7 +56,8 @@ class Sample : public ::testing::TestWithParam<int> {
 TEST(SampleJob, IsValidAsItsCommentsSay) {
   const StreamBlock block(wavy_rows(37, rigid_components, 9));
   Packet out{};
-  const SampleJob job{.stream = &block.stream(), .point = locate(block.stream(), 0), .packet = 1, .pose = out.lanes[0]};
+  const SampleJob job{
+      .stream = &block.stream(), .point = locate(block.stream(), Ticks{}), .packet = 1, .pose = out.lanes[0]};
   expect_validity<SampleJob>(job, {{false, "no stream", [](SampleJob& job) { job.stream = nullptr; }},
                                    {false, "no row", [](SampleJob& job) { job.point.from = nullptr; }},
                                    {false, "a row off the alignment", [](SampleJob& job) { job.point.to += 4; }},
@@ -72,7 +73,7 @@ TEST_P(Sample, AgreesWithTheRowsToTheirQuantisationOnEveryTarget) {
   for (const Kernels& kernels : runnable_kernels()) {
     for (int step = 0; step <= 8 * 7; ++step) {
       const double row = step / 7.0;
-      const Ticks time = rows_.first_row + std::llround(row * static_cast<double>(rows_.row_step));
+      const Ticks time = rows_.first_row + Ticks{std::llround(row * static_cast<double>(rows_.row_step.count()))};
       const int from = std::min(step / 7, rows_.row_count - 1);
       for (int packet = 0; packet < packets_for(rows_.bone_count); ++packet) {
         const Packet out = sample(kernels, block_.stream(), time, packet);
@@ -167,7 +168,7 @@ TEST(SampleOfRowsAsFarApartAsTheyMayBe, LeavesRotationsUnitToAMillionth) {
 TEST(SampleOfARigidClip, DoesNotTouchWhatTheStateHasNot) {
   const StreamBlock block(wavy_rows(16, rigid_components, 3));
   for (const Kernels& kernels : runnable_kernels()) {
-    const Packet out = sample(kernels, block.stream(), 0, 0);
+    const Packet out = sample(kernels, block.stream(), Ticks{}, 0);
     for (int component = rigid_components; component < general_components; ++component) {
       for (const float value : out.lanes[component]) EXPECT_EQ(value, 0.0F) << kernels.target;
     }

@@ -16,7 +16,7 @@ class RagdollBits : public testing::Test {
   RagdollState stepped(Ticks by, double seconds) const {
     RagdollState state = standing(rig_);
     const GroundPlane ground;
-    for (Ticks left = to_ticks(seconds); left > 0; left -= by)
+    for (Ticks left = to_ticks(seconds); left > Ticks{}; left -= by)
       ragdoll_step(rig_, {&ground, 1}, std::min(left, by), state);
     return state;
   }
@@ -51,9 +51,9 @@ TEST_F(RagdollBits, WaitForAWholeStep) {
   RagdollState state = standing(rig_);
   const glm::vec3 before = state.bodies[0].position;
   const GroundPlane ground;
-  ragdoll_step(rig_, {&ground, 1}, ragdoll_step_ticks - 1, state);
+  ragdoll_step(rig_, {&ground, 1}, ragdoll_step_ticks - Ticks{1}, state);
   EXPECT_EQ(state.bodies[0].position, before);
-  ragdoll_step(rig_, {&ground, 1}, 1, state);
+  ragdoll_step(rig_, {&ground, 1}, Ticks{1}, state);
   EXPECT_NE(state.bodies[0].position, before);
 }
 

@@ -30,17 +30,18 @@ using Plan = std::vector<Ask>;
 
 class MannequinFeet : public testing::Test {
  protected:
-  double between(double from, double to) { return from + (to - from) * (static_cast<double>(random_()) / 4294967296.0); }
+  double between(double from, double to) {
+    return from + (to - from) * (static_cast<double>(random_()) / 4294967296.0);
+  }
 
   anim::PlayRequest some_clip(double least_fade, double most_fade) {
     return some_of(static_cast<int>(random_() % clip_list.size()), least_fade, most_fade);
   }
   anim::PlayRequest some_of(int clip, double least_fade, double most_fade) {
-    const auto duration =
-        static_cast<double>(PairedWalkers::character().clips[static_cast<std::size_t>(clip)].duration);
+    const double seconds = anim::to_seconds(PairedWalkers::character().clips[static_cast<std::size_t>(clip)].duration);
     return {.clip = clip,
             .fade = anim::to_ticks(between(least_fade, most_fade)),
-            .start = static_cast<anim::Ticks>(between(0.0, 0.99) * duration),
+            .start = anim::to_ticks(between(0.0, 0.99) * seconds),
             .loop = !plays_once(clip_list[static_cast<std::size_t>(clip)])};
   }
   int some_gait() { return std::array{idle, walk, jog, run}[random_() % 4U]; }
@@ -114,7 +115,7 @@ TEST_F(MannequinFeet, KeepTheHipsWithinTwoCentimetresInABlendSpace) {
       if (random_() % 60U == 0) wanted[pair] = static_cast<float>(between(0.0, 1.0)) * gaits.back().parameter;
       speeds[pair] += 0.08F * (wanted[pair] - speeds[pair]);
       walkers.ask(pair, [&](anim::Agent agent) {
-        EXPECT_TRUE(agent.change<anim::BlendSpaceChannel>(0, [&](auto& walk) { walk.set_parameter(speeds[pair]); }));
+        EXPECT_TRUE(agent.change<anim::BlendSpaceChannel>({0}, [&](auto& walk) { walk.set_parameter(speeds[pair]); }));
       });
     }
     const std::vector<PairedWalkers::Pair>& now = walkers.step();

@@ -69,7 +69,7 @@ const std::vector<PairedWalkers::Pair>& PairedWalkers::step() {
     placement.rotation =
         glm::normalize(placement.rotation * glm::angleAxis(static_cast<float>(moved.yaw), glm::vec3(0.0F, 1.0F, 0.0F)));
     const anim::Status changed =
-        agent.change_process<FootPlacementProcess>(0, [&](auto& feet) { feet.set_placement(placement); });
+        agent.change_process<FootPlacementProcess>({0}, [&](auto& feet) { feet.set_placement(placement); });
     if (!changed) std::abort();
   }
   system_->update(updates_);

@@ -64,7 +64,7 @@ void AgentMotion::visit_data_keys(std::size_t step, Ticks from, Ticks to,
   const FineTicks begin = position(own, from);
   anim::for_each_data_key(clip.data_keys, clip.duration, (own.flags & Player::looping) != 0, begin, position(own, to),
                           [&](const DataKey& key, FineTicks at) {
-                            visit(key, from + (own.speed == 0 ? 0 : (at - begin) / own.speed));
+                            visit(key, from + Ticks{own.speed == 0 ? 0 : (at - begin) / own.speed});
                             return true;
                           });
 }
@@ -95,7 +95,7 @@ void AgentMotion::for_each_end(Ticks from, Ticks to, const std::function<void(co
     const bool arrives = own.speed > 0 ? position(own, to) >= end : position(own, to) <= end;
     if (!is_before || !arrives) return;
     const FineTicks speed = std::abs(FineTicks{own.speed});
-    visit({.clip = own.clip, .time = from + (left + speed - 1) / speed, .weight = std::min(felt[step], 1.0F)});
+    visit({.clip = own.clip, .time = from + Ticks{(left + speed - 1) / speed}, .weight = std::min(felt[step], 1.0F)});
   });
 }
 

@@ -16,7 +16,7 @@ namespace throng::anim {
 struct DataKeyEvent {
   std::uint32_t name = 0;  ///< index of Character::data_key_names
   std::uint32_t clip = 0;
-  Ticks time{};        ///< the time of the clock at which it was met
+  Ticks time{};         ///< the time of the clock at which it was met
   float weight = 0.0F;  ///< how much of the clip is felt, 0 to 1: its largest share in the pose of any bone
 };
 
@@ -30,7 +30,7 @@ enum class KeyChoice : unsigned char {
 /// A clip that does not loop has reached its end, or its start where it plays backwards.
 struct ClipEnd {
   std::uint32_t clip = 0;
-  Ticks time{};        ///< the time of the clock at which it arrived
+  Ticks time{};         ///< the time of the clock at which it arrived
   float weight = 0.0F;  ///< as in DataKeyEvent
 };
 

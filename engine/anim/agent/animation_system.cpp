@@ -9,7 +9,7 @@
 namespace throng::anim {
 namespace {
 
-constexpr Ticks latest_clock = Ticks{36525} * 24 * 3600 * ticks_per_second;  // a hundred years
+constexpr Ticks latest_clock = std::int64_t{36525} * 24 * 3600 * ticks_per_second;  // a hundred years
 
 }  // namespace
 

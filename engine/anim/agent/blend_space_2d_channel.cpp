@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -31,8 +30,14 @@ Result<std::shared_ptr<const BlendSpace2d>> BlendSpace2d::create(std::vector<Ble
 
 BlendSpace2dChannel::BlendSpace2dChannel(std::shared_ptr<const BlendSpace2d> space, const glm::vec2& place)
     : space_(std::move(space)) {
-  assert(space_ != nullptr);
   set_place(place);
+}
+
+const char* BlendSpace2dChannel::fault(const EntityBuilder& build) const {
+  if (space_ == nullptr) return "the blend space is null";
+  const bool has_clips =
+      std::ranges::all_of(space_->all(), [&](const BlendPoint2d& one) { return build.has_clip(one.clip); });
+  return has_clips ? nullptr : "the clip of a point is not an index of the character's clips";
 }
 
 void BlendSpace2dChannel::set_place(const glm::vec2& place) {

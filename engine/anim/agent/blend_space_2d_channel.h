@@ -34,6 +34,7 @@ class BlendSpace2d {
                                                             int clip_count);
 
   const BlendPoint2d& point(std::size_t index) const { return points_[index]; }
+  std::span<const BlendPoint2d> all() const { return points_; }
   PlaneMeaning meaning() const { return meaning_; }
   const BlendPlane& plane() const { return plane_; }
 
@@ -61,6 +62,7 @@ class BlendSpace2dChannel final : public Channel {
   /// Returns the phase of the gait that leads at the clock, 0 to below 1; 0 where no gait plays.
   double phase(const EntityBuilder& build) const { return players_.phase(build); }
 
+  const char* fault(const EntityBuilder& build) const override;
   Handle state() const override { return blend_.valid() ? blend_ : players_.player(0); }
   bool update(const EntityBuilder& build) override;
   Ticks next_update() const override { return players_.next_update(); }

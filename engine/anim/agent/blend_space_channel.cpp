@@ -2,21 +2,34 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <utility>
+
+#include "engine/anim/base/misuse.h"
 
 namespace throng::anim {
 
 BlendSpaceChannel::BlendSpaceChannel(std::vector<BlendPoint> points, float parameter, bool is_ground_speed)
     : points_(std::move(points)), is_ground_speed_(is_ground_speed) {
-  assert(!points_.empty());
-  assert(std::ranges::is_sorted(points_, {}, &BlendPoint::parameter));
   set_parameter(parameter);
 }
 
 void BlendSpaceChannel::set_parameter(float parameter) {
-  if (!std::isnan(parameter)) parameter_ = parameter;
+  if (std::isfinite(parameter)) {
+    parameter_ = parameter;
+  } else {
+    report_misuse({"BlendSpaceChannel::set_parameter", "a parameter is a finite number"});
+  }
+}
+
+const char* BlendSpaceChannel::fault(const EntityBuilder& build) const {
+  if (points_.empty()) return "a blend space has points";
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!build.has_clip(points_[i].clip)) return "the clip of a point is not an index of the character's clips";
+    if (!std::isfinite(points_[i].parameter)) return "the parameter of a point is a number";
+    if (i > 0 && !(points_[i - 1].parameter < points_[i].parameter)) return "the parameters of points ascend";
+  }
+  return nullptr;
 }
 
 BlendSpaceChannel::Place BlendSpaceChannel::place() const {

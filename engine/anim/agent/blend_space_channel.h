@@ -42,6 +42,7 @@ class BlendSpaceChannel final : public Channel {
   /// Returns the phase of the gait that leads at the clock, 0 to below 1; 0 where no gait plays.
   double phase(const EntityBuilder& build) const { return players_.phase(build); }
 
+  const char* fault(const EntityBuilder& build) const override;
   Handle state() const override { return blender_.valid() ? blender_ : players_.player(0); }
   bool update(const EntityBuilder& build) override;
   Ticks next_update() const override { return players_.next_update(); }

@@ -13,7 +13,7 @@ constexpr Ticks in_step_for = 10 * ticks_per_second;
 
 MarkedClip marked(const EntityBuilder& build, int clip) {
   const ClipStreams& streams = build.clip(clip);
-  return {.keys = streams.data_keys, .duration = std::max<Ticks>(streams.duration, 1)};
+  return {.keys = streams.data_keys, .duration = std::max(streams.duration, Ticks{1})};
 }
 
 FineTicks length_of(const EntityBuilder& build, int clip) { return marked(build, clip).duration * fine_ticks_per_tick; }
@@ -21,7 +21,7 @@ FineTicks length_of(const EntityBuilder& build, int clip) { return marked(build,
 /// Returns the ticks until a position leaves [begin, end) at that speed, which is not 0.
 Ticks ticks_until_left(FineTicks position, const MarkerMap::Place& place, FineTicks speed) {
   const FineTicks left = speed > 0 ? place.end - position : position - place.begin + 1;
-  return (left + std::abs(speed) - 1) / std::abs(speed);
+  return Ticks{(left + std::abs(speed) - 1) / std::abs(speed)};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace throng::anim {
 /// A looping clip and the moments that mark its way, such as the strikes of its feet.
 struct MarkedClip {
   std::span<const DataKey> keys;  ///< ascending
-  Ticks duration = 0;             ///< above 0
+  Ticks duration{};               ///< above 0
 };
 
 /// Maps the positions of one looping clip, the leader, to those of another, so that the markers of both come at the

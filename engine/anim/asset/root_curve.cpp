@@ -101,10 +101,10 @@ RootCurve straight_root_curve(Ticks duration, const glm::dvec3& translation) {
 // Keys lie an eighth of a turn apart at most, since the way along an arc is told by its ends.
 RootCurve steady_root_curve(Ticks duration, const RootVelocity& velocity) {
   const double turn = std::abs(velocity.yaw) * to_seconds(duration);
-  const auto arcs = static_cast<Ticks>(std::ceil(turn / (0.25 * std::numbers::pi)));
+  const auto arcs = static_cast<std::int64_t>(std::ceil(turn / (0.25 * std::numbers::pi)));
   if (arcs == 0) return straight_root_curve(duration, velocity.linear * to_seconds(duration));
   RootCurve curve{.duration = duration, .keys = {RootKey{}}};
-  for (Ticks i = 1; i <= arcs; ++i) {
+  for (std::int64_t i = 1; i <= arcs; ++i) {
     const Ticks time = duration * i / arcs;
     const RootMotion there = moved_by(velocity, to_seconds(time));
     const glm::dvec3& place = there.translation;

@@ -39,8 +39,8 @@ Survey survey(const Skeleton& skeleton, const StateClip& clip) {
   const AlignedBytes block = pack_keyframe_stream(clip);
   ExactPoses poses(*reinterpret_cast<const KeyframeStream*>(block.get()));
   Survey survey{.frames = {}, .seconds = to_seconds(clip.duration)};
-  const auto steps = static_cast<Ticks>(std::clamp(survey.seconds * 30.0, 16.0, 1800.0));
-  for (Ticks i = 0; i <= steps; ++i) {
+  const auto steps = static_cast<std::int64_t>(std::clamp(survey.seconds * 30.0, 16.0, 1800.0));
+  for (std::int64_t i = 0; i <= steps; ++i) {
     Frames& frames = survey.frames.emplace_back(skeleton.bones.size());
     compute_frames(skeleton, poses.at(clip.duration * i / steps), frames);
   }

@@ -32,9 +32,9 @@ double distance(const Skeleton& skeleton, const SurfaceProxy& proxy, const State
   ExactPoses expected(*reinterpret_cast<const KeyframeStream*>(from.get()));
   ExactPoses placed(*reinterpret_cast<const KeyframeStream*>(to.get()));
   std::vector<BoneFrame> before(skeleton.bones.size()), after(skeleton.bones.size());
-  const auto looks = static_cast<Ticks>(std::clamp(to_seconds(clip.duration) * looks_a_second, 32.0, 4000.0));
+  const auto looks = static_cast<std::int64_t>(std::clamp(to_seconds(clip.duration) * looks_a_second, 32.0, 4000.0));
   double worst = 0.0;
-  for (Ticks i = 0; i <= looks; ++i) {
+  for (std::int64_t i = 0; i <= looks; ++i) {
     const Ticks time = clip.duration * i / looks;
     compute_frames(skeleton, expected.at(time), before);
     compute_frames(skeleton, placed.at(time), after);

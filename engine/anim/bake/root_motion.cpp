@@ -102,7 +102,7 @@ glm::dvec3 travel_of(const Skeleton& skeleton, const StateClip& clip, int bone, 
 
 RootCurve find_root_motion(const Skeleton& skeleton, const StateClip& clip, double size) {
   const RootCurve none{.duration = clip.duration, .keys = {}};
-  if (clip.duration <= 0 || a_root_steps(skeleton, clip)) return none;
+  if (clip.duration <= Ticks{} || a_root_steps(skeleton, clip)) return none;
   const int moving = topmost_moving_bone(skeleton, clip, KeyChannel::position);
   const int turning = topmost_moving_bone(skeleton, clip, KeyChannel::rotation);
   const glm::dvec3 travel = moving < 0 ? glm::dvec3(0.0) : travel_of(skeleton, clip, moving, least_travel * size);

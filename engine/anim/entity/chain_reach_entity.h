@@ -15,6 +15,8 @@ namespace throng::anim {
 ///
 ///     [header 96 | chain reach 32 | transforms if resident | ChainReachMemory]
 struct alignas(64) ChainReachEntity {
+  static constexpr EntityType entity_type = EntityType::chain_reach;
+
   AnimationStateHeader state;  //   0
   Handle source;               //  96
   float target[3];             // 100  metres, model space: the place that the end of the chain reaches for

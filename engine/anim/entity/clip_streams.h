@@ -14,7 +14,7 @@ namespace throng::anim {
 struct ClipStreams {
   const KeyframeStream* keyframe = nullptr;
   const SampledStream* sampled = nullptr;  ///< null: the clip plays from its keyframe stream
-  Ticks duration = 0;
+  Ticks duration{};
   const RootCurve* root_motion = nullptr;  ///< the motion that was taken out of the pose; null: none was
   std::span<const DataKey> data_keys{};    ///< ascending
   const MorphCurves* morphs = nullptr;     ///< null: the clip leaves the surface as it is

@@ -13,6 +13,8 @@ namespace throng::anim {
 ///
 ///     [header 96 | spring bones 32 | transforms if resident | SpringBody 44 | a carrier 28, ... | a joint 36, ...]
 struct alignas(64) SpringBonesEntity {
+  static constexpr EntityType entity_type = EntityType::spring_bones;
+
   AnimationStateHeader state;  //   0
   Handle source;               //  96
   float reserved[3];           // 100

@@ -30,7 +30,7 @@ struct Walker : GaitCrowd {
   }
   void set_velocity(const glm::vec2& velocity) {
     const Status changed = system->agent(0).change<BlendSpace2dChannel>(
-        0, [&](BlendSpace2dChannel& channel) { channel.set_place(velocity); });
+        {0}, [&](BlendSpace2dChannel& channel) { channel.set_place(velocity); });
     EXPECT_TRUE(changed) << changed.error().message;
   }
   glm::dvec3 velocity() const {
@@ -94,7 +94,7 @@ TEST(BlendSpace2d, TakesAnyPlaceThatIsFinite) {
     EXPECT_GE(walker.players().size(), 1U);
   }
   walker.set_velocity({nan, 1.0F});
-  EXPECT_EQ(std::as_const(*walker.system).agent(0).channel<BlendSpace2dChannel>(0).place(), glm::vec2(0.0F));
+  EXPECT_EQ(std::as_const(*walker.system).agent(0).channel<BlendSpace2dChannel>({0})->place(), glm::vec2(0.0F));
 }
 
 TEST(BlendSpace2d, RefusesAClipThatTheCharacterDoesNotHave) {

@@ -30,7 +30,7 @@ const EntityKind& reaching() {
 
 TEST(ChainReachProcess, BringsTheEndOfAChainToItsTarget) {
   PersonCrowd crowd({.schedule = Schedule::levels});
-  const EntityPools::Kind kind = crowd.system().characters().add_entity_kind(reaching());
+  const EntityPools::Kind kind = *crowd.system().characters().add_entity_kind(reaching());
   const glm::vec3 target(0.35F, 1.25F, 0.25F);
   auto reach = std::make_unique<ChainReachProcess>(kind, ChainReachProcess::Settings{.chain = 1, .iterations = 64});
   reach->set_target(target);
@@ -40,7 +40,7 @@ TEST(ChainReachProcess, BringsTheEndOfAChainToItsTarget) {
   EXPECT_GT(glm::distance(crowd.joint("hand.L").position, target), 0.05F);
   crowd.step(20);
   EXPECT_LT(glm::distance(crowd.joint("hand.L").position, target), 2e-3F);
-  EXPECT_LT(crowd.system().agent(0).post_process<ChainReachProcess>(0).missed_by(crowd.system().agent(0).pools()),
+  EXPECT_LT(crowd.system().agent(0).post_process<ChainReachProcess>({0})->missed_by(crowd.system().agent(0).pools()),
             2e-3F);
 }
 
@@ -48,7 +48,7 @@ TEST(ChainReachProcess, GivesOnePoseHashHoweverItIsRun) {
   constexpr std::uint32_t people = 5;
   const auto run = [](const SystemOptions& options) {
     PersonCrowd crowd(options, people);
-    const EntityPools::Kind kind = crowd.system().characters().add_entity_kind(reaching());
+    const EntityPools::Kind kind = *crowd.system().characters().add_entity_kind(reaching());
     for (std::uint32_t agent = 0; agent < people; ++agent) {
       auto reach = std::make_unique<ChainReachProcess>(kind, ChainReachProcess::Settings{.chain = agent % 2});
       reach->set_weight(agent == 3 ? 0.5F : 1.0F);
@@ -56,7 +56,7 @@ TEST(ChainReachProcess, GivesOnePoseHashHoweverItIsRun) {
     }
     for (int frame = 0; frame < 30; ++frame) {
       for (std::uint32_t agent = 0; agent < people; ++agent) {
-        EXPECT_TRUE(crowd.system().agent(agent).change_process<ChainReachProcess>(0, [&](auto& reach) {
+        EXPECT_TRUE(crowd.system().agent(agent).change_process<ChainReachProcess>({0}, [&](auto& reach) {
           reach.set_target({std::sin(0.1F * static_cast<float>(frame)), 1.3F, 0.3F});
         }));
       }

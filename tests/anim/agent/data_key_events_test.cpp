@@ -119,7 +119,7 @@ TEST(ClipEnd, ComesAtTheStartWhereTheClipPlaysBackwards) {
     met.ask(crowd, before);
   }
   ASSERT_EQ(met.ends.size(), 1U);
-  EXPECT_EQ(met.ends[0].time, (wave_length() + 1) / 2);
+  EXPECT_EQ(met.ends[0].time, (wave_length() + Ticks{1}) / 2);
 }
 
 TEST(ClipEnd, ComesAgainWhereTheClipIsPlayedBack) {
@@ -140,7 +140,7 @@ TEST(ClipEnd, NeverComesOfALoop) {
   crowd->agent(0).play({.clip = gaits::wave});
   Ends met;
   crowd->advance(10 * wave_length());
-  met.ask(crowd, 0);
+  met.ask(crowd, Ticks{});
   EXPECT_TRUE(met.ends.empty());
 }
 

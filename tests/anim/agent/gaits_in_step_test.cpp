@@ -29,7 +29,7 @@ struct Walker : GaitCrowd {
   }
   void set_speed(float speed) {
     const Status changed = system->agent(0).change<BlendSpaceChannel>(
-        0, [&](BlendSpaceChannel& channel) { channel.set_parameter(speed); });
+        {0}, [&](BlendSpaceChannel& channel) { channel.set_parameter(speed); });
     EXPECT_TRUE(changed) << changed.error().message;
   }
 };
@@ -43,9 +43,7 @@ struct StepPlace {
 };
 StepPlace step_place(const Player& player) {
   const BakedClip& clip = gait_character()->clips[player.clip];
-  const auto strike = [&](std::size_t i) {
-    return static_cast<double>(clip.data_keys[i].time) / static_cast<double>(clip.duration);
-  };
+  const auto strike = [&](std::size_t i) { return to_seconds(clip.data_keys[i].time) / to_seconds(clip.duration); };
   const double at = phase(player);
   const bool between = strike(0) <= at && at < strike(1);
   const double way = between ? strike(1) - strike(0) : 1.0 - (strike(1) - strike(0));
@@ -99,7 +97,7 @@ TEST(BlendSpaceRoot, MovesAtTheParameterOverAnyInterval) {
           std::as_const(*walker.system).agent(0).motion().displacement(before, walker.system->clock());
       const double seconds = to_seconds(walker.system->clock() - before);
       ASSERT_NEAR(moved.translation.z, static_cast<double>(speed) * seconds, 2e-4 * seconds) << speed;
-      if (i % 3 == 0) walker.step(0);
+      if (i % 3 == 0) walker.step(Ticks{});
     }
   }
 }
@@ -191,7 +189,7 @@ TEST(BlendSpaceGaits, DoNotMindAParameterThatIsNoNumber) {
   Walker walker(1.9F);
   walker.set_speed(std::numeric_limits<float>::quiet_NaN());
   walker.step();
-  EXPECT_EQ(std::as_const(*walker.system).agent(0).channel<BlendSpaceChannel>(0).parameter(), 1.9F);
+  EXPECT_EQ(std::as_const(*walker.system).agent(0).channel<BlendSpaceChannel>({0})->parameter(), 1.9F);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST_F(MisuseTest, OfAnAgentThatIsNotThere) {
   }
   EXPECT_THAT(system().agent(99).pose(), IsEmpty());
   EXPECT_EQ(system().agent(99).channel_count(), 0U);
-  EXPECT_EQ(system().agent(99).motion().displacement(0, ticks_per_second).translation, glm::dvec3(0.0));
+  EXPECT_EQ(system().agent(99).motion().displacement(Ticks{}, ticks_per_second).translation, glm::dvec3(0.0));
 }
 
 TEST_F(MisuseTest, OfARequestThatIsNone) {

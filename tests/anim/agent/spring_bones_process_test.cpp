@@ -32,7 +32,7 @@ const EntityKind& springs() {
 }
 
 void add_springs(PersonCrowd& crowd) {
-  const EntityPools::Kind kind = crowd.system().characters().add_entity_kind(springs());
+  const EntityPools::Kind kind = *crowd.system().characters().add_entity_kind(springs());
   for (std::uint32_t agent = 0; agent < crowd.system().agent_count(); ++agent) {
     EXPECT_TRUE(crowd.system().agent(agent).add_post_process(std::make_unique<SpringBonesProcess>(kind)));
   }
@@ -43,7 +43,7 @@ void walk(PersonCrowd& crowd, int first, int last) {
   for (int frame = first; frame < last; ++frame) {
     for (std::uint32_t agent = 0; agent < crowd.system().agent_count(); ++agent) {
       const auto time = static_cast<float>(frame) / 60.0F + static_cast<float>(agent);
-      EXPECT_TRUE(crowd.system().agent(agent).change_process<SpringBonesProcess>(0, [&](auto& hair) {
+      EXPECT_TRUE(crowd.system().agent(agent).change_process<SpringBonesProcess>({0}, [&](auto& hair) {
         hair.set_placement({.rotation = glm::angleAxis(std::sin(time), glm::vec3(0.0F, 1.0F, 0.0F)),
                             .position = {std::sin(2.0F * time), 0.0F, time}});
         if (frame == 20) hair.set_ground(0.9F);
@@ -85,7 +85,7 @@ TEST(SpringBonesProcess, FollowsThePlacementInTheWorld) {
   add_springs(crowd);
   crowd.step(10);
   const auto hand = [&](float x) {
-    EXPECT_TRUE(crowd.system().agent(0).change_process<SpringBonesProcess>(0, [&](auto& hair) {
+    EXPECT_TRUE(crowd.system().agent(0).change_process<SpringBonesProcess>({0}, [&](auto& hair) {
       hair.set_placement({.position = {x, 0.0F, 0.0F}});
     }));
     crowd.step();
@@ -94,7 +94,7 @@ TEST(SpringBonesProcess, FollowsThePlacementInTheWorld) {
   const glm::vec3 before = hand(0.0F);
   const glm::vec3 pulled = hand(0.1F);
   EXPECT_LT(pulled.x, before.x - 0.03F) << "it is left behind in the world";
-  const auto& hair = crowd.system().agent(0).post_process<SpringBonesProcess>(0);
+  const auto& hair = *crowd.system().agent(0).post_process<SpringBonesProcess>({0});
   EXPECT_EQ(hair.joints(crowd.system().agent(0).pools()).size(), 3U);
 }
 
@@ -103,7 +103,7 @@ TEST(SpringBonesProcess, IsTheSameBitsAsNoneWithoutWeight) {
   PersonCrowd weightless;
   add_springs(weightless);
   EXPECT_TRUE(
-      weightless.system().agent(0).change_process<SpringBonesProcess>(0, [](auto& hair) { hair.set_weight(0.0F); }));
+      weightless.system().agent(0).change_process<SpringBonesProcess>({0}, [](auto& hair) { hair.set_weight(0.0F); }));
   none.step(20);
   weightless.step(20);
   EXPECT_EQ(weightless.system().figures().pose_hash(), none.system().figures().pose_hash());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double quarter = 0.5 * std::numbers::pi;
 
-double distance(const RootMotion& a, const RootMotion& b) {
+double apart(const RootMotion& a, const RootMotion& b) {
   return glm::distance(a.translation, b.translation) + std::abs(a.yaw - b.yaw);
 }
 
@@ -25,7 +25,7 @@ RootMotion motion(const GaitCrowd& crowd, Ticks from, Ticks to) {
 TEST(TurningMotion, OfFourSecondsOfAQuarterEachIsARound) {
   GaitCrowd crowd;
   crowd->agent(0).play({.clip = gaits::bend});
-  const RootMotion round = motion(crowd, 0, 4 * ticks_per_second);
+  const RootMotion round = motion(crowd, Ticks{}, 4 * ticks_per_second);
   EXPECT_NEAR(round.yaw, 4.0 * quarter, 1e-6);
   EXPECT_LT(glm::length(round.translation), 1e-6);
 }
@@ -43,7 +43,7 @@ GaitCrowd blended() {
 
 TEST(TurningMotion, OfABlendTurnsByTheShareOfItsClips) {
   const GaitCrowd crowd = blended();
-  const RootMotion second = motion(crowd, 0, ticks_per_second);
+  const RootMotion second = motion(crowd, Ticks{}, ticks_per_second);
   EXPECT_NEAR(second.yaw, 0.5 * quarter, 0.03) << "clips of other lengths keep step";
   EXPECT_GT(glm::length(second.translation), 1.3);
 }
@@ -52,12 +52,12 @@ TEST(TurningMotion, OfABlendComposesOfItsPieces) {
   GaitCrowd crowd = blended();
   std::mt19937_64 random(4);
   RootMotion pieces;
-  Ticks at = 0;
+  Ticks at{};
   for (int i = 0; i < 100; ++i) {
-    const Ticks next = at + static_cast<Ticks>(random() % static_cast<std::uint64_t>(2 * ticks_per_second));
+    const Ticks next = at + Ticks{static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * tick_rate))};
     pieces = compose(pieces, motion(crowd, at, next));
     at = next;
-    ASSERT_LT(distance(pieces, motion(crowd, 0, at)), 1e-6 * (1 + i)) << i;
+    ASSERT_LT(apart(pieces, motion(crowd, Ticks{}, at)), 1e-6 * (1 + i)) << i;
   }
 }
 

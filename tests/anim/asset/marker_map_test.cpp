@@ -8,16 +8,16 @@ namespace throng::anim::marker_map_test {
 namespace {
 
 constexpr std::uint32_t left = 0, right = 1, clap = 2;
-constexpr FineTicks fine = fine_ticks_per_tick;
+constexpr FineTicks fine = fine_ticks_per_tick.count();
 
 struct Clip {
   std::vector<DataKey> keys;
-  Ticks duration = 1000;
+  Ticks duration{1000};
   MarkedClip marked() const { return {.keys = keys, .duration = duration}; }
 };
 
-const Clip walk{.keys = {{100, left}, {600, right}}};
-const Clip run{.keys = {{50, right}, {250, left}}, .duration = 500};
+const Clip walk{.keys = {{Ticks{100}, left}, {Ticks{600}, right}}};
+const Clip run{.keys = {{Ticks{50}, right}, {Ticks{250}, left}}, .duration = Ticks{500}};
 
 TEST(MarkerMap, LeadsFromMarkerToMarker) {
   const MarkerMap map(walk.marked(), run.marked());
@@ -38,9 +38,9 @@ TEST(MarkerMap, SaysHowLongItStaysLinear) {
 }
 
 TEST(MarkerMap, NeverComesToAMarkerBeforeTheLeaderDoes) {
-  const Clip odd{.keys = {{33, left}, {701, right}}, .duration = 997};
+  const Clip odd{.keys = {{Ticks{33}, left}, {Ticks{701}, right}}, .duration = Ticks{997}};
   const MarkerMap map(walk.marked(), odd.marked());
-  for (const Ticks marker : {Ticks{100}, Ticks{600}}) {
+  for (const FineTicks marker : {100, 600}) {
     const FineTicks before = map.at(marker * fine - 1).position, there = map.at(marker * fine).position;
     EXPECT_LT(before, there);
     EXPECT_EQ(there, (marker == 100 ? 33 : 701) * fine);
@@ -49,14 +49,14 @@ TEST(MarkerMap, NeverComesToAMarkerBeforeTheLeaderDoes) {
 
 TEST(MarkerMap, LeavesKeysOutThatOnlyOneClipHas) {
   Clip clapping = run;
-  clapping.keys.insert(clapping.keys.begin() + 1, DataKey{100, clap});
+  clapping.keys.insert(clapping.keys.begin() + 1, DataKey{Ticks{100}, clap});
   const MarkerMap map(walk.marked(), clapping.marked());
   ASSERT_TRUE(map.has_markers());
   EXPECT_EQ(map.at(600 * fine).position, 50 * fine);
 }
 
 TEST(MarkerMap, OfOneMarkerShiftsTheWholeLoop) {
-  const Clip once{.keys = {{100, left}}}, other{.keys = {{300, left}}, .duration = 2000};
+  const Clip once{.keys = {{Ticks{100}, left}}}, other{.keys = {{Ticks{300}, left}}, .duration = Ticks{2000}};
   const MarkerMap map(once.marked(), other.marked());
   ASSERT_TRUE(map.has_markers());
   EXPECT_EQ(map.at(100 * fine).position, 300 * fine);
@@ -64,26 +64,26 @@ TEST(MarkerMap, OfOneMarkerShiftsTheWholeLoop) {
 }
 
 TEST(MarkerMap, ShiftsAsLittleAsItCanWhereSeveralStepsFit) {
-  const Clip four{.keys = {{0, left}, {250, right}, {500, left}, {750, right}}};
-  const Clip late{.keys = {{20, left}, {270, right}, {520, left}, {770, right}}};
+  const Clip four{.keys = {{Ticks{0}, left}, {Ticks{250}, right}, {Ticks{500}, left}, {Ticks{750}, right}}};
+  const Clip late{.keys = {{Ticks{20}, left}, {Ticks{270}, right}, {Ticks{520}, left}, {Ticks{770}, right}}};
   EXPECT_EQ(MarkerMap(four.marked(), late.marked()).at(500 * fine).position, 520 * fine);
 }
 
 TEST(MarkerMap, GoesByThePhaseWhereMarkersAreUnlikeOrNone) {
-  const Clip none{.keys = {}, .duration = 300};
-  const Clip gallop{.keys = {{0, left}, {10, left}, {500, right}}};
-  const Clip at_once{.keys = {{100, left}, {100, right}}};
-  const Clip at_the_seam{.keys = {{0, left}, {1000, right}}};
+  const Clip none{.keys = {}, .duration = Ticks{300}};
+  const Clip gallop{.keys = {{Ticks{0}, left}, {Ticks{10}, left}, {Ticks{500}, right}}};
+  const Clip at_once{.keys = {{Ticks{100}, left}, {Ticks{100}, right}}};
+  const Clip at_the_seam{.keys = {{Ticks{0}, left}, {Ticks{1000}, right}}};
   for (const Clip* other : {&none, &gallop, &at_once, &at_the_seam}) {
     const MarkerMap map(walk.marked(), other->marked());
     EXPECT_FALSE(map.has_markers());
-    EXPECT_EQ(map.at(500 * fine).position, other->duration * fine / 2);
+    EXPECT_EQ(map.at(500 * fine).position, other->duration.count() * fine / 2);
   }
 }
 
 TEST(MarkerMap, GoesByThePhaseWhereThereAreTooManyMarkers) {
   Clip busy;
-  for (Ticks i = 0; i < 17; ++i) busy.keys.push_back({i * 10, left});
+  for (int i = 0; i < 17; ++i) busy.keys.push_back({Ticks{i * 10}, left});
   EXPECT_FALSE(MarkerMap(busy.marked(), busy.marked()).has_markers());
 }
 

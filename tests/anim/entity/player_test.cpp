@@ -70,7 +70,7 @@ TEST(Player, HoldsAtTheEndOfAClipThatDoesNotLoop) {
 
 TEST(Player, RemembersHowFarBeyondItsEndItHasBeen) {
   const ClipStreams clip{.duration = second};
-  Player player = player_at(0, 1.0, 0);
+  Player player = player_at(Ticks{}, 1.0, 0);
   advance(player, clip, 3 * second);
   advance(player, clip, -second * 5 / 2);
   EXPECT_EQ(position(player), second / 2) << "wound back, it stands where it stood then";
@@ -79,7 +79,7 @@ TEST(Player, RemembersHowFarBeyondItsEndItHasBeen) {
 
 TEST(Player, StaysNearItsEndHoweverLongItHolds) {
   const ClipStreams clip{.duration = second};
-  Player player = player_at(0, 1.0, 0);
+  Player player = player_at(Ticks{}, 1.0, 0);
   for (int day = 0; day < 30; ++day) advance(player, clip, 24 * 3600 * second);
   EXPECT_LE(position(player), 3601 * second);
 }

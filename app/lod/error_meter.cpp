@@ -74,7 +74,7 @@ void ErrorMeter::take(WatchedAgent& watched) {
   const std::size_t stride = anim::palette_stride(most_entries_, anim::PaletteFormat::matrices);
   chosen_.push_back(static_cast<std::uint32_t>(&watched - watched_.all().data()));
   std::byte* const palette = exact_palettes_.get() + exact_.size() * stride;
-  exact_.push_back({.agent = watched.agent, .palette = reinterpret_cast<anim::PaletteMatrix*>(palette)});
+  exact_.push_back({.agent = {watched.agent}, .palette = reinterpret_cast<anim::PaletteMatrix*>(palette)});
 }
 
 // Whoever was measured for the first time in the frame before is measured again, so that it is known by how much its

@@ -35,7 +35,8 @@ highway_source() {
     (
       cd "$folder"
       . /etc/os-release
-      echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian $VERSION_CODENAME main" >sources.list
+      site=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | head -1)  # where the machine's packages come from
+      echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $site $VERSION_CODENAME main" >sources.list
       options=(-o "Dir::Etc::sourcelist=$folder/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$folder/lists"
         -o "Dir::Cache=$folder/cache")
       apt-get "${options[@]}" update && apt-get "${options[@]}" source --download-only highway && tar xf highway_*.orig.tar.gz

@@ -49,7 +49,7 @@ int main(int argument_count, char** arguments) {
     request.now = system.clock();
     lod.select({.positions = positions, .scales = scales}, request, system.executor(), 2);
     for (anim::AgentUpdate& update : lod.updates()) {
-      update.palette = anim::PaletteDestination(palettes.get() + update.agent * stride);
+      update.palette = anim::PaletteDestination(palettes.get() + update.agent.number * stride);
     }
     system.update(lod.updates());  // returns when every palette is written
     lod.settle(system.figures().report().predicted_nanoseconds);

@@ -3,7 +3,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "engine/anim/agent/turn.h"
 #include "engine/anim/agent/wind_back.h"
 
 namespace throng::anim {
@@ -26,7 +25,7 @@ const CharacterAgents& nobody() {
 const CharacterAgents& AgentView::agents() const { return exists() ? population_->character_of(number()) : nobody(); }
 
 CharacterId AgentView::character_id() const {
-  return exists() ? population_->id_of_character(population_->member(number()).character) : CharacterId{};
+  return exists() ? population_->id_of_character(population_->numbers().member(number()).character) : CharacterId{};
 }
 
 ChannelId AgentView::channel_id(std::size_t place) const {
@@ -156,7 +155,7 @@ Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, 
   const Status added = settle([&] { return own_graphs().add_post_process(build, index(), std::move(process), type); });
   const std::size_t place = post_process_count() - 1;
   if (added) return post_process_id(place);
-  own_graphs().remove_post_process(build, index(), place);
+  own_graphs().take_post_process(build, index(), place);
   return added.error();
 }
 
@@ -166,13 +165,15 @@ bool Agent::remove_post_process(ProcessId process) {
   if (!turn) return false;
   const std::optional<std::size_t> place = graphs().place(index(), process);
   if (!place) return report_misuse({call, exists() ? no_process : no_agent});
-  own_graphs().remove_post_process(builder(), index(), *place);
+  own_graphs().take_post_process(builder(), index(), *place);
   return true;
 }
 
 void Agent::remove_post_processes() {
   const Turn turn(system_->turn, "Agent::remove_post_processes");
-  if (turn && post_process_count() > 0) own_graphs().remove_post_processes(builder(), index());
+  while (turn && post_process_count() > 0) {
+    own_graphs().take_post_process(builder(), index(), post_process_count() - 1);
+  }
 }
 
 std::unique_ptr<PostProcess> Agent::take(ProcessId process) {

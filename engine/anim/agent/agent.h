@@ -24,7 +24,7 @@ class AgentView {
   /// Returns the agent's number in the system.
   std::uint32_t number() const { return id_.number; }
   /// Returns whether the agent is in the system.
-  bool exists() const { return population_->has(id_); }
+  bool exists() const { return population_->numbers().has(id_); }
   /// Returns the character that it was added as.
   CharacterId character_id() const;
   std::uint32_t character_number() const { return character_id().number; }
@@ -36,13 +36,13 @@ class AgentView {
   /// Returns a channel of this type; null if there is none of this id, or it was added as another type.
   template <typename Derived = Channel>
   const Derived* channel(ChannelId id) const {
-    return as<Derived, Channel>(graphs().find(index(), id));
+    return as<Derived, Channel>(own(id));
   }
   std::size_t post_process_count() const { return graphs().post_process_count(index()); }
   ProcessId post_process_id(std::size_t place) const;
   template <typename Derived = PostProcess>
   const Derived* post_process(ProcessId id) const {
-    return as<Derived, PostProcess>(graphs().find(index(), id));
+    return as<Derived, PostProcess>(own(id));
   }
 
   /// Returns the graph of the entities that its channels and post processes made.
@@ -73,16 +73,26 @@ class AgentView {
 
  protected:
   const AgentGraphs& graphs() const { return agents().agents; }
-  std::uint32_t index() const { return exists() ? population_->member(number()).index : 0; }
+  std::uint32_t index() const { return exists() ? population_->numbers().member(number()).index : 0; }
+
+  /// Returns a channel or post process; null if the agent has none of this id.
+  const OwnedChannel* own(ChannelId channel) const {
+    const std::optional<std::size_t> place = graphs().place(index(), channel);
+    return place ? &graphs().channel(index(), *place) : nullptr;
+  }
+  const OwnedProcess* own(ProcessId process) const {
+    const std::optional<std::size_t> place = graphs().place(index(), process);
+    return place ? &graphs().post_process(index(), *place) : nullptr;
+  }
 
   /// Returns the part as `Derived`, or null.
   template <typename Derived, typename Part>
-  static Derived* as(const OwnedPart<Part>* own) {
-    if (own == nullptr) return nullptr;
+  static Derived* as(const OwnedPart<Part>* part) {
+    if (part == nullptr) return nullptr;
     if constexpr (!std::is_same_v<Derived, Part>) {
-      if (own->type != type_tag<Derived>()) return nullptr;
+      if (part->type != type_tag<Derived>()) return nullptr;
     }
-    return static_cast<Derived*>(own->part.get());
+    return static_cast<Derived*>(part->part.get());
   }
 
  private:
@@ -120,9 +130,9 @@ class Agent : public AgentView {
   /// channel.set_parameter(speed); }). Errors: those of add_channel, and the channel was added as another type.
   template <typename Derived, typename Change>
   Status change(ChannelId channel, Change&& change_parameters) {
-    Derived* const own = as<Derived, Channel>(graphs().find(index(), channel));
-    if (own == nullptr) return refuse({"Agent::change", "the agent has no channel of this id and type"});
-    std::forward<Change>(change_parameters)(*own);
+    Derived* const found = as<Derived, Channel>(own(channel));
+    if (found == nullptr) return refuse({"Agent::change", "the agent has no channel of this id and type"});
+    std::forward<Change>(change_parameters)(*found);
     return channel_changed();
   }
 
@@ -148,9 +158,9 @@ class Agent : public AgentView {
   /// entities.
   template <typename Derived, typename Change>
   Status change_process(ProcessId process, Change&& change_parameters) {
-    Derived* const own = as<Derived, PostProcess>(graphs().find(index(), process));
-    if (own == nullptr) return refuse({"Agent::change_process", "the agent has no post process of this id and type"});
-    std::forward<Change>(change_parameters)(*own);
+    Derived* const found = as<Derived, PostProcess>(own(process));
+    if (found == nullptr) return refuse({"Agent::change_process", "the agent has no post process of this id and type"});
+    std::forward<Change>(change_parameters)(*found);
     return process_changed(process);
   }
 

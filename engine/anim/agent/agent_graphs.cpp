@@ -54,13 +54,6 @@ void AgentGraphs::remove(std::uint32_t agent) {
   free_.push_back(agent);
 }
 
-void AgentGraphs::remove_last() {
-  destroy(agents_.back());
-  agents_.pop_back();
-  graphs_.pop_back();
-  next_updates_.pop_back();
-}
-
 void AgentGraphs::make_room(std::uint32_t agents) {
   const std::size_t fresh = agents > free_.size() ? agents - free_.size() : 0;
   anim::make_room(agents_, agents_.size() + fresh);
@@ -129,16 +122,6 @@ void AgentGraphs::remove_channel(const EntityBuilder& build, std::uint32_t agent
   layer->own.part->destroy_entities(build);
   if (layer->blender.valid()) build.destroy(layer->blender);
   layers.erase(layer);
-  rebuild_with_less(build, agent);
-}
-
-void AgentGraphs::remove_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place) {
-  take_post_process(build, agent, place);
-}
-
-void AgentGraphs::remove_post_processes(const EntityBuilder& build, std::uint32_t agent) {
-  for (const OwnedProcess& process : agents_[agent].processes) process.part->destroy_entities(build);
-  agents_[agent].processes.clear();
   rebuild_with_less(build, agent);
 }
 

@@ -50,15 +50,12 @@ class AgentGraphs {
   /// Adds an agent that plays nothing, and returns its number. Numbers and memory of removed agents are used again.
   std::uint32_t add();
   void remove(std::uint32_t agent);
-  /// Removes the agent with the highest number, and the number.
-  void remove_last();
   /// Makes room for so many more agents.
   void make_room(std::uint32_t agents);
   /// Returns a channel that plays nothing, one of a removed agent's if there is any.
   std::unique_ptr<CrossFadeChannel> take_cross_fade_channel();
 
   const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
-  const PoseProgram& program(std::uint32_t agent) const { return *graphs_[agent].program; }
   Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
 
   // Channels and post processes of an agent have places, from the bottom up, which change when one below is removed,
@@ -67,20 +64,11 @@ class AgentGraphs {
   const OwnedChannel& channel(std::uint32_t agent, std::size_t place) const { return agents_[agent].layers[place].own; }
   /// Returns the place of a channel; nothing if the agent has none of this id.
   std::optional<std::size_t> place(std::uint32_t agent, ChannelId channel) const;
-  /// Returns a channel; null if the agent has none of this id.
-  const OwnedChannel* find(std::uint32_t agent, ChannelId channel) const {
-    const std::optional<std::size_t> found = place(agent, channel);
-    return found ? &agents_[agent].layers[*found].own : nullptr;
-  }
   std::size_t post_process_count(std::uint32_t agent) const { return agents_[agent].processes.size(); }
   const OwnedProcess& post_process(std::uint32_t agent, std::size_t place) const {
     return agents_[agent].processes[place];
   }
   std::optional<std::size_t> place(std::uint32_t agent, ProcessId process) const;
-  const OwnedProcess* find(std::uint32_t agent, ProcessId process) const {
-    const std::optional<std::size_t> found = place(agent, process);
-    return found ? &agents_[agent].processes[*found] : nullptr;
-  }
 
   /// Adds a channel on top. Errors: those of compile_graph; then the channel stays until remove_channel(), and the
   /// agent goes on with the graph that it had.
@@ -89,8 +77,6 @@ class AgentGraphs {
   void remove_channel(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
   Status add_post_process(const EntityBuilder& build, std::uint32_t agent, std::unique_ptr<PostProcess> process,
                           TypeTag type);
-  void remove_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
-  void remove_post_processes(const EntityBuilder& build, std::uint32_t agent);
   /// Takes one without its entities, so that another agent can have it.
   std::unique_ptr<PostProcess> take_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
   /// Updates one process alone.

@@ -4,8 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "engine/anim/agent/turn.h"
-
 namespace throng::anim {
 namespace {
 
@@ -79,7 +77,7 @@ bool AnimationSystem::remove_agent(AgentId agent) {
   constexpr const char* call = "AnimationSystem::remove_agent";
   const Turn turn(parts_.turn, call);
   if (!turn) return false;
-  if (!parts_.population.has(agent)) return report_misuse({call, "an agent of this id is not in the system"});
+  if (!parts_.population.numbers().has(agent)) return report_misuse({call, "an agent of this id is not in the system"});
   parts_.population.remove(agent.number);
   parts_.frame.forget_agent(agent.number);
   return true;
@@ -99,7 +97,7 @@ bool AnimationSystem::set_agent_count(std::uint32_t count) {
 }
 
 AgentId AnimationSystem::id(std::uint32_t number) const {
-  return parts_.population.has(number) ? parts_.population.id(number) : AgentId{};
+  return parts_.population.numbers().has(number) ? parts_.population.numbers().id(number) : AgentId{};
 }
 
 void AnimationSystem::advance(Ticks delta) {

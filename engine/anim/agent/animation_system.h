@@ -63,12 +63,12 @@ class AnimationSystem {
   /// Removes all agents but the first `count`, or adds agents of character 0 until there are so many.
   bool set_agent_count(std::uint32_t count);
 
-  std::uint32_t agent_count() const { return parts_.population.count(); }
+  std::uint32_t agent_count() const { return parts_.population.numbers().count(); }
   /// Returns a number above those of all agents, for arrays that have a place for each. Numbers of removed agents are
   /// used again before a new one is.
-  std::uint32_t number_limit() const { return parts_.population.number_limit(); }
+  std::uint32_t number_limit() const { return parts_.population.numbers().number_limit(); }
   /// Returns the agents in the order in which they were added. The span is valid until agents are added or removed.
-  std::span<const AgentId> agents() { return parts_.population.order().agents; }
+  std::span<const AgentId> agents() { return parts_.population.numbers().order().agents; }
   /// Returns the id of the agent that has this number; an invalid id if none has.
   AgentId id(std::uint32_t number) const;
   Agent agent(AgentId agent) { return {parts_, agent}; }

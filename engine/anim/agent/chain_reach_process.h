@@ -21,7 +21,13 @@ class ChainReachProcess final : public WeightedProcess<ChainReachEntity> {
 
   /// Sets the target at once, from the next update on, in metres in model space. A caller that wants a slow change
   /// moves it slowly.
-  void set_target(const glm::vec3& target) { target_ = target; }
+  void set_target(const glm::vec3& target) {
+    if (all_finite(target)) {
+      target_ = target;
+    } else {
+      report_misuse({"ChainReachProcess::set_target", "a target is of finite numbers"});
+    }
+  }
 
   /// Returns the metres from the end of the chain to the target at the last update.
   float missed_by(const EntityPools& pools) const {

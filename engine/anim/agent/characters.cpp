@@ -4,8 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "engine/anim/agent/turn.h"
-
 namespace throng::anim {
 namespace {
 
@@ -166,15 +164,15 @@ Result<Handle> Characters::add_shared(std::unique_ptr<Channel> channel, TypeTag 
   if (channel == nullptr) return refuse({call, "the channel is null"});
   Population& population = system_->population;
   AgentGraphs& shared = of(character).shared;
-  const std::uint32_t graph = shared.count();
+  const char* const fault = channel->fault(population.shared_builder(of(character), shared.count()));
+  if (fault != nullptr) return refuse({call, fault});
+  const std::uint32_t graph = shared.add();
   const EntityBuilder build = population.shared_builder(of(character), graph);
-  if (const char* fault = channel->fault(build); fault != nullptr) return refuse({call, fault});
-  shared.add();
   Status added = shared.add_channel(build, graph, std::move(channel), type, {});
   if (added && shared.graph(graph).empty()) added = Error{"a shared channel must play something"};
   if (added) added = system_->pus.fit(population, system_->pus.demand(population));
   if (!added) {
-    shared.remove_last();
+    shared.remove(graph);
     return added.error();
   }
   return shared.graph(graph).root();

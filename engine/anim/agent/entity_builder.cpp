@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/anim/base/finite.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/run/program/pose_program.h"
 
@@ -21,12 +22,6 @@ void place(AnimationStateHeader& state, const AbsoluteRoot& root) {
 
 constexpr Ticks longest_start = 24 * 3600 * ticks_per_second;
 
-bool is_finite(const AbsoluteRoot& root) {
-  const glm::dvec3& p = root.position;
-  const glm::quat& q = root.rotation;
-  return std::isfinite(p.x + p.y + p.z) && std::isfinite(q.x + q.y + q.z + q.w);
-}
-
 }  // namespace
 
 bool is_speed(double speed) { return std::abs(speed) < 32768.0; }
@@ -37,7 +32,9 @@ const char* EntityBuilder::fault_of(const PlayerStart& start) const {
   if (start.start < -longest_start || start.start > longest_start) return "start is within a day of the clip's begin";
   if (start.bone_selection > about_.selections)
     return "bone_selection is not a number that add_bone_selection returned";
-  if (start.absolute_root && !is_finite(*start.absolute_root)) return "the absolute root is of numbers";
+  const std::optional<AbsoluteRoot>& root = start.absolute_root;
+  if (root && !(all_finite(root->position) && all_finite(root->rotation)))
+    return "the absolute root is of finite numbers";
   return nullptr;
 }
 

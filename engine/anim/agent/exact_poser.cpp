@@ -10,7 +10,7 @@ namespace throng::anim {
 namespace {
 
 const char* fault_of(const Population& population, const ExactPose& exact) {
-  if (!population.has(exact.agent)) return "an agent of this id is not in the system";
+  if (!population.numbers().has(exact.agent)) return "an agent of this id is not in the system";
   if (population.graph(exact.agent.number).empty()) return "an agent plays something before it is posed";
   const PaletteDestination palette = exact.palette;
   if (palette.memory() == nullptr || palette.is_misaligned()) return "a palette lies at a multiple of 16 bytes";
@@ -34,8 +34,8 @@ void ExactPoser::pose(const Population& population, const FittedScheduler& crowd
 void ExactPoser::list_work(const Population& population, const FittedScheduler& crowd,
                            std::span<const ExactPose> agents) {
   // A frame that poses more agents than the ones before must not allocate.
-  make_room(work_, population.count());
-  make_room(runs_, population.count());
+  make_room(work_, population.numbers().count());
+  make_room(runs_, population.numbers().count());
   work_.clear();
   for (const ExactPose& exact : agents) {
     if (const char* fault = fault_of(population, exact); fault != nullptr) {
@@ -44,7 +44,7 @@ void ExactPoser::list_work(const Population& population, const FittedScheduler& 
     }
     const std::uint32_t agent = exact.agent.number;
     const PoseGraph& graph = population.graph(agent);
-    const std::uint32_t character = population.member(agent).character;
+    const std::uint32_t character = population.numbers().member(agent).character;
     work_.push_back({.program = graph.program,
                      .entities = graph.entities.data(),
                      .delta = population.clock() - population.posed_at(agent),
@@ -82,7 +82,7 @@ void ExactPoser::make_scheduler(const Population& population, const FittedSchedu
                                                            .trace = Tracing::off,
                                                            .block_changes = BlockChanges::dropped},
                                            no_unseen_palettes);
-  scheduler_->reserve(population.number_limit());
+  scheduler_->reserve(population.numbers().number_limit());
   made_for_ = crowd.version();
 }
 

@@ -6,7 +6,7 @@ namespace throng::anim {
 
 double Figures::bytes_per_agent() const {
   const std::size_t bytes = system_->population.bytes() + system_->frame.hashes().bytes();
-  return static_cast<double>(bytes) / std::max<double>(system_->population.count(), 1.0);
+  return static_cast<double>(bytes) / std::max<double>(system_->population.numbers().count(), 1.0);
 }
 
 std::vector<KindMemory> Figures::memory() const {

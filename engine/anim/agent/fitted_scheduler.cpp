@@ -96,13 +96,13 @@ void FittedScheduler::make_scheduler(const Population& population, const LocalSt
                                                            .trace = options_.trace},
                                            most_entries);
   ++version_;
-  scheduler_->reserve(population.number_limit());
+  scheduler_->reserve(population.numbers().number_limit());
 }
 
 // What an agent asks of the local store after a change may be more than any did before.
 Status FittedScheduler::fit(const Population& population, std::uint32_t agent) {
   const StoreNeeds& needs = population.graph(agent).program->needs;
-  const UpdateContext& context = contexts_[population.member(agent).character];
+  const UpdateContext& context = contexts_[population.numbers().member(agent).character];
   if (plan_holds(scheduler_->options().plan, context, options_.schedule, needs)) return Done{};
   return fit(population, demand(population));
 }
@@ -131,7 +131,7 @@ StorePolicy FittedScheduler::store_policy(const Population& population) const {
 }
 
 void FittedScheduler::reserve(const Population& population) {
-  scheduler_->reserve(population.number_limit());
+  scheduler_->reserve(population.numbers().number_limit());
   scheduler_->set_stores(store_policy(population));
 }
 

@@ -22,14 +22,34 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
   }
 
   /// Sets where model space is in the world, turned about the vertical only.
-  void set_placement(const JointMotion& model_in_world) { model_in_world_ = model_in_world; }
+  void set_placement(const JointMotion& model_in_world) {
+    if (all_finite(model_in_world.position) && all_finite(model_in_world.rotation)) {
+      model_in_world_ = model_in_world;
+    } else {
+      report_misuse({"FootPlacementProcess::set_placement", "a placement is of finite numbers"});
+    }
+  }
   /// Sets the plane of one leg: a point of it and its unit normal (y above 0), in world space.
-  void set_ground(int leg, const Footing& plane) { ground_[static_cast<std::size_t>(leg)] = plane; }
+  void set_ground(int leg, const Footing& plane) {
+    if (leg >= 0 && leg < max_legs && is_ground(plane)) {
+      ground_[static_cast<std::size_t>(leg)] = plane;
+    } else {
+      report_misuse({"FootPlacementProcess::set_ground", "a leg is one of the rig, and its ground faces up"});
+    }
+  }
   /// Sets the plane of all legs.
-  void set_ground(const Footing& plane) { ground_.fill(plane); }
+  void set_ground(const Footing& plane) {
+    for (int leg = 0; leg < max_legs; ++leg) set_ground(leg, plane);
+  }
   /// Sets how far a foot is planted, 0 (in the air) to 1 (on the ground), or planted_by_pose, which goes by the height
   /// at which the pose has the sole.
-  void set_planted(int leg, float planted) { planted_[static_cast<std::size_t>(leg)] = planted; }
+  void set_planted(int leg, float planted) {
+    if (leg >= 0 && leg < max_legs && (planted == planted_by_pose || (planted >= 0.0F && planted <= 1.0F))) {
+      planted_[static_cast<std::size_t>(leg)] = planted;
+    } else {
+      report_misuse({"FootPlacementProcess::set_planted", "a leg is one of the rig, and planted from 0 to 1"});
+    }
+  }
 
   /// Returns the ankle of a leg at the last update, as the animation has it before it is placed, in world space. Call
   /// it only when the process was added.
@@ -47,6 +67,9 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<FootPlacementProcess>(*this); }
 
  private:
+  static bool is_ground(const Footing& plane) {
+    return all_finite(plane.place) && all_finite(plane.normal) && plane.normal.y > 0.0F;
+  }
   void begin_private(const EntityBuilder& build, Handle feet) const override {
     build.private_as<FootPlacementMemory>(feet).body = {.options = options_};
     std::ranges::fill(feet_at(build, feet), PlacedFoot{});

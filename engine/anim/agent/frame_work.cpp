@@ -29,7 +29,8 @@ struct AlikeAgents {
 
 void update_channels(Population& population, FittedScheduler& pus, std::uint32_t agent) {
   [[maybe_unused]] const Status updated = pus.settle(population, agent, [&] {
-    return population.character_of(agent).agents.update(population.builder(agent), population.member(agent).index);
+    return population.character_of(agent).agents.update(population.builder(agent),
+                                                        population.numbers().member(agent).index);
   });
   assert(updated && "a channel changed by itself to a graph that cannot be run");
 }
@@ -60,7 +61,7 @@ void FrameWork::update(Population& population, FittedScheduler& pus, std::span<c
   pus.set_hashes(hash ? std::span(palette_hashes_) : std::span(palette_hashes_).first(0));
   pus.scheduler().update(pus.contexts(), shared_work_, {work_, runs_}, pus.executor());
   report_work(population, pus);
-  if (hash) sum_up_hashes(population.order());
+  if (hash) sum_up_hashes(population.numbers().order());
 }
 
 void FrameWork::list_shared_work(Population& population, FittedScheduler& pus) {
@@ -74,6 +75,7 @@ void FrameWork::list_shared_work(Population& population, FittedScheduler& pus) {
   for (std::size_t character = 0; character < population.characters().size(); ++character) {
     const AgentGraphs& shared = population.characters()[character]->shared;
     for (std::uint32_t graph = 0; graph < shared.count(); ++graph) {
+      if (shared.graph(graph).empty()) continue;
       shared_work_.push_back({.program = shared.graph(graph).program,
                               .entities = shared.graph(graph).entities.data(),
                               .delta = population.clock() - population.shared_posed_at(),
@@ -88,7 +90,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
   work_.resize(agents.size());
   const auto frame = static_cast<std::uint32_t>(hashes_.frame);
   // Nothing below moves these, and the compiler cannot know.
-  const std::span<const Member> members = population.members();
+  const std::span<const Member> members = population.numbers().members();
   const std::span<const std::unique_ptr<CharacterAgents>> characters = population.characters();
   const std::span<Ticks> posed_at = population.posed_at();
   const Ticks now = population.clock();
@@ -147,7 +149,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
 // Checks what the host wrote, before anything of the agent changes.
 bool FrameWork::may_update(const Population& population, const AgentUpdate& update) {
   const auto refused = [](const char* reason) { return report_misuse({"AnimationSystem::update", reason}); };
-  if (!population.has(update.agent)) return refused("an agent of this id is not in the system");
+  if (!population.numbers().has(update.agent)) return refused("an agent of this id is not in the system");
   const CharacterAgents& character = population.character_of(update.agent.number);
   const std::size_t levels = character.skeleton().level_bone_counts.size();
   if (update.level >= levels) return refused("the agent's character has fewer bone levels");

@@ -14,7 +14,13 @@ class LookAtProcess final : public WeightedProcess<LookAtEntity> {
 
   /// Sets the target from the next update on, in metres in the character's model space. The limits say how fast the
   /// head turns.
-  void set_target(const glm::vec3& target) { target_ = target; }
+  void set_target(const glm::vec3& target) {
+    if (all_finite(target)) {
+      target_ = target;
+    } else {
+      report_misuse({"LookAtProcess::set_target", "a target is of finite numbers"});
+    }
+  }
   /// Sets the target, and fades to the full weight if it looked away.
   void look_at(const glm::vec3& target, Ticks fade = {}) {
     set_target(target);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "engine/anim/agent/one_entity_process.h"
 #include "engine/anim/entity/noise_maker.h"
 
@@ -16,6 +18,11 @@ class NoiseProcess final : public OneEntityProcess<NoiseMaker> {
   };
   explicit NoiseProcess(const Settings& settings) : OneEntityProcess(EntityPools::noise_makers), settings_(settings) {}
 
+  const char* fault(const EntityBuilder& build) const override {
+    if (!build.has_mask(settings_.mask)) return "mask is not a number that add_mask returned";
+    const bool are_numbers = std::isfinite(settings_.frequency) && std::isfinite(settings_.amplitude);
+    return are_numbers ? OneEntityProcess::fault(build) : "frequency and amplitude are finite numbers";
+  }
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<NoiseProcess>(*this); }
 
  private:

@@ -70,42 +70,32 @@ void Population::convert(Residency residency, StreamKind stream) {
   }
 }
 
-void Population::make_room(std::uint32_t agents, std::uint32_t character) {
-  CharacterAgents& played = *characters_[character];
-  const std::size_t all = std::size_t{played.agents.alive_count()} + agents;
-  played.reserve_fades(stream_, all);
-  played.agents.make_room(agents);
+void AgentNumbers::make_room(std::uint32_t agents) {
   const std::size_t fresh = agents > free_.size() ? agents - free_.size() : 0;
   anim::make_room(members_, members_.size() + fresh);
-  anim::make_room(posed_at_, posed_at_.size() + fresh);
   anim::make_room(order_.agents, order_.agents.size() + agents);
   anim::make_room(order_.places, order_.places.size() + fresh);
   free_.reserve(members_.capacity());
 }
 
-AgentId Population::add(std::uint32_t character) {
+AgentId AgentNumbers::add(std::uint32_t character, std::uint32_t index) {
   order();  // who died has left it, since a number may come back at another place
   if (free_.empty()) {
     free_.push_back(number_limit());
     members_.push_back({.character = 0, .index = 0, .generation = Member::dead});
-    posed_at_.emplace_back();
     order_.places.push_back(0);
   }
   const std::uint32_t number = free_.back();
   free_.pop_back();
   Member& member = members_[number];
-  member = {.character = character,
-            .index = characters_[character]->agents.add(),
-            .generation = member.generation & ~Member::dead};
-  posed_at_[number] = clock_;
+  member = {.character = character, .index = index, .generation = member.generation & ~Member::dead};
   order_.places[number] = static_cast<std::uint32_t>(order_.agents.size());
   order_.agents.push_back(id(number));
   return id(number);
 }
 
-void Population::remove(std::uint32_t agent) {
+void AgentNumbers::remove(std::uint32_t agent) {
   Member& member = members_[agent];
-  characters_[member.character]->agents.remove(member.index);
   member.generation = (member.generation + 1) | Member::dead;
   free_.push_back(agent);
   if (!some_in_order_died_ && order_.agents.back().number == agent) {
@@ -115,7 +105,7 @@ void Population::remove(std::uint32_t agent) {
   }
 }
 
-const AgentOrder& Population::order() {
+const AgentOrder& AgentNumbers::order() {
   if (!some_in_order_died_) return order_;
   some_in_order_died_ = false;
   std::erase_if(order_.agents, [&](AgentId agent) { return !has(agent); });
@@ -124,11 +114,38 @@ const AgentOrder& Population::order() {
   return order_;
 }
 
+void AgentNumbers::restore(const AgentNumbers& from) {
+  const std::uint64_t version = order_.version + 1;
+  *this = from;
+  order_.version = version;
+}
+
+void Population::make_room(std::uint32_t agents, std::uint32_t character) {
+  CharacterAgents& played = *characters_[character];
+  played.reserve_fades(stream_, std::size_t{played.agents.alive_count()} + agents);
+  played.agents.make_room(agents);
+  numbers_.make_room(agents);
+  anim::make_room(posed_at_, std::size_t{numbers_.number_limit()} + agents);
+}
+
+AgentId Population::add(std::uint32_t character) {
+  const AgentId agent = numbers_.add(character, characters_[character]->agents.add());
+  if (agent.number == posed_at_.size()) posed_at_.emplace_back();
+  posed_at_[agent.number] = clock_;
+  return agent;
+}
+
+void Population::remove(std::uint32_t agent) {
+  const Member& member = numbers_.member(agent);
+  characters_[member.character]->agents.remove(member.index);
+  numbers_.remove(agent);
+}
+
 EntityBuilder Population::builder(std::uint32_t agent) {
   CharacterAgents& character = character_of(agent);
   return {character.pools,
           character.clips,
-          {.owner = members_[agent].index,
+          {.owner = numbers_.member(agent).index,
            .now = clock_,
            .posed_at = posed_at_[agent],
            .stream = stream_,
@@ -148,7 +165,7 @@ EntityBuilder Population::shared_builder(CharacterAgents& character, std::uint32
 }
 
 void Population::restart() {
-  assert(count() == 0 && "agents stand at times of the old clock");
+  assert(numbers_.count() == 0 && "agents stand at times of the old clock");
   clock_ = Ticks{};
   shared_posed_at_ = Ticks{};
 }
@@ -156,9 +173,7 @@ void Population::restart() {
 void Population::snapshot(PopulationSnapshot& into) const {
   into.characters.resize(characters_.size());
   for (std::size_t i = 0; i < characters_.size(); ++i) characters_[i]->snapshot(into.characters[i]);
-  into.members = members_;
-  into.free = free_;
-  into.order = order_;
+  into.numbers = numbers_;
   into.posed_at = posed_at_;
   into.clock = clock_;
   into.shared_posed_at = shared_posed_at_;
@@ -185,11 +200,7 @@ Status Population::restore(const PopulationSnapshot& from) {
   for (std::size_t i = 0; i < characters_.size(); ++i) {
     if (Status restored = characters_[i]->restore(from.characters[i]); !restored) return restored;
   }
-  members_ = from.members;
-  free_ = from.free;
-  const std::uint64_t version = order_.version + 1;
-  order_ = from.order;
-  order_.version = version;
+  numbers_.restore(from.numbers);
   posed_at_ = from.posed_at;
   clock_ = from.clock;
   shared_posed_at_ = from.shared_posed_at;
@@ -207,7 +218,7 @@ Compaction Population::compact() {
 }
 
 std::size_t Population::bytes() const {
-  std::size_t bytes = count() * (sizeof(Member) + sizeof(Ticks));
+  std::size_t bytes = numbers_.count() * (sizeof(Member) + sizeof(Ticks));
   for (const std::unique_ptr<CharacterAgents>& character : characters_) bytes += character->bytes_alive();
   return bytes;
 }

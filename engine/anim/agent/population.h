@@ -29,12 +29,43 @@ struct AgentOrder {
   std::uint64_t version = 0;          // another one whenever a place belongs to another agent
 };
 
+/// The numbers of the agents of a population. Those of the dead are used again, the last first.
+class AgentNumbers {
+ public:
+  /// Returns how many agents live.
+  std::uint32_t count() const { return static_cast<std::uint32_t>(members_.size() - free_.size()); }
+  /// Returns a number above those of all agents.
+  std::uint32_t number_limit() const { return static_cast<std::uint32_t>(members_.size()); }
+  std::span<const Member> members() const { return members_; }
+  const Member& member(std::uint32_t agent) const { return members_[agent]; }
+  bool has(std::uint32_t agent) const { return agent < members_.size() && members_[agent].alive(); }
+  bool has(AgentId agent) const {
+    return has(agent.number) &&
+           (agent.generation == whichever || agent.generation == members_[agent.number].generation);
+  }
+  AgentId id(std::uint32_t agent) const { return {agent, members_[agent].generation}; }
+  /// Returns the living agents. They stay where they are until agents are added or removed.
+  const AgentOrder& order();
+
+  /// Makes room for so many more.
+  void make_room(std::uint32_t agents);
+  /// Gives a number to an agent.
+  AgentId add(std::uint32_t character, std::uint32_t index);
+  void remove(std::uint32_t agent);
+  /// Takes those of a snapshot, as another order.
+  void restore(const AgentNumbers& from);
+
+ private:
+  std::vector<Member> members_;      // [agent]
+  std::vector<std::uint32_t> free_;  // numbers of dead agents; the last is given next
+  AgentOrder order_;
+  bool some_in_order_died_ = false;
+};
+
 /// The state of a population at a moment.
 struct PopulationSnapshot {
   std::vector<CharacterAgentsSnapshot> characters;
-  std::vector<Member> members;
-  std::vector<std::uint32_t> free;
-  AgentOrder order;
+  AgentNumbers numbers;
   std::vector<Ticks> posed_at;
   Ticks clock{};
   Ticks shared_posed_at{};
@@ -63,30 +94,21 @@ class Population {
   /// Converts the blocks of all agents to the residency of a schedule, and their players to a stream.
   void convert(Residency residency, StreamKind stream);
 
-  /// Returns how many agents live.
-  std::uint32_t count() const { return static_cast<std::uint32_t>(members_.size() - free_.size()); }
-  /// Returns a number above those of all agents.
-  std::uint32_t number_limit() const { return static_cast<std::uint32_t>(members_.size()); }
-  std::span<const Member> members() const { return members_; }
-  const Member& member(std::uint32_t agent) const { return members_[agent]; }
-  bool has(std::uint32_t agent) const { return agent < members_.size() && members_[agent].alive(); }
-  bool has(AgentId agent) const {
-    return has(agent.number) &&
-           (agent.generation == whichever || agent.generation == members_[agent.number].generation);
-  }
-  AgentId id(std::uint32_t agent) const { return {agent, members_[agent].generation}; }
-  /// Returns the living agents. They stay where they are until agents are added or removed.
-  const AgentOrder& order();
-
+  const AgentNumbers& numbers() const { return numbers_; }
+  AgentNumbers& numbers() { return numbers_; }
   /// Adds an agent. room_for() makes that cheap for many.
   AgentId add(std::uint32_t character);
   /// Makes room for so many more agents of a character.
   void make_room(std::uint32_t agents, std::uint32_t character);
   void remove(std::uint32_t agent);
 
-  CharacterAgents& character_of(std::uint32_t agent) { return *characters_[members_[agent].character]; }
-  const CharacterAgents& character_of(std::uint32_t agent) const { return *characters_[members_[agent].character]; }
-  const PoseGraph& graph(std::uint32_t agent) const { return character_of(agent).agents.graph(members_[agent].index); }
+  CharacterAgents& character_of(std::uint32_t agent) { return *characters_[numbers_.member(agent).character]; }
+  const CharacterAgents& character_of(std::uint32_t agent) const {
+    return *characters_[numbers_.member(agent).character];
+  }
+  const PoseGraph& graph(std::uint32_t agent) const {
+    return character_of(agent).agents.graph(numbers_.member(agent).index);
+  }
   /// Returns a builder of entities that stand at the time of the agent.
   EntityBuilder builder(std::uint32_t agent);
   /// Returns a builder of entities of a shared graph of this character.
@@ -113,10 +135,7 @@ class Population {
  private:
   std::vector<std::unique_ptr<CharacterAgents>> characters_;
   std::vector<std::uint32_t> character_generations_;  // [character] of numbers that nobody has, too
-  std::vector<Member> members_;                       // [agent]
-  std::vector<std::uint32_t> free_;                   // numbers of dead agents; the last is given next
-  AgentOrder order_;
-  bool some_in_order_died_ = false;
+  AgentNumbers numbers_;
   std::vector<Ticks> posed_at_;  // [agent] the time at which its entities stand
   Ticks clock_{};
   Ticks shared_posed_at_{};

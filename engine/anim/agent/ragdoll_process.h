@@ -1,6 +1,8 @@
 #pragma once
 
 #include "engine/anim/agent/post_process.h"
+#include "engine/anim/base/finite.h"
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/entity/ragdoll_entity.h"
 
 namespace throng::anim {
@@ -23,6 +25,10 @@ class RagdollProcess final : public PostProcess {
   /// Pushes with an impulse (kg m/s) at a place in model space; the nearest body takes it. A second push before the
   /// next update takes the place of the first.
   void push(const glm::vec3& impulse, const glm::vec3& place) {
+    if (!all_finite(impulse) || !all_finite(place)) {
+      report_misuse({"RagdollProcess::push", "an impulse and its place are of finite numbers"});
+      return;
+    }
     impulse_ = impulse;
     place_ = place;
     pushed_ = true;
@@ -41,6 +47,10 @@ class RagdollProcess final : public PostProcess {
   /// Returns the place of its first body, the hips, at the last update, in model space. There must be a rag-doll.
   glm::vec3 hips(const EntityPools& pools) const;
 
+  const char* fault(const EntityBuilder& build) const override {
+    const bool has_kind = build.has_kind(kind_, EntityType::ragdoll);
+    return has_kind ? nullptr : "its kind of entity was not added to this character";
+  }
   Handle attach(const EntityBuilder& build, Handle source) override;
   bool update(const EntityBuilder& build) override;
   Ticks next_update() const override;

@@ -6,8 +6,31 @@
 #include "engine/anim/agent/fitted_scheduler.h"
 #include "engine/anim/agent/frame_work.h"
 #include "engine/anim/agent/population.h"
+#include "engine/anim/base/misuse.h"
 
 namespace throng::anim {
+
+/// The right to change a system, which one call has at a time. It is a guard against misuse and no lock: a call that
+/// comes while another is at work is refused, on whatever thread.
+class Turn {
+ public:
+  Turn(std::atomic<bool>& taken, const char* call) : taken_(&taken), has_it_(!taken.exchange(true)) {
+    if (!has_it_) report_misuse({call, "the system is in the middle of another call, on this thread or another one"});
+  }
+  ~Turn() {
+    if (has_it_) taken_->store(false);
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+  explicit operator bool() const { return has_it_; }
+  /// Returns the error of a call that has no turn.
+  static Error refusal() { return Error{"the system is in the middle of another call"}; }
+
+ private:
+  std::atomic<bool>* taken_;
+  bool has_it_;
+};
 
 /// The inside of an AnimationSystem. The system, its characters, its agents and its figures work on it.
 struct SystemParts {

@@ -1,13 +1,11 @@
 #include "engine/anim/agent/system_snapshot.h"
 
-#include "engine/anim/agent/turn.h"
-
 namespace throng::anim {
 
 void AnimationSystem::snapshot(SystemSnapshot& into) {
   const Turn turn(parts_.turn, "AnimationSystem::snapshot");
   if (!turn) return;
-  parts_.population.order();
+  parts_.population.numbers().order();
   parts_.population.snapshot(into.population_);
   into.hashes_ = parts_.frame.hashes();
 }

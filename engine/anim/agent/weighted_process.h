@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "engine/anim/agent/one_entity_process.h"
+#include "engine/anim/base/finite.h"
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/entity/fading_weight.h"
 
 namespace throng::anim {
@@ -15,6 +17,10 @@ class WeightedProcess : public OneEntityProcess<Entity> {
   /// Sets the weight, and fades to it from where it is. The pose is left as it is, to the bit, at 0; the process has
   /// its full effect at 1.
   void set_weight(float weight, Ticks fade = {}) {
+    if (!(weight >= 0.0F && weight <= 1.0F && fade >= Ticks{})) {
+      report_misuse({"PostProcess::set_weight", "a weight is from 0 to 1, and a fade takes no negative time"});
+      return;
+    }
     weight_ = weight;
     fade_ = fade;
     fades_ = true;

@@ -5,23 +5,13 @@
 #include <limits>
 #include <string>
 
+#include "engine/anim/base/finite.h"
+
 namespace throng::anim {
 namespace {
 
 /// Says what is wrong, or is empty.
 using Fault = std::string;
-
-template <typename Vector>
-bool all_finite(const Vector& value) {
-  for (glm::length_t i = 0; i < Vector::length(); ++i) {
-    if (!std::isfinite(value[i])) return false;
-  }
-  return true;
-}
-
-bool all_finite(const glm::dmat4& matrix) {
-  return all_finite(matrix[0]) && all_finite(matrix[1]) && all_finite(matrix[2]) && all_finite(matrix[3]);
-}
 
 Fault fault_of_bone(const Skeleton& skeleton, std::size_t index) {
   const Bone& bone = skeleton.bones[index];

@@ -40,9 +40,7 @@ class [[nodiscard]] Result {
   }
 
   /// Converts to whether it went well, and if not, why.
-  operator Result<Done>() const
-    requires(!std::is_same_v<T, Done>)
-  {
+  operator Result<Done>() const requires(!std::is_same_v<T, Done>) {
     return has_value() ? Result<Done>(Done{}) : Result<Done>(error());
   }
 

@@ -72,7 +72,8 @@ std::vector<LayerRow> agent_layers(const anim::AnimationSystem& system, std::uin
   std::vector<LayerRow> layers;
   std::vector<bool> claimed(steps.size());
   for (std::size_t channel = 0; channel < system.agent(agent).channel_count(); ++channel) {
-    const std::size_t state = index_of(graph, system.agent(agent).channel(system.agent(agent).channel_id(channel))->state());
+    const std::size_t state =
+        index_of(graph, system.agent(agent).channel(system.agent(agent).channel_id(channel))->state());
     LayerRow& layer = layers.emplace_back(LayerRow{.name = "Channel " + std::to_string(channel), .entities = {}});
     claim(steps, state, claimed, layer.entities);
     if (channel == 0 || state == steps.size()) continue;

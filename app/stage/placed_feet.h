@@ -56,7 +56,7 @@ class PlacedFeet {
   bool needs(std::uint32_t agent, std::span<const anim::VisibleAgent> visible) const;
   std::unique_ptr<Process> make(std::uint32_t character);
 
-  std::vector<std::optional<anim::EntityPools::Kind>> kinds_;    // [character]
+  std::vector<std::optional<anim::EntityPools::Kind>> kinds_;     // [character]
   std::vector<std::vector<std::unique_ptr<Process>>> not_given_;  // [character]
   anim::AnimationSystem* system_;
   Moment now_;

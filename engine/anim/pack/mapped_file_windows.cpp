@@ -4,9 +4,9 @@
 #include <memory>
 #include <system_error>
 
-#include "engine/anim/pack/mapped_file.h"
-
 #include <windows.h>
+
+#include "engine/anim/pack/mapped_file.h"
 
 namespace throng::pack {
 namespace {

@@ -81,8 +81,9 @@ std::string refused(const std::string& line) {
 }
 
 TEST_F(Presets, HaveAKeyForEveryValueOfTheTuning) {
-  constexpr std::size_t own_rules = 4;       // the engine's: tolerance, importance of the middle, cost by tolerance
-  constexpr std::size_t own_options = 7;     // the engine's: executor, hash, trace, prefetch, stores, cached bytes, kernels
+  constexpr std::size_t own_rules = 4;  // the engine's: tolerance, importance of the middle, cost by tolerance
+  constexpr std::size_t own_options =
+      7;  // the engine's: executor, hash, trace, prefetch, stores, cached bytes, kernels
   constexpr std::size_t more_distances = 2;  // an array of three
   constexpr std::size_t structs = 4;         // lod, system, inspection, taken_away
   constexpr std::size_t forced = 3;          // of the inspection; how one looks is not kept

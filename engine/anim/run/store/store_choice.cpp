@@ -64,7 +64,8 @@ std::size_t named_cached_bytes() {
 #ifdef _SC_LEVEL3_CACHE_SIZE
   last_level = sysconf(_SC_LEVEL3_CACHE_SIZE);
 #endif
-  return last_level <= 0 ? least_cached_bytes : std::clamp(static_cast<std::size_t>(last_level) / 4, least_cached_bytes, most_named_bytes);
+  return last_level <= 0 ? least_cached_bytes
+                         : std::clamp(static_cast<std::size_t>(last_level) / 4, least_cached_bytes, most_named_bytes);
 }
 
 StorePolicy store_policy_for(std::size_t palette_bytes, std::size_t cached_bytes) {

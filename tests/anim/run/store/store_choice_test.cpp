@@ -18,7 +18,9 @@ TEST(StoreChoice, MeasuresTheMachineOnceWithinItsLimits) {
 }
 
 TEST(StoreChoice, IsTheLargestThatIsFasterWhereItLies) {
-  const auto up_to = [](std::size_t most) { return measured_cached_bytes([=](std::size_t bytes) { return bytes <= most; }); };
+  const auto up_to = [](std::size_t most) {
+    return measured_cached_bytes([=](std::size_t bytes) { return bytes <= most; });
+  };
   EXPECT_EQ(up_to(0), least_cached_bytes);
   EXPECT_EQ(up_to(4 * least_cached_bytes), 4 * least_cached_bytes);
   EXPECT_EQ(up_to(most_measured_bytes), any_bytes) << "a machine that writes slowly past its caches";

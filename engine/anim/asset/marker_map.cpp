@@ -75,7 +75,7 @@ std::size_t best_turn(const Markers& a, FineTicks a_length, const Markers& b, Fi
 
 MarkerMap::MarkerMap(const MarkedClip& leader, const MarkedClip& follower)
     : leader_length_(leader.duration * fine_ticks_per_tick), follower_length_(follower.duration * fine_ticks_per_tick) {
-  assert(leader.duration > 0 && follower.duration > 0);
+  assert(leader.duration > Ticks{} && follower.duration > Ticks{});
   const Markers a = markers_of(leader, follower);
   const Markers b = markers_of(follower, leader);
   if (!a.usable || !b.usable || a.count == 0 || a.count != b.count) return;

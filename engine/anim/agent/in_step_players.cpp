@@ -10,6 +10,7 @@ namespace throng::anim {
 namespace {
 
 constexpr Ticks in_step_for = 10 * ticks_per_second;
+constexpr double fastest = 32767.0;  // what a player holds, whatever pace a far place asks for
 
 MarkedClip marked(const EntityBuilder& build, int clip) {
   const ClipStreams& streams = build.clip(clip);
@@ -112,7 +113,7 @@ bool InStepPlayers::play(const EntityBuilder& build, std::span<const PlayingPoin
 void InStepPlayers::lead(const EntityBuilder& build, const Stride& before, double cycles_per_second) {
   const Handle leader = players_[leader_];
   const MarkedClip clip = marked(build, points_[leader_].clip);
-  build.set_speed(leader, cycles_per_second * to_seconds(clip.duration));
+  build.set_speed(leader, std::clamp(cycles_per_second * to_seconds(clip.duration), -fastest, fastest));
   if (before.clip < 0) return;
   build.seek(leader, MarkerMap(marked(build, before.clip), clip).at(before.position).position);
 }
@@ -121,7 +122,8 @@ void InStepPlayers::follow(const EntityBuilder& build, std::size_t place, const 
   const MarkerMap map(marked(build, leader.clip), marked(build, points_[place].clip));
   const MarkerMap::Place at = map.at(leader.position);
   auto& leading = build.as<Player>(players_[leader_]);
-  build.set_speed(players_[place], at.rate * static_cast<double>(leading.speed) / 65536.0);
+  build.set_speed(players_[place],
+                  std::clamp(at.rate * static_cast<double>(leading.speed) / 65536.0, -fastest, fastest));
   build.seek(players_[place], at.position);
   Ticks wait = in_step_for;
   if (map.has_markers()) {

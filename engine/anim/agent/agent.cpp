@@ -1,24 +1,14 @@
 #include "engine/anim/agent/agent.h"
 
 #include <cassert>
-#include <cmath>
 
 #include "engine/anim/agent/wind_back.h"
 
 namespace throng::anim {
 namespace {
 
-constexpr const char* no_agent = "an agent of this id is not in the system";
 constexpr const char* no_channel = "the agent has no channel of this id";
 constexpr const char* no_process = "the agent has no post process of this id";
-
-/// Stands for agents that are gone: a character without bones, and an agent without channels.
-const CharacterAgents& nobody() {
-  static CharacterAgents nobodies(std::make_shared<const Character>());
-  static const std::uint32_t one = nobodies.agents.add();
-  static_cast<void>(one);
-  return nobodies;
-}
 
 }  // namespace
 
@@ -79,7 +69,7 @@ const char* Agent::fault_of(const PlayRequest& request) const {
   if (request.fade < Ticks{}) return "a fade takes no negative time";
   const bool is_fraction = !request.held_fraction || (*request.held_fraction >= 0.0F && *request.held_fraction <= 1.0F);
   if (!is_fraction) return "held_fraction is from 0 to 1";
-  return build.has_mask(request.mask) ? nullptr : "mask is not a number that add_mask returned";
+  return build.has_mask(request.mask) ? nullptr : not_a_mask;
 }
 
 CrossFadeChannel* Agent::first_channel() const {
@@ -91,7 +81,7 @@ bool Agent::set_speed(double speed) {
   const Turn turn(system_->turn, call);
   if (!turn) return false;
   if (!exists()) return report_misuse({call, no_agent});
-  if (!is_speed(speed)) return report_misuse({call, "a speed is a number of less than 32,768"});
+  if (!is_speed(speed)) return report_misuse({call, not_a_speed});
   const CrossFadeChannel* const channel = first_channel();
   if (channel == nullptr || !channel->state().valid())
     return report_misuse({call, "the agent's first channel plays no clip"});
@@ -107,7 +97,7 @@ Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag t
   if (channel == nullptr) return refuse({call, "the channel is null"});
   const EntityBuilder build = builder();
   if (!(settings.weight >= 0.0F && settings.weight <= 1.0F)) return refuse({call, "a weight is from 0 to 1"});
-  if (!build.has_mask(settings.mask)) return refuse({call, "mask is not a number that add_mask returned"});
+  if (!build.has_mask(settings.mask)) return refuse({call, not_a_mask});
   if (const char* fault = channel->fault(build); fault != nullptr) return refuse({call, fault});
   const Status added =
       settle([&] { return own_graphs().add_channel(build, index(), std::move(channel), type, settings); });
@@ -170,7 +160,9 @@ bool Agent::remove_post_process(ProcessId process) {
 }
 
 void Agent::remove_post_processes() {
-  const Turn turn(system_->turn, "Agent::remove_post_processes");
+  constexpr const char* call = "Agent::remove_post_processes";
+  const Turn turn(system_->turn, call);
+  if (!exists()) report_misuse({call, no_agent});
   while (turn && post_process_count() > 0) {
     own_graphs().take_post_process(builder(), index(), post_process_count() - 1);
   }

@@ -36,15 +36,19 @@ Status AnimationSystem::configure(const SystemOptions& options) {
 
 bool AnimationSystem::add(std::uint32_t count, CharacterId character, const char* call) {
   Population& population = parts_.population;
-  if (!population.has(character)) return report_misuse({call, "a character of this id is not in the system"});
+  if (!population.has(character)) return report_misuse({call, no_character});
   if (count > most_agents - std::min(agent_count(), most_agents)) {
     return report_misuse({call, "a system has at most 1,048,576 agents"});
   }
   population.make_room(count, character.number);
   for (std::uint32_t i = 0; i < count; ++i) population.add(character.number);
+  return true;
+}
+
+// Once a call, however many characters its agents are of.
+void AnimationSystem::make_room() {
   parts_.frame.reserve(number_limit());
   parts_.pus.reserve(parts_.population);
-  return true;
 }
 
 AgentId AnimationSystem::add_agent(CharacterId character) {
@@ -55,7 +59,9 @@ AgentId AnimationSystem::add_agent(CharacterId character) {
 std::span<const AgentId> AnimationSystem::add_agents(std::uint32_t count, CharacterId character) {
   constexpr const char* call = "AnimationSystem::add_agents";
   const Turn turn(parts_.turn, call);
-  return turn && add(count, character, call) ? agents().last(count) : std::span<const AgentId>{};
+  if (!turn || !add(count, character, call)) return {};
+  make_room();
+  return agents().last(count);
 }
 
 std::span<const AgentId> AnimationSystem::add_agents(std::span<const std::uint8_t> characters) {
@@ -70,6 +76,7 @@ std::span<const AgentId> AnimationSystem::add_agents(std::span<const std::uint8_
     if (!add(static_cast<std::uint32_t>(count), parts_.population.id_of_character(characters[done]), call)) break;
     done += count;
   }
+  make_room();
   return agents().last(done);
 }
 
@@ -77,7 +84,7 @@ bool AnimationSystem::remove_agent(AgentId agent) {
   constexpr const char* call = "AnimationSystem::remove_agent";
   const Turn turn(parts_.turn, call);
   if (!turn) return false;
-  if (!parts_.population.numbers().has(agent)) return report_misuse({call, "an agent of this id is not in the system"});
+  if (!parts_.population.numbers().has(agent)) return report_misuse({call, no_agent});
   parts_.population.remove(agent.number);
   parts_.frame.forget_agent(agent.number);
   return true;
@@ -92,8 +99,9 @@ bool AnimationSystem::set_agent_count(std::uint32_t count) {
     parts_.population.remove(last.number);
     parts_.frame.forget_agent(last.number);
   }
-  parts_.pus.reserve(parts_.population);
-  return agent_count() == count || add(count - agent_count(), parts_.population.id_of_character(0), call);
+  const bool added = agent_count() == count || add(count - agent_count(), parts_.population.id_of_character(0), call);
+  make_room();
+  return added;
 }
 
 AgentId AnimationSystem::id(std::uint32_t number) const {

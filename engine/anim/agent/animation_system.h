@@ -90,7 +90,7 @@ class AnimationSystem {
   void pose_exactly(std::span<const ExactPose> agents);
 
   /// Copies the blocks of everything that changes. The memory of the snapshot is used again.
-  void snapshot(SystemSnapshot& into);
+  void snapshot(SystemSnapshot& into) const;
   /// Puts a snapshot back; the crowd goes on to the same poses, bit for bit. Errors: the snapshot is of other
   /// characters, kinds of entities or bone orders, or of a schedule whose blocks have other sizes; then nothing has
   /// changed.
@@ -105,6 +105,7 @@ class AnimationSystem {
  private:
   AnimationSystem() = default;
   bool add(std::uint32_t count, CharacterId character, const char* call);
+  void make_room();
 
   SystemParts parts_;
   Characters characters_{parts_};

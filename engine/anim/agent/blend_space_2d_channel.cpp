@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "engine/anim/base/finite.h"
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/entity/mixer.h"
 
 namespace throng::anim {
@@ -41,7 +43,11 @@ const char* BlendSpace2dChannel::fault(const EntityBuilder& build) const {
 }
 
 void BlendSpace2dChannel::set_place(const glm::vec2& place) {
-  if (std::isfinite(place.x) && std::isfinite(place.y)) place_ = place;
+  if (all_finite(place)) {
+    place_ = place;
+  } else {
+    report_misuse({"BlendSpace2dChannel::set_place", "a place is of finite numbers"});
+  }
 }
 
 bool BlendSpace2dChannel::is_gait(const EntityBuilder& build, const BlendPoint2d& point) const {

@@ -8,7 +8,7 @@
 namespace throng::anim {
 
 /// Lets any chain of bones, such as a tail or a spine, reach for a place. Its weight is 0 until it is set.
-class ChainReachProcess final : public WeightedProcess<ChainReachEntity> {
+class ChainReachProcess final : public TargetedProcess<ChainReachEntity> {
  public:
   struct Settings {
     std::uint32_t chain = 0;  ///< index into the chains of the kind
@@ -17,17 +17,7 @@ class ChainReachProcess final : public WeightedProcess<ChainReachEntity> {
   };
   /// `kind` is what Characters::add_entity_kind returned for chain_reach_kind(chains).
   explicit ChainReachProcess(EntityPools::Kind kind, const Settings& settings)
-      : WeightedProcess(kind, 0.0F), settings_(settings) {}
-
-  /// Sets the target at once, from the next update on, in metres in model space. A caller that wants a slow change
-  /// moves it slowly.
-  void set_target(const glm::vec3& target) {
-    if (all_finite(target)) {
-      target_ = target;
-    } else {
-      report_misuse({"ChainReachProcess::set_target", "a target is of finite numbers"});
-    }
-  }
+      : TargetedProcess(kind, {0.0F, 0.0F, 0.0F}), settings_(settings) {}
 
   /// Returns the metres from the end of the chain to the target at the last update.
   float missed_by(const EntityPools& pools) const {
@@ -43,12 +33,8 @@ class ChainReachProcess final : public WeightedProcess<ChainReachEntity> {
                                                  .tolerance = settings_.tolerance,
                                                  .missed_by = 0.0F};
   }
-  void write(const EntityBuilder& build, Handle reach) const override {
-    for (int axis = 0; axis < 3; ++axis) build.as<ChainReachEntity>(reach).target[axis] = target_[axis];
-  }
 
   Settings settings_;
-  glm::vec3 target_{0.0F};
 };
 
 }  // namespace throng::anim

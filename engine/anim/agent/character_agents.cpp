@@ -177,6 +177,14 @@ std::size_t CharacterAgents::bytes_alive() const {
   return bytes;
 }
 
+const CharacterAgents& nobody() {
+  struct Nobody : CharacterAgents {
+    Nobody() : CharacterAgents(std::make_shared<const Character>()) { agents.add(); }
+  };
+  static const Nobody one;
+  return one;
+}
+
 LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<CharacterAgents>> characters, StreamKind stream) {
   LocalStoreDemand demand{.skeleton = {}, .stream = stream, .largest = {}};
   int most_bones = 0;

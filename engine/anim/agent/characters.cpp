@@ -7,8 +7,6 @@
 namespace throng::anim {
 namespace {
 
-constexpr const char* no_character = "a character of this id is not in the system";
-
 const char* fault_of(const EntityKind& kind) {
   if (kind.advance == nullptr) return "a kind has the function advance";
   if ((kind.pose_packet != nullptr) == (kind.pose_whole != nullptr)) {
@@ -23,8 +21,7 @@ const char* fault_of(const EntityKind& kind) {
 }  // namespace
 
 const CharacterAgents& Characters::of(CharacterId character) const {
-  static const CharacterAgents nobody(std::make_shared<const Character>());
-  return has(character) ? *system_->population.characters()[character.number] : nobody;
+  return has(character) ? *system_->population.characters()[character.number] : nobody();
 }
 
 PaletteFormat Characters::palette_format(CharacterId character) const {

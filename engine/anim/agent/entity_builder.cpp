@@ -28,7 +28,7 @@ bool is_speed(double speed) { return std::abs(speed) < 32768.0; }
 
 const char* EntityBuilder::fault_of(const PlayerStart& start) const {
   if (!has_clip(start.clip)) return "clip is not an index of the character's clips";
-  if (!is_speed(start.speed)) return "a speed is a number of less than 32,768";
+  if (!is_speed(start.speed)) return not_a_speed;
   if (start.start < -longest_start || start.start > longest_start) return "start is within a day of the clip's begin";
   if (start.bone_selection > about_.selections)
     return "bone_selection is not a number that add_bone_selection returned";
@@ -90,7 +90,7 @@ Handle EntityBuilder::player(const PlayerStart& start) const {
 
 Handle EntityBuilder::ease(Handle from, Handle to, Ticks total, int mask) const {
   if (!has_mask(mask)) {
-    report_misuse({"EntityBuilder::ease", "mask is not a number that add_mask returned"});
+    report_misuse({"EntityBuilder::ease", not_a_mask});
     return {};
   }
   const Handle handle = create(EntityPools::ease_blenders);
@@ -114,16 +114,16 @@ Handle EntityBuilder::hold(Handle from, Handle to, float fraction, int mask) con
 }
 
 void EntityBuilder::seek(Handle player, FineTicks position) const {
-  as<Player>(player).position = position + lead().count() * as<Player>(player).speed;
+  as<Player>(player).position = position + distance(lead(), as<Player>(player).speed);
 }
 
 FineTicks EntityBuilder::position(Handle player) const {
-  return as<Player>(player).position - lead().count() * as<Player>(player).speed;
+  return as<Player>(player).position - distance(lead(), as<Player>(player).speed);
 }
 
 void EntityBuilder::set_speed(Handle player, double speed) const {
   if (!is_speed(speed)) {
-    report_misuse({"EntityBuilder::set_speed", "a speed is a number of less than 32,768"});
+    report_misuse({"EntityBuilder::set_speed", not_a_speed});
     return;
   }
   const auto& own = as<Player>(player);

@@ -22,6 +22,10 @@ struct PlayerStart {
   std::uint32_t bone_selection = Player::every_bone;  ///< the number that `Characters::add_bone_selection` returned
 };
 
+// The reasons why a request with such a number is refused.
+inline constexpr const char* not_a_speed = "a speed is a number of less than 32,768";
+inline constexpr const char* not_a_mask = "mask is not a number that add_mask returned";
+
 /// Returns whether a player can play at this speed.
 bool is_speed(double speed);
 

@@ -10,7 +10,7 @@ namespace throng::anim {
 namespace {
 
 const char* fault_of(const Population& population, const ExactPose& exact) {
-  if (!population.numbers().has(exact.agent)) return "an agent of this id is not in the system";
+  if (!population.numbers().has(exact.agent)) return no_agent;
   if (population.graph(exact.agent.number).empty()) return "an agent plays something before it is posed";
   const PaletteDestination palette = exact.palette;
   if (palette.memory() == nullptr || palette.is_misaligned()) return "a palette lies at a multiple of 16 bytes";

@@ -58,7 +58,7 @@ void FrameWork::update(Population& population, FittedScheduler& pus, std::span<c
   list_shared_work(population, pus);
   list_work(population, pus, agents);
   const bool hash = pus.options().hash;
-  pus.set_hashes(hash ? std::span(palette_hashes_) : std::span(palette_hashes_).first(0));
+  pus.set_hashes(hash ? std::span(hashes_.palettes) : std::span(hashes_.palettes).first(0));
   pus.scheduler().update(pus.contexts(), shared_work_, {work_, runs_}, pus.executor());
   report_work(population, pus);
   if (hash) sum_up_hashes(population.numbers().order());
@@ -88,7 +88,6 @@ void FrameWork::list_shared_work(Population& population, FittedScheduler& pus) {
 
 void FrameWork::list_work(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents) {
   work_.resize(agents.size());
-  const auto frame = static_cast<std::uint32_t>(hashes_.frame);
   // Nothing below moves these, and the compiler cannot know.
   const std::span<const Member> members = population.numbers().members();
   const std::span<const std::unique_ptr<CharacterAgents>> characters = population.characters();
@@ -102,10 +101,9 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
   };
   runs_.clear();
   for (const AgentUpdate& update : agents) {
-    if (!may_update(population, update)) [[unlikely]]
+    if (!may_update(population, pus.contexts(), update)) [[unlikely]]
       continue;
     const std::uint32_t agent = update.agent.number;
-    updated_in_[agent] = frame;
     const Member member = members[agent];
     const AgentGraphs& graphs = characters[member.character]->agents;
     if (graphs.next_update(member.index) <= now) [[unlikely]]
@@ -116,9 +114,9 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
       continue;
     }
     if (!alike.include(*graph.program, update.level)) [[unlikely]] {
+      const PoseProgram& program = *graph.program;
       end_run();
       runs_.push_back({.first = listed()});
-      const PoseProgram& program = *graph.program;
       alike = {.program = &program,
                .level = update.level,
                .cost = pus.predicted_cost(program, member.character, update.level),
@@ -130,6 +128,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
     if (time < before && !can_wind_back(population, agent)) [[unlikely]]
       time = before;
     posed_at[agent] = time;
+    hashes_.frames[agent] = hashes_.frame;
     ::new (work++) AgentWork{.program = alike.program,
                              .entities = graph.entities.data(),
                              .delta = time - before,
@@ -147,19 +146,18 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
 }
 
 // Checks what the host wrote, before anything of the agent changes.
-bool FrameWork::may_update(const Population& population, const AgentUpdate& update) {
+bool FrameWork::may_update(const Population& population, std::span<const UpdateContext> contexts,
+                           const AgentUpdate& update) const {
   const auto refused = [](const char* reason) { return report_misuse({"AnimationSystem::update", reason}); };
-  if (!population.numbers().has(update.agent)) return refused("an agent of this id is not in the system");
-  const CharacterAgents& character = population.character_of(update.agent.number);
-  const std::size_t levels = character.skeleton().level_bone_counts.size();
+  if (!population.numbers().has(update.agent)) return refused(no_agent);
+  const std::uint32_t character = population.numbers().member(update.agent.number).character;
+  const std::size_t levels = contexts[character].level_bone_counts.size();
   if (update.level >= levels) return refused("the agent's character has fewer bone levels");
   if (update.fade_halves > 2 || (update.fade_halves > 0 && update.fade_level >= levels)) {
     return refused("a pose fades by 0 to 2 halves to a bone level of its character");
   }
   if (update.palette.is_misaligned()) return refused("a palette lies at a multiple of 16 bytes");
-  if (updated_in_[update.agent.number] == static_cast<std::uint32_t>(hashes_.frame)) {
-    return refused("an agent is updated once in a call");
-  }
+  if (hashes_.frames[update.agent.number] == hashes_.frame) return refused("an agent is updated once in a call");
   return true;
 }
 
@@ -191,15 +189,12 @@ void FrameWork::report_work(const Population& population, const FittedScheduler&
 
 // An agent's place is what a run that never had the dead would know it by.
 void FrameWork::hash_agent(std::uint32_t agent, std::uint32_t place) {
-  const PaletteHash& last = hashes_.palettes[agent];
-  hashes_.agents[agent] = last.frame == 0 ? 0 : chain_hash(chain_hash(place, last.frame), last.palette);
+  const std::uint64_t frame = hashes_.frames[agent];
+  hashes_.agents[agent] = frame == 0 ? 0 : chain_hash(chain_hash(place, frame), hashes_.palettes[agent]);
 }
 
 void FrameWork::sum_up_hashes(const AgentOrder& order) {
-  for (const AgentWork& work : work_) {
-    hashes_.palettes[work.agent] = {.palette = palette_hashes_[work.agent], .frame = hashes_.frame};
-    hash_agent(work.agent, order.places[work.agent]);
-  }
+  for (const AgentWork& work : work_) hash_agent(work.agent, order.places[work.agent]);
   if (hashes_.order != order.version) {
     hashes_.order = order.version;
     for (std::uint32_t place = 0; const AgentId agent : order.agents) hash_agent(agent.number, place++);
@@ -214,26 +209,19 @@ void FrameWork::reserve(std::uint32_t limit) {
   make_room(work_, limit);
   make_room(runs_, limit);
   hashes_.agents.resize(limit, 0);
-  hashes_.palettes.resize(limit);
-  palette_hashes_.resize(limit, 0);
-  updated_in_.resize(limit, 0);
+  hashes_.palettes.resize(limit, 0);
+  hashes_.frames.resize(limit, 0);
 }
 
 void FrameWork::forget_agent(std::uint32_t agent) {
   hashes_.agents[agent] = 0;
-  hashes_.palettes[agent] = {};
-}
-
-void FrameWork::restore(const FrameHashes& hashes) {
-  hashes_ = hashes;
-  std::ranges::fill(updated_in_, static_cast<std::uint32_t>(hashes_.frame));
-  hashes_.order = 0;
+  hashes_.palettes[agent] = 0;
+  hashes_.frames[agent] = 0;
 }
 
 void FrameWork::restart() {
   hashes_.frame = 0;
   hashes_.poses = 0;
-  std::ranges::fill(updated_in_, 0);
 }
 
 std::uint64_t FrameWork::stream_bytes(std::span<const UpdateContext> contexts) const {

@@ -18,21 +18,16 @@ struct UpdateReport {
   CopyCounts copies;
 };
 
-/// The last palette of an agent.
-struct PaletteHash {
-  std::uint64_t palette = 0;
-  std::uint64_t frame = 0;  ///< the update that wrote it; 0: none did
-};
-
 /// The hashes of the palettes of all updates so far.
 struct FrameHashes {
-  std::uint64_t frame = 0;            ///< the number of updates so far
-  std::uint64_t poses = 0;            ///< the hashes of agents summed up, and of frames chained
-  std::vector<std::uint64_t> agents;  ///< [agent] the hash of its last update, seeded by its place and the frame
-  std::vector<PaletteHash> palettes;  ///< [agent]
-  std::uint64_t order = 0;            ///< AgentOrder::version of the places
+  std::uint64_t frame = 0;              ///< the number of updates so far
+  std::uint64_t poses = 0;              ///< the hashes of agents summed up, and of frames chained
+  std::vector<std::uint64_t> agents;    ///< [agent] the hash of its last update, seeded by its place and the frame
+  std::vector<std::uint64_t> palettes;  ///< [agent] the hash of its last palette alone; PUs write it
+  std::vector<std::uint64_t> frames;    ///< [agent] the frame of its last update; 0: there was none
+  std::uint64_t order = 0;              ///< AgentOrder::version of the places
 
-  std::size_t bytes() const { return agents.size() * (sizeof(std::uint64_t) + sizeof(PaletteHash)); }
+  std::size_t bytes() const { return 3 * agents.size() * sizeof(std::uint64_t); }
 };
 
 /// Does a frame: asks the channels that are due, lists the work of each agent, has the PUs do it, and sums it up.
@@ -49,7 +44,7 @@ class FrameWork {
   const UpdateReport& report() const { return report_; }
   const FrameHashes& hashes() const { return hashes_; }
   /// Takes the hashes of a snapshot.
-  void restore(const FrameHashes& hashes);
+  void restore(const FrameHashes& hashes) { hashes_ = hashes; }
   /// Returns what Figures::stream_bytes does.
   std::uint64_t stream_bytes(std::span<const UpdateContext> contexts) const;
 
@@ -57,13 +52,12 @@ class FrameWork {
   void list_shared_work(Population& population, FittedScheduler& pus);
   void list_work(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents);
   void report_work(const Population& population, const FittedScheduler& pus);
-  bool may_update(const Population& population, const AgentUpdate& update);
+  bool may_update(const Population& population, std::span<const UpdateContext> contexts,
+                  const AgentUpdate& update) const;
   void sum_up_hashes(const AgentOrder& order);
   void hash_agent(std::uint32_t agent, std::uint32_t place);
 
   FrameHashes hashes_;
-  std::vector<std::uint64_t> palette_hashes_;  // [agent] where PUs write
-  std::vector<std::uint32_t> updated_in_;      // [agent] the lower half of the number of the frame
   std::vector<AgentWork> work_;
   std::vector<WorkRun> runs_;  // the runs in work_
   std::vector<AgentWork> shared_work_;

@@ -19,7 +19,7 @@ class NoiseProcess final : public OneEntityProcess<NoiseMaker> {
   explicit NoiseProcess(const Settings& settings) : OneEntityProcess(EntityPools::noise_makers), settings_(settings) {}
 
   const char* fault(const EntityBuilder& build) const override {
-    if (!build.has_mask(settings_.mask)) return "mask is not a number that add_mask returned";
+    if (!build.has_mask(settings_.mask)) return not_a_mask;
     const bool are_numbers = std::isfinite(settings_.frequency) && std::isfinite(settings_.amplitude);
     return are_numbers ? OneEntityProcess::fault(build) : "frequency and amplitude are finite numbers";
   }

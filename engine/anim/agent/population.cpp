@@ -22,18 +22,9 @@ void PopulationSnapshot::widen(LocalStoreDemand& demand) const {
   }
 }
 
-namespace {
-
-/// Stands where a number has no character.
-const std::shared_ptr<const Character>& no_character() {
-  static const auto nobody = std::make_shared<const Character>();
-  return nobody;
-}
-
-}  // namespace
-
 CharacterId Population::add_character(std::shared_ptr<const Character> character) {
-  const auto free = std::ranges::find_if(characters_, [](const auto& one) { return one->character == no_character(); });
+  const auto free =
+      std::ranges::find_if(characters_, [](const auto& one) { return one->character == nobody().character; });
   const auto number = static_cast<std::uint32_t>(free - characters_.begin());
   if (free == characters_.end()) {
     characters_.emplace_back();
@@ -46,18 +37,18 @@ CharacterId Population::add_character(std::shared_ptr<const Character> character
 
 std::size_t Population::character_count() const {
   return static_cast<std::size_t>(
-      std::ranges::count_if(characters_, [](const auto& one) { return one->character != no_character(); }));
+      std::ranges::count_if(characters_, [](const auto& one) { return one->character != nobody().character; }));
 }
 
 void Population::remove_character(std::uint32_t character) {
   assert(characters_[character]->agents.alive_count() == 0 && "its agents play it");
-  characters_[character] = std::make_unique<CharacterAgents>(no_character());
+  characters_[character] = std::make_unique<CharacterAgents>(nobody().character);
   ++character_generations_[character];
-  while (characters_.back()->character == no_character()) characters_.pop_back();
+  while (characters_.back()->character == nobody().character) characters_.pop_back();
 }
 
 bool Population::has(CharacterId character) const {
-  return character.number < characters_.size() && characters_[character.number]->character != no_character() &&
+  return character.number < characters_.size() && characters_[character.number]->character != nobody().character &&
          (character.generation == whichever || character.generation == character_generations_[character.number]);
 }
 
@@ -182,15 +173,15 @@ void Population::snapshot(PopulationSnapshot& into) const {
 Status Population::can_restore(const PopulationSnapshot& from) const {
   if (from.characters.empty()) return Error{"there is no crowd in this snapshot: take one first"};
   if (from.characters.size() != characters_.size()) {
-    return Error{"characters were added since this snapshot: take another one"};
+    return Error{"characters came or went since this snapshot: take another one"};
   }
   for (std::size_t i = 0; i < characters_.size(); ++i) {
     if (from.characters[i].pools.size() != std::size_t{2} * characters_[i]->pools.kind_count()) {
       return Error{"kinds of entities were added since this snapshot: take another one"};
     }
     if (from.characters[i].character != characters_[i]->character) {
-      return Error{"the bones of \"" + characters_[i]->skeleton().name +
-                   "\" are in another order since this snapshot: take another one"};
+      return Error{"\"" + characters_[i]->skeleton().name +
+                   "\" is another character, or has its bones in another order, since this snapshot: take another one"};
     }
   }
   return Done{};

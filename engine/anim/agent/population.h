@@ -10,6 +10,10 @@
 
 namespace throng::anim {
 
+// The reasons why a call with such an id is refused.
+inline constexpr const char* no_agent = "an agent of this id is not in the system";
+inline constexpr const char* no_character = "a character of this id is not in the system";
+
 /// The character of an agent, and its number among the agents of that character.
 struct Member {
   static constexpr std::uint32_t dead = 1U << 31;  ///< set in the generation of a number that nobody has
@@ -96,7 +100,7 @@ class Population {
 
   const AgentNumbers& numbers() const { return numbers_; }
   AgentNumbers& numbers() { return numbers_; }
-  /// Adds an agent. room_for() makes that cheap for many.
+  /// Adds an agent. make_room() makes that cheap for many.
   AgentId add(std::uint32_t character);
   /// Makes room for so many more agents of a character.
   void make_room(std::uint32_t agents, std::uint32_t character);

@@ -6,7 +6,7 @@
 namespace throng::anim {
 
 /// Lets a hand or a foot reach for a place, by two-bone IK. Its weight is 0 until it is set.
-class ReachProcess final : public WeightedProcess<IkEntity> {
+class ReachProcess final : public TargetedProcess<IkEntity> {
  public:
   struct Settings {
     std::uint32_t limb = 0;   ///< CharacterRigs::limb
@@ -14,17 +14,8 @@ class ReachProcess final : public WeightedProcess<IkEntity> {
     glm::vec3 pole{0.0F};     ///< model space: where the elbow or knee must point; zero keeps the pose's
   };
   /// `kind` is RigKinds::limbs.
-  ReachProcess(EntityPools::Kind kind, const Settings& settings) : WeightedProcess(kind, 0.0F), settings_(settings) {}
-
-  /// Sets the target at once, from the next update on, in metres in model space. A caller that wants a slow change
-  /// moves it slowly.
-  void set_target(const glm::vec3& target) {
-    if (all_finite(target)) {
-      target_ = target;
-    } else {
-      report_misuse({"ReachProcess::set_target", "a target is of finite numbers"});
-    }
-  }
+  ReachProcess(EntityPools::Kind kind, const Settings& settings)
+      : TargetedProcess(kind, {0.0F, 0.0F, 0.0F}), settings_(settings) {}
 
   /// Returns the metres from the end of the limb to the target at the last update.
   float missed_by(const EntityPools& pools) const {
@@ -42,12 +33,8 @@ class ReachProcess final : public WeightedProcess<IkEntity> {
                                       .turn_end = false,
                                       .missed_by = 0.0F};
   }
-  void write(const EntityBuilder& build, Handle ik) const override {
-    for (int axis = 0; axis < 3; ++axis) build.as<IkEntity>(ik).target[axis] = target_[axis];
-  }
 
   Settings settings_;
-  glm::vec3 target_{0.0F};
 };
 
 }  // namespace throng::anim

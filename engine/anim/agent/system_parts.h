@@ -38,7 +38,7 @@ struct SystemParts {
   FittedScheduler pus;
   FrameWork frame;
   ExactPoser exact;
-  std::atomic<bool> turn{false};  ///< some call changes the system; see Turn
+  mutable std::atomic<bool> turn{false};  ///< some call changes the system; see Turn
 };
 
 }  // namespace throng::anim

@@ -2,10 +2,9 @@
 
 namespace throng::anim {
 
-void AnimationSystem::snapshot(SystemSnapshot& into) {
+void AnimationSystem::snapshot(SystemSnapshot& into) const {
   const Turn turn(parts_.turn, "AnimationSystem::snapshot");
   if (!turn) return;
-  parts_.population.numbers().order();
   parts_.population.snapshot(into.population_);
   into.hashes_ = parts_.frame.hashes();
 }
@@ -19,8 +18,7 @@ Status AnimationSystem::restore(const SystemSnapshot& from) {
   if (Status fits = parts_.pus.fit(parts_.population, needs); !fits) return fits;
   if (Status restored = parts_.population.restore(from.population_); !restored) return restored;
   parts_.frame.restore(from.hashes_);
-  parts_.frame.reserve(number_limit());
-  parts_.pus.reserve(parts_.population);
+  make_room();
   return Done{};
 }
 

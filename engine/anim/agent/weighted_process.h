@@ -62,4 +62,29 @@ class WeightedProcess : public OneEntityProcess<Entity> {
   bool fades_ = false;
 };
 
+/// A weighted process whose entity has a `target`: a place in metres in the character's model space.
+template <typename Entity>
+class TargetedProcess : public WeightedProcess<Entity> {
+ public:
+  /// Sets the target at once, from the next update on. A caller that wants a slow change moves it slowly.
+  void set_target(const glm::vec3& target) {
+    if (all_finite(target)) {
+      target_ = target;
+    } else {
+      report_misuse({"PostProcess::set_target", "a target is of finite numbers"});
+    }
+  }
+
+ protected:
+  TargetedProcess(EntityPools::Kind kind, const glm::vec3& target)
+      : WeightedProcess<Entity>(kind, 0.0F), target_(target) {}
+
+ private:
+  void write(const EntityBuilder& build, Handle entity) const final {
+    for (int axis = 0; axis < 3; ++axis) build.as<Entity>(entity).target[axis] = target_[axis];
+  }
+
+  glm::vec3 target_;
+};
+
 }  // namespace throng::anim

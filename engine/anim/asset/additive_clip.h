@@ -9,9 +9,9 @@ namespace throng::anim {
 /// additive layer (entity/additive_layer.h) whose layer plays the result, and whose reference plays a clip without
 /// tracks, which is the rest pose, adds just that to any base. Both clips are of `skeleton`.
 ///
-/// Of each bone, rotations become rest * inverse(reference) * clip, translations rest + clip - reference, and scales
-/// rest * clip / reference. This is linear in the clip, so that keys keep their times, tangents and interpolation.
-/// Name, times, data keys and morphs stay those of `clip`.
+/// Each bone's rotation becomes rest * inverse(reference) * clip, its translation rest + clip - reference, and its
+/// scale rest * clip / reference. This is linear in the clip, so that keys keep their times, tangents and
+/// interpolation. Name, times, data keys and morphs stay those of `clip`.
 Clip make_additive(const Skeleton& skeleton, const Clip& clip, const Clip& reference, double seconds);
 
 }  // namespace throng::anim

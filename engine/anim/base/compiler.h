@@ -6,7 +6,8 @@
 #include <intrin.h>
 #endif
 
-// What compilers and processors call by names of their own stands here alone. Everything else is standard C++.
+// Compilers and processors call some things by names of their own. This file alone uses these names; all else is
+// standard C++.
 
 /// THRONG_NOT_CHECKED marks a function that the address sanitizer leaves alone. It is never inlined, since its caller
 /// is checked. THRONG_HAS_ADDRESS_SANITIZER says whether there is one.

@@ -1,7 +1,5 @@
 #include "engine/anim/entity/chain_reach_entity.h"
 
-#include <algorithm>
-
 #include "engine/anim/entity/whole_pose_step.h"
 
 namespace throng::anim {
@@ -22,12 +20,6 @@ void reach(const EntityInStore& entity, const PoseView& pose) {
                                        .tolerance = memory.tolerance});
 }
 
-int bone_end(const std::vector<ReachChain>& chains) {
-  int end = 0;
-  for (const ReachChain& chain : chains) end = std::max(end, chain.chain.bone_end());
-  return end;
-}
-
 }  // namespace
 
 EntityKind chain_reach_kind(const std::vector<ReachChain>& chains) {
@@ -39,7 +31,7 @@ EntityKind chain_reach_kind(const std::vector<ReachChain>& chains) {
           .reads_identity = false,
           .advance = advance_each<advance_reach>,
           .pose_whole = reach,
-          .whole_bones = bone_end(chains),
+          .whole_bones = bone_end_of(chains),
           .whole_pose_work = 4,
           .displaced_quads = 0,
           .resource = &chains};

@@ -1,6 +1,5 @@
 #include "engine/anim/entity/ik_entity.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -48,12 +47,6 @@ void reach_all(const PosedEntities& all) {
   }
 }
 
-int bone_end(const std::vector<TwoBoneLimb>& limbs) {
-  int end = 0;
-  for (const TwoBoneLimb& limb : limbs) end = std::max(end, limb.chain.bone_end());
-  return end;
-}
-
 }  // namespace
 
 EntityKind ik_kind(const std::vector<TwoBoneLimb>& limbs) {
@@ -65,7 +58,7 @@ EntityKind ik_kind(const std::vector<TwoBoneLimb>& limbs) {
           .reads_identity = false,
           .advance = advance_each<advance_ik>,
           .pose_whole = pose_alone<reach_all>,
-          .whole_bones = bone_end(limbs),
+          .whole_bones = bone_end_of(limbs),
           .displaced_quads = 0,
           .pose_strip = reach_all,
           .resource = &limbs};

@@ -9,7 +9,7 @@
 
 namespace throng::anim {
 
-/// Of each bone, the bone on the other side of the body; itself in the middle.
+/// Names, for each bone, the bone on the other side of the body. A bone in the middle names itself.
 using MirrorMap = std::vector<int>;
 
 /// Pairs the bones of a skeleton, left and right. Parts of the body are paired as the rig map says; other bones, such

@@ -9,6 +9,7 @@
 #include "engine/anim/agent/blend_space_2d_channel.h"
 #include "engine/anim/entity/mixer.h"
 #include "tests/anim/agent/gait_crowd.h"
+#include "tests/anim/agent/heard_misuses.h"
 
 namespace throng::anim::blend_space_2d_test {
 namespace {
@@ -85,6 +86,7 @@ TEST(BlendSpace2d, KeepsTheGaitsInStepAllOverThePlane) {
 }
 
 TEST(BlendSpace2d, TakesAnyPlaceThatIsFinite) {
+  const HeardMisuses heard;
   Walker walker({0.0F, 0.0F});
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const glm::vec2 place :
@@ -95,6 +97,7 @@ TEST(BlendSpace2d, TakesAnyPlaceThatIsFinite) {
   }
   walker.set_velocity({nan, 1.0F});
   EXPECT_EQ(std::as_const(*walker.system).agent(0).channel<BlendSpace2dChannel>({0})->place(), glm::vec2(0.0F));
+  EXPECT_EQ(HeardMisuses::all().size(), 2U) << "both that are not";
 }
 
 TEST(BlendSpace2d, RefusesAClipThatTheCharacterDoesNotHave) {

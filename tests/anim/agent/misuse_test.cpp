@@ -1,4 +1,3 @@
-#include "engine/anim/base/misuse.h"
 
 #include <cmath>
 #include <cstdint>
@@ -18,6 +17,7 @@
 #include "engine/anim/asset/model_check.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/anim/agent/crowd_rig.h"
+#include "tests/anim/agent/heard_misuses.h"
 
 // Calls that break their contract: each is told of once, by name, and changes nothing.
 namespace throng::anim::misuse_test {
@@ -28,17 +28,10 @@ using testing::IsEmpty;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<std::string> heard;
-
 /// Listens to misuses as long as a test runs.
 class MisuseTest : public testing::Test {
  protected:
-  MisuseTest() {
-    heard.clear();
-    before_ =
-        set_misuse_hook([](const Misuse& misuse) { heard.push_back(std::string(misuse.call) + ": " + misuse.reason); });
-  }
-  ~MisuseTest() override { set_misuse_hook(before_); }
+  std::vector<std::string>& heard = HeardMisuses::all();
 
   AnimationSystem& system() { return *crowd_.system; }
   Agent agent() { return system().agent(0); }
@@ -60,8 +53,8 @@ class MisuseTest : public testing::Test {
   }
 
  private:
+  HeardMisuses listening_;
   CrowdRig crowd_ = playing();
-  MisuseHook before_;
 };
 
 TEST_F(MisuseTest, OfAnAgentThatIsNotThere) {

@@ -68,7 +68,7 @@ HWY_INLINE Vectors<V> to_world(const JointMotions<V>& model, const Vectors<V>& p
   return sum(model.position, rotated(model.rotation, place));
 }
 
-/// What a leg reaches, model space.
+/// Holds how far a leg reaches, from where, in model space.
 template <class V>
 struct LegReaches {
   Vectors<V> hip;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -30,6 +31,14 @@ struct JointChain {
   int find(int bone) const;
 };
 static_assert(std::is_trivially_copyable_v<JointChain>);
+
+/// Returns one above the highest bone of several limbs, each with a `chain`; 0 if there are none.
+template <typename Limbs>
+int bone_end_of(const Limbs& limbs) {
+  int end = 0;
+  for (const auto& limb : limbs) end = std::max(end, limb.chain.bone_end());
+  return end;
+}
 
 /// A posed joint in model space.
 struct JointMotion {

@@ -12,8 +12,8 @@ namespace throng::anim {
 /// are written again are written fastest where they lie, and the next reader finds them there. Other lines would be
 /// fetched from memory only to be overwritten, so they are written past the caches on machines where that is faster.
 
-/// Returns the bytes that the machine says its caches hold for one program: a quarter of its last level, since it lends
-/// no program all of it; least_cached_bytes if it says nothing. Takes no time.
+/// Returns the bytes that the machine says its caches hold for one program: a quarter of its last level, and at most
+/// 32 MiB, since it lends no program all of it; least_cached_bytes if it says nothing. Takes no time.
 std::size_t named_cached_bytes();
 
 /// Returns the most bytes that are written fastest where they lie, or within a tenth of that: a power of two, from

@@ -42,21 +42,35 @@ bool Agent::play(const PlayRequest& request) {
   const Turn turn(system_->turn, call);
   if (!turn) return false;
   if (const char* fault = fault_of(request); fault != nullptr) return report_misuse({call, fault});
-  const EntityBuilder build = builder();
   if (channel_count() == 0) {
     [[maybe_unused]] const Status added = own_graphs().add_channel(
-        build, index(), own_graphs().take_cross_fade_channel(), type_tag<CrossFadeChannel>(), {});
+        builder(), index(), own_graphs().take_cross_fade_channel(), type_tag<CrossFadeChannel>(), {});
     assert(added && "a channel that plays nothing yet");
   }
   CrossFadeChannel* const channel = first_channel();
   if (channel == nullptr) return report_misuse({call, "the agent's first channel is not a CrossFadeChannel"});
-  const bool taken = channel->play(build, request);
+  return play(*channel, request);
+}
+
+bool Agent::play(ChannelId channel, const PlayRequest& request) {
+  constexpr const char* call = "Agent::play";
+  const Turn turn(system_->turn, call);
+  if (!turn) return false;
+  if (const char* fault = fault_of(request); fault != nullptr) return report_misuse({call, fault});
+  auto* const own_channel = as<CrossFadeChannel, Channel>(own(channel));
+  if (own_channel == nullptr) return report_misuse({call, "the agent has no CrossFadeChannel of this id"});
+  return play(*own_channel, request);
+}
+
+bool Agent::play(CrossFadeChannel& channel, const PlayRequest& request) {
+  const EntityBuilder build = builder();
+  const bool taken = channel.play(build, request);
   if (settle([&] { return own_graphs().rebuild(build, index()); })) return taken;
   PlayRequest at_once = request;
   at_once.fade = Ticks{};
   at_once.held_fraction.reset();
   at_once.mask = PlayRequest::no_mask;
-  channel->play(build, at_once);
+  channel.play(build, at_once);
   [[maybe_unused]] const Status cut = settle([&] { return own_graphs().rebuild(build, index()); });
   assert(cut && "a player alone is the least that there can be");
   return false;

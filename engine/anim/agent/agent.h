@@ -113,6 +113,8 @@ class Agent : public AgentView {
   /// blends that stay (masked or held) take all places of the channel's tree. Returns false also if a local store of a
   /// fixed size has no room for the fade; then the clip has replaced all at once.
   bool play(const PlayRequest& request);
+  /// Does the same on another channel, which is a CrossFadeChannel.
+  bool play(ChannelId channel, const PlayRequest& request);
   /// Plays what was asked for last at another speed from now on, without a jump. The first channel is as for play().
   bool set_speed(double speed);
 
@@ -175,6 +177,7 @@ class Agent : public AgentView {
   Result<ProcessId> add_post_process(std::unique_ptr<PostProcess> process, TypeTag type);
   std::unique_ptr<PostProcess> take(ProcessId process);
   CrossFadeChannel* first_channel() const;
+  bool play(CrossFadeChannel& channel, const PlayRequest& request);
   const char* fault_of(const PlayRequest& request) const;
   Status channel_changed();
   Status process_changed(ProcessId process);

@@ -118,16 +118,32 @@ void CharacterRigs::reorder_bones(std::span<const int> places) {
   for (RagdollLink& link : ragdoll_->links) link.bone = places[static_cast<std::size_t>(link.bone)];
 }
 
+const EntityKind* CharacterRigs::kind(EntityType type) const {
+  switch (type) {
+    case EntityType::look_at:
+      return look_at_ ? &look_at_kind_ : nullptr;
+    case EntityType::foot_placement:
+      return foot_placement_ ? &foot_placement_kind_ : nullptr;
+    case EntityType::two_bone_ik:
+      return limbs_.empty() ? nullptr : &ik_kind_;
+    case EntityType::ragdoll:
+      return ragdoll_ ? &ragdoll_kind_ : nullptr;
+    default:
+      return nullptr;
+  }
+}
+
 RigKinds CharacterRigs::add_to(AnimationSystem& system, CharacterId character) const {
-  const auto added = [&](bool has_rig, const EntityKind& kind) -> std::optional<EntityPools::Kind> {
-    if (!has_rig) return std::nullopt;
-    const Result<EntityPools::Kind> number = system.characters().add_entity_kind(kind, character);
+  const auto added = [&](EntityType type) -> std::optional<EntityPools::Kind> {
+    const EntityKind* const own = kind(type);
+    if (own == nullptr) return std::nullopt;
+    const Result<EntityPools::Kind> number = system.characters().add_entity_kind(*own, character);
     return number ? std::optional(*number) : std::nullopt;
   };
-  return {.look_at = added(look_at_.has_value(), look_at_kind_),
-          .foot_placement = added(foot_placement_.has_value(), foot_placement_kind_),
-          .limbs = added(!limbs_.empty(), ik_kind_),
-          .ragdoll = added(ragdoll_.has_value(), ragdoll_kind_)};
+  return {.look_at = added(EntityType::look_at),
+          .foot_placement = added(EntityType::foot_placement),
+          .limbs = added(EntityType::two_bone_ik),
+          .ragdoll = added(EntityType::ragdoll)};
 }
 
 }  // namespace throng::anim

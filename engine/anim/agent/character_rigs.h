@@ -39,6 +39,9 @@ class CharacterRigs {
   /// before its agents use them.
   RigKinds add_to(AnimationSystem& system, CharacterId character = 0) const;
 
+  /// Returns the kind of entity of a rig; null where the character has no such rig.
+  const EntityKind* kind(EntityType type) const;
+
   /// Takes another order of the character's bones; `places` has the new index of each. The memory that systems point at
   /// stays where it is; see Characters::replace.
   void reorder_bones(std::span<const int> places);

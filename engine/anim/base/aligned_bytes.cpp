@@ -26,13 +26,28 @@ void ask_for_huge_pages(std::byte*, std::size_t) {}
 void forget_pages(std::byte*, std::size_t) {}
 #endif
 
+MemoryHooks hooks_of_the_host{};  // without functions: operator new gives
+
+AlignedBytes given(std::size_t size, std::size_t alignment) {
+  const MemoryHooks& giver = hooks_of_the_host;
+  void* const bytes = giver.allocate == nullptr ? ::operator new (size, std::align_val_t{alignment})
+                                                : giver.allocate(size, alignment, giver.context);
+  return {static_cast<std::byte*>(bytes), AlignedDelete{.size = size, .alignment = alignment, .giver = giver}};
+}
+
 }  // namespace
+
+void AlignedDelete::operator()(std::byte* bytes) const {
+  if (lent) return;
+  if (giver.release == nullptr) return ::operator delete (bytes, std::align_val_t{alignment});
+  giver.release(bytes, size, alignment, giver.context);
+}
 
 AlignedBytes allocate_aligned(std::size_t size) {
   const bool huge = size >= worth_huge_pages;
   const std::size_t alignment = huge ? huge_page : block_alignment;
   const std::size_t allocated = round_up(size, alignment);
-  AlignedBytes bytes(static_cast<std::byte*>(::operator new (allocated, std::align_val_t{alignment})));
+  AlignedBytes bytes = given(allocated, alignment);
   if (huge) ask_for_huge_pages(bytes.get(), allocated);
   if (size > 0) std::memset(bytes.get(), 0, size);
   return bytes;
@@ -47,3 +62,8 @@ void give_back_pages(std::byte* bytes, std::size_t size) {
 }
 
 }  // namespace throng::anim
+
+void throng::set_memory_hooks(const MemoryHooks& hooks) {
+  const bool are_whole = (hooks.allocate == nullptr) == (hooks.release == nullptr);
+  if (are_whole) anim::hooks_of_the_host = hooks;
+}

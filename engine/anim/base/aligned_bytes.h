@@ -2,17 +2,20 @@
 
 #include <cstddef>
 #include <memory>
-#include <new>
+
+#include "throng/host.h"
 
 namespace throng::anim {
 
 inline constexpr std::size_t block_alignment = 64;
 
+/// Gives bytes back to who gave them (throng/host.h), unless they were lent.
 struct AlignedDelete {
   bool lent = false;  ///< the bytes belong to somebody else, who keeps them for longer
-  void operator()(std::byte* bytes) const {
-    if (!lent) ::operator delete (bytes, std::align_val_t{block_alignment});
-  }
+  std::size_t size = 0;
+  std::size_t alignment = block_alignment;
+  MemoryHooks giver{};  ///< without functions: operator new gave them
+  void operator()(std::byte* bytes) const;
 };
 
 /// Owns bytes that are aligned to a cache line, or holds lent ones.

@@ -33,8 +33,6 @@ void print_once(const Misuse& misuse) {
 
 }  // namespace
 
-MisuseHook set_misuse_hook(MisuseHook hook) { return hook_of_the_host.exchange(hook); }
-
 bool report_misuse(const Misuse& misuse) {
   const MisuseHook hook = hook_of_the_host.load();
   (hook == nullptr ? print_once : hook)(misuse);
@@ -47,3 +45,5 @@ Error refuse(const Misuse& misuse) {
 }
 
 }  // namespace throng::anim
+
+throng::MisuseHook throng::set_misuse_hook(MisuseHook hook) { return anim::hook_of_the_host.exchange(hook); }

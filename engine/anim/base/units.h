@@ -1,91 +1,14 @@
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <limits>
+
+#include "throng/ticks.h"
 
 namespace throng::anim {
 
-inline constexpr std::int64_t tick_rate = 705'600'000;              ///< ticks a second, as a bare number
-inline constexpr std::int64_t most_ticks = std::int64_t{1} << 62U;  ///< longest_time, as a bare number
-
-/// Names the std::chrono::durations, and types like them, that are a whole number of ticks whatever they count: hours,
-/// seconds, milliseconds and those of std::ratio<1, 60>, but not microseconds or floating durations.
-template <typename Duration>
-concept WholeTicks = requires {
-  requires std::signed_integral<typename Duration::rep>;
-  requires tick_rate % Duration::period::den == 0;
-};
-
-/// Counts time in integers, since sums of floats drift. 705,600,000 ticks a second divide evenly by every common frame
-/// rate and sample rate (24, 25, 30, 48, 50, 60, 90, 100, 120 Hz; 44.1, 48, 96 kHz).
-///
-/// No number becomes a time by itself: to_ticks() takes seconds, Ticks{n} takes ticks, and durations of std::chrono
-/// convert where that is exact: `system.advance(16ms)`. Sums must stay within 64 bits, as those of integers.
-/// `Ticks{}` is 0; `Ticks t;` is not set, since blocks that hold times are plain bytes.
-class Ticks {
- public:
-  Ticks() = default;
-  constexpr explicit Ticks(std::int64_t count) : count_(count) {}
-  template <std::floating_point Number>
-  explicit Ticks(Number) = delete;  // to_ticks() takes seconds
-
-  /// Durations longer than longest_time become it.
-  template <WholeTicks Duration>
-  constexpr Ticks(const Duration& duration) : count_(0) {
-    constexpr std::int64_t ticks_per_unit = tick_rate / Duration::period::den * Duration::period::num;
-    constexpr std::int64_t most = most_ticks / ticks_per_unit;
-    const std::int64_t units = duration.count();
-    count_ = units > most ? most_ticks : (units < -most ? -most_ticks : units * ticks_per_unit);
-  }
-
-  constexpr std::int64_t count() const { return count_; }
-
-  constexpr Ticks& operator+=(Ticks other) { return *this = *this + other; }
-  constexpr Ticks& operator-=(Ticks other) { return *this = *this - other; }
-  constexpr Ticks& operator%=(Ticks other) { return *this = *this % other; }
-  constexpr Ticks operator-() const { return Ticks{-count_}; }
-  friend constexpr Ticks operator+(Ticks a, Ticks b) { return Ticks{a.count_ + b.count_}; }
-  friend constexpr Ticks operator-(Ticks a, Ticks b) { return Ticks{a.count_ - b.count_}; }
-
-  friend constexpr Ticks operator*(Ticks ticks, std::int64_t times) { return Ticks{ticks.count_ * times}; }
-  friend constexpr Ticks operator*(std::int64_t times, Ticks ticks) { return Ticks{times * ticks.count_}; }
-  friend constexpr Ticks operator/(Ticks ticks, std::int64_t parts) { return Ticks{ticks.count_ / parts}; }
-  /// Says how many times `b` fits into `a`.
-  friend constexpr std::int64_t operator/(Ticks a, Ticks b) { return a.count_ / b.count_; }
-  friend constexpr Ticks operator%(Ticks a, Ticks b) { return Ticks{a.count_ % b.count_}; }
-  // A fraction of a time is rounded by whoever needs one, so that a factor of 0.5 is not taken for 0.
-  template <std::floating_point Number>
-  friend Ticks operator*(Ticks, Number) = delete;
-  template <std::floating_point Number>
-  friend Ticks operator*(Number, Ticks) = delete;
-  template <std::floating_point Number>
-  friend Ticks operator/(Ticks, Number) = delete;
-
-  // One by one: clang 14 warns of the zero in comparisons that a three-way one makes.
-  friend constexpr bool operator==(Ticks a, Ticks b) { return a.count_ == b.count_; }
-  friend constexpr bool operator<(Ticks a, Ticks b) { return a.count_ < b.count_; }
-  friend constexpr bool operator>(Ticks a, Ticks b) { return a.count_ > b.count_; }
-  friend constexpr bool operator<=(Ticks a, Ticks b) { return a.count_ <= b.count_; }
-  friend constexpr bool operator>=(Ticks a, Ticks b) { return a.count_ >= b.count_; }
-
-  /// Writes to any output stream of the standard library, which this header does not include.
-  template <typename Stream>
-  requires requires { typename Stream::char_type; }
-  friend Stream& operator<<(Stream& stream, Ticks ticks) {
-    stream << ticks.count_ << " ticks";
-    return stream;
-  }
-
- private:
-  std::int64_t count_;
-};
-
-inline constexpr Ticks ticks_per_second{tick_rate};
-
-/// The longest time that a conversion gives, 207 years. It is half of what 64 bits hold, so two of them can be added.
-inline constexpr Ticks longest_time{most_ticks};
+using throng::longest_time, throng::most_ticks, throng::tick_rate, throng::Ticks, throng::ticks_per_second;
+using throng::to_seconds, throng::to_ticks, throng::WholeTicks;
 
 /// Counts a player's position in 1/65536 ticks, so that speed times time is exact: the position does not depend on how
 /// the time was cut into steps. 64 bits hold 55 hours of a clip. These are bare integers, which no function that wants
@@ -101,27 +24,8 @@ struct FineTicksPerTick {
 
 inline constexpr FineTicksPerTick fine_ticks_per_tick;
 
-/// Rounds to the nearest tick. A longer time than longest_time becomes it, an infinite one too, and NaN becomes 0.
-inline Ticks to_ticks(double seconds) {
-  const double ticks = seconds * static_cast<double>(tick_rate);
-  if (std::abs(ticks) < static_cast<double>(most_ticks)) return Ticks{std::llround(ticks)};
-  if (std::isnan(ticks)) return Ticks{};
-  return ticks < 0.0 ? -longest_time : longest_time;
-}
 /// A position in fine ticks is no number of seconds.
 template <std::same_as<FineTicks> Position>
 Ticks to_ticks(Position) = delete;
 
-inline double to_seconds(Ticks ticks) { return static_cast<double>(ticks.count()) / static_cast<double>(tick_rate); }
-
 }  // namespace throng::anim
-
-/// Gives the ends of time, as for integers: without it they would be 0 in silence.
-template <>
-class std::numeric_limits<throng::anim::Ticks> {
- public:
-  static constexpr bool is_specialized = true;
-  static constexpr throng::anim::Ticks min() { return throng::anim::Ticks{numeric_limits<std::int64_t>::min()}; }
-  static constexpr throng::anim::Ticks lowest() { return min(); }
-  static constexpr throng::anim::Ticks max() { return throng::anim::Ticks{numeric_limits<std::int64_t>::max()}; }
-};

@@ -13,6 +13,8 @@ using Clock = std::chrono::steady_clock;
 /// About the time that putting a thread to sleep and waking it takes on virtual cores.
 constexpr std::chrono::microseconds waits_awake(50);
 
+std::atomic<ThreadHook> hook_of_the_host{nullptr};
+
 }  // namespace
 
 PuThreads::PuThreads(int pus) : has_cores_(static_cast<unsigned>(pus) <= std::thread::hardware_concurrency()) {
@@ -56,6 +58,7 @@ void PuThreads::wait_while(const std::atomic<Value>& value, Value is) const {
 }
 
 void PuThreads::work(int pu) {
+  if (const ThreadHook hook = hook_of_the_host.load(); hook != nullptr) hook(pu);
   std::uint32_t seen = 0;
   while (true) {
     wait_while(round_, seen);
@@ -67,3 +70,5 @@ void PuThreads::work(int pu) {
 }
 
 }  // namespace throng::anim
+
+void throng::set_thread_hook(ThreadHook hook) { anim::hook_of_the_host.store(hook); }

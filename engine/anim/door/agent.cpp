@@ -1,0 +1,104 @@
+#include "throng/agent.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "engine/anim/agent/blend_space_2d_channel.h"
+#include "engine/anim/agent/blend_space_channel.h"
+#include "engine/anim/agent/cross_fade_channel.h"
+#include "engine/anim/door/convert.h"
+#include "engine/anim/door/crowd_parts.h"
+
+namespace throng {
+namespace {
+
+anim::PlayRequest request_of(const Play& play) {
+  anim::PlayRequest request{.clip = detail::number_of(play.clip),
+                            .fade = play.fade,
+                            .speed = play.speed,
+                            .start = play.start,
+                            .loop = play.loop,
+                            .mask = detail::number_of(play.mask)};
+  if (play.absolute_root) {
+    request.absolute_root = {.position = glm::dvec3(detail::to_glm(play.absolute_root->position)),
+                             .rotation = detail::to_glm(play.absolute_root->rotation)};
+  }
+  return request;
+}
+
+anim::LayerSettings settings_of(const Layer& layer) {
+  return {.weight = layer.weight, .mask = detail::number_of(layer.mask)};
+}
+
+anim::Pace pace_of(Pace pace) { return static_cast<anim::Pace>(pace); }
+
+}  // namespace
+
+bool Agent::exists() const { return crowd_->system->agent(id_).exists(); }
+CharacterId Agent::character() const { return crowd_->system->agent(id_).character_id(); }
+
+bool Agent::play(const Play& request) const {
+  if (!crowd_->system->agent(id_).play(request_of(request))) return false;
+  crowd_->note_clip(id_, request.clip);
+  return true;
+}
+
+bool Agent::play(ChannelId channel, const Play& request) const {
+  return crowd_->system->agent(id_).play(channel, request_of(request));
+}
+
+bool Agent::set_speed(double speed) const { return crowd_->system->agent(id_).set_speed(speed); }
+
+Result<ChannelId> Agent::add_clips(const Layer& layer) const {
+  return crowd_->system->agent(id_).add_channel(std::make_unique<anim::CrossFadeChannel>(), settings_of(layer));
+}
+
+Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const {
+  if (space.points.empty()) return anim::refuse({"Agent::add", "a blend space has at least one point"});
+  std::vector<anim::BlendPoint> points;
+  for (const BlendPoint& point : space.points) {
+    points.push_back(
+        {.clip = detail::number_of(point.clip), .parameter = point.parameter, .pace = pace_of(point.pace)});
+  }
+  crowd_->note_clip(id_, space.points.back().clip);
+  return crowd_->system->agent(id_).add_channel(
+      std::make_unique<anim::BlendSpaceChannel>(std::move(points), space.parameter, space.is_ground_speed),
+      settings_of(layer));
+}
+
+Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) const {
+  const anim::Agent agent = crowd_->system->agent(id_);
+  std::vector<anim::BlendPoint2d> points;
+  for (const BlendPoint2d& point : space.points) {
+    points.push_back(
+        {.clip = detail::number_of(point.clip), .place = {point.x, point.y}, .pace = pace_of(point.pace)});
+  }
+  const auto meaning = static_cast<anim::PlaneMeaning>(space.meaning);
+  auto plane =
+      anim::BlendSpace2d::create(std::move(points), meaning, static_cast<int>(agent.character().clips.size()));
+  if (!plane) return plane.error();
+  crowd_->note_clip(id_, space.points.front().clip);
+  auto channel = std::make_unique<anim::BlendSpace2dChannel>(std::move(*plane), glm::vec2(space.x, space.y));
+  return crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+}
+
+bool Agent::set_parameter(ChannelId channel, float parameter) const {
+  const auto set = [parameter](anim::BlendSpaceChannel& space) { space.set_parameter(parameter); };
+  return crowd_->system->agent(id_).change<anim::BlendSpaceChannel>(channel, set).has_value();
+}
+
+bool Agent::set_parameters(ChannelId channel, float x, float y) const {
+  const auto set = [x, y](anim::BlendSpace2dChannel& space) { space.set_place({x, y}); };
+  return crowd_->system->agent(id_).change<anim::BlendSpace2dChannel>(channel, set).has_value();
+}
+
+bool Agent::set_weight(ChannelId channel, float weight) const {
+  return crowd_->system->agent(id_).set_channel_weight(channel, weight);
+}
+
+bool Agent::remove(ChannelId channel) const { return crowd_->system->agent(id_).remove_channel(channel); }
+Processes Agent::processes() const { return {*crowd_, id_}; }
+Motion Agent::motion() const { return {*crowd_, id_}; }
+
+}  // namespace throng

@@ -1,0 +1,123 @@
+#include "throng/character.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/anim/asset/bone_mask.h"
+#include "engine/anim/door/character_data.h"
+
+namespace throng {
+namespace {
+
+const anim::Character& nobody() {
+  static const anim::Character empty;
+  return empty;
+}
+
+const anim::Character& baked(const detail::CharacterData* data) { return data == nullptr ? nobody() : data->baked; }
+
+bool has_bone(const anim::Character& character, int bone) {
+  return bone >= 0 && bone < character.skeleton.bone_count();
+}
+
+/// Returns vectors of GLM as the structs of floats that they are.
+template <typename To, typename From>
+std::span<const To> as_floats(const std::vector<From>& from) {
+  static_assert(sizeof(To) == sizeof(From) && alignof(To) <= alignof(From));
+  return {reinterpret_cast<const To*>(from.data()), from.size()};
+}
+
+void show_material(const detail::CharacterData& data, int index, MeshView& view) {
+  const auto place = static_cast<std::size_t>(index);
+  if (place >= data.materials.size()) return;
+  const anim::Material& material = data.materials[place];
+  for (int i = 0; i < 4; ++i) view.base_color[static_cast<std::size_t>(i)] = material.base_color[i];
+  const auto image = static_cast<std::size_t>(material.base_color_texture.image);
+  if (image >= data.images.size()) return;
+  view.base_color_texels = data.images[image].rgba;
+  view.texture_width = data.images[image].width;
+  view.texture_height = data.images[image].height;
+}
+
+}  // namespace
+
+Character detail::make_character(anim::Model model, anim::Character baked, bool keep_meshes) {
+  auto data = std::make_shared<CharacterData>(std::move(baked), model);
+  if (keep_meshes) {
+    data->meshes = std::move(model.meshes);
+    data->materials = std::move(model.materials);
+    data->images = std::move(model.images);
+  }
+  return Character(std::move(data));
+}
+
+std::uint32_t Character::clip_count() const { return static_cast<std::uint32_t>(baked(data()).clips.size()); }
+
+ClipInfo Character::clip(ClipId clip) const {
+  const anim::Character& character = baked(data());
+  if (clip.number >= character.clips.size()) return {};
+  const anim::BakedClip& own = character.clips[clip.number];
+  return {.name = own.name,
+          .duration = own.duration,
+          .loops = own.loops,
+          .ground_speed = anim::ground_speed(character, static_cast<int>(clip.number))};
+}
+
+ClipId Character::find_clip(std::string_view name) const {
+  const auto& clips = baked(data()).clips;
+  const auto found = std::ranges::find(clips, name, &anim::BakedClip::name);
+  return found == clips.end() ? ClipId{} : ClipId{static_cast<std::uint32_t>(found - clips.begin())};
+}
+
+int Character::bone_count() const { return baked(data()).skeleton.bone_count(); }
+
+std::string_view Character::bone_name(int bone) const {
+  const anim::Character& character = baked(data());
+  return has_bone(character, bone) ? std::string_view(character.skeleton.bones[static_cast<std::size_t>(bone)].name)
+                                   : std::string_view();
+}
+
+int Character::bone_parent(int bone) const {
+  const anim::Character& character = baked(data());
+  return has_bone(character, bone) ? character.skeleton.bones[static_cast<std::size_t>(bone)].parent : -1;
+}
+
+std::optional<int> Character::find_bone(std::string_view name) const {
+  const int bone = anim::find_bone(baked(data()).skeleton, name);
+  return bone < 0 ? std::nullopt : std::optional(bone);
+}
+
+int Character::level_count() const { return static_cast<int>(baked(data()).level_entries.size()); }
+
+std::uint32_t Character::palette_entries(int level) const {
+  const auto& entries = baked(data()).level_entries;
+  return level >= 0 && static_cast<std::size_t>(level) < entries.size() ? entries[static_cast<std::size_t>(level)] : 0;
+}
+
+double Character::height() const { return baked(data()).height; }
+
+std::span<const std::string> Character::data_key_names() const { return baked(data()).data_key_names; }
+
+std::size_t Character::mesh_count() const { return data() == nullptr ? 0 : data()->meshes.size(); }
+
+MeshView Character::mesh(std::size_t index) const {
+  if (index >= mesh_count()) return {};
+  const anim::SkinnedMesh& mesh = data()->meshes[index];
+  MeshView view{.name = mesh.name,
+                .positions = as_floats<Vec3>(mesh.positions),
+                .normals = as_floats<Vec3>(mesh.normals),
+                .texture_coords = {},
+                .palette_entries = as_floats<std::array<std::uint16_t, 4>>(mesh.palette_entries),
+                .weights = as_floats<std::array<float, 4>>(mesh.weights),
+                .indices = mesh.indices,
+                .base_color_texels = {}};
+  if (!mesh.texture_coords.empty()) view.texture_coords = as_floats<std::array<float, 2>>(mesh.texture_coords.front());
+  show_material(*data(), mesh.material, view);
+  return view;
+}
+
+std::span<const std::string> Character::missing_rigs() const {
+  return data() == nullptr ? std::span<const std::string>() : data()->rigs.missing();
+}
+
+}  // namespace throng

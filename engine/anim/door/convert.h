@@ -1,0 +1,30 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/anim/kernel/limb/joint_chain.h"
+#include "throng/ids.h"
+#include "throng/math.h"
+
+/// The numbers of the door as those of the library, and back.
+namespace throng::detail {
+
+inline glm::vec3 to_glm(const Vec3& v) { return {v.x, v.y, v.z}; }
+inline glm::quat to_glm(const Quat& q) { return {q.w, q.x, q.y, q.z}; }  // GLM takes w first
+inline Vec3 from_glm(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+inline Quat from_glm(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
+
+inline anim::JointMotion to_joint(const Place& place) {
+  return {.rotation = to_glm(place.rotation), .position = to_glm(place.position)};
+}
+inline Place from_joint(const anim::JointMotion& joint) {
+  return {.position = from_glm(joint.position), .rotation = from_glm(joint.rotation)};
+}
+
+/// Returns the number of a clip or mask as the library counts it: -1 for none.
+inline int number_of(ClipId clip) { return static_cast<int>(clip.number); }
+inline int number_of(MaskId mask) { return static_cast<int>(mask.number); }
+static_assert(static_cast<int>(no_number) == -1);
+
+}  // namespace throng::detail

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/anim/agent/animation_system.h"
+#include "engine/anim/door/character_data.h"
+#include "engine/anim/door/own_kinds.h"
+#include "throng/crowd.h"
+
+namespace throng::detail {
+
+/// What level of detail reads of the agents, by number.
+struct AgentNotes {
+  std::vector<std::uint8_t> characters;  // [agent]
+  std::vector<int> clips;                // [agent] the clip that it was asked for last; -1: none
+};
+
+/// A character of a crowd, and the kinds of entities that its agents' processes have made need of.
+struct CrowdCharacter {
+  Character character;
+  std::unique_ptr<OwnKinds> kinds;
+};
+
+/// The inside of a Crowd: an AnimationSystem, and what the door adds to it.
+struct CrowdParts {
+  std::vector<CrowdCharacter> characters;  // [number] an empty one where nobody has the number. They outlive the system.
+  std::unique_ptr<anim::AnimationSystem> system;
+  AgentNotes notes;
+  std::vector<anim::AgentUpdate> updates;  // scratch of a frame
+  std::vector<anim::ExactPose> exact;      // scratch of a look
+  std::uint64_t version = 0;               // grows when characters come or go
+
+  /// Returns the character of an agent; null, after a report, if the agent is gone.
+  CrowdCharacter* character_of(AgentId agent, const char* call);
+  /// Notes which clip an agent plays.
+  void note_clip(AgentId agent, ClipId clip) {
+    if (agent.number < notes.clips.size()) notes.clips[agent.number] = static_cast<int>(clip.number);
+  }
+};
+
+/// Returns the baked part of a character as a system takes it, which keeps all of it.
+inline std::shared_ptr<const anim::Character> baked_of(const Character& character) {
+  return {character.shared(), &character.data()->baked};
+}
+
+}  // namespace throng::detail

@@ -1,0 +1,199 @@
+#include "throng/lod.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "engine/anim/base/misuse.h"
+#include "engine/anim/door/convert.h"
+#include "engine/anim/door/crowd_parts.h"
+#include "engine/anim/lod/level_of_detail.h"
+#include "throng/debug.h"
+
+namespace throng {
+
+struct Lod::State {
+  anim::LevelOfDetail lod;
+  std::uint64_t characters = UINT64_MAX;   // CrowdParts::version that the characters are of
+  std::vector<glm::vec3> positions;        // [number, up to the room]
+  std::vector<float> scales;
+  std::vector<std::uint8_t> characters_of;
+  std::vector<int> clips;
+  std::vector<std::uint8_t> is_left_out;
+  std::vector<std::uint32_t> generations;  // [number] of the agent that was seen last
+  std::vector<PoseRequest> requests;
+  bool has_selected = false;
+};
+
+namespace {
+
+constexpr const char* selects = "Lod::select";
+constexpr std::size_t least_room = 64;
+
+anim::LodCamera camera_for(const Camera& camera) {
+  anim::LodCamera own{.position = detail::to_glm(camera.position),
+                      .pixels_per_unit = camera.pixels_per_unit,
+                      .forward = detail::to_glm(camera.forward)};
+  for (std::size_t i = 0; i < own.frustum.size(); ++i) {
+    const std::array<float, 4>& plane = camera.frustum[i];
+    own.frustum[i] = {plane[0], plane[1], plane[2], plane[3]};
+  }
+  return own;
+}
+
+anim::LodLimits limits_of(const LodRules& rules) {
+  return {.error_pixels = rules.error_pixels, .budget_nanoseconds = rules.budget_milliseconds * 1e6};
+}
+
+anim::LodRequest request_for(const LodFrame& frame, Ticks now) {
+  anim::LodRequest request;
+  request.camera = camera_for(frame.camera);
+  request.rules.rule = static_cast<anim::LodRule>(frame.rules.rule);
+  request.rules.full_rate_distance = frame.rules.full_rate_distance;
+  request.rules.interval_growth = frame.rules.interval_growth;
+  request.rules.largest_interval = frame.rules.largest_interval;
+  request.rules.bone_lod = frame.rules.bone_lod;
+  request.rules.smooth = frame.rules.smooth;
+  request.limits = limits_of(frame.rules);
+  request.now = now;
+  request.frame_step = frame.frame_step;
+  return request;
+}
+
+/// Returns why a frame cannot be decided, in one sentence; null if it can.
+const char* fault_of(const LodFrame& frame, std::size_t numbers) {
+  const LodRules& rules = frame.rules;
+  if (frame.positions.size() < numbers) return "LodFrame::positions has no place for each agent's number";
+  if (!frame.scales.empty() && frame.scales.size() < numbers) return "LodFrame::scales has no place for each number";
+  if (rules.largest_interval < 1 || rules.largest_interval > anim::longest_interval) {
+    return "LodRules::largest_interval is from 1 to 16 frames";
+  }
+  if (!(rules.interval_growth > 0.0F && rules.full_rate_distance >= 0.0F)) {
+    return "the distances of LodRules are not negative, and interval_growth is above 0";
+  }
+  if (!(rules.error_pixels >= 0.0F && rules.budget_milliseconds >= 0.0)) return "the limits of LodRules are not negative";
+  if (!(frame.camera.pixels_per_unit > 0.0F)) return "Camera::pixels_per_unit is above 0";
+  if (frame.frame_step < Ticks{}) return "LodFrame::frame_step is not negative";
+  return nullptr;
+}
+
+}  // namespace
+
+Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_from_world)[16], int pixels_tall) {
+  Camera camera{.position = position, .forward = forward};
+  const auto row = [&](int r) {
+    return glm::vec4(clip_from_world[r], clip_from_world[4 + r], clip_from_world[8 + r], clip_from_world[12 + r]);
+  };
+  for (int side = 0; side < 6; ++side) {
+    const glm::vec4 plane = row(3) + (side % 2 == 0 ? 1.0F : -1.0F) * row(side / 2);
+    const float length = glm::length(glm::vec3(plane));
+    for (int i = 0; i < 4; ++i) {
+      camera.frustum[static_cast<std::size_t>(side)][static_cast<std::size_t>(i)] = length > 0.0F ? plane[i] / length : 0.0F;
+    }
+  }
+  // The second row is the projection's scale times a unit vector.
+  camera.pixels_per_unit = 0.5F * static_cast<float>(pixels_tall) * glm::length(glm::vec3(row(1)));
+  return camera;
+}
+
+Lod::Lod() : state_(std::make_unique<State>()) {}
+Lod::~Lod() = default;
+Lod::Lod(Lod&&) noexcept = default;
+Lod& Lod::operator=(Lod&&) noexcept = default;
+
+void Lod::take_characters(const Crowd& crowd) {
+  const detail::CrowdParts& parts = crowd.parts();
+  if (state_->characters == parts.version) return;
+  state_->characters = parts.version;
+  std::vector<anim::LodCharacter> characters;
+  for (const detail::CrowdCharacter& one : parts.characters) {
+    characters.push_back(one.character ? anim::lod_character(one.character.data()->baked) : anim::LodCharacter{});
+  }
+  state_->lod.set_characters(std::move(characters));
+}
+
+void Lod::make_room(std::size_t numbers, const LodRules& rules) {
+  State& s = *state_;
+  if (numbers <= s.positions.size()) return;
+  const std::size_t room = std::max({numbers, 2 * s.positions.size(), least_room});
+  s.positions.resize(room);
+  s.scales.resize(room, 1.0F);
+  s.characters_of.resize(room, 0);
+  s.clips.resize(room, -1);
+  s.is_left_out.resize(room, 1);
+  s.generations.resize(room, whichever);
+  s.lod.reset(room, limits_of(rules));
+}
+
+void Lod::take_agents(const Crowd& crowd, const LodFrame& frame) {
+  State& s = *state_;
+  const detail::AgentNotes& notes = crowd.parts().notes;
+  std::ranges::fill(s.is_left_out, std::uint8_t{1});
+  for (const AgentId agent : crowd.agents()) {
+    const std::uint32_t number = agent.number;
+    s.is_left_out[number] = 0;
+    s.positions[number] = detail::to_glm(frame.positions[number]);
+    s.scales[number] = frame.scales.empty() ? 1.0F : frame.scales[number];
+    s.characters_of[number] = notes.characters[number];
+    s.clips[number] = notes.clips[number];
+    if (std::exchange(s.generations[number], agent.generation) != agent.generation) s.lod.make_due(number);
+  }
+}
+
+std::span<PoseRequest> Lod::select(Crowd& crowd, const LodFrame& frame) {
+  State& s = *state_;
+  s.requests.clear();
+  if (const char* fault = fault_of(frame, crowd.number_limit()); fault != nullptr) {
+    anim::report_misuse({selects, fault});
+    return {};
+  }
+  const anim::LodRequest request = request_for(frame, crowd.clock());
+  take_characters(crowd);
+  make_room(crowd.number_limit(), frame.rules);
+  if (s.positions.empty()) return {};
+  take_agents(crowd, frame);
+  anim::AnimationSystem& system = *crowd.parts().system;
+  s.lod.select({.positions = s.positions,
+                .scales = s.scales,
+                .character_of = s.characters_of,
+                .clips = s.clips,
+                .left_out = s.is_left_out},
+               request, system.executor(), system.options().pus);
+  s.has_selected = true;
+  for (const anim::AgentUpdate& update : s.lod.updates()) {
+    s.requests.push_back({.agent = system.id(update.agent.number),
+                          .level = update.level,
+                          .look_ahead = update.look_ahead,
+                          .palette = nullptr,
+                          .fade_level = update.fade_level,
+                          .fade_halves = update.fade_halves});
+  }
+  return s.requests;
+}
+
+std::span<PoseRequest> Lod::requests() { return state_->requests; }
+
+void Lod::settle(const Crowd& crowd) {
+  if (!std::exchange(state_->has_selected, false)) {
+    anim::report_misuse({"Lod::settle", "there was no selection since the last call"});
+    return;
+  }
+  const std::span<anim::AgentUpdate> updates = state_->lod.updates();
+  for (std::size_t i = 0; i < updates.size(); ++i) {
+    updates[i].palette = anim::PaletteDestination(state_->requests[i].palette);
+  }
+  state_->lod.settle(crowd.debug().predicted_nanoseconds());
+}
+
+void Lod::make_due(AgentId agent) {
+  if (agent.number < state_->positions.size()) state_->lod.make_due(agent.number);
+}
+
+bool Lod::is_visible(AgentId agent) const {
+  return agent.number < state_->positions.size() && state_->lod.is_visible(agent.number);
+}
+
+}  // namespace throng

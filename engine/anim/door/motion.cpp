@@ -1,0 +1,40 @@
+#include "engine/anim/door/convert.h"
+#include "engine/anim/door/crowd_parts.h"
+#include "throng/agent.h"
+
+namespace throng {
+namespace {
+
+anim::AgentMotion motion_of(const detail::CrowdParts& crowd, AgentId agent) {
+  return std::as_const(*crowd.system).agent(agent).motion();
+}
+
+}  // namespace
+
+RootMotion Motion::displacement(Ticks from, Ticks to) const {
+  const anim::RootMotion motion = motion_of(*crowd_, agent_).displacement(from, to);
+  return {.displacement = detail::from_glm(glm::vec3(motion.translation)), .turn = static_cast<float>(motion.yaw)};
+}
+
+std::optional<Place> Motion::absolute_root() const {
+  const auto root = motion_of(*crowd_, agent_).absolute_root(crowd_->system->clock());
+  if (!root) return std::nullopt;
+  return Place{.position = detail::from_glm(glm::vec3(root->position)), .rotation = detail::from_glm(root->rotation)};
+}
+
+void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(void*, const DataKey&),
+                        void* context) const {
+  const auto tell = [&](const anim::DataKeyEvent& key) {
+    visit(context, {.name = key.name, .clip = {key.clip}, .time = key.time, .weight = key.weight});
+  };
+  motion_of(*crowd_, agent_).for_each_data_key(from, to, tell, static_cast<anim::KeyChoice>(choice));
+}
+
+void Motion::visit_ends(Ticks from, Ticks to, void (*visit)(void*, const ClipEnd&), void* context) const {
+  const auto tell = [&](const anim::ClipEnd& end) {
+    visit(context, {.clip = {end.clip}, .time = end.time, .weight = end.weight});
+  };
+  motion_of(*crowd_, agent_).for_each_end(from, to, tell);
+}
+
+}  // namespace throng

@@ -1,0 +1,169 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "throng/channels.h"
+#include "throng/ids.h"
+#include "throng/math.h"
+#include "throng/processes.h"
+#include "throng/result.h"
+#include "throng/ticks.h"
+
+namespace throng {
+
+namespace detail {
+struct CrowdParts;
+}
+
+/// The way of an agent over some time, in its own space at the start.
+struct RootMotion {
+  Vec3 displacement;  ///< metres
+  float turn = 0.0F;  ///< radians about the vertical; to the left is positive
+};
+
+/// A data key that an agent has met: a step, a shot, a word.
+struct DataKey {
+  std::uint32_t name = 0;  ///< index of Character::data_key_names
+  ClipId clip{};
+  Ticks time{};         ///< of the clock, when it was met
+  float weight = 0.0F;  ///< how much of the clip is felt, 0 to 1
+};
+
+/// A clip that does not loop has reached its end.
+struct ClipEnd {
+  ClipId clip{};
+  Ticks time{};
+  float weight = 0.0F;
+};
+
+/// Says which of the data keys that were met are told.
+enum class KeyChoice : unsigned char {
+  felt,      ///< those of clips that have some weight
+  heaviest,  ///< those of the clip with the largest weight alone
+  all        ///< those of clips without weight too
+};
+
+/// One agent of a Crowd, as cheap to copy as a pointer. A request takes effect at the frame boundary at which it is
+/// made. A request that is not valid, to an agent that is gone for example, is a misuse (host.h): it changes nothing,
+/// and returns false, nothing or an error.
+class Agent {
+ public:
+  Agent(detail::CrowdParts& crowd, AgentId id) : crowd_(&crowd), id_(id) {}
+
+  AgentId id() const { return id_; }
+  bool exists() const;
+  CharacterId character() const;
+
+  /// Plays a clip on the first channel, which is one for clips that fade unless another was added first. It never waits
+  /// and never snaps: a fade may be interrupted at any time.
+  bool play(const Play& request) const;
+  bool play(ChannelId channel, const Play& request) const;
+  /// Changes the speed of what the first channel plays, without a jump.
+  bool set_speed(double speed) const;
+
+  /// Lays a channel over those that the agent has. The first lies below all, whatever its layer says.
+  Result<ChannelId> add_clips(const Layer& layer = {}) const;  ///< plays nothing until it is asked to
+  Result<ChannelId> add(const BlendSpace& space, const Layer& layer = {}) const;
+  Result<ChannelId> add(const BlendSpace2d& space, const Layer& layer = {}) const;
+  /// Sets the parameter of a blend space; of a plane with both.
+  bool set_parameter(ChannelId channel, float parameter) const;
+  bool set_parameters(ChannelId channel, float x, float y) const;
+  bool set_weight(ChannelId channel, float weight) const;
+  bool remove(ChannelId channel) const;
+
+  /// Adds a process that the pose passes through, after those that were added before. Errors: the character has no such
+  /// rig (Character::missing_rigs says why), or no bone of this name.
+  Result<ProcessId> add(const LookAt& settings) const;
+  Result<ProcessId> add(const Reach& settings) const;
+  Result<ProcessId> add(const ChainReach& settings) const;
+  Result<ProcessId> add(const FootPlacement& settings) const;
+  Result<ProcessId> add(const Noise& settings) const;
+  Result<ProcessId> add(const Springs& settings) const;
+  Result<ProcessId> add(const Ragdoll& settings) const;
+  Result<ProcessId> add(const Socket& settings) const;
+  Result<ProcessId> add(StepId step) const;
+  bool remove(ProcessId process) const;
+
+  /// Returns what its processes do, and takes what they are told; see Processes.
+  class Processes processes() const;
+  /// Returns what it did, and where it is going; see Motion.
+  class Motion motion() const;
+
+ private:
+  detail::CrowdParts* crowd_;
+  AgentId id_;
+};
+
+/// The processes of an agent. Places are in metres in model space, unless it says otherwise.
+class Processes {
+ public:
+  Processes(detail::CrowdParts& crowd, AgentId agent) : crowd_(&crowd), agent_(agent) {}
+
+  /// Sets the weight of a gaze, of a limb or chain that reaches, of feet or springs, 0 to 1, and fades to it.
+  bool set_weight(ProcessId process, float weight, Ticks fade = {}) const;
+  bool look_at(ProcessId gaze, const Vec3& target, Ticks fade = {}) const;
+  bool look_away(ProcessId gaze, Ticks fade) const;
+  /// Sets the place that a limb or chain reaches for.
+  bool reach(ProcessId limb, const Vec3& target) const;
+  /// Tells feet or springs where the character stands in the world, at each frame.
+  bool set_placement(ProcessId process, const Place& model_in_world) const;
+  /// Tells feet the ground below a leg, in world space: a point of it and its unit normal. Leg -1: all.
+  bool set_ground(ProcessId feet, int leg, const Vec3& point, const Vec3& normal) const;
+  /// Returns the ankle of a leg at the last update, before it was placed, in world space: where to look for the ground.
+  Vec3 ankle(ProcessId feet, int leg) const;
+
+  /// Pushes the body nearest to `place` with an impulse, in kg m/s.
+  bool push(ProcessId ragdoll, const Vec3& impulse, const Vec3& place) const;
+  bool recover(ProcessId ragdoll, Ticks fade) const;
+  /// Returns whether it has fallen, or is falling.
+  bool is_down(ProcessId ragdoll) const;
+
+  /// Returns where the attachment of a socket is, at the agent's last update.
+  Place socket(ProcessId socket) const;
+
+ private:
+  detail::CrowdParts* crowd_;
+  AgentId agent_;
+};
+
+/// The motion of an agent, found in closed form: it need not be posed. Ask for the interval from the clock before
+/// Crowd::advance to the clock now, and ask before you make any request. Any number of agents may be asked at a time.
+class Motion {
+ public:
+  Motion(const detail::CrowdParts& crowd, AgentId agent) : crowd_(&crowd), agent_(agent) {}
+
+  RootMotion displacement(Ticks from, Ticks to) const;
+  /// Returns where a cut scene has it now; nothing if none plays.
+  std::optional<Place> absolute_root() const;
+
+  /// Calls visit(const DataKey&) for each key met in [from, to), clip after clip, each once.
+  template <typename Visit>
+  void for_each_key(Ticks from, Ticks to, Visit&& visit, KeyChoice choice = KeyChoice::felt) const {
+    visit_keys(from, to, choice, [](void* context, const DataKey& key) { (*static_cast<Function<Visit>*>(context))(key); },
+               context_of(visit));
+  }
+  /// Calls visit(const ClipEnd&) for each clip that does not loop and arrived at its end in (from, to].
+  template <typename Visit>
+  void for_each_end(Ticks from, Ticks to, Visit&& visit) const {
+    visit_ends(from, to, [](void* context, const ClipEnd& end) { (*static_cast<Function<Visit>*>(context))(end); },
+               context_of(visit));
+  }
+
+ private:
+  template <typename Visit>
+  using Function = std::remove_reference_t<Visit>;
+  template <typename Visit>
+  static void* context_of(Visit& visit) {
+    return const_cast<void*>(static_cast<const void*>(&visit));
+  }
+  void visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(void*, const DataKey&), void* context) const;
+  void visit_ends(Ticks from, Ticks to, void (*visit)(void*, const ClipEnd&), void* context) const;
+
+  const detail::CrowdParts* crowd_;
+  AgentId agent_;
+};
+
+}  // namespace throng

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "throng/ids.h"
+#include "throng/math.h"
+#include "throng/ticks.h"
+
+/// What an agent plays: requests to its channels, and the settings of new ones. Spans are read during the call alone.
+namespace throng {
+
+/// "Play this clip."
+struct Play {
+  ClipId clip{};
+  Ticks fade{};        ///< eases in from what plays now; 0 replaces it at once
+  double speed = 1.0;  ///< multiple of the clip's own speed, below 32,768; negative: backwards
+  Ticks start{};       ///< position in the clip, 0 to its duration
+  bool loop = true;
+  MaskId mask{};  ///< lays the clip over what plays now, on these bones, until a request without a mask
+  /// Where the agent stands in a cut scene; it moves on from here by the clip's own root motion.
+  std::optional<Place> absolute_root = std::nullopt;
+};
+
+/// How a channel lies over those before it.
+struct Layer {
+  float weight = 1.0F;  ///< 0 to 1
+  MaskId mask{};
+};
+
+/// Says whether a clip of a blend space keeps step with the others.
+enum class Pace : unsigned char {
+  automatic,  ///< a gait if it has a speed over ground
+  gait,       ///< it keeps step with the other gaits, foot by foot
+  own         ///< it plays at its own rate
+};
+
+/// A clip, and the value of the parameter at which it is played alone.
+struct BlendPoint {
+  ClipId clip{};
+  float parameter = 0.0F;
+  Pace pace = Pace::automatic;
+};
+
+/// Clips along one parameter, such as idle, walk, jog and run by speed. Two neighbours of the parameter are blended.
+struct BlendSpace {
+  std::span<const BlendPoint> points;  ///< at least one; parameters ascend
+  float parameter = 0.0F;
+  bool is_ground_speed = true;  ///< metres a second: the root moves at the parameter, so that feet do not slide
+};
+
+/// A clip, and the place in the plane at which it is played alone.
+struct BlendPoint2d {
+  ClipId clip{};
+  float x = 0.0F;
+  float y = 0.0F;
+  Pace pace = Pace::automatic;
+};
+
+/// Says what the parameters of a plane are, and with it the speed over ground of a point.
+enum class PlaneMeaning : unsigned char {
+  plain,          ///< no speed: each clip keeps its own
+  velocity,       ///< metres a second, aside and ahead
+  speed_and_turn  ///< x is the speed, in metres a second; y is anything, such as a rate of turning
+};
+
+/// Clips in a plane of two parameters. The points of the triangle around them are blended.
+struct BlendSpace2d {
+  std::span<const BlendPoint2d> points;  ///< at least one, none twice
+  PlaneMeaning meaning = PlaneMeaning::velocity;
+  float x = 0.0F;
+  float y = 0.0F;
+};
+
+}  // namespace throng

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "throng/ids.h"
+#include "throng/math.h"
+#include "throng/result.h"
+#include "throng/ticks.h"
+
+namespace throng {
+
+namespace detail {
+struct CharacterData;
+}
+
+/// What is known of a clip.
+struct ClipInfo {
+  std::string_view name;
+  Ticks duration{};
+  bool loops = false;         ///< its first and last poses agree
+  double ground_speed = 0.0;  ///< metres a second at which feet do not slide; 0: it stays where it is
+};
+
+/// A part of a character's surface, for a renderer of one's own. Spans have one element a vertex, and live as long as
+/// the character. A vertex at `position` is drawn at the sum of weight * (palette[entry] * position).
+struct MeshView {
+  std::string_view name;
+  std::span<const Vec3> positions;  ///< in the space of the palette
+  std::span<const Vec3> normals;
+  std::span<const std::array<float, 2>> texture_coords;          ///< or empty
+  std::span<const std::array<std::uint16_t, 4>> palette_entries;  ///< strongest first
+  std::span<const std::array<float, 4>> weights;                 ///< sum to 1
+  std::span<const std::uint32_t> indices;                        ///< triangles, counter-clockwise front
+  std::array<float, 4> base_color{1.0F, 1.0F, 1.0F, 1.0F};       ///< linear
+  std::span<const std::uint8_t> base_color_texels;               ///< RGBA, sRGB, top row first; or empty
+  int texture_width = 0;
+  int texture_height = 0;
+};
+
+/// A skeleton with its clips, ready to play, and all that is measured on them. It is read-only and shared: copies are as
+/// cheap as pointers, and any number of crowds on any threads use one at a time. An empty one has no bones and no clips,
+/// and no crowd takes it.
+class Character {
+ public:
+  Character() = default;
+  explicit Character(std::shared_ptr<const detail::CharacterData> data) : data_(std::move(data)) {}
+  explicit operator bool() const { return data_ != nullptr; }
+
+  std::uint32_t clip_count() const;
+  /// Returns what is known of a clip; nothing of a clip that there is not.
+  ClipInfo clip(ClipId clip) const;
+  /// Returns the clip of this name; an invalid id if there is none.
+  ClipId find_clip(std::string_view name) const;
+
+  int bone_count() const;
+  std::string_view bone_name(int bone) const;
+  /// Returns the index of the bone's parent, which is lower than its own; -1 for a root.
+  int bone_parent(int bone) const;
+  std::optional<int> find_bone(std::string_view name) const;
+  /// Returns how many levels of detail its bones have, 1 to 4. Level 0 has all.
+  int level_count() const;
+
+  /// Returns the entries of a palette at a bone level.
+  std::uint32_t palette_entries(int level = 0) const;
+  /// Returns the metres of the standing character.
+  double height() const;
+  /// Returns the names of the data keys of all its clips. DataKey::name is an index.
+  std::span<const std::string> data_key_names() const;
+
+  std::size_t mesh_count() const;
+  MeshView mesh(std::size_t index) const;
+
+  /// Returns why it cannot look, stand on uneven ground, reach or fall, one sentence each.
+  std::span<const std::string> missing_rigs() const;
+
+  const detail::CharacterData* data() const { return data_.get(); }
+  const std::shared_ptr<const detail::CharacterData>& shared() const { return data_; }
+
+ private:
+  std::shared_ptr<const detail::CharacterData> data_;
+};
+
+struct LoadOptions {
+  double scale = 0.0;        ///< metres a unit of the file; 0: as the file's figure tells
+  bool strict = false;       ///< refuses what would be repaired
+  bool keep_meshes = false;  ///< keeps the surface, for Character::mesh
+};
+
+/// The characters of a file. `notes` says in sentences what was repaired and how the model was placed.
+struct LoadedFile {
+  std::vector<Character> characters;  ///< at least one, the largest first
+  std::vector<std::string> notes;
+};
+
+/// Loads a .glb, a .gltf or a pack (`throng bake`). A pack is mapped, and stays so as long as one of its characters
+/// lives. Reads files only below the model's own folder. May be called from any thread, while others play.
+/// Errors: one sentence with the file, the object and what to do; also if the library was built without glTF or packs.
+Result<LoadedFile> load(const std::string& path, const LoadOptions& options = {});
+
+}  // namespace throng

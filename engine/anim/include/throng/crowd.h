@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "throng/agent.h"
+#include "throng/character.h"
+#include "throng/host.h"
+#include "throng/ids.h"
+#include "throng/result.h"
+#include "throng/ticks.h"
+
+namespace throng {
+
+/// The form in which an entry of a palette is written.
+enum class PaletteFormat : unsigned char {
+  matrices,  ///< the top three rows of an affine matrix, row-major: 48 bytes
+  packed     ///< a rotation and a place: 16 bytes, unpacked by shaders/skinning.glsl; characters that scale get matrices
+};
+
+struct CrowdOptions {
+  int pus = 1;                        ///< threads that pose, the caller's included, 1 to 256
+  std::size_t local_store_bytes = 0;  ///< of each PU; 0: as large as its caches and the agents ask for
+  PaletteFormat palettes = PaletteFormat::matrices;
+  Executor* executor = nullptr;  ///< a host's job system, which outlives the crowd; null: threads of its own
+  bool hash = false;             ///< Debug::pose_hash
+  bool trace = false;            ///< notes what each PU does, for tools that see into the crowd
+};
+
+/// One agent to be posed in this frame.
+struct PoseRequest {
+  AgentId agent{};
+  std::uint8_t level = 0;       ///< bone level, 0: all bones
+  Ticks look_ahead{};           ///< the pose is that of now + look_ahead, for skipped frames that are blended
+  std::byte* palette = nullptr;  ///< written there, Crowd::palette_bytes, aligned to 16; null: nobody draws it
+  std::uint8_t fade_level = 0;   ///< as Lod says it
+  std::uint8_t fade_halves = 0;
+};
+
+/// The weight of a bone and of all bones below it.
+struct BoneWeight {
+  int bone = 0;
+  float weight = 1.0F;  ///< 0 to 1
+};
+
+/// The state of a crowd at a moment. The caller owns it, and can use its memory again and again.
+class Snapshot {
+ public:
+  Snapshot();
+  ~Snapshot();
+  Snapshot(Snapshot&&) noexcept;
+  Snapshot& operator=(Snapshot&&) noexcept;
+  std::size_t bytes() const;
+
+ private:
+  friend class Crowd;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Thousands of agents, of one character or of several. One thread calls it; the PUs are inside. A call that breaks its
+/// contract is a misuse (host.h): it is reported and ignored. A frame is
+///
+///     crowd.agent(id).play(...)    requests
+///     crowd.advance(16ms)          moves the clock of every agent, posed or not
+///     crowd.update(requests)       poses these, on all PUs; returns when their palettes are written
+///
+/// Poses depend on clips, times and weights alone: not on the number of PUs, on neighbours, nor on the machine.
+class Crowd {
+ public:
+  /// Errors: the character is empty, an option is out of its range.
+  static Result<Crowd> create(const Character& character, const CrowdOptions& options = {});
+  ~Crowd();
+  Crowd(Crowd&&) noexcept;
+  Crowd& operator=(Crowd&&) noexcept;
+  /// Changes options between frames. Poses stay the same.
+  Status configure(const CrowdOptions& options);
+
+  // Characters. The first is number 0. At most 32 at a time.
+  Result<CharacterId> add(const Character& character);
+  /// Errors: agents play it, or it is the only one.
+  Status remove(CharacterId character);
+  /// Returns a character; an empty one if there is none of this id.
+  Character character(CharacterId character) const;
+  /// Returns the bytes from one palette of a character to the next, where many lie in a row.
+  std::size_t palette_bytes(CharacterId character) const;
+  /// Adds weights of bones. A bone inside of another's subtree wins. Bones in no subtree weigh `elsewhere`.
+  MaskId add_mask(CharacterId character, std::span<const BoneWeight> bones, float elsewhere = 0.0F);
+  /// Adds a step of the host's own, for Agent::add.
+  Result<StepId> add_step(CharacterId character, const StepKind& kind);
+
+  // Agents. At most 2^20.
+  AgentId add_agent(CharacterId character = 0);
+  /// Adds several. The span is valid until agents are added or removed.
+  std::span<const AgentId> add_agents(std::uint32_t count, CharacterId character = 0);
+  bool remove_agent(AgentId agent);
+  Agent agent(AgentId agent);
+  /// Returns all agents, in the order in which they were added.
+  std::span<const AgentId> agents() const;
+  /// Returns a number above those of all agents, for arrays that have a place for each.
+  std::uint32_t number_limit() const;
+
+  // Frames.
+  void advance(Ticks delta);
+  Ticks clock() const;
+  void update(std::span<const PoseRequest> requests);
+  /// Writes palettes of matrices of the clock, with all bones, whatever level of detail has done. Changes nothing.
+  void pose_exactly(std::span<const PoseRequest> requests);
+
+  void snapshot(Snapshot& into) const;
+  /// Puts a snapshot of this crowd back. It goes on to the same poses, bit for bit.
+  Status restore(const Snapshot& from);
+
+  class Debug debug() const;
+  detail::CrowdParts& parts() const { return *parts_; }
+
+ private:
+  explicit Crowd(std::unique_ptr<detail::CrowdParts> parts);
+  std::unique_ptr<detail::CrowdParts> parts_;
+};
+
+}  // namespace throng

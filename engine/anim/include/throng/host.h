@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+
+/// What a host may do in the library's place: hear of mistakes, run jobs, give memory, name threads.
+namespace throng {
+
+/// A call that broke its contract: an id of nothing, a number that is none, a call at the wrong time. The library
+/// ignores such a call and leaves everything as it was.
+struct Misuse {
+  const char* call;    ///< the function, as "Agent::play"
+  const char* reason;  ///< one sentence; both live as long as the hook is called
+};
+
+/// Hears of each misuse, on the thread that made the call. It does not call the library.
+using MisuseHook = void (*)(const Misuse& misuse);
+
+/// Sets who hears of misuses, from any thread, and returns who heard of them before. The hook that is there at first,
+/// and again after nullptr, prints one line for each call and reason. A build with assertions then ends the program.
+MisuseHook set_misuse_hook(MisuseHook hook);
+
+/// A function and the context that it works on. Owns and allocates nothing.
+struct Job {
+  void (*run)(void* context, int index);
+  void* context;
+};
+
+/// Runs jobs 0 to count - 1, each once, concurrently where it can. Returns when all are done and their stores are
+/// visible to the caller. PuThreads is the default; a host's job system fits behind the same call.
+class Executor {
+ public:
+  virtual ~Executor() = default;
+  virtual void run(int count, Job job) = 0;
+};
+
+/// Runs one job after the other in the calling thread.
+class InOrder final : public Executor {
+ public:
+  void run(int count, Job job) override {
+    for (int index = 0; index < count; ++index) job.run(job.context, index);
+  }
+};
+
+/// Gives and takes the large memory of the library: blocks of agents, local stores, streams of clips. Lists of
+/// bookkeeping come from operator new, which a host may replace.
+struct MemoryHooks {
+  /// Returns `bytes` bytes, aligned to `alignment`, a power of two. It ends the program rather than return null. May be
+  /// called from any thread.
+  void* (*allocate)(std::size_t bytes, std::size_t alignment, void* context) = nullptr;
+  /// Takes back what allocate() gave, with the same numbers.
+  void (*release)(void* memory, std::size_t bytes, std::size_t alignment, void* context) = nullptr;
+  void* context = nullptr;
+};
+
+/// Sets who gives memory from now on; without functions, operator new. What was given is taken back by whoever gave it,
+/// so the functions stay callable. Call it when no other thread is in the library. Only one of the two functions is a
+/// mistake, and changes nothing.
+void set_memory_hooks(const MemoryHooks& hooks);
+
+/// Is called first on each thread that the library starts, with the number of its PU, from 1: to name it, or to choose
+/// its core. PU 0 is the caller's own thread.
+using ThreadHook = void (*)(int pu);
+
+/// Sets who is told of new threads, from any thread; nullptr: nobody.
+void set_thread_hook(ThreadHook hook);
+
+}  // namespace throng

@@ -1,0 +1,33 @@
+#pragma once
+
+/// The numbers of the door. They are plain structs, so that a host casts its own vectors to them and needs no other
+/// library. Right-handed, +Y up, characters face +Z, metres.
+namespace throng {
+
+struct Vec3 {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+
+  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+/// A rotation: a unit quaternion.
+struct Quat {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+  float w = 1.0F;
+
+  friend constexpr bool operator==(const Quat&, const Quat&) = default;
+};
+
+/// The place of something that does not change its size: first it is turned, then moved.
+struct Place {
+  Vec3 position;
+  Quat rotation;
+
+  friend constexpr bool operator==(const Place&, const Place&) = default;
+};
+
+}  // namespace throng

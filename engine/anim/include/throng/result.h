@@ -1,0 +1,3 @@
+#pragma once
+
+#include "engine/result.h"  // An installed tree has that file in place of this one.

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "engine/anim/base/result.h"
 #include "throng/host.h"
+
+#include "engine/anim/base/result.h"
 
 namespace throng::anim {
 

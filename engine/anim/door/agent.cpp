@@ -71,12 +71,10 @@ Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) cons
   const anim::Agent agent = crowd_->system->agent(id_);
   std::vector<anim::BlendPoint2d> points;
   for (const BlendPoint2d& point : space.points) {
-    points.push_back(
-        {.clip = detail::number_of(point.clip), .place = {point.x, point.y}, .pace = pace_of(point.pace)});
+    points.push_back({.clip = detail::number_of(point.clip), .place = {point.x, point.y}, .pace = pace_of(point.pace)});
   }
   const auto meaning = static_cast<anim::PlaneMeaning>(space.meaning);
-  auto plane =
-      anim::BlendSpace2d::create(std::move(points), meaning, static_cast<int>(agent.character().clips.size()));
+  auto plane = anim::BlendSpace2d::create(std::move(points), meaning, static_cast<int>(agent.character().clips.size()));
   if (!plane) return plane.error();
   crowd_->note_clip(id_, space.points.front().clip);
   auto channel = std::make_unique<anim::BlendSpace2dChannel>(std::move(*plane), glm::vec2(space.x, space.y));

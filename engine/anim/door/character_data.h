@@ -4,10 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "throng/character.h"
+
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
-#include "throng/character.h"
 
 namespace throng::detail {
 

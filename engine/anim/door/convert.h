@@ -3,9 +3,10 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
-#include "engine/anim/kernel/limb/joint_chain.h"
 #include "throng/ids.h"
 #include "throng/math.h"
+
+#include "engine/anim/kernel/limb/joint_chain.h"
 
 /// The numbers of the door as those of the library, and back.
 namespace throng::detail {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "throng/debug.h"
+
 #include "engine/anim/agent/system_snapshot.h"
 #include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/door/crowd_parts.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
-#include "throng/debug.h"
 
 namespace throng {
 
@@ -25,8 +26,8 @@ anim::SystemOptions system_options(const CrowdOptions& options) {
           .executor = options.executor,
           .hash = options.hash,
           .trace = options.trace ? anim::Tracing::on : anim::Tracing::off,
-          .palettes = options.palettes == PaletteFormat::packed ? anim::PaletteFormat::packed
-                                                                : anim::PaletteFormat::matrices};
+          .palettes =
+              options.palettes == PaletteFormat::packed ? anim::PaletteFormat::packed : anim::PaletteFormat::matrices};
 }
 
 anim::AgentUpdate update_of(const PoseRequest& request) {
@@ -40,8 +41,8 @@ anim::AgentUpdate update_of(const PoseRequest& request) {
 
 void keep(detail::CrowdParts& parts, CharacterId id, const Character& character) {
   if (parts.characters.size() <= id.number) parts.characters.resize(id.number + 1);
-  parts.characters[id.number] = {
-      .character = character, .kinds = std::make_unique<detail::OwnKinds>(*parts.system, id, *character.data())};
+  parts.characters[id.number] = {.character = character,
+                                 .kinds = std::make_unique<detail::OwnKinds>(*parts.system, id, *character.data())};
   ++parts.version;
 }
 

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "throng/crowd.h"
+
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/door/character_data.h"
 #include "engine/anim/door/own_kinds.h"
-#include "throng/crowd.h"
 
 namespace throng::detail {
 
@@ -26,7 +27,8 @@ struct CrowdCharacter {
 
 /// The inside of a Crowd: an AnimationSystem, and what the door adds to it.
 struct CrowdParts {
-  std::vector<CrowdCharacter> characters;  // [number] an empty one where nobody has the number. They outlive the system.
+  std::vector<CrowdCharacter>
+      characters;  // [number] an empty one where nobody has the number. They outlive the system.
   std::unique_ptr<anim::AnimationSystem> system;
   AgentNotes notes;
   std::vector<anim::AgentUpdate> updates;  // scratch of a frame

@@ -1,8 +1,9 @@
 #include "throng/debug.h"
 
+#include "throng/version.h"
+
 #include "engine/anim/door/crowd_parts.h"
 #include "engine/anim/kernel/kernels.h"
-#include "throng/version.h"
 
 #define THRONG_TEXT_OF(number) #number
 #define THRONG_TEXT(number) THRONG_TEXT_OF(number)

@@ -7,18 +7,19 @@
 
 #include <glm/geometric.hpp>
 
+#include "throng/debug.h"
+
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
 #include "engine/anim/lod/level_of_detail.h"
-#include "throng/debug.h"
 
 namespace throng {
 
 struct Lod::State {
   anim::LevelOfDetail lod;
-  std::uint64_t characters = UINT64_MAX;   // CrowdParts::version that the characters are of
-  std::vector<glm::vec3> positions;        // [number, up to the room]
+  std::uint64_t characters = UINT64_MAX;  // CrowdParts::version that the characters are of
+  std::vector<glm::vec3> positions;       // [number, up to the room]
   std::vector<float> scales;
   std::vector<std::uint8_t> characters_of;
   std::vector<int> clips;
@@ -74,7 +75,8 @@ const char* fault_of(const LodFrame& frame, std::size_t numbers) {
   if (!(rules.interval_growth > 0.0F && rules.full_rate_distance >= 0.0F)) {
     return "the distances of LodRules are not negative, and interval_growth is above 0";
   }
-  if (!(rules.error_pixels >= 0.0F && rules.budget_milliseconds >= 0.0)) return "the limits of LodRules are not negative";
+  if (!(rules.error_pixels >= 0.0F && rules.budget_milliseconds >= 0.0))
+    return "the limits of LodRules are not negative";
   if (!(frame.camera.pixels_per_unit > 0.0F)) return "Camera::pixels_per_unit is above 0";
   if (frame.frame_step < Ticks{}) return "LodFrame::frame_step is not negative";
   return nullptr;
@@ -91,7 +93,8 @@ Camera camera_of(const Vec3& position, const Vec3& forward, const float (&clip_f
     const glm::vec4 plane = row(3) + (side % 2 == 0 ? 1.0F : -1.0F) * row(side / 2);
     const float length = glm::length(glm::vec3(plane));
     for (int i = 0; i < 4; ++i) {
-      camera.frustum[static_cast<std::size_t>(side)][static_cast<std::size_t>(i)] = length > 0.0F ? plane[i] / length : 0.0F;
+      camera.frustum[static_cast<std::size_t>(side)][static_cast<std::size_t>(i)] =
+          length > 0.0F ? plane[i] / length : 0.0F;
     }
   }
   // The second row is the projection's scale times a unit vector.

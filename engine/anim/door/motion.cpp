@@ -1,6 +1,7 @@
+#include "throng/agent.h"
+
 #include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
-#include "throng/agent.h"
 
 namespace throng {
 namespace {

@@ -38,7 +38,8 @@ std::string key_of(const Springs& settings) {
   for (const SpringChain& chain : settings.chains) {
     key.append(chain.first).push_back('\0');
     key.append(chain.last).push_back('\0');
-    for (const float number : {chain.stiffness, chain.damping, chain.drag, chain.radius, chain.tip}) append(key, number);
+    for (const float number : {chain.stiffness, chain.damping, chain.drag, chain.radius, chain.tip})
+      append(key, number);
     append(key, chain.gravity);
   }
   key.push_back('\0');

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "throng/processes.h"
+
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/agent/character_rigs.h"
 #include "engine/anim/door/character_data.h"
@@ -13,7 +15,6 @@
 #include "engine/anim/entity/socket.h"
 #include "engine/anim/kernel/limb/chain_reach.h"
 #include "engine/anim/rig/spring_rig.h"
-#include "throng/processes.h"
 
 namespace throng::detail {
 

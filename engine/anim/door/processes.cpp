@@ -1,5 +1,7 @@
 #include <memory>
 
+#include "throng/agent.h"
+
 #include "engine/anim/agent/chain_reach_process.h"
 #include "engine/anim/agent/foot_placement_process.h"
 #include "engine/anim/agent/look_at_process.h"
@@ -11,7 +13,6 @@
 #include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
 #include "engine/anim/door/step_process.h"
-#include "throng/agent.h"
 
 namespace throng {
 namespace {
@@ -73,8 +74,7 @@ Result<ProcessId> Agent::add(const Reach& settings) const {
   if (own == nullptr) return Error{no_agent};
   const Result<std::uint32_t> limb = own->kinds->limb(settings.limb);
   if (!limb) return limb.error();
-  const anim::ReachProcess::Settings reach{
-      .limb = *limb, .softness = settings.softness, .pole = to_glm(settings.pole)};
+  const anim::ReachProcess::Settings reach{.limb = *limb, .softness = settings.softness, .pole = to_glm(settings.pole)};
   return throng::add<anim::ReachProcess>(*crowd_, id_, own->kinds->rig(anim::EntityType::two_bone_ik), reach);
 }
 
@@ -98,11 +98,11 @@ Result<ProcessId> Agent::add(const FootPlacement& settings) const {
 }
 
 Result<ProcessId> Agent::add(const Noise& settings) const {
-  return crowd_->system->agent(id_).add_post_process(std::make_unique<anim::NoiseProcess>(
-      anim::NoiseProcess::Settings{.frequency = settings.frequency,
-                                   .amplitude = settings.amplitude,
-                                   .seed = settings.seed,
-                                   .mask = detail::number_of(settings.mask)}));
+  return crowd_->system->agent(id_).add_post_process(
+      std::make_unique<anim::NoiseProcess>(anim::NoiseProcess::Settings{.frequency = settings.frequency,
+                                                                        .amplitude = settings.amplitude,
+                                                                        .seed = settings.seed,
+                                                                        .mask = detail::number_of(settings.mask)}));
 }
 
 Result<ProcessId> Agent::add(const Springs& settings) const {

@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <memory>
 
+#include "throng/processes.h"
+
 #include "engine/anim/agent/one_entity_process.h"
 #include "engine/anim/entity/animation_state.h"
 #include "engine/anim/entity/entity_kind.h"
-#include "throng/processes.h"
 
 namespace throng::detail {
 

@@ -142,14 +142,16 @@ class Motion {
   /// Calls visit(const DataKey&) for each key met in [from, to), clip after clip, each once.
   template <typename Visit>
   void for_each_key(Ticks from, Ticks to, Visit&& visit, KeyChoice choice = KeyChoice::felt) const {
-    visit_keys(from, to, choice, [](void* context, const DataKey& key) { (*static_cast<Function<Visit>*>(context))(key); },
-               context_of(visit));
+    visit_keys(
+        from, to, choice, [](void* context, const DataKey& key) { (*static_cast<Function<Visit>*>(context))(key); },
+        context_of(visit));
   }
   /// Calls visit(const ClipEnd&) for each clip that does not loop and arrived at its end in (from, to].
   template <typename Visit>
   void for_each_end(Ticks from, Ticks to, Visit&& visit) const {
-    visit_ends(from, to, [](void* context, const ClipEnd& end) { (*static_cast<Function<Visit>*>(context))(end); },
-               context_of(visit));
+    visit_ends(
+        from, to, [](void* context, const ClipEnd& end) { (*static_cast<Function<Visit>*>(context))(end); },
+        context_of(visit));
   }
 
  private:

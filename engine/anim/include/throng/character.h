@@ -35,19 +35,19 @@ struct MeshView {
   std::string_view name;
   std::span<const Vec3> positions;  ///< in the space of the palette
   std::span<const Vec3> normals;
-  std::span<const std::array<float, 2>> texture_coords;          ///< or empty
+  std::span<const std::array<float, 2>> texture_coords;           ///< or empty
   std::span<const std::array<std::uint16_t, 4>> palette_entries;  ///< strongest first
-  std::span<const std::array<float, 4>> weights;                 ///< sum to 1
-  std::span<const std::uint32_t> indices;                        ///< triangles, counter-clockwise front
-  std::array<float, 4> base_color{1.0F, 1.0F, 1.0F, 1.0F};       ///< linear
-  std::span<const std::uint8_t> base_color_texels;               ///< RGBA, sRGB, top row first; or empty
+  std::span<const std::array<float, 4>> weights;                  ///< sum to 1
+  std::span<const std::uint32_t> indices;                         ///< triangles, counter-clockwise front
+  std::array<float, 4> base_color{1.0F, 1.0F, 1.0F, 1.0F};        ///< linear
+  std::span<const std::uint8_t> base_color_texels;                ///< RGBA, sRGB, top row first; or empty
   int texture_width = 0;
   int texture_height = 0;
 };
 
-/// A skeleton with its clips, ready to play, and all that is measured on them. It is read-only and shared: copies are as
-/// cheap as pointers, and any number of crowds on any threads use one at a time. An empty one has no bones and no clips,
-/// and no crowd takes it.
+/// A skeleton with its clips, ready to play, and all that is measured on them. It is read-only and shared: copies are
+/// as cheap as pointers, and any number of crowds on any threads use one at a time. An empty one has no bones and no
+/// clips, and no crowd takes it.
 class Character {
  public:
   Character() = default;

@@ -17,7 +17,7 @@ namespace throng {
 /// The form in which an entry of a palette is written.
 enum class PaletteFormat : unsigned char {
   matrices,  ///< the top three rows of an affine matrix, row-major: 48 bytes
-  packed     ///< a rotation and a place: 16 bytes, unpacked by shaders/skinning.glsl; characters that scale get matrices
+  packed  ///< a rotation and a place: 16 bytes, unpacked by shaders/skinning.glsl; characters that scale get matrices
 };
 
 struct CrowdOptions {
@@ -32,8 +32,8 @@ struct CrowdOptions {
 /// One agent to be posed in this frame.
 struct PoseRequest {
   AgentId agent{};
-  std::uint8_t level = 0;       ///< bone level, 0: all bones
-  Ticks look_ahead{};           ///< the pose is that of now + look_ahead, for skipped frames that are blended
+  std::uint8_t level = 0;        ///< bone level, 0: all bones
+  Ticks look_ahead{};            ///< the pose is that of now + look_ahead, for skipped frames that are blended
   std::byte* palette = nullptr;  ///< written there, Crowd::palette_bytes, aligned to 16; null: nobody draws it
   std::uint8_t fade_level = 0;   ///< as Lod says it
   std::uint8_t fade_halves = 0;

@@ -13,11 +13,11 @@ namespace throng {
 
 /// The camera, as far as level of detail reads it.
 struct Camera {
-  Vec3 position{};                      ///< metres, world
-  Vec3 forward{0.0F, 0.0F, -1.0F};      ///< unit
+  Vec3 position{};                                ///< metres, world
+  Vec3 forward{0.0F, 0.0F, -1.0F};                ///< unit
   std::array<std::array<float, 4>, 6> frustum{};  ///< unit normals and offsets, inside where normal * p + offset >= 0;
                                                   ///< all 0: everybody is in view
-  float pixels_per_unit = 1000.0F;      ///< pixels that a metre covers at a distance of a metre
+  float pixels_per_unit = 1000.0F;                ///< pixels that a metre covers at a distance of a metre
 };
 
 /// Makes a camera of a matrix from world to clip space, column-major as OpenGL has it, with z from -1 to 1.
@@ -37,7 +37,7 @@ struct LodRules {
   float interval_growth = 12.0F;     ///< distance: metres for each further frame of the interval
   int largest_interval = 8;          ///< frames, 1 to 16
   bool bone_lod = true;              ///< fewer bones far off
-  bool smooth = false;  ///< the renderer blends each palette from the last one over its look-ahead
+  bool smooth = false;               ///< the renderer blends each palette from the last one over its look-ahead
 };
 
 /// One frame of a crowd. The spans have an element for each agent, by its number; those of dead numbers are not read.

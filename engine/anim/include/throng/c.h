@@ -1,0 +1,139 @@
+#ifndef THRONG_C_H
+#define THRONG_C_H
+
+/* The library for C, and for whatever calls C. It does what the C++ headers say; see there for what a word means.
+ *
+ * A function that makes something returns null, THRONG_NONE or an invalid id if it could not, and one that changes
+ * something returns 0 (else 1); throng_last_error() says why. Strings are UTF-8. Times are seconds. Vectors are three
+ * floats, rotations four: x, y, z, w. Nothing is kept of a pointer after the call, unless it says so. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#if defined(THRONG_BUILDS_C)
+#define THRONG_C __declspec(dllexport)
+#else
+#define THRONG_C __declspec(dllimport)
+#endif
+#else
+#define THRONG_C __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define THRONG_NONE UINT32_MAX
+
+typedef struct throng_file throng_file;           /* what was loaded from a model or a pack */
+typedef struct throng_character throng_character; /* a skeleton and its clips, shared and read-only */
+typedef struct throng_crowd throng_crowd;         /* agents; one thread at a time calls it */
+typedef struct throng_snapshot throng_snapshot;   /* the state of a crowd at a moment */
+
+/* An agent or a character of a crowd. Its number is THRONG_NONE if it is invalid. */
+typedef struct throng_id {
+  uint32_t number;
+  uint32_t generation;
+} throng_id;
+
+/* "Play this clip." */
+typedef struct throng_play {
+  uint32_t clip;
+  float fade;    /* seconds; 0 replaces at once what plays */
+  float speed;   /* multiple of the clip's own speed */
+  float start;   /* seconds from the start of the clip */
+  uint32_t loop; /* 0: once */
+} throng_play;
+
+/* One agent to be posed. */
+typedef struct throng_pose_request {
+  throng_id agent;
+  uint32_t level; /* bone level, 0: all bones */
+  float* palette; /* 12 floats an entry, throng_crowd_palette_bytes, aligned to 16; null: nobody draws it */
+} throng_pose_request;
+
+/* A data key that an agent has met. */
+typedef struct throng_key {
+  uint32_t name; /* see throng_character_key_name */
+  uint32_t clip;
+  double time;
+  float weight;
+} throng_key;
+
+/* The library. */
+THRONG_C int throng_version(void);
+THRONG_C const char* throng_version_text(void);
+/* Returns why the last call of this thread that failed did so. Valid until the next one fails. */
+THRONG_C const char* throng_last_error(void);
+/* Sets who hears of calls that break their contract; null: one line each on standard error. */
+typedef void (*throng_misuse_hook)(const char* call, const char* reason);
+THRONG_C void throng_set_misuse_hook(throng_misuse_hook hook);
+
+/* Files and characters. A character may outlive the file, and is freed by itself. `metres_a_unit` 0: guessed. */
+THRONG_C throng_file* throng_load(const char* path, double metres_a_unit);
+THRONG_C void throng_file_free(throng_file* file);
+THRONG_C uint32_t throng_file_character_count(const throng_file* file);
+THRONG_C throng_character* throng_file_character(const throng_file* file, uint32_t index);
+THRONG_C void throng_character_free(throng_character* character);
+THRONG_C uint32_t throng_character_clip_count(const throng_character* character);
+THRONG_C const char* throng_character_clip_name(const throng_character* character, uint32_t clip);
+THRONG_C double throng_character_clip_seconds(const throng_character* character, uint32_t clip);
+THRONG_C uint32_t throng_character_find_clip(const throng_character* character, const char* name);
+THRONG_C uint32_t throng_character_bone_count(const throng_character* character);
+THRONG_C const char* throng_character_bone_name(const throng_character* character, uint32_t bone);
+THRONG_C uint32_t throng_character_palette_entries(const throng_character* character);
+THRONG_C const char* throng_character_key_name(const throng_character* character, uint32_t name);
+
+/* Crowds. The first character is number 0. `hashes` 0: throng_crowd_pose_hash stays what it is. */
+THRONG_C throng_crowd* throng_crowd_create(const throng_character* character, uint32_t pus, uint32_t hashes);
+THRONG_C void throng_crowd_free(throng_crowd* crowd);
+THRONG_C throng_id throng_crowd_add_character(throng_crowd* crowd, const throng_character* character);
+THRONG_C int throng_crowd_remove_character(throng_crowd* crowd, throng_id character);
+THRONG_C uint32_t throng_crowd_palette_bytes(const throng_crowd* crowd, throng_id character);
+/* Writes `count` ids. */
+THRONG_C int throng_crowd_add_agents(throng_crowd* crowd, throng_id character, uint32_t count, throng_id* agents);
+THRONG_C int throng_crowd_remove_agent(throng_crowd* crowd, throng_id agent);
+THRONG_C uint32_t throng_crowd_agent_count(const throng_crowd* crowd);
+THRONG_C void throng_crowd_advance(throng_crowd* crowd, double seconds);
+THRONG_C double throng_crowd_clock(const throng_crowd* crowd);
+THRONG_C void throng_crowd_update(throng_crowd* crowd, const throng_pose_request* requests, uint32_t count);
+/* Poses all agents with all bones. The palette of an agent is written at palettes + its number * stride; `stride` is a
+ * multiple of 16 bytes and at least what each character's throng_crowd_palette_bytes says. */
+THRONG_C int throng_crowd_update_all(throng_crowd* crowd, float* palettes, size_t bytes, uint32_t stride);
+THRONG_C uint64_t throng_crowd_pose_hash(const throng_crowd* crowd);
+
+/* Agents. */
+THRONG_C int throng_agent_play(throng_crowd* crowd, throng_id agent, const throng_play* play);
+THRONG_C int throng_agent_set_speed(throng_crowd* crowd, throng_id agent, float speed);
+/* Adds a blend space of `count` clips along a parameter that ascends. Returns the channel. */
+THRONG_C uint32_t throng_agent_add_blend_space(throng_crowd* crowd, throng_id agent, const uint32_t* clips,
+                                               const float* parameters, uint32_t count, uint32_t is_ground_speed);
+THRONG_C int throng_agent_set_parameter(throng_crowd* crowd, throng_id agent, uint32_t channel, float parameter);
+THRONG_C uint32_t throng_agent_add_look_at(throng_crowd* crowd, throng_id agent);
+THRONG_C int throng_agent_look_at(throng_crowd* crowd, throng_id agent, uint32_t process, const float target[3],
+                                  float fade);
+/* Adds a limb that reaches: 0 left arm, 1 right arm, 2 left leg, 3 right leg. */
+THRONG_C uint32_t throng_agent_add_reach(throng_crowd* crowd, throng_id agent, uint32_t limb);
+THRONG_C int throng_agent_reach(throng_crowd* crowd, throng_id agent, uint32_t process, const float target[3],
+                                float weight, float fade);
+THRONG_C uint32_t throng_agent_add_socket(throng_crowd* crowd, throng_id agent, uint32_t bone);
+THRONG_C int throng_agent_socket(const throng_crowd* crowd, throng_id agent, uint32_t process, float position[3],
+                                 float rotation[4]);
+/* Writes the way over the ground, in the agent's own space at `from`, and the radians that it turned. */
+THRONG_C int throng_agent_displacement(const throng_crowd* crowd, throng_id agent, double from, double to,
+                                       float displacement[3], float* turn);
+/* Writes up to `most` keys met in [from, to), and returns how many there were. */
+THRONG_C uint32_t throng_agent_keys(const throng_crowd* crowd, throng_id agent, double from, double to,
+                                    throng_key* keys, uint32_t most);
+
+/* Snapshots. */
+THRONG_C throng_snapshot* throng_crowd_snapshot(const throng_crowd* crowd);
+THRONG_C int throng_crowd_restore(throng_crowd* crowd, const throng_snapshot* snapshot);
+THRONG_C void throng_snapshot_free(throng_snapshot* snapshot);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

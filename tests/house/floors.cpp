@@ -33,7 +33,8 @@ std::optional<std::string> folder_within(const House& house, const std::string& 
 const std::vector<House>& houses() {
   static const std::vector<House> all{
       {"engine/anim/",
-       {{"base"},
+       {{"include/throng"},
+        {"base"},
         {"asset"},
         {"rig"},
         {"survey"},
@@ -48,7 +49,10 @@ const std::vector<House>& houses() {
         {"run/levels", "run/fused"},
         {"run"},
         {"lod"},
-        {"agent"}}},
+        {"agent"},
+        {"door"},
+        {"door/c"},
+        {"examples"}}},
       {"engine/render/", {{"gl"}, {"shader", "palette", "frame"}, {"mesh"}, {"passes"}}},
       {"app/",
        {{"files"},

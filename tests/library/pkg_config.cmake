@@ -1,4 +1,4 @@
-# COMPILER builds SOURCE with what pkg-config says of the library in PREFIX, which was moved, and the program runs.
+# COMPILER builds SOURCE with what pkg-config says of the library in PREFIX, which was moved, and the program poses MODEL.
 find_program(pkg_config NAMES pkg-config pkgconf)
 if(NOT pkg_config)
   message(STATUS "pkg-config is not here: nothing to test")
@@ -16,7 +16,7 @@ endif()
 set(program ${PREFIX}-packed/program)
 execute_process(COMMAND ${COMPILER} -std=c++20 ${SOURCE} -o ${program} ${flags} ${MORE_FLAGS} -Wl,-rpath,${PREFIX}-packed/${LIBDIR}
   COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${program} OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${program} ${MODEL} OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
 if(NOT said MATCHES "^pose hash [0-9a-f]+\n$")
   message(SEND_ERROR "the program said: ${said}")
 endif()

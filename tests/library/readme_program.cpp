@@ -1,58 +1,44 @@
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <vector>
 
-#include "engine/anim/agent/animation_system.h"
-#include "engine/anim/bake/character.h"
-#include "engine/anim/import/import.h"
-#include "engine/anim/lod/level_of_detail.h"
+#include <throng/throng.h>
 
 using namespace throng;
 
 int main(int argument_count, char** arguments) {
   if (argument_count != 2) return 2;
-  const auto file = import::import_file(arguments[1]);
+  const auto file = load(arguments[1]);  // a .glb, a .gltf, or what `throng bake` made of them
   if (!file) return std::fprintf(stderr, "%s\n", file.error().message.c_str()), 1;
-  const auto character = std::make_shared<const anim::Character>(anim::bake_character(file->models.front()));
+  const Character character = file->characters.front();
 
-  auto created = anim::AnimationSystem::create(character, {.pus = 2});
+  auto created = Crowd::create(character, {.pus = 2, .hash = true});
   if (!created) return std::fprintf(stderr, "%s\n", created.error().message.c_str()), 1;
-  anim::AnimationSystem& system = **created;
-
-  constexpr std::uint32_t agents = 1000;
-  system.set_agent_count(agents);
-  const int clips = static_cast<int>(character->clips.size());
-  for (std::uint32_t agent = 0; agent < agents; ++agent) {
-    system.agent(agent).play({.clip = static_cast<int>(agent) % clips});
-  }
-  system.agent(0).play({.clip = clips - 1, .fade = anim::to_ticks(0.25)});  // eases in over a quarter of a second
+  Crowd& crowd = *created;
+  const std::span<const AgentId> agents = crowd.add_agents(1000);
+  for (const AgentId id : agents) crowd.agent(id).play({.clip = {id.number % character.clip_count()}});
+  crowd.agent(agents[0]).play({.clip = {0}, .fade = to_ticks(0.25)});  // eases in over a quarter of a second
 
   // A palette an agent, each on cache lines of its own, as far apart as they are written fastest.
-  const auto entries = static_cast<std::size_t>(character->skeleton.palette_count());
-  const std::size_t stride = anim::palette_stride(entries, anim::PaletteFormat::matrices);
-  const anim::AlignedBytes palettes = anim::allocate_aligned(agents * stride);
+  struct alignas(64) Line {
+    float floats[16];
+  };
+  const std::size_t lines = crowd.palette_bytes(0) / sizeof(Line);
+  std::vector<Line> palettes(lines * crowd.number_limit());
 
   // They stand in a row that leads away from the camera: those far off are posed more seldom, with fewer bones.
-  std::vector<glm::vec3> positions(agents);
-  for (std::uint32_t agent = 0; agent < agents; ++agent) positions[agent].z = -0.1F * static_cast<float>(agent);
-  const std::vector<float> scales(agents, 1.0F);
-  anim::LevelOfDetail lod;
-  lod.set_characters({anim::lod_character(*character)});
-  lod.reset(agents, {});
-  anim::LodRequest request;      // has the camera, the rules and the budget
-  request.rules.smooth = false;  // nothing here blends from pose to pose
-  request.frame_step = anim::ticks_per_second / 60;
+  std::vector<Vec3> positions(crowd.number_limit());
+  for (const AgentId id : agents) positions[id.number].z = -0.1F * static_cast<float>(id.number);
+  Lod lod;
+  LodFrame frame{.positions = positions, .scales = {}, .frame_step = ticks_per_second / 60};
 
-  for (int frame = 0; frame < 60; ++frame) {
-    system.advance(request.frame_step);
-    request.now = system.clock();
-    lod.select({.positions = positions, .scales = scales}, request, system.executor(), 2);
-    for (anim::AgentUpdate& update : lod.updates()) {
-      update.palette = anim::PaletteDestination(palettes.get() + update.agent.number * stride);
+  for (int number = 0; number < 60; ++number) {
+    crowd.advance(frame.frame_step);
+    for (PoseRequest& request : lod.select(crowd, frame)) {
+      request.palette = reinterpret_cast<std::byte*>(&palettes[request.agent.number * lines]);
     }
-    system.update(lod.updates());  // returns when every palette is written
-    lod.settle(system.figures().report().predicted_nanoseconds);
+    crowd.update(lod.requests());  // returns when every palette is written
+    lod.settle(crowd);
   }
-  std::printf("pose hash %016llx\n", static_cast<unsigned long long>(system.figures().pose_hash()));
+  std::printf("pose hash %016llx\n", static_cast<unsigned long long>(crowd.debug().pose_hash()));
 }

@@ -44,6 +44,7 @@ int main(int count, char** arguments) {
   ThreadForEach jobs;
   const std::uint64_t ours = hash_of(file->characters.front(), nullptr);
   const std::uint64_t theirs = hash_of(file->characters.front(), &jobs);
-  std::printf("%s: %016llx\n", ours == theirs ? "the same poses" : "other poses", static_cast<unsigned long long>(theirs));
+  std::printf("%s: %016llx\n", ours == theirs ? "the same poses" : "other poses",
+              static_cast<unsigned long long>(theirs));
   return ours == theirs ? 0 : 1;
 }

@@ -43,8 +43,8 @@ int main(int count, char** arguments) {
   if (!crowd) return std::fprintf(stderr, "%s\n", crowd.error().message.c_str()), 1;
 
   const Swaying swaying{.bones = {1, 2}};
-  const auto step = crowd->add_step(
-      0, {.name = "sway", .memory_bytes = sizeof(Memory), .run = sway, .shared = &swaying});
+  const auto step =
+      crowd->add_step(0, {.name = "sway", .memory_bytes = sizeof(Memory), .run = sway, .shared = &swaying});
   if (!step) return std::fprintf(stderr, "%s\n", step.error().message.c_str()), 1;
   std::vector<PoseRequest> requests;
   for (const AgentId id : crowd->add_agents(100)) {
@@ -57,5 +57,6 @@ int main(int count, char** arguments) {
     crowd->advance(ticks_per_second / 60);
     crowd->update(requests);
   }
-  std::printf("100 agents sway for two seconds: %016llx\n", static_cast<unsigned long long>(crowd->debug().pose_hash()));
+  std::printf("100 agents sway for two seconds: %016llx\n",
+              static_cast<unsigned long long>(crowd->debug().pose_hash()));
 }

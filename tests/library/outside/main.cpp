@@ -1,20 +1,16 @@
 #include <cstdio>
-#include <memory>
 
-#include "engine/anim/agent/animation_system.h"
-#include "engine/anim/asset/synthetic_model.h"
+#include "throng/throng.h"
 
-using namespace throng::anim;
-
-int main() {
-  const auto character = std::make_shared<const Character>(bake_character(synthetic_model(30, 2)));
-  const auto system = AnimationSystem::create(character, {.pus = 2});
-  if (!system) return std::fprintf(stderr, "%s\n", system.error().message.c_str()), 1;
-  (*system)->set_agent_count(1);
-  (*system)->agent(0).play({.clip = 1});
-
-  const AgentUpdate update{.agent = {0}};
-  (*system)->advance(ticks_per_second / 60);
-  (*system)->update({&update, 1});
-  std::printf("pose hash %016llx\n", static_cast<unsigned long long>((*system)->figures().pose_hash()));
+int main(int count, char** arguments) {
+  if (count != 2) return 2;
+  const auto file = throng::load(arguments[1]);
+  if (!file) return std::fprintf(stderr, "%s\n", file.error().message.c_str()), 1;
+  auto crowd = throng::Crowd::create(file->characters.front(), {.pus = 2, .hash = true});
+  if (!crowd) return std::fprintf(stderr, "%s\n", crowd.error().message.c_str()), 1;
+  const throng::PoseRequest request{.agent = crowd->add_agent()};
+  crowd->agent(request.agent).play({.clip = {1}});
+  crowd->advance(throng::ticks_per_second / 60);
+  crowd->update({&request, 1});
+  std::printf("pose hash %016llx\n", static_cast<unsigned long long>(crowd->debug().pose_hash()));
 }

@@ -40,6 +40,11 @@ std::string finding(const std::string& path, std::size_t line, const std::string
   return path + ":" + std::to_string(line) + ": " + what;
 }
 
+/// Returns the path of a header in the tree: the door's have a folder of their own (engine/anim/include).
+std::string in_tree(const std::string& included) {
+  return included.starts_with("throng/") ? "engine/anim/include/" + included : included;
+}
+
 std::vector<Include> includes_of(const Tree& tree, std::string_view folder) {
   static const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)");
   std::vector<Include> includes;
@@ -47,7 +52,7 @@ std::vector<Include> includes_of(const Tree& tree, std::string_view folder) {
     if (!file.path.starts_with(folder) || !is_code(file.path)) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       std::smatch match;
-      if (std::regex_match(file.lines[i], match, pattern)) includes.push_back({&file, i + 1, match[1]});
+      if (std::regex_match(file.lines[i], match, pattern)) includes.push_back({&file, i + 1, in_tree(match[1])});
     }
   }
   return includes;

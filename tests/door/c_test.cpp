@@ -1,0 +1,138 @@
+// The door for C does what that for C++ does.
+
+#include "throng/c.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/anim/agent/heard_misuses.h"
+#include "tests/door/door_crowd.h"
+
+namespace throng::c_test {
+namespace {
+
+using door_test::DoorCrowd;
+using testing::HasSubstr;
+
+constexpr throng_id first{0, THRONG_NONE};
+
+std::vector<std::string>& heard() {
+  static std::vector<std::string> all;
+  return all;
+}
+
+/// A crowd of the built-in character, made through C.
+class CCrowd {
+ public:
+  explicit CCrowd(std::uint32_t agents) : ids(agents) {
+    throng_set_misuse_hook([](const char* call, const char*) { heard().emplace_back(call); });
+    heard().clear();
+    throng_file* const file = throng_load(THRONG_SOURCE_DIR "/assets/mannequin.glb", 0.0);
+    character = throng_file_character(file, 0);
+    throng_file_free(file);
+    crowd = throng_crowd_create(character, 1, 1);
+    throng_crowd_add_agents(crowd, first, agents, ids.data());
+  }
+  ~CCrowd() {
+    throng_crowd_free(crowd);
+    throng_character_free(character);
+    throng_set_misuse_hook(nullptr);
+  }
+  CCrowd(const CCrowd&) = delete;
+  CCrowd& operator=(const CCrowd&) = delete;
+
+  void step(int frames) {
+    std::vector<throng_pose_request> requests;
+    for (const throng_id id : ids) requests.push_back({id, 0, nullptr});
+    for (int frame = 0; frame < frames; ++frame) {
+      throng_crowd_advance(crowd, 1.0 / 60.0);
+      throng_crowd_update(crowd, requests.data(), static_cast<std::uint32_t>(requests.size()));
+    }
+  }
+
+  throng_character* character = nullptr;
+  throng_crowd* crowd = nullptr;
+  std::vector<throng_id> ids;
+};
+
+TEST(DoorC, PosesAsTheOneForCppDoes) {
+  CCrowd c(10);
+  DoorCrowd cpp(10);
+  for (std::uint32_t agent = 0; agent < 10; ++agent) {
+    const throng_play play{.clip = agent, .fade = 0.0F, .speed = 1.0F, .start = 0.0F, .loop = 1};
+    EXPECT_EQ(throng_agent_play(c.crowd, c.ids[agent], &play), 0);
+    cpp.agent(agent).play({.clip = {agent}});
+  }
+  c.step(20);
+  cpp.step(20);
+  EXPECT_EQ(throng_crowd_pose_hash(c.crowd), cpp.hash());
+}
+
+TEST(DoorC, SaysWhyACallFailed) {
+  CCrowd c(1);
+  EXPECT_EQ(throng_load("no-such-model.glb", 0.0), nullptr);
+  EXPECT_THAT(throng_last_error(), HasSubstr("no-such-model.glb"));
+  EXPECT_EQ(throng_agent_add_reach(c.crowd, c.ids[0], 9), THRONG_NONE);
+  EXPECT_THAT(throng_last_error(), HasSubstr("from 0 to 3"));
+  std::vector<float> few(64);
+  EXPECT_NE(throng_crowd_update_all(c.crowd, few.data(), 64, 64), 0);
+  EXPECT_THAT(throng_last_error(), HasSubstr("no room for the palette of agent 0"));
+}
+
+TEST(DoorC, RefusesNull) {
+  CCrowd c(1);
+  const throng_id nobody{7, 7};
+  EXPECT_EQ(throng_load(nullptr, 0.0), nullptr);
+  EXPECT_EQ(throng_crowd_create(nullptr, 1, 0), nullptr);
+  EXPECT_NE(throng_agent_play(nullptr, nobody, nullptr), 0);
+  EXPECT_NE(throng_agent_play(c.crowd, nobody, nullptr), 0);
+  EXPECT_EQ(throng_crowd_agent_count(nullptr), 0U);
+  throng_crowd_advance(nullptr, 1.0);
+  EXPECT_EQ(heard().size(), 6U);
+  throng_file_free(nullptr);
+  throng_crowd_free(nullptr);
+}
+
+TEST(DoorC, ReachesAndTellsWhereTheHandIs) {
+  CCrowd c(1);
+  const throng_play idle{
+      .clip = throng_character_find_clip(c.character, "idle"), .fade = 0, .speed = 1, .start = 0, .loop = 1};
+  throng_agent_play(c.crowd, c.ids[0], &idle);
+  const auto hand = static_cast<std::uint32_t>(*door_test::mannequin().find_bone("hand.R"));
+  EXPECT_STREQ(throng_character_bone_name(c.character, hand), "hand.R");
+  const std::uint32_t reach = throng_agent_add_reach(c.crowd, c.ids[0], 1);
+  const std::uint32_t socket = throng_agent_add_socket(c.crowd, c.ids[0], hand);
+  const float target[3] = {-0.3F, 1.2F, 0.3F};
+  EXPECT_EQ(throng_agent_reach(c.crowd, c.ids[0], reach, target, 1.0F, 0.0F), 0);
+  c.step(3);
+  float position[3], rotation[4];
+  EXPECT_EQ(throng_agent_socket(c.crowd, c.ids[0], socket, position, rotation), 0);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(position[axis], target[axis], 0.01F);
+}
+
+TEST(DoorC, MovesMeetsKeysAndIsPutBack) {
+  CCrowd c(1);
+  const throng_play walk{
+      .clip = throng_character_find_clip(c.character, "walk"), .fade = 0, .speed = 1, .start = 0, .loop = 1};
+  throng_agent_play(c.crowd, c.ids[0], &walk);
+  throng_snapshot* const start = throng_crowd_snapshot(c.crowd);
+  c.step(120);
+  throng_key keys[16];
+  float way[3], turn = 1.0F;
+  EXPECT_GT(throng_agent_keys(c.crowd, c.ids[0], 0.0, 2.0, keys, 16), 1U);
+  EXPECT_STRNE(throng_character_key_name(c.character, keys[0].name), "");
+  EXPECT_EQ(throng_agent_displacement(c.crowd, c.ids[0], 0.0, 2.0, way, &turn), 0);
+  EXPECT_GT(way[2], 1.0F);
+  const std::uint64_t hash = throng_crowd_pose_hash(c.crowd);
+  EXPECT_EQ(throng_crowd_restore(c.crowd, start), 0);
+  EXPECT_EQ(throng_crowd_clock(c.crowd), 0.0);
+  c.step(120);
+  EXPECT_EQ(throng_crowd_pose_hash(c.crowd), hash);
+  throng_snapshot_free(start);
+}
+
+}  // namespace
+}  // namespace throng::c_test

@@ -1,0 +1,55 @@
+// What a host does in the library's place.
+
+#include <atomic>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "tests/door/door_crowd.h"
+
+namespace throng::host_test {
+namespace {
+
+using door_test::DoorCrowd;
+
+struct Account {
+  std::size_t given = 0;
+  std::size_t taken = 0;
+};
+
+TEST(DoorHost, GivesTheMemoryOfBlocksAndTakesItBack) {
+  Account account;
+  const MemoryHooks hooks{.allocate =
+                              [](std::size_t bytes, std::size_t alignment, void* context) {
+                                static_cast<Account*>(context)->given += bytes;
+                                return std::aligned_alloc(alignment, bytes);
+                              },
+                          .release =
+                              [](void* memory, std::size_t bytes, std::size_t, void* context) {
+                                static_cast<Account*>(context)->taken += bytes;
+                                std::free(memory);
+                              },
+                          .context = &account};
+  set_memory_hooks(hooks);
+  {
+    DoorCrowd crowd(1000);
+    set_memory_hooks({});
+    EXPECT_GT(account.given, std::size_t{100'000});
+  }
+  EXPECT_EQ(account.taken, account.given);
+}
+
+TEST(DoorHost, IsToldOfEachThread) {
+  static std::atomic<int> told;
+  told = 0;
+  set_thread_hook([](int pu) { told += pu; });
+  {
+    DoorCrowd crowd(1, {.pus = 4});
+    crowd.step();
+  }
+  set_thread_hook(nullptr);
+  EXPECT_EQ(told, 1 + 2 + 3);
+}
+
+}  // namespace
+}  // namespace throng::host_test

@@ -30,7 +30,7 @@ int main(int argument_count, char** arguments) {
   std::vector<Vec3> positions(crowd.number_limit());
   for (const AgentId id : agents) positions[id.number].z = -0.1F * static_cast<float>(id.number);
   Lod lod;
-  LodFrame frame{.positions = positions, .scales = {}, .frame_step = ticks_per_second / 60};
+  LodFrame frame{.positions = positions, .frame_step = ticks_per_second / 60};
 
   for (int number = 0; number < 60; ++number) {
     crowd.advance(frame.frame_step);

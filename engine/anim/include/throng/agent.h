@@ -20,8 +20,8 @@ struct CrowdParts;
 
 /// The way of an agent over some time, in its own space at the start.
 struct RootMotion {
-  Vec3 displacement;  ///< metres
-  float turn = 0.0F;  ///< radians about the vertical; to the left is positive
+  Vec3 displacement{};  ///< metres
+  float turn = 0.0F;    ///< radians about the vertical; to the left is positive
 };
 
 /// A data key that an agent has met: a step, a shot, a word.

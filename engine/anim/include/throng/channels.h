@@ -44,7 +44,7 @@ struct BlendPoint {
 
 /// Clips along one parameter, such as idle, walk, jog and run by speed. Two neighbours of the parameter are blended.
 struct BlendSpace {
-  std::span<const BlendPoint> points;  ///< at least one; parameters ascend
+  std::span<const BlendPoint> points{};  ///< at least one; parameters ascend
   float parameter = 0.0F;
   bool is_ground_speed = true;  ///< metres a second: the root moves at the parameter, so that feet do not slide
 };
@@ -66,7 +66,7 @@ enum class PlaneMeaning : unsigned char {
 
 /// Clips in a plane of two parameters. The points of the triangle around them are blended.
 struct BlendSpace2d {
-  std::span<const BlendPoint2d> points;  ///< at least one, none twice
+  std::span<const BlendPoint2d> points{};  ///< at least one, none twice
   PlaneMeaning meaning = PlaneMeaning::velocity;
   float x = 0.0F;
   float y = 0.0F;

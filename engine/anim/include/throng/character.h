@@ -23,7 +23,7 @@ struct CharacterData;
 
 /// What is known of a clip.
 struct ClipInfo {
-  std::string_view name;
+  std::string_view name{};
   Ticks duration{};
   bool loops = false;         ///< its first and last poses agree
   double ground_speed = 0.0;  ///< metres a second at which feet do not slide; 0: it stays where it is
@@ -32,15 +32,15 @@ struct ClipInfo {
 /// A part of a character's surface, for a renderer of one's own. Spans have one element a vertex, and live as long as
 /// the character. A vertex at `position` is drawn at the sum of weight * (palette[entry] * position).
 struct MeshView {
-  std::string_view name;
-  std::span<const Vec3> positions;  ///< in the space of the palette
-  std::span<const Vec3> normals;
-  std::span<const std::array<float, 2>> texture_coords;           ///< or empty
-  std::span<const std::array<std::uint16_t, 4>> palette_entries;  ///< strongest first
-  std::span<const std::array<float, 4>> weights;                  ///< sum to 1
-  std::span<const std::uint32_t> indices;                         ///< triangles, counter-clockwise front
-  std::array<float, 4> base_color{1.0F, 1.0F, 1.0F, 1.0F};        ///< linear
-  std::span<const std::uint8_t> base_color_texels;                ///< RGBA, sRGB, top row first; or empty
+  std::string_view name{};
+  std::span<const Vec3> positions{};  ///< in the space of the palette
+  std::span<const Vec3> normals{};
+  std::span<const std::array<float, 2>> texture_coords{};           ///< or empty
+  std::span<const std::array<std::uint16_t, 4>> palette_entries{};  ///< strongest first
+  std::span<const std::array<float, 4>> weights{};                  ///< sum to 1
+  std::span<const std::uint32_t> indices{};                         ///< triangles, counter-clockwise front
+  std::array<float, 4> base_color{1.0F, 1.0F, 1.0F, 1.0F};          ///< linear
+  std::span<const std::uint8_t> base_color_texels{};                ///< RGBA, sRGB, top row first; or empty
   int texture_width = 0;
   int texture_height = 0;
 };

@@ -42,10 +42,10 @@ struct LodRules {
 
 /// One frame of a crowd. The spans have an element for each agent, by its number; those of dead numbers are not read.
 struct LodFrame {
-  std::span<const Vec3> positions;  ///< metres, world, between the feet
-  std::span<const float> scales;    ///< empty: all 1
-  Camera camera;
-  LodRules rules;
+  std::span<const Vec3> positions{};  ///< metres, world, between the feet
+  std::span<const float> scales{};    ///< empty: all 1
+  Camera camera{};
+  LodRules rules{};
   Ticks frame_step{};  ///< the length of a frame
 };
 

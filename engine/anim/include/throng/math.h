@@ -24,8 +24,8 @@ struct Quat {
 
 /// The place of something that does not change its size: first it is turned, then moved.
 struct Place {
-  Vec3 position;
-  Quat rotation;
+  Vec3 position{};
+  Quat rotation{};
 
   friend constexpr bool operator==(const Place&, const Place&) = default;
 };

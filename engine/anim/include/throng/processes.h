@@ -31,8 +31,8 @@ struct Reach {
 
 /// Lets any chain of bones, such as a tail, reach for a place. Its weight is 0 until it is set.
 struct ChainReach {
-  std::string_view first;  ///< the name of the bone that stays
-  std::string_view last;   ///< the name of the bone that reaches
+  std::string_view first{};  ///< the name of the bone that stays
+  std::string_view last{};   ///< the name of the bone that reaches
   int iterations = 16;
   float tolerance = 0.001F;  ///< metres
 };
@@ -53,8 +53,8 @@ struct Noise {
 
 /// The movement of a chain of bones, such as a plait or a strip of a skirt.
 struct SpringChain {
-  std::string_view first;
-  std::string_view last;
+  std::string_view first{};
+  std::string_view last{};
   float stiffness = 80.0F;          ///< per second squared: pulls a bone back to its pose
   float damping = 6.0F;             ///< per second: slows a bone relative to the joint that carries it
   float drag = 1.0F;                ///< per second: slows it relative to the air
@@ -65,7 +65,7 @@ struct SpringChain {
 
 /// A capsule of the body that chains stay outside of.
 struct SpringCollider {
-  std::string_view bone;
+  std::string_view bone{};
   Vec3 from{};  ///< metres from the bone's joint, bind pose
   Vec3 to{};
   float radius = 0.1F;
@@ -73,8 +73,8 @@ struct SpringCollider {
 
 /// Lets hair, skirts and tails follow the body on springs.
 struct Springs {
-  std::span<const SpringChain> chains;
-  std::span<const SpringCollider> colliders;
+  std::span<const SpringChain> chains{};
+  std::span<const SpringCollider> colliders{};
 };
 
 /// Lets an agent fall when it is pushed, and come back when it is told to.

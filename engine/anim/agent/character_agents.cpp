@@ -179,7 +179,13 @@ std::size_t CharacterAgents::bytes_alive() const {
 
 const CharacterAgents& nobody() {
   struct Nobody : CharacterAgents {
-    Nobody() : CharacterAgents(std::make_shared<const Character>()) { agents.add(); }
+    Nobody() : CharacterAgents(without_bones()) { agents.add(); }
+    // It has a level, as every skeleton that a PU is told of.
+    static std::shared_ptr<const Character> without_bones() {
+      auto character = std::make_shared<Character>();
+      character->skeleton.level_bone_counts = {0};
+      return character;
+    }
   };
   static const Nobody one;
   return one;

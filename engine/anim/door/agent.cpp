@@ -61,10 +61,10 @@ Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const 
     points.push_back(
         {.clip = detail::number_of(point.clip), .parameter = point.parameter, .pace = pace_of(point.pace)});
   }
-  crowd_->note_clip(id_, space.points.back().clip);
-  return crowd_->system->agent(id_).add_channel(
-      std::make_unique<anim::BlendSpaceChannel>(std::move(points), space.parameter, space.is_ground_speed),
-      settings_of(layer));
+  auto channel = std::make_unique<anim::BlendSpaceChannel>(std::move(points), space.parameter, space.is_ground_speed);
+  const Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+  if (added) crowd_->note_clip(id_, space.points.back().clip);
+  return added;
 }
 
 Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) const {
@@ -76,9 +76,10 @@ Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) cons
   const auto meaning = static_cast<anim::PlaneMeaning>(space.meaning);
   auto plane = anim::BlendSpace2d::create(std::move(points), meaning, static_cast<int>(agent.character().clips.size()));
   if (!plane) return plane.error();
-  crowd_->note_clip(id_, space.points.front().clip);
   auto channel = std::make_unique<anim::BlendSpace2dChannel>(std::move(*plane), glm::vec2(space.x, space.y));
-  return crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+  const Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+  if (added) crowd_->note_clip(id_, space.points.front().clip);
+  return added;
 }
 
 bool Agent::set_parameter(ChannelId channel, float parameter) const {

@@ -1,6 +1,6 @@
 #include "throng/crowd.h"
 
-#include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "throng/debug.h"
@@ -39,11 +39,17 @@ anim::AgentUpdate update_of(const PoseRequest& request) {
           .fade_halves = request.fade_halves};
 }
 
+/// Returns a number that no crowd had before.
+std::uint64_t new_version() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 void keep(detail::CrowdParts& parts, CharacterId id, const Character& character) {
   if (parts.characters.size() <= id.number) parts.characters.resize(id.number + 1);
   parts.characters[id.number] = {.character = character,
                                  .kinds = std::make_unique<detail::OwnKinds>(*parts.system, id, *character.data())};
-  ++parts.version;
+  parts.version = new_version();
 }
 
 /// Notes that these agents are new.
@@ -102,7 +108,7 @@ Status Crowd::remove(CharacterId character) {
   const Status removed = parts_->system->characters().remove(character);
   if (!removed) return removed;
   parts_->characters[character.number] = {};
-  ++parts_->version;
+  parts_->version = new_version();
   return removed;
 }
 

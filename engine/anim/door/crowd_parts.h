@@ -33,7 +33,7 @@ struct CrowdParts {
   AgentNotes notes;
   std::vector<anim::AgentUpdate> updates;  // scratch of a frame
   std::vector<anim::ExactPose> exact;      // scratch of a look
-  std::uint64_t version = 0;               // grows when characters come or go
+  std::uint64_t version = 0;               // another one, of all crowds, whenever characters come or go
 
   /// Returns the character of an agent; null, after a report, if the agent is gone.
   CrowdCharacter* character_of(AgentId agent, const char* call);

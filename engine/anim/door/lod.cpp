@@ -33,6 +33,7 @@ namespace {
 
 constexpr const char* selects = "Lod::select";
 constexpr std::size_t least_room = 64;
+constexpr Ticks longest_frame = 3600 * ticks_per_second;
 
 anim::LodCamera camera_for(const Camera& camera) {
   anim::LodCamera own{.position = detail::to_glm(camera.position),
@@ -64,6 +65,25 @@ anim::LodRequest request_for(const LodFrame& frame, Ticks now) {
   return request;
 }
 
+/// No place of a crowd is farther off, in metres: squares of it are still numbers.
+constexpr float farthest = 1e9F;
+
+bool is_place(const Vec3& place) {
+  return std::abs(place.x) <= farthest && std::abs(place.y) <= farthest && std::abs(place.z) <= farthest;
+}
+
+/// Returns why a camera is none, in one sentence; null if it is one.
+const char* fault_of(const Camera& camera) {
+  if (!is_place(camera.position) || !is_place(camera.forward)) return "a camera's place and direction are numbers";
+  for (const std::array<float, 4>& plane : camera.frustum) {
+    for (const float number : plane) {
+      if (!(std::abs(number) <= farthest)) return "the planes of a camera are numbers";
+    }
+  }
+  const bool is_scale = camera.pixels_per_unit > 0.0F && camera.pixels_per_unit <= farthest;
+  return is_scale ? nullptr : "Camera::pixels_per_unit is above 0";
+}
+
 /// Returns why a frame cannot be decided, in one sentence; null if it can.
 const char* fault_of(const LodFrame& frame, std::size_t numbers) {
   const LodRules& rules = frame.rules;
@@ -72,14 +92,18 @@ const char* fault_of(const LodFrame& frame, std::size_t numbers) {
   if (rules.largest_interval < 1 || rules.largest_interval > anim::longest_interval) {
     return "LodRules::largest_interval is from 1 to 16 frames";
   }
-  if (!(rules.interval_growth > 0.0F && rules.full_rate_distance >= 0.0F)) {
-    return "the distances of LodRules are not negative, and interval_growth is above 0";
+  const auto is_within = [](auto number, auto least) {
+    return number >= least && static_cast<float>(number) <= farthest;
+  };
+  if (!is_within(rules.interval_growth, 1e-3F) || !is_within(rules.full_rate_distance, 0.0F)) {
+    return "the distances of LodRules are not negative, and interval_growth is at least a millimetre";
   }
-  if (!(rules.error_pixels >= 0.0F && rules.budget_milliseconds >= 0.0))
+  if (!is_within(rules.error_pixels, 0.0F) || !is_within(rules.budget_milliseconds, 0.0)) {
     return "the limits of LodRules are not negative";
-  if (!(frame.camera.pixels_per_unit > 0.0F)) return "Camera::pixels_per_unit is above 0";
-  if (frame.frame_step < Ticks{}) return "LodFrame::frame_step is not negative";
-  return nullptr;
+  }
+  if (frame.frame_step < Ticks{} || frame.frame_step > longest_frame)
+    return "LodFrame::frame_step is from 0 to an hour";
+  return fault_of(frame.camera);
 }
 
 }  // namespace
@@ -137,9 +161,14 @@ void Lod::take_agents(const Crowd& crowd, const LodFrame& frame) {
   std::ranges::fill(s.is_left_out, std::uint8_t{1});
   for (const AgentId agent : crowd.agents()) {
     const std::uint32_t number = agent.number;
+    const float scale = frame.scales.empty() ? 1.0F : frame.scales[number];
+    if (!is_place(frame.positions[number]) || !(scale > 0.0F && scale <= farthest)) {
+      anim::report_misuse({selects, "positions and scales are numbers; an agent with others is left out"});
+      continue;
+    }
     s.is_left_out[number] = 0;
     s.positions[number] = detail::to_glm(frame.positions[number]);
-    s.scales[number] = frame.scales.empty() ? 1.0F : frame.scales[number];
+    s.scales[number] = scale;
     s.characters_of[number] = notes.characters[number];
     s.clips[number] = notes.clips[number];
     if (std::exchange(s.generations[number], agent.generation) != agent.generation) s.lod.make_due(number);

@@ -14,6 +14,8 @@
 namespace throng::anim {
 namespace {
 
+constexpr Ticks farthest_ahead = 3600 * ticks_per_second;
+
 /// What follows from an agent's program and level: nearly always those of the one before.
 struct AlikeAgents {
   const PoseProgram* program = nullptr;
@@ -156,6 +158,8 @@ bool FrameWork::may_update(const Population& population, std::span<const UpdateC
   if (update.fade_halves > 2 || (update.fade_halves > 0 && update.fade_level >= levels)) {
     return refused("a pose fades by 0 to 2 halves to a bone level of its character");
   }
+  if (update.look_ahead < Ticks{} || update.look_ahead > farthest_ahead)
+    return refused("a pose looks 0 to an hour ahead");
   if (update.palette.is_misaligned()) return refused("a palette lies at a multiple of 16 bytes");
   if (hashes_.frames[update.agent.number] == hashes_.frame) return refused("an agent is updated once in a call");
   return true;

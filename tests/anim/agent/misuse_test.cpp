@@ -85,7 +85,7 @@ TEST_F(MisuseTest, OfARequestThatIsNone) {
   plays("a speed is a number", {.clip = 1, .speed = -1e30});
   plays("held_fraction", {.clip = 1, .held_fraction = std::nanf("")});
   plays("held_fraction", {.clip = 1, .held_fraction = 5.0F});
-  plays("no negative time", {.clip = 1, .fade = to_ticks(-1.0)});
+  plays("from no time to a day", {.clip = 1, .fade = to_ticks(-1.0)});
   plays("mask is not", {.clip = 1, .mask = 7});
   plays("mask is not", {.clip = 1, .mask = -2});
   plays("bone_selection is not", {.clip = 1, .bone_selection = 7});

@@ -1,6 +1,7 @@
 // What changes an agent's final pose, and what its motion tells.
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -119,6 +120,32 @@ TEST(DoorMotion, OfABlendSpaceMovesAtItsParameter) {
   crowd.step(60);
   const RootMotion moved = crowd.agent(0).motion().displacement(before, crowd->clock());
   EXPECT_NEAR(moved.displacement.z, 0.5F * speed, 0.02F);
+}
+
+TEST(DoorMotion, OfAClipThatLoopsForTenYearsIsThatOfTheFirstSecond) {
+  DoorCrowd crowd(1);
+  crowd.agent(0).play({.clip = mannequin().find_clip("walk")});
+  crowd.step();
+  const auto second = [&] {
+    const Ticks before = crowd->clock();
+    crowd.step(60);
+    int keys = 0;
+    crowd.agent(0).motion().for_each_key(before, crowd->clock(), [&](const DataKey&) { ++keys; });
+    return std::pair(crowd.agent(0).motion().displacement(before, crowd->clock()).displacement.z, keys);
+  };
+  const auto [moved, keys] = second();
+  // A whole number of loops, so that the feet stand where they stood.
+  const Ticks loop = mannequin().clip(mannequin().find_clip("walk")).duration;
+  const Ticks decade = std::int64_t{3650} * 24 * 3600 * ticks_per_second / loop * loop - ticks_per_second;
+  for (int year = 0; year < 10; ++year) {
+    crowd->advance(decade / 10);
+    crowd.step();
+  }
+  crowd->advance(decade - decade / 10 * 10 + 10 * loop - 10 * (ticks_per_second / 60));
+  crowd.step();
+  const auto [later, later_keys] = second();
+  EXPECT_NEAR(later, moved, 1e-4F);
+  EXPECT_NEAR(later_keys, keys, 1);
 }
 
 TEST(DoorMotion, TellsEachKeyOnceAndWhenAClipEnds) {

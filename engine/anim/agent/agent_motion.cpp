@@ -10,6 +10,8 @@
 namespace throng::anim {
 namespace {
 
+constexpr FineTicks farthest = (FineTicks{1} << 62U) - 1;  // the way between two such positions still fits
+
 /// Returns the time within a clip at an unwrapped position.
 Ticks time_within(Ticks duration, bool looping, FineTicks position) {
   const FineTicks length = duration * fine_ticks_per_tick;
@@ -23,9 +25,10 @@ Ticks time_within(Ticks duration, bool looping, FineTicks position) {
 
 PoseWeights AgentMotion::weights(Ticks at) const { return sharing(at).weights(PoseSharing::Part::motion); }
 
+// It is counted from the loop in which the player stands, since only intervals matter: so a clip may loop for years.
 FineTicks AgentMotion::position(const Player& player, Ticks at) const {
   const Ticks since = at - posed_at_ + player.state.delta_time;
-  return unwrapped_position(player, clips_[player.clip].duration) + distance(since, player.speed);
+  return std::clamp(player.position + distance(since, player.speed), -farthest, farthest);
 }
 
 // A gait in step moves as the leader does, evenly, and not from foot to foot as its pose does.
@@ -34,7 +37,8 @@ FineTicks AgentMotion::place_on_root_curve(std::size_t step, Ticks at) const {
   if (!leader) return position(player(step), at);
   const double own = to_seconds(clips_[player(step).clip].duration);
   const double leading = to_seconds(clips_[player(*leader).clip].duration);
-  return std::llround(static_cast<double>(position(player(*leader), at)) * (own / leading));
+  const double place = static_cast<double>(position(player(*leader), at)) * (own / leading);
+  return std::llround(std::clamp(place, -0x1p61, 0x1p61));
 }
 
 RootMotion AgentMotion::displacement_of(std::size_t step, Ticks from, Ticks to) const {
@@ -131,7 +135,8 @@ std::optional<AbsoluteRoot> AgentMotion::absolute_root(Ticks now) const {
     root = AbsoluteRoot{.position = {p[0], p[1], p[2]}, .rotation = {q[3], q[0], q[1], q[2]}};
     if (clip.root_motion == nullptr) return;
     const bool looping = (player.flags & Player::looping) != 0;
-    const RootMotion moved = anim::displacement(*clip.root_motion, 0, position(player, now), looping);
+    const RootMotion loops = power(whole_motion(*clip.root_motion), player.loop_count);
+    const RootMotion moved = compose(loops, anim::displacement(*clip.root_motion, 0, position(player, now), looping));
     root->position += glm::dquat(root->rotation) * moved.translation;
     root->rotation = root->rotation * glm::angleAxis(static_cast<float>(moved.yaw), glm::vec3(0.0F, 1.0F, 0.0F));
   });

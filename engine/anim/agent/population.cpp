@@ -164,6 +164,7 @@ void Population::restart() {
 void Population::snapshot(PopulationSnapshot& into) const {
   into.characters.resize(characters_.size());
   for (std::size_t i = 0; i < characters_.size(); ++i) characters_[i]->snapshot(into.characters[i]);
+  into.character_generations = character_generations_;
   into.numbers = numbers_;
   into.posed_at = posed_at_;
   into.clock = clock_;
@@ -172,7 +173,7 @@ void Population::snapshot(PopulationSnapshot& into) const {
 
 Status Population::can_restore(const PopulationSnapshot& from) const {
   if (from.characters.empty()) return Error{"there is no crowd in this snapshot: take one first"};
-  if (from.characters.size() != characters_.size()) {
+  if (from.characters.size() != characters_.size() || from.character_generations != character_generations_) {
     return Error{"characters came or went since this snapshot: take another one"};
   }
   for (std::size_t i = 0; i < characters_.size(); ++i) {

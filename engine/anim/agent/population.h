@@ -69,6 +69,7 @@ class AgentNumbers {
 /// The state of a population at a moment.
 struct PopulationSnapshot {
   std::vector<CharacterAgentsSnapshot> characters;
+  std::vector<std::uint32_t> character_generations;  // whose pools the graphs of these characters point at
   AgentNumbers numbers;
   std::vector<Ticks> posed_at;
   Ticks clock{};

@@ -11,8 +11,9 @@ using throng::longest_time, throng::most_ticks, throng::tick_rate, throng::Ticks
 using throng::to_seconds, throng::to_ticks, throng::WholeTicks;
 
 /// Counts a player's position in 1/65536 ticks, so that speed times time is exact: the position does not depend on how
-/// the time was cut into steps. 64 bits hold 55 hours of a clip. These are bare integers, which no function that wants
-/// Ticks takes, and which no Ticks become by themselves.
+/// the time was cut into steps. 64 bits hold 55 hours at a clip's own speed, which are counted from the loop in which a
+/// player stands. These are bare integers, which no function that wants Ticks takes, and which no Ticks become by
+/// themselves.
 using FineTicks = std::int64_t;
 
 /// Leads from ticks to fine ticks by a product, and back by a quotient, which is rounded towards zero.

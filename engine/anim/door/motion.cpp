@@ -7,6 +7,8 @@
 namespace throng {
 namespace {
 
+constexpr Ticks longest_interval = 60 * ticks_per_second;  // a clip may play 32,767 times as fast as it was made
+
 anim::AgentMotion motion_of(const detail::CrowdParts& crowd, AgentId agent) {
   return std::as_const(*crowd.system).agent(agent).motion();
 }
@@ -36,7 +38,12 @@ std::optional<Place> Motion::absolute_root() const {
 
 void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(void*, const DataKey&),
                         void* context) const {
-  if (!are_near(*crowd_, from, to, "Motion::for_each_key")) return;
+  constexpr const char* call = "Motion::for_each_key";
+  if (!are_near(*crowd_, from, to, call)) return;
+  if (to - from > longest_interval) {
+    anim::report_misuse({call, "an interval is a minute at most: ask in each frame"});
+    return;
+  }
   const auto tell = [&](const anim::DataKeyEvent& key) {
     visit(context, {.name = key.name, .clip = {key.clip}, .time = key.time, .weight = key.weight});
   };

@@ -18,7 +18,9 @@ void wrap(Player& player, FineTicks duration) {
   const FineTicks loops = in_next_loop ? 1 : whole_loops(player.position, duration);
   if (loops == 0) return;
   player.position -= loops * duration;
-  player.loop_count += static_cast<std::int32_t>(loops);
+  // Without a sign, because it may pass the end of 32 bits after years.
+  player.loop_count =
+      static_cast<std::int32_t>(static_cast<std::uint32_t>(player.loop_count) + static_cast<std::uint32_t>(loops));
   player.flags |= Player::reached_end;
 }
 
@@ -84,10 +86,6 @@ void advance_player(Player& player, const ClipStreams& clip) { move_player(playe
 
 FineTicks position_in_clip(const Player& player, Ticks duration) {
   return std::clamp(player.position, FineTicks{0}, duration * fine_ticks_per_tick);
-}
-
-FineTicks unwrapped_position(const Player& player, Ticks duration) {
-  return player.loop_count * duration * fine_ticks_per_tick + player.position;
 }
 
 namespace {

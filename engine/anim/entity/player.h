@@ -60,9 +60,6 @@ void advance_player(Player& player, const ClipStreams& clip);
 /// Returns where an updated player stands in its clip, from 0 to its duration.
 FineTicks position_in_clip(const Player& player, Ticks duration);
 
-/// Returns the player's position with whole loops added. for_each_data_key and displacement take two of these.
-FineTicks unwrapped_position(const Player& player, Ticks duration);
-
 extern const EntityKind sampled_player_kind;
 extern const EntityKind keyframe_player_kind;
 

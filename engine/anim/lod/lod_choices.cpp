@@ -31,7 +31,7 @@ float metres_at(int step) { return least_allowance_metres * std::exp2(static_cas
 
 int allowance_step(float metres) {
   if (metres < least_allowance_metres) return -1;
-  return static_cast<int>(std::min(exact_step(metres), static_cast<float>(allowance_steps)));
+  return static_cast<int>(std::min(static_cast<float>(allowance_steps), exact_step(metres)));
 }
 
 MotionLod::MotionLod(const LodCharacter& character, const SkipError& motion, const LodRules& rules,
@@ -77,9 +77,10 @@ LodChoice MotionLod::choose(float metres, LodChoice shown) const {
 std::size_t MotionLod::clamped(int step) { return static_cast<std::size_t>(std::clamp(step, 0, allowance_steps - 1)); }
 
 void MotionLod::add_cost(float metres_a_pixel, std::span<std::uint32_t, tolerance_steps> by_tolerance) const {
-  const float finest = std::max(metres_a_pixel * least_tolerance_pixels, least_allowance_metres);
-  const int shift = std::min(static_cast<int>(exact_step(finest)), allowance_steps - tolerance_steps);
-  const std::uint32_t* const cost = cost_.data() + shift;
+  // In this order the least wins over NaN, and the most over infinity, before it becomes a whole number.
+  const float finest = std::max(least_allowance_metres, metres_a_pixel * least_tolerance_pixels);
+  const float step_of_finest = std::min(static_cast<float>(allowance_steps - tolerance_steps), exact_step(finest));
+  const std::uint32_t* const cost = cost_.data() + static_cast<int>(step_of_finest);
   for (std::size_t step = 0; step < tolerance_steps; ++step) by_tolerance[step] += cost[step];
 }
 

@@ -132,6 +132,19 @@ TEST(AgentLife, AFrameThatAddsAndRemovesAThousandAllocatesNothingAfterTheFirst) 
   EXPECT_EQ(system->agent_count(), static_cast<std::uint32_t>(crowd));
 }
 
+TEST(CharacterLife, ASnapshotOfACharacterThatLeftIsRefusedThoughItCameBack) {
+  const auto system = empty_system();
+  const Result<CharacterId> guest = system->characters().add(test_character());
+  ASSERT_TRUE(guest);
+  system->agent(system->add_agent(*guest)).play({.clip = 1});
+  SystemSnapshot snapshot;
+  system->snapshot(snapshot);
+  system->remove_agent(system->agents()[0]);
+  ASSERT_TRUE(system->characters().remove(*guest));
+  ASSERT_TRUE(system->characters().add(test_character()));
+  EXPECT_FALSE(system->restore(snapshot)) << "its graphs are those of pools that are gone";
+}
+
 TEST(AgentLife, ASnapshotBringsTheDeadBackUnderTheirIds) {
   const auto system = empty_system();
   const AgentId first = spawn(*system, 0);

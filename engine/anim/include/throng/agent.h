@@ -140,7 +140,7 @@ class Motion {
   /// Returns where a cut scene has it now; nothing if none plays.
   std::optional<Place> absolute_root() const;
 
-  /// Calls visit(const DataKey&) for each key met in [from, to), clip after clip, each once.
+  /// Calls visit(const DataKey&) for each key met in [from, to), a minute at most, clip after clip, each once.
   template <typename Visit>
   void for_each_key(Ticks from, Ticks to, Visit&& visit, KeyChoice choice = KeyChoice::felt) const {
     visit_keys(

@@ -8,6 +8,7 @@
 #include "app/character/source.h"
 #include "app/commands/bench/crowd.h"
 #include "app/commands/bench/held.h"
+#include "app/commands/bench/joints.h"
 #include "app/commands/bench/rounds.h"
 #include "app/figures/statistics.h"
 #include "app/settings/choices.h"
@@ -43,6 +44,7 @@ class CaseBench {
   void add_kernels();
   void add_updates();
   void add_held(const anim::Model& model);
+  void add_joints();
 
   std::shared_ptr<const anim::Character> character_;
   anim::SystemOptions options_;
@@ -54,6 +56,7 @@ class CaseBench {
   std::unique_ptr<SystemSubject> update_, keyframe_;
   std::unique_ptr<KernelSubject> kernels_, packed_kernels_, scalar_;
   std::unique_ptr<HeldSubject> held_;
+  std::unique_ptr<JointSubject> joints_, joint_matrices_, few_joints_;
   BenchRounds rounds_;
 };
 
@@ -112,6 +115,21 @@ void CaseBench::add_held(const anim::Model& model) {
   if (held_ != nullptr) rounds_.add({"held", [this] { held_->run(); }});
 }
 
+// With no palettes, on one PU.
+void CaseBench::add_joints() {
+  anim::SystemOptions one_pu = options_;
+  one_pu.pus = 1;
+  const anim::Skeleton& skeleton = character_->skeleton;
+  const auto add = [&](const char* key, std::unique_ptr<JointSubject>& subject, const anim::JointList& list,
+                       anim::JointFormat format) {
+    subject = JointSubject::create(character_, one_pu, agents_, *palettes_, list, format);
+    if (subject != nullptr) rounds_.add({key, [made = subject.get()] { made->run(); }});
+  };
+  if (skeleton.rigid) add("joints", joints_, all_joints(skeleton), anim::JointFormat::transforms);
+  add("joint matrices", joint_matrices_, all_joints(skeleton), anim::JointFormat::matrices);
+  add("few joints", few_joints_, three_joints(skeleton), anim::JointFormat::matrices);
+}
+
 anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOptions& options, int agents) {
   character_ = whom.character;
   options_ = options;
@@ -140,6 +158,7 @@ anim::Status CaseBench::prepare(const BenchCharacter& whom, const anim::SystemOp
   rounds_.add({"keyframe", [this] { keyframe_->run(); }});
   add_kernels();
   add_held(whom.model);
+  add_joints();
   add_updates();
   return anim::Done{};
 }
@@ -186,6 +205,12 @@ void add_figures(Json& json, const BenchTimes& times, double agents, double bone
   json["packed_kernels_ns_per_bone_median"] = per_bone_or_null("packed kernels");
   json["one_pu_ns_per_bone_median"] = per_bone(times.median("one pu"));
   json["held_ns_per_bone_median"] = per_bone_or_null("held");
+  json["joints_ns_per_bone_median"] = per_bone_or_null("joints");
+  json["joint_matrices_ns_per_bone_median"] = per_bone_or_null("joint matrices");
+  json["few_joints_ns_per_bone_median"] = per_bone_or_null("few joints");
+  json["joints_over_palettes"] = ratio_or_null("joints", "one pu");
+  json["joint_matrices_over_palettes"] = ratio_or_null("joint matrices", "one pu");
+  json["few_joints_over_palettes"] = ratio_or_null("few joints", "one pu");
   json["speedup_over_one_pu"] = times.median_ratio("one pu", "update");
   json["kernels_over_write_floor"] = ratio_or_null("kernels", floor);
   json["kernels_over_packed_kernels"] = ratio_or_null("kernels", "packed kernels");

@@ -83,10 +83,10 @@ class AnimationSystem {
   /// bone level that its character lacks, a palette that is not aligned, an agent that comes twice.
   void update(std::span<const AgentUpdate> agents);
 
-  /// Writes palettes of the clock, with all bones, of agents that were updated before. Level of detail is measured
-  /// against them. The players and blends of an agent are wound back, however far ahead it stands; entities that
-  /// remember more than a time (rag-dolls, gazes, placed feet) are taken as they are. Changes nothing: copies of blocks
-  /// are updated and dropped.
+  /// Writes palettes or local transforms of the clock, with all bones, of agents that were updated before. Level of
+  /// detail is measured against them. The players and blends of an agent are wound back, however far ahead it stands;
+  /// entities that remember more than a time (rag-dolls, gazes, placed feet) are taken as they are. Changes nothing:
+  /// copies of blocks are updated and dropped.
   void pose_exactly(std::span<const ExactPose> agents);
 
   /// Copies the blocks of everything that changes. The memory of the snapshot is used again.

@@ -66,6 +66,7 @@ std::shared_ptr<const Character> CharacterAgents::replace_character(std::shared_
 std::string CharacterAgents::bound_to_bone_order() const {
   if (!masks.empty()) return "masks of bones";
   if (!selections.empty()) return "selections of bones";
+  if (!joint_programs.empty()) return "a list of joints";
   if (pools.pool(EntityPools::inertialisers).memory().blocks_alive > 0) return "inertialisers";
   return {};
 }
@@ -80,7 +81,8 @@ UpdateContext CharacterAgents::context(const Kernels& kernels) const {
                      .components = skeleton().components()},
           .level_bone_counts = skeleton().level_bone_counts,
           .pools = &pools,
-          .still_pose = still_pose};
+          .still_pose = still_pose,
+          .joint_programs = joint_programs};
 }
 
 int CharacterAgents::add_mask(BoneMask mask) {

@@ -75,6 +75,9 @@ struct CharacterAgents {
     return agents.alive_count() * static_cast<std::size_t>(skeleton().palette_count()) * palette_entry_bytes(format);
   }
 
+  /// Returns the bytes of the list of joints, for an agent.
+  std::size_t joint_bytes() const { return joint_programs.empty() ? 0 : joint_programs.front().bytes; }
+
   std::shared_ptr<const Character> character;
   std::vector<float> still_pose;
   std::vector<ClipStreams> clips;
@@ -82,6 +85,7 @@ struct CharacterAgents {
   std::vector<const float*> mask_weights;  // [mask], as the context lists them
   std::vector<MaskRange> mask_ranges;      // [mask]
   std::vector<BoneSelection> selections;
+  std::vector<JointProgram> joint_programs;  // [level]; empty: no joints are listed
   EntityPools pools;
   ProgramTable programs;  // all graphs find theirs here
   AgentGraphs agents;

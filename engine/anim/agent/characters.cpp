@@ -94,6 +94,27 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
   return configured;
 }
 
+Status Characters::write_joints(const JointList& list, JointFormat format, CharacterId character) {
+  constexpr const char* call = "Characters::write_joints";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (!has(character)) return refuse({call, no_character});
+  CharacterAgents& agents = of(character);
+  std::vector<JointProgram> programs;
+  for (const int bones : agents.skeleton().level_bone_counts) {
+    if (list.empty()) break;
+    Result<JointProgram> program = compile_joints(agents.skeleton(), list, format, bones);
+    if (!program) return program.error();
+    programs.push_back(std::move(*program));
+  }
+  agents.joint_programs.swap(programs);
+  Status configured = configure_again();
+  if (configured) return configured;
+  agents.joint_programs.swap(programs);
+  system_->pus.refresh_contexts(system_->population);
+  return configured;
+}
+
 int Characters::add_mask(BoneMask mask, CharacterId character) {
   constexpr const char* call = "Characters::add_mask";
   const Turn turn(system_->turn, call);

@@ -42,6 +42,16 @@ class Characters {
   /// masks, selections or inertialisers depend on the order, or the local store is too small; then nothing has changed.
   Status replace(CharacterId character, std::shared_ptr<const Character> reordered, std::span<const int> places);
 
+  /// Sets which joints an update writes of each agent of this character, to AgentUpdate::joints, instead of a palette
+  /// or beside it: all (all_joints), chosen ones for sockets and hits (joints_of), or palettes in the order of a glTF
+  /// skin (joints_of_skin) or as 4x4 matrices. An agent of whom neither a palette nor a hash is wanted is posed as far
+  /// as its joints need, if it shows clips alone. Every joint is written at every bone level. The hash knows nothing of
+  /// joints, and the order of bones stays. An empty list: none. Errors: those of compile_joints, or a local store of a
+  /// fixed size is too small; then nothing has changed.
+  Status write_joints(const JointList& list, JointFormat format, CharacterId character = 0);
+  /// Returns the bytes that an update writes to AgentUpdate::joints; 0: the character lists no joints.
+  std::size_t joint_bytes(CharacterId character = 0) const { return of(character).joint_bytes(); }
+
   /// Adds weights of bones for requests and layers, and returns the number for `PlayRequest::mask`. The mask is made
   /// for this character's skeleton, and there are fewer than 32,767; else the number is PlayRequest::no_mask.
   int add_mask(BoneMask mask, CharacterId character = 0);

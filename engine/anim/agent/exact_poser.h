@@ -6,13 +6,17 @@
 #include <vector>
 
 #include "engine/anim/agent/fitted_scheduler.h"
+#include "engine/anim/base/transform.h"
 
 namespace throng::anim {
 
-/// One agent whose exact pose is wanted.
+/// One agent whose exact pose is wanted, as a palette, as local transforms, or as both. Local transforms are for a
+/// network, an editor or the skeleton of another library: Bone::prefix * T * R * S is the bone in the space of its
+/// parent (glTF 2.0, 3.5.3), so that they are absolute, as Bone::rest is.
 struct ExactPose {
   AgentId agent{};
   PaletteMatrix* palette = nullptr;  ///< out, room for all entries of its skeleton, 16-byte aligned
+  std::span<Transform> locals{};     ///< out, one a bone of its skeleton, in the skeleton's order
 };
 
 /// Poses agents for the clock with all bones, and changes nothing. Level of detail is measured against these poses. It
@@ -23,7 +27,12 @@ class ExactPoser {
   void pose(const Population& population, const FittedScheduler& crowd, std::span<const ExactPose> agents);
 
  private:
-  void list_work(const Population& population, const FittedScheduler& crowd, std::span<const ExactPose> agents);
+  enum class Written : std::uint8_t { palettes, locals };
+  void pose_as(Written written, const Population& population, const FittedScheduler& crowd,
+               std::span<const ExactPose> agents);
+  void add_work(const Population& population, const FittedScheduler& crowd, std::uint32_t agent,
+                PaletteDestination destination);
+  void run(Written written, const Population& population, const FittedScheduler& crowd);
   bool stores_hold() const;
   void make_scheduler(const Population& population, const FittedScheduler& crowd);
 

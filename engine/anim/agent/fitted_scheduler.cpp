@@ -29,6 +29,10 @@ void FittedScheduler::set_hashes(std::span<std::uint64_t> hashes) {
   for (UpdateContext& context : contexts_) context.hashes = hashes;
 }
 
+void FittedScheduler::set_joints(std::span<const PaletteDestination> joints_to) {
+  for (UpdateContext& context : contexts_) context.joints_to = joints_to;
+}
+
 void FittedScheduler::record_trace(Tracing tracing, std::uint32_t agents) {
   options_.trace = tracing;
   scheduler_->record_trace(tracing, agents);
@@ -84,7 +88,9 @@ void FittedScheduler::make_scheduler(const Population& population, const LocalSt
                                      std::size_t store_bytes) {
   std::size_t most_entries = 0;
   for (const std::unique_ptr<CharacterAgents>& character : population.characters()) {
-    most_entries = std::max(most_entries, static_cast<std::size_t>(character->skeleton().palette_count()));
+    const std::size_t for_joints = (character->joint_bytes() + sizeof(PaletteMatrix) - 1) / sizeof(PaletteMatrix);
+    most_entries =
+        std::max({most_entries, static_cast<std::size_t>(character->skeleton().palette_count()), for_joints});
   }
   scheduler_ = std::make_unique<Scheduler>(ScheduleOptions{.schedule = options_.schedule,
                                                            .double_buffering = options_.double_buffering,

@@ -30,6 +30,8 @@ class FittedScheduler {
   void refresh_contexts(const Population& population);
   /// Sets [agent] where PUs write the hashes of palettes. They hash nothing if it is empty.
   void set_hashes(std::span<std::uint64_t> hashes);
+  /// Sets [agent] where PUs write lists of joints.
+  void set_joints(std::span<const PaletteDestination> joints_to);
 
   /// Changes the graph of an agent, and fits the stores to what the graph asks of them afterwards.
   template <typename Change>

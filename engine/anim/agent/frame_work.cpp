@@ -61,6 +61,7 @@ void FrameWork::update(Population& population, FittedScheduler& pus, std::span<c
   list_work(population, pus, agents);
   const bool hash = pus.options().hash;
   pus.set_hashes(hash ? std::span(hashes_.palettes) : std::span(hashes_.palettes).first(0));
+  pus.set_joints(joints_to_);
   pus.scheduler().update(pus.contexts(), shared_work_, {work_, runs_}, pus.executor());
   report_work(population, pus);
   if (hash) sum_up_hashes(population.numbers().order());
@@ -101,6 +102,8 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
   const auto end_run = [&] {
     if (!runs_.empty()) runs_.back().count = listed() - runs_.back().first;
   };
+  const bool lists_joints =
+      std::ranges::any_of(pus.contexts(), [](const UpdateContext& one) { return !one.joint_programs.empty(); });
   runs_.clear();
   for (const AgentUpdate& update : agents) {
     if (!may_update(population, pus.contexts(), update)) [[unlikely]]
@@ -131,6 +134,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
       time = before;
     posed_at[agent] = time;
     hashes_.frames[agent] = hashes_.frame;
+    if (lists_joints) joints_to_[agent] = update.joints;
     ::new (work++) AgentWork{.program = alike.program,
                              .entities = graph.entities.data(),
                              .delta = time - before,
@@ -161,6 +165,10 @@ bool FrameWork::may_update(const Population& population, std::span<const UpdateC
   if (update.look_ahead < Ticks{} || update.look_ahead > farthest_ahead)
     return refused("a pose looks 0 to an hour ahead");
   if (update.palette.is_misaligned()) return refused("a palette lies at a multiple of 16 bytes");
+  if (update.joints.is_misaligned()) return refused("joints lie at a multiple of 16 bytes");
+  if (update.joints != nullptr && contexts[character].joint_programs.empty()) {
+    return refused("the agent's character lists no joints: call Characters::write_joints first");
+  }
   if (hashes_.frames[update.agent.number] == hashes_.frame) return refused("an agent is updated once in a call");
   return true;
 }
@@ -215,6 +223,7 @@ void FrameWork::reserve(std::uint32_t limit) {
   hashes_.agents.resize(limit, 0);
   hashes_.palettes.resize(limit, 0);
   hashes_.frames.resize(limit, 0);
+  joints_to_.resize(limit);
 }
 
 void FrameWork::forget_agent(std::uint32_t agent) {

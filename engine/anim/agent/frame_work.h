@@ -61,6 +61,7 @@ class FrameWork {
   std::vector<AgentWork> work_;
   std::vector<WorkRun> runs_;  // the runs in work_
   std::vector<AgentWork> shared_work_;
+  std::vector<PaletteDestination> joints_to_;  // [agent] of this update, where a character lists joints
   UpdateReport report_;
 };
 

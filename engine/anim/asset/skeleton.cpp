@@ -60,10 +60,16 @@ StateTransform to_local(const Skeleton& skeleton, int bone, const StateTransform
   const ReferenceFrame& parent = parent_frame(skeleton, bone);
   const glm::dvec3 in_model = state.position + frame.origin - parent.origin;
   const glm::dvec3 in_parent = glm::conjugate(parent.rotation) * in_model / parent.scale;
+  const glm::dvec3 scale(own.rest.scale);
+  if (own.prefix == glm::dmat4(1.0)) {
+    return {.rotation = glm::conjugate(parent.rotation) * state.rotation * frame.rotation,
+            .position = in_parent,
+            .scale = scale};
+  }
   const glm::dquat to_parent = glm::conjugate(parent.rotation * rotation_of(own.prefix));
   return {.rotation = to_parent * state.rotation * frame.rotation,
           .position = glm::dvec3(glm::inverse(own.prefix) * glm::dvec4(in_parent, 1.0)),
-          .scale = glm::dvec3(own.rest.scale)};
+          .scale = scale};
 }
 
 void store_state(const StateTransform& state, int bone, int components, float* pose) {

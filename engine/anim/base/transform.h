@@ -19,4 +19,18 @@ struct PaletteMatrix {
 };
 static_assert(sizeof(PaletteMatrix) == 48);
 
+/// Where a joint is, in the space of its model.
+struct JointTransform {
+  float rotation[4];  ///< x y z w, unit to 1e-5
+  float position[3];  ///< metres
+  float scale;        ///< uniform, constant
+};
+static_assert(sizeof(JointTransform) == 32);
+
+/// An affine matrix as OpenGL, glTF and GLM keep it: four columns, the last row is 0 0 0 1.
+struct Matrix4x4 {
+  float columns[4][4];
+};
+static_assert(sizeof(Matrix4x4) == 64);
+
 }  // namespace throng::anim

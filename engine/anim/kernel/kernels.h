@@ -3,6 +3,7 @@
 #include <span>
 
 #include "engine/anim/kernel/lanes/copy_blocks.h"
+#include "engine/anim/kernel/palette/model_joints.h"
 #include "engine/anim/kernel/palette/model_palette.h"
 #include "engine/anim/kernel/palette/write_lines.h"
 #include "engine/anim/kernel/pose/add.h"
@@ -41,6 +42,7 @@ struct Kernels {
   void (*two_bone_ik)(std::span<const TwoBoneIkJob> jobs, float* missed_by);  ///< of one limb; missed_by [jobs.size()]
   void (*place_feet)(std::span<const FootPlacementJob> jobs);                 ///< of one rig; see foot_placement.h
   void (*model_palette)(const ModelPaletteJob& job);
+  void (*model_joints)(const ModelJointsJob& job);
   void (*write_lines)(const WriteLinesJob& job);
   void (*copy_blocks)(const CopyBlocksJob& job);
   void (*fence_stores)();  ///< makes all streamed stores visible to other threads

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "engine/anim/kernel/lanes/copy_blocks-inl.h"
+#include "engine/anim/kernel/palette/model_joints-inl.h"
 #include "engine/anim/kernel/palette/model_palette-inl.h"
 #include "engine/anim/kernel/palette/write_lines-inl.h"
 
@@ -21,6 +22,7 @@ void set_palette(Kernels& kernels) {
   kernels.target = hwy::TargetName(HWY_TARGET);
   kernels.fused_multiply_add = HWY_NATIVE_FMA != 0;
   kernels.model_palette = &model_palette;
+  kernels.model_joints = &model_joints;
   kernels.write_lines = &write_lines;
   kernels.copy_blocks = &copy_blocks;
   kernels.fence_stores = &fence_stores;

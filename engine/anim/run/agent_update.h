@@ -13,7 +13,8 @@ struct AgentUpdate {
   AgentId agent{};
   std::uint8_t level = 0;           ///< bone level
   Ticks look_ahead{};               ///< the pose is that of now + look_ahead (smooth skipping); see can_wind_back()
-  PaletteDestination palette = {};  ///< the PU writes it there, room for the level's entries; null: nobody draws it
+  PaletteDestination palette = {};  ///< the PU writes it there, room for the level's entries; null: none is made
+  PaletteDestination joints = {};  ///< the PU writes the character's list of joints there; see Characters::write_joints
   /// A coarser level, to or from which the pose fades. The bones that it lacks are `fade_halves` halves of the way to
   /// where they stand still. At 2 the palette shows what that level shows, so that meshes can change without a pop.
   std::uint8_t fade_level = 0;

@@ -131,9 +131,10 @@ HWY_INLINE void store_blocks(D d, hn::Vec<D> blocks, float* const* to, int offse
 
 #endif
 
-/// The inverse. Lanes that go to the same address hold the same values.
+/// The inverse, from the float `first` of each lane's destination on. Lanes that go to the same address hold the same
+/// values, or nobody reads them.
 template <int rows, class D, class V = hn::Vec<D>>
-HWY_INLINE void store_rows_of_four(D d, const FourVectors<V>* in, float* const* to, int stride) {
+HWY_INLINE void store_rows_of_four(D d, const FourVectors<V>* in, float* const* to, int stride, int first = 0) {
   if constexpr (lane_count<D> >= block_floats) {
     FourVectors<V> blocks[std::size_t{rows}];
     for (int row = 0; row < rows; ++row) {
@@ -141,14 +142,14 @@ HWY_INLINE void store_rows_of_four(D d, const FourVectors<V>* in, float* const* 
       blocks[row] = transpose_blocks(d, v[0], v[1], v[2], v[3]);
     }
     for (int lane = 0; lane < block_floats; ++lane) {
-      for (int row = 0; row < rows; ++row) store_blocks(d, blocks[row].v[lane], to + lane, row * stride);
+      for (int row = 0; row < rows; ++row) store_blocks(d, blocks[row].v[lane], to + lane, first + row * stride);
     }
   } else {
     for (int row = 0; row < rows; ++row) {
       alignas(64) float lanes[block_floats][lane_count<D>];
       for (int i = 0; i < block_floats; ++i) hn::Store(in[row].v[i], d, lanes[i]);
       for (int lane = 0; lane < lane_count<D>; ++lane) {
-        for (int i = 0; i < block_floats; ++i) std::memcpy(to[lane] + row * stride + i, &lanes[i][lane], sizeof(float));
+        for (int i = 0; i < block_floats; ++i) std::memcpy(to[lane] + first + row * stride + i, &lanes[i][lane], sizeof(float));
       }
     }
   }

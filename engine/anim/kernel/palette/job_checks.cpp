@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "engine/anim/kernel/palette/model_joints.h"
 #include "engine/anim/kernel/palette/model_palette.h"
 #include "engine/anim/kernel/palette/surface_error.h"
 #include "engine/anim/kernel/palette/write_lines.h"
@@ -34,6 +35,15 @@ bool is_valid(const ModelPaletteJob& job) {
   const bool written = job.format == PaletteFormat::matrices ||
                        (job.format == PaletteFormat::packed && job.hierarchy->rigid && job.hierarchy->packs());
   return written && job.displaced <= all_quads && is_policy(job.stores) && are_palettes(job);
+}
+
+bool is_valid(const ModelJointsJob& job) {
+  if (job.program == nullptr || job.packet < 0 || !is_width(job.width)) return false;
+  if (static_cast<std::size_t>(job.packet) + 1 >= job.program->first_step.size()) return false;
+  if (!is_aligned(job.local) || !is_aligned(job.carry) || job.to == nullptr) return false;
+  if (!is_aligned(job.branch_slots) && job.program->hierarchy.slot_count > 0) return false;
+  return job.displaced <= all_quads && std::ranges::all_of(std::span(job.to, static_cast<std::size_t>(job.width)),
+                                                           [](float* to) { return is_aligned(to, entry_alignment); });
 }
 
 bool is_valid(const WriteLinesJob& job) {

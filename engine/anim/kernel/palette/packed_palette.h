@@ -60,7 +60,8 @@ constexpr std::size_t palette_stride(std::size_t entries, PaletteFormat format) 
   return ((entries * palette_entry_bytes(format) + line_bytes - 1) / line_bytes | 1U) * line_bytes;
 }
 
-/// The address at which a palette is written, in the format of its skeleton; null: it is not written.
+/// The address at which a palette or a list of joints is written, in the format of its skeleton; null: it is not
+/// written.
 class PaletteDestination {
  public:
   PaletteDestination() = default;
@@ -69,6 +70,8 @@ class PaletteDestination {
   PaletteDestination(std::nullptr_t) {}
   PaletteDestination(PaletteMatrix* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}
   PaletteDestination(PackedPaletteEntry* entries) : memory_(reinterpret_cast<std::byte*>(entries)) {}
+  PaletteDestination(JointTransform* joints) : memory_(reinterpret_cast<std::byte*>(joints)) {}
+  PaletteDestination(Matrix4x4* joints) : memory_(reinterpret_cast<std::byte*>(joints)) {}
 
   std::byte* memory() const { return memory_; }
   /// Returns whether it is not at a multiple of 16 bytes, where no palette can be written.

@@ -14,8 +14,7 @@ FusedScratch FusedScratch::carve(ScratchCarver& carver, const UpdateContext& con
   const std::size_t held_floats = packet_floats * static_cast<std::size_t>(held_packets);
   FusedScratch scratch;
   scratch.prepared = carver.carve<std::byte>(characters * needs.prepared_bytes);
-  scratch.model =
-      ModelScratch::carve(carver, width, context.assets.components, context.hierarchy->slot_count, !needs.held);
+  scratch.model = ModelScratch::carve(carver, width, context, !needs.held);
   scratch.register_floats = needs.held ? held_floats : packet_floats;
   scratch.registers = carver.carve<float>(scratch.register_floats * needs.registers);
   if (!needs.held) return scratch;

@@ -55,6 +55,10 @@ void pose_streaming(const Strip& strip, const StripPoses& poses, StripPalettes& 
   PoseClipsJob clips = poses.clips().job(assets.components, local);
   const int packets = strip.packets;
   for (int packet = strip.held_packets; packet < packets; ++packet) {
+    if (!composes && !palettes.needs(packet)) {  // clips are posed alike later; entities may remember a packet
+      engine.advance();
+      continue;
+    }
     clips.packet = packet;
     clips.displaced = quads_of_packet(displaced, packet);
     if (shows_clips) pose_clips(clips);

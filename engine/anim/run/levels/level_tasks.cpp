@@ -61,7 +61,7 @@ std::size_t PaletteTasks::fetch_bytes(const UpdateContext& context, int width) {
 
 std::size_t PaletteTasks::scratch_bytes(const UpdateContext& context, int width) {
   ScratchCarver carver({});
-  ModelScratch::carve(carver, width, context.assets.components, context.hierarchy->slot_count, false);
+  ModelScratch::carve(carver, width, context, false);
   return carver.used();
 }
 
@@ -96,8 +96,7 @@ void PaletteTasks::fetch(const Task& task, int buffer, CopyEngine& engine) const
 void PaletteTasks::begin_tile(const UpdateContext& context, std::span<const AgentWork> tile) {
   ScratchCarver carver(store_->scratch());
   const auto width = static_cast<int>(std::bit_ceil(tile.size()));
-  const ModelScratch scratch =
-      ModelScratch::carve(carver, width, context.assets.components, context.hierarchy->slot_count, false);
+  const ModelScratch scratch = ModelScratch::carve(carver, width, context, false);
   palettes_ = StripPalettes(context, scratch, tile, width, stores_);
 }
 

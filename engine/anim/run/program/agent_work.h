@@ -9,6 +9,7 @@
 #include "engine/anim/entity/player.h"
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/kernel/palette/hierarchy.h"
+#include "engine/anim/kernel/palette/joint_program.h"
 #include "engine/anim/run/program/pose_program.h"
 
 namespace throng::anim {
@@ -42,6 +43,9 @@ struct UpdateContext {
   const EntityPools* pools = nullptr;
   std::span<const float> still_pose{};  ///< asset/still_pose.h
   std::span<std::uint64_t> hashes{};    ///< [agent] out: the sum of its palette's entry hashes; or empty
+  const Skeleton* locals_of = nullptr;  ///< not null: destinations get local transforms of its bones, not palettes
+  std::span<const JointProgram> joint_programs{};   ///< [level] what is written beside palettes; or empty
+  std::span<const PaletteDestination> joints_to{};  ///< [agent] where it is written; or empty
 
   int bones(int level) const { return level_bone_counts[static_cast<std::size_t>(level)]; }
   int packets(int level) const { return packets_for(bones(level)); }

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/anim/run/program/agent_work.h"
-#include "engine/anim/run/store/tile_scratch.h"
+#include "engine/anim/run/store/strip_joints.h"
 
 namespace throng::anim {
 
@@ -13,15 +13,9 @@ struct PaletteStores {
   StorePolicy policy = StorePolicy::prefetched;
 };
 
-/// One packet of the local poses of a strip.
-struct StripPacket {
-  int packet;
-  float* local;                    ///< [width][components][16]
-  QuadMask displaced = all_quads;  ///< see ModelPaletteJob
-};
-
-/// Makes palettes of a strip by way of model space, packet by packet in ascending order. Bones that leave a level are
-/// changed first. This object is small, so that it stays in L1 while kernels evict all else.
+/// Makes palettes of a strip by way of model space, packet by packet in ascending order, and the joints that are listed
+/// beside them. Bones that leave a level are changed first. Palettes that nobody sees are made for their hashes alone.
+/// This object is small, so that it stays in L1 while kernels evict all else.
 class StripPalettes {
  public:
   StripPalettes() = default;
@@ -29,15 +23,20 @@ class StripPalettes {
   StripPalettes(const UpdateContext& context, const ModelScratch& scratch, std::span<const AgentWork> strip, int width,
                 const PaletteStores& stores);
 
+  /// Returns whether anybody sees something of a packet. One that nobody sees may be left out.
+  bool needs(int packet) const { return makes_palettes_ || joints_.needs(packet); }
   void write(const StripPacket& about);
   /// Hands the hashes of the whole strip to its agents, if they are wanted.
   void store_hashes() const;
 
  private:
   void fade(const StripPacket& about) const;
+  void write_local_transforms(const StripPacket& about) const;
 
   ModelPaletteJob job_;
   void (*model_palette_)(const ModelPaletteJob& job) = nullptr;
+  StripJoints joints_;
+  bool makes_palettes_ = false;
   bool fades_ = false;  // bones of some character are on their way to where they stand still
   const UpdateContext* context_ = nullptr;
   std::span<const AgentWork> strip_{};

@@ -34,15 +34,19 @@ class ScratchCarver {
 ///     carry     float [branch_slot_floats][width]          the last bone's transform
 ///     branches  float [slots][branch_slot_floats][width]   transforms of branch points
 ///     palettes, hashes                                     the destinations of each character
+///     joint_carry, joint_branches, joints                  the same once more where lists of joints are written
 struct ModelScratch {
   std::span<float> local;
   std::span<float> carry;
   std::span<float> branches;
   std::span<PaletteDestination> palettes;
   std::span<std::uint64_t> hashes;
+  std::span<float> joint_carry;
+  std::span<float> joint_branches;
+  std::span<float*> joints;
 
   /// Carves the scratch. `with_local` is false if the local poses lie in a fetch buffer.
-  static ModelScratch carve(ScratchCarver& carver, int width, int components, int slots, bool with_local);
+  static ModelScratch carve(ScratchCarver& carver, int width, const UpdateContext& context, bool with_local);
 };
 
 }  // namespace throng::anim

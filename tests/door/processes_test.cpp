@@ -41,6 +41,49 @@ TEST(DoorProcesses, AHandReachesWhereASocketSaysThatItIs) {
   EXPECT_LT(distance(agent.processes().socket(*socket).position, target), 0.01F);
 }
 
+TEST(DoorJoints, AreWhereSocketsSay) {
+  DoorCrowd crowd = idling();
+  const int hand = *mannequin().find_bone("hand.R");
+  const auto socket = crowd.agent(0).add(Socket{.bone = hand});
+  ASSERT_TRUE(socket);
+  ASSERT_TRUE(crowd->write_joints(0, {.bones = {&hand, 1}}));
+  ASSERT_EQ(crowd->joint_bytes(0), 32U);
+  struct alignas(32) Joint {
+    Quat rotation;
+    Vec3 position;
+    float scale;
+  } joint;
+  const PoseRequest request{.agent = crowd.agent(0).id(), .joints = reinterpret_cast<std::byte*>(&joint)};
+  crowd->advance(ticks_per_second / 7);
+  crowd->update({&request, 1});
+  EXPECT_LT(distance(joint.position, crowd.agent(0).processes().socket(*socket).position), 1e-4F);
+  const int beyond = 1000;
+  EXPECT_FALSE(crowd->write_joints(0, {.bones = {&beyond, 1}}));
+  EXPECT_FALSE(crowd->write_joints(0, {.skin = 99}));
+}
+
+TEST(DoorJoints, OfASkinArePalettesInItsOrder) {
+  DoorCrowd crowd = idling();
+  ASSERT_TRUE(crowd->write_joints(0, {.skin = 0, .format = JointFormat::matrices_4x4}));
+  EXPECT_EQ(crowd->joint_bytes(0) % 64, 0U);
+  EXPECT_GT(crowd->joint_bytes(0), std::size_t{64} * 50);
+}
+
+TEST(DoorJoints, LocalTransformsAreThoseOfEachBone) {
+  const HeardMisuses heard;
+  DoorCrowd crowd = idling();
+  crowd.step();
+  std::vector<LocalTransform> locals(static_cast<std::size_t>(mannequin().bone_count()));
+  ASSERT_TRUE(crowd->local_pose(crowd.agent(0).id(), locals));
+  for (const LocalTransform& local : locals) {
+    EXPECT_NEAR(
+        std::hypot(std::hypot(local.rotation.x, local.rotation.y), std::hypot(local.rotation.z, local.rotation.w)),
+        1.0F, 1e-4F);
+    EXPECT_EQ(local.scale, (Vec3{1.0F, 1.0F, 1.0F}));
+  }
+  EXPECT_FALSE(crowd->local_pose(crowd.agent(0).id(), std::span(locals).first(3)));
+}
+
 TEST(DoorProcesses, AHeadTurnsTowardsWhatItLooksAt) {
   DoorCrowd crowd = idling(2);
   const auto gaze = crowd.agent(1).add(LookAt{.smooth_seconds = 0.0F});

@@ -145,7 +145,16 @@ void RandomCalls::call_crowd() {
 }
 
 void RandomCalls::call_characters() {
-  switch (below(6)) {
+  switch (below(7)) {
+    case 6: {
+      const std::array<int, 3> bones{index(), index(), index()};
+      JointOutput output{.bones = std::span(bones).first(below(4)), .format = static_cast<JointFormat>(below(3))};
+      if (one_in(3)) output.skin = index();
+      static_cast<void>(crowd_->write_joints(character_id(), output));
+      std::vector<LocalTransform> locals(one_in(2) ? 100 : below(70));
+      crowd_->local_pose(agent_id(), locals);
+      return;
+    }
     case 0:
       if (const auto added = crowd_->add(one_in(6) ? Character() : character_); added)
         known_characters_.push_back(*added);
@@ -214,85 +223,6 @@ void RandomCalls::call_agent() {
   }
 }
 
-void RandomCalls::add_process() {
-  const Agent one = agent();
-  const std::array<SpringChain, 1> chain{SpringChain{.first = one_in(2) ? "neck" : "upper_arm.L",
-                                                     .last = one_in(2) ? "head" : "hand.L",
-                                                     .stiffness = number(),
-                                                     .damping = number(),
-                                                     .gravity = vector(),
-                                                     .radius = number(),
-                                                     .tip = number()}};
-  switch (below(10)) {
-    case 0:
-      static_cast<void>(one.add(LookAt{number(), number(), number(), number()}));
-      return;
-    case 1:
-      static_cast<void>(one.add(Reach{static_cast<Limb>(below(4)), number(), vector()}));
-      return;
-    case 2:
-      static_cast<void>(one.add(ChainReach{"spine1", one_in(2) ? "head" : "hand.L", index(), number()}));
-      return;
-    case 3:
-      static_cast<void>(one.add(FootPlacement{number(), number()}));
-      return;
-    case 4:
-      static_cast<void>(one.add(Noise{number(), number(), count(), mask()}));
-      return;
-    case 5:
-      if (one_in(4)) static_cast<void>(one.add(Springs{.chains = chain, .colliders = {}}));
-      return;
-    case 6:
-      static_cast<void>(one.add(Ragdoll{time()}));
-      return;
-    case 7:
-      static_cast<void>(one.add(Socket{index(), place()}));
-      return;
-    case 8:
-      if (!steps_.empty()) static_cast<void>(one.add(steps_[below(static_cast<std::uint32_t>(steps_.size()))]));
-      static_cast<void>(one.add(StepId{character_id(), count()}));
-      return;
-    default:
-      one.remove(process());
-  }
-}
-
-void RandomCalls::call_process() {
-  const Processes processes = agent().processes();
-  switch (below(10)) {
-    case 0:
-      processes.set_weight(process(), number(), time());
-      return;
-    case 1:
-      processes.look_at(process(), vector(), time());
-      return;
-    case 2:
-      processes.look_away(process(), time());
-      return;
-    case 3:
-      processes.reach(process(), vector());
-      return;
-    case 4:
-      processes.set_placement(process(), place());
-      return;
-    case 5:
-      processes.set_ground(process(), index(), vector(), vector());
-      return;
-    case 6:
-      static_cast<void>(processes.ankle(process(), index()));
-      return;
-    case 7:
-      processes.push(process(), vector(), vector());
-      return;
-    case 8:
-      processes.recover(process(), time());
-      return;
-    default:
-      static_cast<void>(processes.is_down(process()));
-      static_cast<void>(processes.socket(process()));
-  }
-}
-
 void RandomCalls::call_motion() {
   const Motion motion = agent().motion();
   const Ticks now = crowd_->clock();
@@ -330,10 +260,16 @@ void RandomCalls::call_lod() {
 std::size_t RandomCalls::pose_all() {
   std::size_t stride = 1;
   for (const CharacterId id : known_characters_) stride = std::max(stride, crowd_->palette_bytes(id) / sizeof(Line));
-  lines_.assign(stride * crowd_->number_limit(), Line{});
+  std::size_t joints = 1;
+  for (const CharacterId id : known_characters_) joints = std::max(joints, (crowd_->joint_bytes(id) + 63) / 64);
+  lines_.assign((stride + joints) * crowd_->number_limit(), Line{});
   requests_.clear();
   for (const AgentId id : crowd_->agents()) {
-    requests_.push_back({.agent = id, .palette = reinterpret_cast<std::byte*>(lines_[id.number * stride].floats)});
+    Line* const lines = &lines_[id.number * (stride + joints)];
+    const bool lists = crowd_->joint_bytes(crowd_->agent(id).character()) > 0;
+    requests_.push_back({.agent = id,
+                         .palette = one_in(4) ? nullptr : reinterpret_cast<std::byte*>(lines->floats),
+                         .joints = lists ? reinterpret_cast<std::byte*>(lines[stride].floats) : nullptr});
   }
   static_cast<void>(crowd_->configure({.pus = 2}));  // in matrices
   crowd_->advance(ticks_per_second / 60);

@@ -41,6 +41,17 @@ void show_material(const detail::CharacterData& data, int index, MeshView& view)
 
 }  // namespace
 
+detail::CharacterData::CharacterData(anim::Character own_baked, const anim::Model& model)
+    : baked(std::move(own_baked)), rigs(model) {
+  for (const anim::Skin& skin : model.skins) {
+    const Result<anim::JointList> joints = anim::joints_of_skin(model, skin.skin);
+    const auto place = static_cast<std::size_t>(skin.skin);
+    if (!joints || skin.skin < 0) continue;
+    if (place >= skins.size()) skins.resize(place + 1);
+    skins[place] = *joints;
+  }
+}
+
 Character detail::make_character(anim::Model model, anim::Character baked, bool keep_meshes) {
   auto data = std::make_shared<CharacterData>(std::move(baked), model);
   if (keep_meshes) {

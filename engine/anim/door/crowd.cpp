@@ -7,7 +7,9 @@
 
 #include "engine/anim/agent/system_snapshot.h"
 #include "engine/anim/asset/bone_mask.h"
+#include "engine/anim/asset/joint_list.h"
 #include "engine/anim/base/misuse.h"
+#include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
 #include "engine/anim/kernel/palette/packed_palette.h"
 
@@ -35,6 +37,7 @@ anim::AgentUpdate update_of(const PoseRequest& request) {
           .level = request.level,
           .look_ahead = request.look_ahead,
           .palette = anim::PaletteDestination(request.palette),
+          .joints = anim::PaletteDestination(request.joints),
           .fade_level = request.fade_level,
           .fade_halves = request.fade_halves};
 }
@@ -50,6 +53,15 @@ void keep(detail::CrowdParts& parts, CharacterId id, const Character& character)
   parts.characters[id.number] = {.character = character,
                                  .kinds = std::make_unique<detail::OwnKinds>(*parts.system, id, *character.data())};
   parts.version = new_version();
+}
+
+Result<anim::JointList> joints_of(const detail::CharacterData& character, const JointOutput& output) {
+  const anim::Skeleton& skeleton = character.baked.skeleton;
+  if (!output.skin) return output.bones.empty() ? anim::all_joints(skeleton) : anim::joints_of(skeleton, output.bones);
+  const auto skin = static_cast<std::size_t>(*output.skin);
+  if (*output.skin >= 0 && skin < character.skins.size() && !character.skins[skin].empty())
+    return character.skins[skin];
+  return Error{skeleton.name + ": the character has no skin " + std::to_string(*output.skin) + " of the file"};
 }
 
 /// Notes that these agents are new.
@@ -123,6 +135,21 @@ std::size_t Crowd::palette_bytes(CharacterId character) const {
                               characters.palette_format(character));
 }
 
+Status Crowd::write_joints(CharacterId character, const JointOutput& output) {
+  anim::Characters& characters = parts_->system->characters();
+  if (!characters.has(character)) {
+    return anim::refuse({"Crowd::write_joints", "a character of this id is not in the crowd"});
+  }
+  const Result<anim::JointList> joints = joints_of(*parts_->characters[character.number].character.data(), output);
+  if (!joints) return joints.error();
+  return characters.write_joints(*joints, static_cast<anim::JointFormat>(output.format), character);
+}
+
+std::size_t Crowd::joint_bytes(CharacterId character) const {
+  const anim::Characters& characters = std::as_const(*parts_->system).characters();
+  return characters.has(character) ? characters.joint_bytes(character) : 0;
+}
+
 MaskId Crowd::add_mask(CharacterId character, std::span<const BoneWeight> bones, float elsewhere) {
   anim::Characters& characters = parts_->system->characters();
   if (!characters.has(character)) {
@@ -187,6 +214,25 @@ void Crowd::pose_exactly(std::span<const PoseRequest> requests) {
     exact.push_back({.agent = request.agent, .palette = reinterpret_cast<anim::PaletteMatrix*>(request.palette)});
   }
   parts_->system->pose_exactly(exact);
+}
+
+bool Crowd::local_pose(AgentId agent, std::span<LocalTransform> into) {
+  constexpr const char* call = "Crowd::local_pose";
+  const anim::AgentView own = std::as_const(*parts_->system).agent(agent);
+  if (!own.exists()) return anim::report_misuse({call, "an agent of this id is not in the crowd"});
+  const auto bones = static_cast<std::size_t>(own.character().skeleton.bone_count());
+  if (into.size() < bones) return anim::report_misuse({call, "there is no room for a transform of each bone"});
+  if (own.graph().empty() || !own.can_pose_exactly()) return false;
+  std::vector<anim::Transform>& locals = parts_->locals;
+  locals.resize(bones);
+  const anim::ExactPose pose{.agent = agent, .locals = locals};
+  parts_->system->pose_exactly({&pose, 1});
+  for (std::size_t bone = 0; bone < bones; ++bone) {
+    into[bone] = {.translation = detail::from_glm(locals[bone].translation),
+                  .rotation = detail::from_glm(locals[bone].rotation),
+                  .scale = detail::from_glm(locals[bone].scale)};
+  }
+  return true;
 }
 
 void Crowd::snapshot(Snapshot& into) const {

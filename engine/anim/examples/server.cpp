@@ -1,10 +1,21 @@
-// A server without drawing: where are the hands of a thousand players, whom nobody sees?
+// A server without drawing: where are the hands and heads of a thousand players, whom nobody sees?
 #include <cstdio>
 #include <vector>
 
 #include "throng/throng.h"
 
 using namespace throng;
+
+namespace {
+
+/// A joint as JointFormat::transforms writes it.
+struct alignas(32) Joint {
+  Quat rotation;
+  Vec3 position;
+  float scale;
+};
+
+}  // namespace
 
 int main(int count, char** arguments) {
   if (count != 2) return std::fprintf(stderr, "usage: server MODEL\n"), 2;
@@ -14,28 +25,27 @@ int main(int count, char** arguments) {
   auto crowd = Crowd::create(player, {.pus = 2});
   if (!crowd) return std::fprintf(stderr, "%s\n", crowd.error().message.c_str()), 1;
 
-  // The last bone of the skeleton stands for a hand where the model names none.
-  const int hand = player.find_bone("hand.R").value_or(player.bone_count() - 1);
-  std::vector<ProcessId> sockets;
-  std::vector<PoseRequest> requests;
-  for (const AgentId id : crowd->add_agents(1000)) {
-    const Agent agent = crowd->agent(id);
-    agent.play({.clip = {id.number % player.clip_count()}});
-    const auto socket = agent.add(Socket{.bone = hand});
-    if (!socket) return std::fprintf(stderr, "%s\n", socket.error().message.c_str()), 1;
-    sockets.push_back(*socket);
-    requests.push_back({.agent = id});
-  }
+  // Only what these joints need is posed. The last bone stands for one that the model does not name so.
+  const int last = player.bone_count() - 1;
+  const int bones[] = {player.find_bone("hand.R").value_or(last), player.find_bone("head").value_or(last)};
+  const auto listed = crowd->write_joints(0, {.bones = bones});
+  if (!listed) return std::fprintf(stderr, "%s\n", listed.error().message.c_str()), 1;
 
+  const std::span<const AgentId> players = crowd->add_agents(1000);
+  std::vector<Joint> joints(players.size() * std::size(bones));
+  std::vector<PoseRequest> requests;
+  for (const AgentId id : players) {
+    crowd->agent(id).play({.clip = {id.number % player.clip_count()}});
+    requests.push_back({.agent = id, .joints = reinterpret_cast<std::byte*>(&joints[id.number * std::size(bones)])});
+  }
+  float highest = 0.0F;
   for (int tick = 0; tick < 30; ++tick) {  // 30 Hz
     crowd->advance(ticks_per_second / 30);
     crowd->update(requests);
+    for (std::size_t hand = 0; hand < joints.size(); hand += std::size(bones)) {
+      highest = joints[hand].position.y > highest ? joints[hand].position.y : highest;
+    }
   }
-  float highest = 0.0F;
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    const Place place = crowd->agent(requests[i].agent).processes().socket(sockets[i]);
-    highest = place.position.y > highest ? place.position.y : highest;
-  }
-  std::printf("the highest of 1000 hands (%.*s) is at %.2f m\n", static_cast<int>(player.bone_name(hand).size()),
-              player.bone_name(hand).data(), static_cast<double>(highest));
+  std::printf("the highest of 1000 hands (%.*s) was at %.2f m\n", static_cast<int>(player.bone_name(bones[0]).size()),
+              player.bone_name(bones[0]).data(), static_cast<double>(highest));
 }

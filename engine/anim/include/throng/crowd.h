@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "throng/agent.h"
@@ -20,6 +21,21 @@ enum class PaletteFormat : unsigned char {
   packed  ///< a rotation and a place: 16 bytes, unpacked by shaders/skinning.glsl; characters that scale get matrices
 };
 
+/// The form in which a joint is written.
+enum class JointFormat : unsigned char {
+  transforms,   ///< 8 floats: a rotation, a place and a scale; characters that scale have none
+  matrices,     ///< 12 floats: the top three rows of a matrix, row-major
+  matrices_4x4  ///< 16 floats, column-major
+};
+
+/// The joints that an update writes of each agent of a character, in model space: for a server that draws nothing, for
+/// sockets, or as palettes in another form. Where no palette is asked for, only what they need is posed.
+struct JointOutput {
+  std::span<const int> bones{};  ///< these, in this order; empty: all bones
+  std::optional<int> skin{};     ///< instead: the matrices of this skin of the file, in the order of its joints
+  JointFormat format = JointFormat::transforms;
+};
+
 struct CrowdOptions {
   int pus = 1;                        ///< threads that pose, the caller's included, 1 to 256
   std::size_t local_store_bytes = 0;  ///< of each PU; 0: as large as its caches and the agents ask for
@@ -35,6 +51,7 @@ struct PoseRequest {
   std::uint8_t level = 0;        ///< bone level, 0: all bones
   Ticks look_ahead{};            ///< the pose is that of now + look_ahead, for skipped frames that are blended
   std::byte* palette = nullptr;  ///< written there, Crowd::palette_bytes, aligned to 16; null: nobody draws it
+  std::byte* joints = nullptr;   ///< Crowd::joint_bytes, aligned to 16; null: none are written
   std::uint8_t fade_level = 0;   ///< as Lod says it
   std::uint8_t fade_halves = 0;
 };
@@ -86,6 +103,11 @@ class Crowd {
   Character character(CharacterId character) const;
   /// Returns the bytes from one palette of a character to the next, where many lie in a row.
   std::size_t palette_bytes(CharacterId character) const;
+  /// Sets which joints an update writes where PoseRequest::joints says. Errors: the character has no such bone or skin,
+  /// or not this format; then nothing has changed.
+  Status write_joints(CharacterId character, const JointOutput& output);
+  /// Returns the bytes that an update writes to PoseRequest::joints.
+  std::size_t joint_bytes(CharacterId character) const;
   /// Adds weights of bones. A bone inside of another's subtree wins. Bones in no subtree weigh `elsewhere`.
   MaskId add_mask(CharacterId character, std::span<const BoneWeight> bones, float elsewhere = 0.0F);
   /// Adds a step of the host's own, for Agent::add.
@@ -108,6 +130,9 @@ class Crowd {
   void update(std::span<const PoseRequest> requests);
   /// Writes palettes of matrices of the clock, with all bones, whatever level of detail has done. Changes nothing.
   void pose_exactly(std::span<const PoseRequest> requests);
+  /// Writes the local transforms of an agent at the clock, relative to the parent, in the order of its bones: for a
+  /// network or an editor. `into` has room for all. Returns false if its pose of now is not known.
+  bool local_pose(AgentId agent, std::span<LocalTransform> into);
 
   void snapshot(Snapshot& into) const;
   /// Puts a snapshot of this crowd back. It goes on to the same poses, bit for bit.

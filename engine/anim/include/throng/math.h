@@ -30,4 +30,11 @@ struct Place {
   friend constexpr bool operator==(const Place&, const Place&) = default;
 };
 
+/// A local transform as glTF writes it (2.0, 3.5.3): scale first, then rotation, then translation.
+struct LocalTransform {
+  Vec3 translation{};
+  Quat rotation{};
+  Vec3 scale{1.0F, 1.0F, 1.0F};
+};
+
 }  // namespace throng

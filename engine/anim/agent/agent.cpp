@@ -80,7 +80,7 @@ const char* Agent::fault_of(const PlayRequest& request) const {
   if (!exists()) return no_agent;
   const EntityBuilder build = builder();
   if (const char* fault = build.fault_of(start_of(request)); fault != nullptr) return fault;
-  if (request.fade < Ticks{}) return "a fade takes no negative time";
+  if (!is_fade(request.fade)) return not_a_fade;
   const bool is_fraction = !request.held_fraction || (*request.held_fraction >= 0.0F && *request.held_fraction <= 1.0F);
   if (!is_fraction) return "held_fraction is from 0 to 1";
   return build.has_mask(request.mask) ? nullptr : not_a_mask;

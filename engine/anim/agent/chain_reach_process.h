@@ -24,6 +24,13 @@ class ChainReachProcess final : public TargetedProcess<ChainReachEntity> {
     return entity().valid() ? pools.private_as<ChainReachMemory>(entity()).missed_by : 0.0F;
   }
 
+  const char* fault(const EntityBuilder& build) const override {
+    if (const char* const no_kind = TargetedProcess::fault(build); no_kind != nullptr) return no_kind;
+    if (settings_.chain >= resource<std::vector<ReachChain>>(build).size())
+      return "chain is not one of the kind's chains";
+    const bool ends = settings_.iterations >= 1 && settings_.iterations <= most_reach_iterations;
+    return ends && settings_.tolerance >= 0.0F ? nullptr : "iterations are from 1 to 64, and tolerance is not negative";
+  }
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<ChainReachProcess>(*this); }
 
  private:

@@ -26,8 +26,12 @@ struct PlayerStart {
 inline constexpr const char* not_a_speed = "a speed is a number of less than 32,768";
 inline constexpr const char* not_a_mask = "mask is not a number that add_mask returned";
 
+inline constexpr const char* not_a_fade = "a fade takes from no time to a day";
+
 /// Returns whether a player can play at this speed.
 bool is_speed(double speed);
+/// Returns whether something can fade for so long, so that the clock can be added to it.
+constexpr bool is_fade(Ticks time) { return time >= Ticks{} && time <= 24 * 3600 * ticks_per_second; }
 
 /// Makes the entities of channels and post processes, at a frame boundary. An agent's entities may stand ahead of the
 /// clock (smooth skipping) or behind it; an entity that is made now stands where they do.

@@ -23,10 +23,10 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
 
   /// Sets where model space is in the world, turned about the vertical only.
   void set_placement(const JointMotion& model_in_world) {
-    if (all_finite(model_in_world.position) && all_finite(model_in_world.rotation)) {
+    if (is_valid(model_in_world)) {
       model_in_world_ = model_in_world;
     } else {
-      report_misuse({"FootPlacementProcess::set_placement", "a placement is of finite numbers"});
+      report_misuse({"FootPlacementProcess::set_placement", not_a_placement});
     }
   }
   /// Sets the plane of one leg: a point of it and its unit normal (y above 0), in world space.
@@ -64,6 +64,10 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
     return pools.private_as<FootPlacementMemory>(entity()).feet[leg].lock;
   }
 
+  const char* fault(const EntityBuilder& build) const override {
+    if (!is_valid(options_)) return "the options of feet are metres and seconds, none of them negative";
+    return WeightedProcess::fault(build);
+  }
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<FootPlacementProcess>(*this); }
 
  private:

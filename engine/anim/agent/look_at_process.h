@@ -27,6 +27,10 @@ class LookAtProcess final : public TargetedProcess<LookAtEntity> {
     return entity().valid() ? pools.private_as<LookAtMemory>(entity()).gaze.remaining : 0.0F;
   }
 
+  const char* fault(const EntityBuilder& build) const override {
+    if (!is_valid(limits_)) return "the limits of a gaze are angles: yaw below half a turn, pitch below a quarter";
+    return TargetedProcess::fault(build);
+  }
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<LookAtProcess>(*this); }
 
  private:

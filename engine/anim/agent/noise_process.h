@@ -20,8 +20,11 @@ class NoiseProcess final : public OneEntityProcess<NoiseMaker> {
 
   const char* fault(const EntityBuilder& build) const override {
     if (!build.has_mask(settings_.mask)) return not_a_mask;
-    const bool are_numbers = std::isfinite(settings_.frequency) && std::isfinite(settings_.amplitude);
-    return are_numbers ? OneEntityProcess::fault(build) : "frequency and amplitude are finite numbers";
+    constexpr float half_turn = 3.14159265F;
+    const bool are_numbers = settings_.frequency >= 0.0F && settings_.amplitude >= 0.0F;
+    const bool are_small = settings_.frequency <= 1e6F && settings_.amplitude <= half_turn;
+    return are_numbers && are_small ? OneEntityProcess::fault(build)
+                                    : "frequency is from 0 to 1 MHz, and amplitude to half a turn";
   }
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<NoiseProcess>(*this); }
 

@@ -37,6 +37,11 @@ class OneEntityProcess : public PostProcess {
   virtual void begin(const EntityBuilder& build, Handle entity) = 0;
 
   Handle entity() const { return entity_; }
+  /// Returns the data of its kind (EntityKind::resource).
+  template <typename Resource>
+  const Resource& resource(const EntityBuilder& build) const {
+    return *static_cast<const Resource*>(build.pools().layout(kind_).kind->resource);
+  }
 
  private:
   static constexpr EntityType type() {

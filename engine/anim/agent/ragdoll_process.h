@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cmath>
+
 #include "engine/anim/agent/post_process.h"
-#include "engine/anim/base/finite.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/entity/ragdoll_entity.h"
+#include "engine/anim/kernel/lanes/rotations.h"
 
 namespace throng::anim {
 
@@ -25,8 +27,8 @@ class RagdollProcess final : public PostProcess {
   /// Pushes with an impulse (kg m/s) at a place in model space; the nearest body takes it. A second push before the
   /// next update takes the place of the first.
   void push(const glm::vec3& impulse, const glm::vec3& place) {
-    if (!all_finite(impulse) || !all_finite(place)) {
-      report_misuse({"RagdollProcess::push", "an impulse and its place are of finite numbers"});
+    if (!is_place(impulse) || !is_place(place)) {
+      report_misuse({"RagdollProcess::push", "an impulse and its place are of finite numbers, below a billion"});
       return;
     }
     impulse_ = impulse;
@@ -35,11 +37,22 @@ class RagdollProcess final : public PostProcess {
   }
   /// Blends back to the animation when the rag-doll is down, wherever it lies.
   void recover(Ticks fade) {
+    if (!is_fade(fade)) {
+      report_misuse({"RagdollProcess::recover", not_a_fade});
+      return;
+    }
     recovery_ = fade;
     recovers_ = true;
   }
   /// Sets the ground in model space. It counts for the next fall.
-  void set_ground(const GroundPlane& ground) { ground_ = ground; }
+  void set_ground(const GroundPlane& ground) {
+    const float squared = glm::dot(ground.normal, ground.normal);
+    if (std::abs(squared - 1.0F) < 1e-3F && std::abs(ground.height) <= farthest_place) {
+      ground_ = ground;
+    } else {
+      report_misuse({"RagdollProcess::set_ground", "a ground has a unit normal and a height in metres"});
+    }
+  }
 
   Phase phase() const { return phase_; }
   /// Returns whether it lies and does not move.
@@ -48,6 +61,7 @@ class RagdollProcess final : public PostProcess {
   glm::vec3 hips(const EntityPools& pools) const;
 
   const char* fault(const EntityBuilder& build) const override {
+    if (!is_fade(fade_)) return not_a_fade;
     const bool has_kind = build.has_kind(kind_, EntityType::ragdoll);
     return has_kind ? nullptr : "its kind of entity was not added to this character";
   }

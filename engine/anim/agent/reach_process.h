@@ -22,6 +22,13 @@ class ReachProcess final : public TargetedProcess<IkEntity> {
     return entity().valid() ? pools.private_as<IkMemory>(entity()).missed_by : 0.0F;
   }
 
+  const char* fault(const EntityBuilder& build) const override {
+    if (const char* const no_kind = TargetedProcess::fault(build); no_kind != nullptr) return no_kind;
+    if (settings_.limb >= resource<std::vector<TwoBoneLimb>>(build).size())
+      return "limb is not one of the kind's limbs";
+    const bool is_share = settings_.softness >= 0.0F && settings_.softness <= most_limb_softness;
+    return is_share && all_finite(settings_.pole) ? nullptr : "softness is from 0 to 0.5, and a pole of finite numbers";
+  }
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<ReachProcess>(*this); }
 
  private:

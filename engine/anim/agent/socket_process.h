@@ -17,6 +17,10 @@ class SocketProcess final : public OneEntityProcess<Socket> {
     return entity().valid() ? socket_motion(pools.as<Socket>(entity())) : JointMotion{};
   }
 
+  const char* fault(const EntityBuilder& build) const override {
+    if (const char* const no_kind = OneEntityProcess::fault(build); no_kind != nullptr) return no_kind;
+    return place_ < resource<SocketPlaces>(build).size() ? nullptr : "place is not one of the kind's SocketPlaces";
+  }
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<SocketProcess>(*this); }
 
  private:

@@ -5,6 +5,7 @@
 
 #include "engine/anim/agent/weighted_process.h"
 #include "engine/anim/entity/spring_bones_entity.h"
+#include "engine/anim/kernel/lanes/rotations.h"
 
 namespace throng::anim {
 
@@ -16,9 +17,21 @@ class SpringBonesProcess final : public WeightedProcess<SpringBonesEntity> {
   explicit SpringBonesProcess(EntityPools::Kind kind) : WeightedProcess(kind, 1.0F) {}
 
   /// Sets where model space is in the world.
-  void set_placement(const JointMotion& model_in_world) { model_in_world_ = model_in_world; }
+  void set_placement(const JointMotion& model_in_world) {
+    if (is_valid(model_in_world)) {
+      model_in_world_ = model_in_world;
+    } else {
+      report_misuse({"SpringBonesProcess::set_placement", not_a_placement});
+    }
+  }
   /// Sets the height that no bone falls below, in world space. There is none until it is set.
-  void set_ground(float height) { ground_ = height; }
+  void set_ground(float height) {
+    if (height < farthest_place) {
+      ground_ = height;
+    } else {
+      report_misuse({"SpringBonesProcess::set_ground", "a height is a number of metres"});
+    }
+  }
   /// Starts anew at the next update, at rest in the pose: after a cut, or when the character was put elsewhere.
   void restart() { ++restarts_; }
 

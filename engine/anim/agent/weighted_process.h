@@ -17,8 +17,8 @@ class WeightedProcess : public OneEntityProcess<Entity> {
   /// Sets the weight, and fades to it from where it is. The pose is left as it is, to the bit, at 0; the process has
   /// its full effect at 1.
   void set_weight(float weight, Ticks fade = {}) {
-    if (!(weight >= 0.0F && weight <= 1.0F && fade >= Ticks{})) {
-      report_misuse({"PostProcess::set_weight", "a weight is from 0 to 1, and a fade takes no negative time"});
+    if (!(weight >= 0.0F && weight <= 1.0F && is_fade(fade))) {
+      report_misuse({"PostProcess::set_weight", "a weight is from 0 to 1, and a fade takes from no time to a day"});
       return;
     }
     weight_ = weight;
@@ -61,6 +61,9 @@ class WeightedProcess : public OneEntityProcess<Entity> {
   Ticks fade_{};
   bool fades_ = false;
 };
+
+/// The reason why a placement is refused.
+inline constexpr const char* not_a_placement = "a placement is of finite metres and a unit quaternion";
 
 /// A weighted process whose entity has a `target`: a place in metres in the character's model space.
 template <typename Entity>

@@ -1,5 +1,6 @@
 #include "throng/agent.h"
 
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
 
@@ -10,9 +11,19 @@ anim::AgentMotion motion_of(const detail::CrowdParts& crowd, AgentId agent) {
   return std::as_const(*crowd.system).agent(agent).motion();
 }
 
+/// Returns whether both times are within a day of the clock; else reports a misuse.
+bool are_near(const detail::CrowdParts& crowd, Ticks from, Ticks to, const char* call) {
+  constexpr Ticks day = 24 * 3600 * ticks_per_second;
+  const Ticks now = crowd.system->clock();
+  const auto is_near = [&](Ticks time) { return time >= now - day && time <= now + day; };
+  if (is_near(from) && is_near(to)) return true;
+  return anim::report_misuse({call, "times are within a day of the clock"});
+}
+
 }  // namespace
 
 RootMotion Motion::displacement(Ticks from, Ticks to) const {
+  if (!are_near(*crowd_, from, to, "Motion::displacement")) return {};
   const anim::RootMotion motion = motion_of(*crowd_, agent_).displacement(from, to);
   return {.displacement = detail::from_glm(glm::vec3(motion.translation)), .turn = static_cast<float>(motion.yaw)};
 }
@@ -25,6 +36,7 @@ std::optional<Place> Motion::absolute_root() const {
 
 void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(void*, const DataKey&),
                         void* context) const {
+  if (!are_near(*crowd_, from, to, "Motion::for_each_key")) return;
   const auto tell = [&](const anim::DataKeyEvent& key) {
     visit(context, {.name = key.name, .clip = {key.clip}, .time = key.time, .weight = key.weight});
   };
@@ -32,6 +44,7 @@ void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(vo
 }
 
 void Motion::visit_ends(Ticks from, Ticks to, void (*visit)(void*, const ClipEnd&), void* context) const {
+  if (!are_near(*crowd_, from, to, "Motion::for_each_end")) return;
   const auto tell = [&](const anim::ClipEnd& end) {
     visit(context, {.clip = {end.clip}, .time = end.time, .weight = end.weight});
   };

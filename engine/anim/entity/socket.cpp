@@ -34,6 +34,7 @@ void note_place(const EntityInStore& entity, const PoseView& pose) {
 }  // namespace
 
 Result<SocketPlace> make_socket_place(const Skeleton& skeleton, int bone, const JointMotion& offset) {
+  if (!is_valid(offset)) return Error{"a socket's offset is of finite metres and a unit quaternion"};
   Result<JointChain> chain = make_joint_chain(skeleton, bone);
   if (!chain) return chain.error();
   const glm::quat bind(skeleton.references[static_cast<std::size_t>(bone)].rotation);

@@ -130,7 +130,8 @@ class Processes {
 };
 
 /// The motion of an agent, found in closed form: it need not be posed. Ask for the interval from the clock before
-/// Crowd::advance to the clock now, and ask before you make any request. Any number of agents may be asked at a time.
+/// Crowd::advance to the clock now, and ask before you make any request. Times are within a day of the clock. Any
+/// number of agents may be asked at a time.
 class Motion {
  public:
   Motion(const detail::CrowdParts& crowd, AgentId agent) : crowd_(&crowd), agent_(agent) {}

@@ -73,6 +73,8 @@ struct FootPlacementOptions {
   FootLockOptions lock{};
 };
 
+bool is_valid(const FootPlacementOptions& options);
+
 /// The state that the feet of a character share, in rows of four floats. A new one starts without easing.
 ///
 ///      0                      28        32        72         80

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/anim/kernel/lanes/rotations.h"
 #include "engine/anim/kernel/limb/chain_reach.h"
 #include "engine/anim/kernel/limb/foot_placement.h"
 #include "engine/anim/kernel/limb/look_at.h"
@@ -32,18 +33,6 @@ bool is_rig(const LookAtRig& rig) {
   return is_chain(rig.chain) && rig.joint_count >= 1 && rig.joint_count <= max_look_joints;
 }
 
-bool are_limits(const LookAtLimits& limits) {
-  const auto is_below = [](float angle, float most) { return angle >= 0.0F && angle < most; };
-  return is_below(limits.yaw, half_turn) && is_below(limits.pitch_up, half_turn / 2) &&
-         is_below(limits.pitch_down, half_turn / 2) && is_not_negative(limits.smooth_seconds);
-}
-
-bool are_options(const FootPlacementOptions& options) {
-  return options.down_below < options.up_above && is_not_negative(options.max_drop) &&
-         is_not_negative(options.drop_smooth_seconds) && is_not_negative(options.most_gap) &&
-         is_not_negative(options.fastest_drop) && is_share(options.least_tilt_cosine);
-}
-
 template <class Job, class RigOf>
 bool are_of_one_rig(std::span<const Job> jobs, RigOf rig_of) {
   return std::ranges::all_of(jobs, [&](const Job& job) { return is_valid(job) && rig_of(job) == rig_of(jobs[0]); });
@@ -51,9 +40,24 @@ bool are_of_one_rig(std::span<const Job> jobs, RigOf rig_of) {
 
 }  // namespace
 
+bool is_valid(const LookAtLimits& limits) {
+  const auto is_below = [](float angle, float most) { return angle >= 0.0F && angle < most; };
+  return is_below(limits.yaw, half_turn) && is_below(limits.pitch_up, half_turn / 2) &&
+         is_below(limits.pitch_down, half_turn / 2) && is_not_negative(limits.smooth_seconds);
+}
+
+bool is_valid(const FootPlacementOptions& options) {
+  return options.down_below < options.up_above && is_not_negative(options.max_drop) &&
+         is_not_negative(options.drop_smooth_seconds) && is_not_negative(options.most_gap) &&
+         is_not_negative(options.fastest_drop) && is_share(options.least_tilt_cosine) &&
+         is_not_negative(options.lock.release_seconds) && is_not_negative(options.lock.farthest);
+}
+
+bool is_valid(const JointMotion& motion) { return is_place(motion.position) && is_unit(motion.rotation); }
+
 bool is_valid(const LookAtJob& job) {
   return job.rig != nullptr && is_rig(*job.rig) && is_aligned(job.state, alignof(LookAtState)) && is_rigid(job.pose) &&
-         is_not_negative(job.seconds) && are_limits(job.limits) && is_share(job.weight);
+         is_not_negative(job.seconds) && is_valid(job.limits) && is_share(job.weight);
 }
 
 bool is_valid(const TwoBoneIkJob& job) {
@@ -66,7 +70,7 @@ bool is_valid(const FootPlacementJob& job) {
   if (!is_aligned(job.body, alignof(PlacedBody)) || !is_aligned(job.feet, alignof(PlacedFoot))) return false;
   if (!is_rigid(job.pose) || !is_unit(job.body->model_in_world.rotation)) return false;
   const bool lowers = !has_all_legs(*job.rig, job.pose) || job.pose.displaces(job.rig->pelvis_bone());
-  return lowers && are_options(job.body->options) && is_not_negative(job.seconds) && is_share(job.weight);
+  return lowers && is_valid(job.body->options) && is_not_negative(job.seconds) && is_share(job.weight);
 }
 
 bool is_valid(const SpringBonesJob& job) {

@@ -47,6 +47,9 @@ struct JointMotion {
 };
 static_assert(std::is_trivially_copyable_v<JointMotion>);
 
+/// Returns whether the rotation is unit, and the place one that a joint can have (is_place).
+bool is_valid(const JointMotion& motion);
+
 /// Makes a product of nearly unit quaternions unit by one Newton step. A square root and a division would delay the
 /// next joint.
 inline glm::quat renormalised(const glm::quat& product) { return product * (1.5F - 0.5F * glm::dot(product, product)); }

@@ -51,6 +51,8 @@ struct alignas(16) LookAtLimits {
   float smooth_seconds = 0.15F;  ///< see smooth_damp; 0 turns at once
 };
 
+bool is_valid(const LookAtLimits& limits);
+
 /// The direction of look that an entity keeps, in radians. A new one starts with that of the pose.
 ///
 ///      0      8       16         28          32

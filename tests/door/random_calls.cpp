@@ -207,7 +207,7 @@ void RandomCalls::call_agent() {
       agent().set_parameters(channel(), number(), number());
       return;
     case 8:
-      agent().set_weight(channel(), number());
+      agent().set_weight(channel(), number(), one_in(2) ? time() : Ticks{});
       return;
     default:
       agent().remove(channel());

@@ -92,8 +92,8 @@ bool Agent::set_parameters(ChannelId channel, float x, float y) const {
   return crowd_->system->agent(id_).change<anim::BlendSpace2dChannel>(channel, set).has_value();
 }
 
-bool Agent::set_weight(ChannelId channel, float weight) const {
-  return crowd_->system->agent(id_).set_channel_weight(channel, weight);
+bool Agent::set_weight(ChannelId channel, float weight, Ticks fade) const {
+  return crowd_->system->agent(id_).set_channel_weight(channel, weight, fade);
 }
 
 bool Agent::remove(ChannelId channel) const { return crowd_->system->agent(id_).remove_channel(channel); }

@@ -71,7 +71,8 @@ class Agent {
   /// Sets the parameter of a blend space; of a plane with both.
   bool set_parameter(ChannelId channel, float parameter) const;
   bool set_parameters(ChannelId channel, float x, float y) const;
-  bool set_weight(ChannelId channel, float weight) const;
+  /// Sets how much a channel covers those below it, 0 to 1. The weight moves there evenly in `fade`.
+  bool set_weight(ChannelId channel, float weight, Ticks fade = {}) const;
   bool remove(ChannelId channel) const;
 
   /// Adds a process that the pose passes through, after those that were added before. Errors: the character has no such

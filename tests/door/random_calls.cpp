@@ -192,7 +192,7 @@ void RandomCalls::call_agent() {
       agent().set_speed(static_cast<double>(number()));
       return;
     case 4:
-      static_cast<void>(agent().add_clips(layer()));
+      static_cast<void>(one_in(2) ? agent().add_slot(layer()) : agent().add_clips(layer()));
       return;
     case 5:
       static_cast<void>(agent().add(BlendSpace{std::span(line).first(below(4)), number(), one_in(2)}, layer()));
@@ -208,6 +208,7 @@ void RandomCalls::call_agent() {
       return;
     case 8:
       agent().set_weight(channel(), number(), one_in(2) ? time() : Ticks{});
+      agent().play_once(channel(), {clip(), time(), time(), static_cast<double>(number()), one_in(2)});
       return;
     default:
       agent().remove(channel());

@@ -194,6 +194,7 @@ void AgentGraphs::find_next_update(std::uint32_t agent) {
 
 // A layer whose channel plays nothing leaves what is below as it is.
 Handle AgentGraphs::lay(const EntityBuilder& build, Layer& layer, Handle below) const {
+  layer.own.part->lie_over(build, below);
   const Handle state = layer.own.part->state();
   if (!state.valid() || !below.valid()) {
     if (layer.blender.valid()) build.destroy(std::exchange(layer.blender, {}));

@@ -68,6 +68,14 @@ class Agent {
   Result<ChannelId> add_clips(const Layer& layer = {}) const;  ///< plays nothing until it is asked to
   Result<ChannelId> add(const BlendSpace& space, const Layer& layer = {}) const;
   Result<ChannelId> add(const BlendSpace2d& space, const Layer& layer = {}) const;
+  /// Lays a slot over the channels before it. It plays one-shots, and costs nothing in between.
+  Result<ChannelId> add_slot(const Layer& layer = {}) const;
+  /// Plays a clip once in a slot. It fades out before its end by itself; Motion::for_each_end tells the end. One that
+  /// is not queued takes the place of those that play and wait, and neither snaps nor waits. Returns false if four play
+  /// and wait, or the local stores have no room; then the slot is empty.
+  bool play_once(ChannelId slot, const OneShot& shot) const;
+  /// Returns whether a slot plays.
+  bool is_playing(ChannelId slot) const;
   /// Sets the parameter of a blend space; of a plane with both.
   bool set_parameter(ChannelId channel, float parameter) const;
   bool set_parameters(ChannelId channel, float x, float y) const;

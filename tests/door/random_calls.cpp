@@ -301,6 +301,7 @@ void RandomCalls::call_motion() {
   const Ticks to = one_in(4) ? time() : now;
   static_cast<void>(motion.displacement(from, to));
   static_cast<void>(motion.absolute_root());
+  static_cast<void>(motion.curve(count()));
   motion.for_each_key(
       from, to, [](const DataKey&) {}, static_cast<KeyChoice>(below(3)));
   motion.for_each_end(from, to, [](const ClipEnd&) {});

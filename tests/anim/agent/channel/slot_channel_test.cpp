@@ -12,6 +12,7 @@
 #include "engine/anim/asset/bone_mask.h"
 #include "tests/anim/agent/crowd_rig.h"
 #include "tests/anim/agent/heard_misuses.h"
+#include "tests/counting/hot_path_counter.h"
 
 namespace throng::anim::slot_channel_test {
 namespace {
@@ -171,14 +172,16 @@ TEST(Slot, DoesNotDependOnWhichFramesArePosed) {
 TEST(Slot, IsTheSameForWhoIsPosedAheadOfTheClock) {
   Pair pair;
   pair.ask({.clip = 1, .fade_in = fade, .fade_out = fade});
-  pair.ask({.clip = 2, .fade_in = fade, .fade_out = fade, .queued = true});
   for (int frame = 0; frame < frames_of(1) + frames_of(2); frame += 20) {
-    pair.each_frame.step(20);
     const AgentUpdate early{
         .agent = {0}, .look_ahead = 20 * frame_ticks, .palette = const_cast<PaletteMatrix*>(pair.seldom.palette())};
     pair.seldom->update({&early, 1});
+    pair.each_frame.step(10);
+    pair.seldom->advance(10 * frame_ticks);
+    if (frame == 0) pair.ask({.clip = 2, .fade_in = fade, .fade_out = fade, .queued = true});  // it stands ahead
+    pair.each_frame.step(10);
+    pair.seldom->advance(10 * frame_ticks);
     ASSERT_TRUE(pair.each_frame.bones_unlike(pair.seldom).empty()) << frame;
-    pair.seldom->advance(20 * frame_ticks);
   }
 }
 
@@ -235,6 +238,24 @@ TEST(Slot, LeavesNoEntityBehindWhoeverInterruptsWhom) {
   EXPECT_EQ(pools.pool(EntityPools::ease_blenders).alive_count(), 0U);
   EXPECT_EQ(pools.pool(EntityPools::inertialisers).alive_count(), 0U);
   EXPECT_EQ(pools.pool(EntityPools::sampled_players).alive_count(), 1U);
+}
+
+TEST(Slot, AllocatesNothingInAFrame) {
+  CrowdRig crowd = with_slot();
+  const AgentUpdate update{.agent = {0}};
+  const auto play_all = [&] {
+    for (const int clip : {1, 2, 3}) {
+      play(crowd, {.clip = clip, .fade_in = fade, .fade_out = fade, .queued = true});
+    }
+    const HotPathCounts before = hot_path_counts();
+    while (channel(crowd).is_playing(crowd->clock())) {
+      crowd->advance(frame_ticks);
+      crowd->update({&update, 1});
+    }
+    return (hot_path_counts() - before).allocations;
+  };
+  play_all();
+  EXPECT_EQ(play_all(), 0U);
 }
 
 /// Returns the ends of a frame, such as "1 finished".

@@ -86,11 +86,13 @@ TEST_F(MirroredClip, IsItselfWhenMirroredTwice) {
   }
 }
 
-TEST_F(MirroredClip, ChangesTheSidesInTheNamesOfDataKeys) {
+TEST_F(MirroredClip, ChangesTheSidesInTheNamesOfDataKeysAndCurves) {
   Clip walk = clip("walk");
   walk.data_keys = {
       {.time = 0.1, .name = "footstep_left"}, {.time = 0.5, .name = "RightHandOut"}, {.time = 0.6, .name = "hop"}};
+  walk.curves = {{.name = "blink_left", .times = {0.0F}, .values = {1.0F}}};
   const Clip image = mirrored(walk);
+  EXPECT_EQ(image.curves[0].name, "blink_right");
   EXPECT_EQ(image.data_keys[0].name, "footstep_right");
   EXPECT_EQ(image.data_keys[1].name, "LeftHandOut");
   EXPECT_EQ(image.data_keys[2].name, "hop");

@@ -201,7 +201,7 @@ void RandomCalls::call_agent() {
       agent().set_speed(static_cast<double>(number()));
       return;
     case 4:
-      static_cast<void>(agent().add_clips(layer()));
+      static_cast<void>(one_in(2) ? agent().add_slot(layer()) : agent().add_clips(layer()));
       return;
     case 5:
       static_cast<void>(agent().add(BlendSpace{std::span(line).first(below(4)), number(), one_in(2)}, layer()));
@@ -216,7 +216,8 @@ void RandomCalls::call_agent() {
       agent().set_parameters(channel(), number(), number());
       return;
     case 8:
-      agent().set_weight(channel(), number());
+      agent().set_weight(channel(), number(), one_in(2) ? time() : Ticks{});
+      agent().play_once(channel(), {clip(), time(), time(), static_cast<double>(number()), one_in(2)});
       return;
     default:
       agent().remove(channel());
@@ -230,6 +231,7 @@ void RandomCalls::call_motion() {
   const Ticks to = one_in(4) ? time() : now;
   static_cast<void>(motion.displacement(from, to));
   static_cast<void>(motion.absolute_root());
+  static_cast<void>(motion.curve(count()));
   motion.for_each_key(
       from, to, [](const DataKey&) {}, static_cast<KeyChoice>(below(3)));
   motion.for_each_end(from, to, [](const ClipEnd&) {});

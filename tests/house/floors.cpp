@@ -50,6 +50,7 @@ const std::vector<House>& houses() {
         {"run"},
         {"lod"},
         {"agent"},
+        {"agent/channel"},
         {"door"},
         {"door/c"},
         {"examples"}}},

@@ -131,14 +131,15 @@ bool Agent::remove_channel(ChannelId channel) {
   return true;
 }
 
-bool Agent::set_channel_weight(ChannelId channel, float weight) {
+bool Agent::set_channel_weight(ChannelId channel, float weight, Ticks fade) {
   constexpr const char* call = "Agent::set_channel_weight";
   const Turn turn(system_->turn, call);
   if (!turn) return false;
   const std::optional<std::size_t> place = graphs().place(index(), channel);
   if (!place) return report_misuse({call, exists() ? no_channel : no_agent});
   if (!(weight >= 0.0F && weight <= 1.0F)) return report_misuse({call, "a weight is from 0 to 1"});
-  own_graphs().set_weight(index(), *place, weight);
+  if (!is_fade(fade)) return report_misuse({call, not_a_fade});
+  own_graphs().set_weight(builder(), index(), *place, weight, fade);
   return true;
 }
 

@@ -126,8 +126,9 @@ class Agent : public AgentView {
   }
   /// Removes a channel. The channels after it move up one place.
   bool remove_channel(ChannelId channel);
-  /// Sets how much a channel, but not the first, covers those before it, 0 to 1.
-  bool set_channel_weight(ChannelId channel, float weight);
+  /// Sets how much a channel, but not the first, covers those before it, 0 to 1. The weight moves there evenly in
+  /// `fade`, from where it is.
+  bool set_channel_weight(ChannelId channel, float weight, Ticks fade = {});
   /// Sets parameters of a channel, which is then updated: agent.change<BlendSpaceChannel>(walk, [&](auto& channel) {
   /// channel.set_parameter(speed); }). Errors: those of add_channel, and the channel was added as another type.
   template <typename Derived, typename Change>

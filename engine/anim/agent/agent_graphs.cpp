@@ -140,14 +140,37 @@ void AgentGraphs::rebuild_with_less(const EntityBuilder& build, std::uint32_t ag
   assert(rebuilt && "fewer entities make no cycle");
 }
 
-void AgentGraphs::set_weight(std::uint32_t agent, std::size_t channel, float weight) {
+void AgentGraphs::set_weight(const EntityBuilder& build, std::uint32_t agent, std::size_t channel, float weight,
+                             Ticks fade) {
   Layer& layer = agents_[agent].layers[channel];
+  const LinearWeight before{.target = layer.settings.weight, .per_second = layer.weight_per_second};
+  const float now = layer.faded_at == never ? before.target : value(before, build.now() - layer.faded_at);
   layer.settings.weight = weight;
-  if (layer.blender.valid()) pools_->as<EaseBlender>(layer.blender).fraction = weight;
+  layer.faded_at = fade > Ticks{} ? build.now() + fade : never;
+  layer.weight_per_second = fade > Ticks{} ? (weight - now) / static_cast<float>(to_seconds(fade)) : 0.0F;
+  if (layer.blender.valid()) write_weight(build, layer);
+  find_next_update(agent);
+}
+
+void AgentGraphs::write_weight(const EntityBuilder& build, const Layer& layer) {
+  auto& blender = build.as<EaseBlender>(layer.blender);
+  const bool fades = layer.faded_at != never;
+  blender.flags = fades ? EaseBlender::linear : EaseBlender::held;
+  blender.fraction = layer.settings.weight;
+  if (!fades) return;
+  blender.weight = {.target = layer.settings.weight, .per_second = layer.weight_per_second};
+  blender.elapsed = build.now() + build.lead() - layer.faded_at;
+}
+
+void AgentGraphs::end_fade(const EntityBuilder& build, Layer& layer) {
+  if (layer.faded_at > build.now()) return;
+  layer.faded_at = never;
+  if (layer.blender.valid()) write_weight(build, layer);
 }
 
 Status AgentGraphs::update(const EntityBuilder& build, std::uint32_t agent) {
   bool changed = graphs_[agent].empty();
+  for (Layer& layer : agents_[agent].layers) end_fade(build, layer);
   for (const Layer& layer : agents_[agent].layers) changed = layer.own.part->update(build) || changed;
   for (const OwnedProcess& process : agents_[agent].processes) changed = process.part->update(build) || changed;
   if (changed) return rebuild(build, agent);
@@ -163,19 +186,24 @@ Status AgentGraphs::update_post_process(const EntityBuilder& build, std::uint32_
 
 void AgentGraphs::find_next_update(std::uint32_t agent) {
   Ticks next = never;
-  for (const Layer& layer : agents_[agent].layers) next = std::min(next, layer.own.part->next_update());
+  for (const Layer& layer : agents_[agent].layers)
+    next = std::min({next, layer.own.part->next_update(), layer.faded_at});
   for (const OwnedProcess& process : agents_[agent].processes) next = std::min(next, process.part->next_update());
   next_updates_[agent] = next;
 }
 
 // A layer whose channel plays nothing leaves what is below as it is.
 Handle AgentGraphs::lay(const EntityBuilder& build, Layer& layer, Handle below) const {
+  layer.own.part->lie_over(build, below);
   const Handle state = layer.own.part->state();
   if (!state.valid() || !below.valid()) {
     if (layer.blender.valid()) build.destroy(std::exchange(layer.blender, {}));
     return state.valid() ? state : below;
   }
-  if (!layer.blender.valid()) layer.blender = build.hold(below, state, layer.settings.weight, layer.settings.mask);
+  if (!layer.blender.valid()) {
+    layer.blender = build.hold(below, state, layer.settings.weight, layer.settings.mask);
+    write_weight(build, layer);
+  }
   auto& blender = build.as<EaseBlender>(layer.blender);
   blender.from = below;
   blender.to = state;
@@ -285,7 +313,11 @@ AgentGraphs AgentGraphs::clone() const {
     other.channels_given = agent.channels_given;
     other.processes_given = agent.processes_given;
     for (const Layer& layer : agent.layers) {
-      other.layers.push_back({.own = copy_of(layer.own), .settings = layer.settings, .blender = layer.blender});
+      other.layers.push_back({.own = copy_of(layer.own),
+                              .settings = layer.settings,
+                              .blender = layer.blender,
+                              .weight_per_second = layer.weight_per_second,
+                              .faded_at = layer.faded_at});
     }
     for (const OwnedProcess& process : agent.processes) other.processes.push_back(copy_of(process));
   }

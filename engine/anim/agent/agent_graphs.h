@@ -81,7 +81,8 @@ class AgentGraphs {
   std::unique_ptr<PostProcess> take_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
   /// Updates one process alone.
   Status update_post_process(const EntityBuilder& build, std::uint32_t agent, std::size_t place);
-  void set_weight(std::uint32_t agent, std::size_t channel, float weight);
+  /// Moves the weight of a channel evenly from where it is, so that it arrives after `fade`.
+  void set_weight(const EntityBuilder& build, std::uint32_t agent, std::size_t channel, float weight, Ticks fade);
 
   /// Updates every channel and post process, and rebuilds the graph if one of them changed. Errors: a channel made a
   /// graph with a cycle; then the agent keeps its graph if all entities of it are still alive, or else has none.
@@ -109,7 +110,9 @@ class AgentGraphs {
   struct Layer {
     OwnedChannel own;
     LayerSettings settings;
-    Handle blender;  // over all layers before; invalid for the first
+    Handle blender;             // over all layers before; invalid for the first
+    float weight_per_second{};  // while the weight fades
+    Ticks faded_at = never;     // by the clock; never: the weight does not fade
   };
   struct Agent {
     std::vector<Layer> layers;
@@ -119,6 +122,8 @@ class AgentGraphs {
   };
 
   Handle lay(const EntityBuilder& build, Layer& layer, Handle below) const;
+  static void write_weight(const EntityBuilder& build, const Layer& layer);
+  static void end_fade(const EntityBuilder& build, Layer& layer);
   void rebuild_with_less(const EntityBuilder& build, std::uint32_t agent);
   void find_next_update(std::uint32_t agent);
   void visit_handles(Agent& agent, const std::function<void(Handle&)>& visit) const;

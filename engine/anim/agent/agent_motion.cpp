@@ -123,6 +123,25 @@ bool AgentMotion::add_morph_weights(Ticks at, std::span<float> weights) const {
   return true;
 }
 
+float AgentMotion::curve(std::uint32_t name, Ticks at) const {
+  const auto curve_of = [name](const ClipStreams& clip) {
+    return clip.curves == nullptr ? nullptr : find_curve(*clip.curves, name);
+  };
+  bool plays = false;
+  for_each_player([&](std::size_t, const Player&, const ClipStreams& clip) { plays = plays || curve_of(clip); });
+  if (!plays) return 0.0F;
+  const PoseWeights felt = sharing(at).weights(PoseSharing::Part::anywhere);
+  float sum = 0.0F, weight = 0.0F;
+  for_each_player([&](std::size_t step, const Player& player, const ClipStreams& clip) {
+    const UserCurve* const curve = curve_of(clip);
+    if (curve == nullptr || felt[step] == 0.0F) return;
+    const bool looping = (player.flags & Player::looping) != 0;
+    sum += felt[step] * value_at(*curve, time_within(clip.duration, looping, position(player, at)));
+    weight += felt[step];
+  });
+  return weight > 1.0F ? sum / weight : sum;
+}
+
 std::optional<AbsoluteRoot> AgentMotion::absolute_root(Ticks now) const {
   std::optional<AbsoluteRoot> root;
   float heaviest = 0.0F;

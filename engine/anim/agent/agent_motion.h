@@ -77,6 +77,11 @@ class AgentMotion {
   /// pose of their bones is. Returns whether any clip that plays has morphs; else nothing is added.
   bool add_morph_weights(Ticks at, std::span<float> weights) const;
 
+  /// Returns a number that clips have over time, for game play, at `at`; `name` is an index of Character::curve_names.
+  /// It is blended by how much its clips are felt, as data keys are, and a clip without the curve counts as 0. Where
+  /// clips that lie under a mask are felt beside others, so that all together weigh more than 1, it is their mean.
+  float curve(std::uint32_t name, Ticks at) const;
+
   /// Returns where the heaviest player of an absolute state stands at `now`, its own root motion included. Returns
   /// nothing if no player of weight has an absolute root.
   std::optional<AbsoluteRoot> absolute_root(Ticks now) const;

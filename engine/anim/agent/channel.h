@@ -26,6 +26,9 @@ class Channel {
   /// Returns the entity whose pose is the channel's; invalid until there is one.
   virtual Handle state() const = 0;
 
+  /// Tells the pose that the channel will be laid over, before state() is asked for; it is invalid where there is none.
+  virtual void lie_over(const EntityBuilder&, Handle) {}
+
   /// Brings the channel's entities up to date with its parameters and the clock. Returns whether state(), or an entity
   /// that it reads, is another than before. It is called when a parameter was set through `Agent::change`, and at or
   /// after next_update().

@@ -18,6 +18,7 @@ ClipStreams streams_of(const Character& character, int index) {
           .duration = clip.duration,
           .root_motion = clip.root_motion.keys.empty() ? nullptr : &clip.root_motion,
           .data_keys = clip.data_keys,
+          .curves = clip.curves.empty() ? nullptr : &clip.curves,
           .morphs = clip.morphs.empty() ? nullptr : &clip.morphs,
           .ground_speed = ground_speed(character, index)};
 }

@@ -42,6 +42,14 @@ struct NamedDataKey {
   std::string name;   ///< never empty
 };
 
+/// A number over the time of a clip, for game play, as the file has it: how closed an eye is, how hot a sword glows.
+/// Between keys it is linear; before the first and after the last, the nearest holds.
+struct NamedCurve {
+  std::string name;           ///< never empty; no two of a clip are alike
+  std::vector<float> times;   ///< seconds of the file, strictly ascending, at least one
+  std::vector<float> values;  ///< one a time, finite
+};
+
 /// One animation of the file, restricted to one skeleton. A bone without a track keeps its rest transform. Before a
 /// track's first key and after its last, the nearest key holds. Its times are those of the file; what plays it begins
 /// at `start`, since the time before the first key is no part of a loop.
@@ -53,6 +61,7 @@ struct Clip {
   std::vector<BoneTracks> tracks;            ///< ascending by bone, at most one a bone
   std::vector<NamedDataKey> data_keys = {};  ///< by time
   std::vector<MorphTrack> morph_tracks = {};
+  std::vector<NamedCurve> curves = {};  ///< no pose depends on them
 
   /// Returns the seconds that it plays, from its first key to its last.
   double length() const { return duration - start; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -128,6 +129,18 @@ Fault fault_of_morphs(const MorphTrack& track, const Model& model) {
   return fault_of_times(track.times, std::numeric_limits<double>::infinity());
 }
 
+Fault fault_of_curve(const NamedCurve& curve) {
+  if (curve.name.empty()) return "a curve has no name";
+  const std::string named = "curve \"" + curve.name + "\": ";
+  if (curve.times.empty() || curve.values.size() != curve.times.size())
+    return named + "it does not have one value a time";
+  const auto is_finite = [](float number) { return std::isfinite(number); };
+  const bool finite = std::ranges::all_of(curve.times, is_finite) && std::ranges::all_of(curve.values, is_finite);
+  const auto not_after = std::ranges::adjacent_find(curve.times, std::greater_equal<>());
+  return finite && not_after == curve.times.end() ? Fault{}
+                                                  : named + "its times do not ascend, or a number is not finite";
+}
+
 Fault fault_of_clip(const Clip& clip, const Model& model) {
   const bool in_order = clip.start >= 0.0 && clip.duration >= clip.start && std::isfinite(clip.duration);
   if (!in_order) return "its start and duration are not seconds in their order";
@@ -144,6 +157,11 @@ Fault fault_of_clip(const Clip& clip, const Model& model) {
   for (const NamedDataKey& key : clip.data_keys) {
     if (key.name.empty() || !(key.time >= 0.0 && key.time <= clip.duration))
       return "a data key is nameless or beyond the clip";
+  }
+  for (const NamedCurve& curve : clip.curves) {
+    if (Fault fault = fault_of_curve(curve); !fault.empty()) return fault;
+    const auto is_alike = [&](const NamedCurve& other) { return other.name == curve.name; };
+    if (std::ranges::count_if(clip.curves, is_alike) > 1) return "it has two curves \"" + curve.name + "\"";
   }
   for (const MorphTrack& track : clip.morph_tracks) {
     if (Fault fault = fault_of_morphs(track, model); !fault.empty()) return fault;

@@ -177,6 +177,13 @@ void add_data_keys(Character& character, BakedClip& baked, std::span<const Named
   std::ranges::stable_sort(baked.data_keys, {}, &DataKey::time);
 }
 
+/// Curves get the numbers of their names as data keys do.
+void add_curves(Character& character, BakedClip& baked, const Clip& clip, double start) {
+  for (const NamedCurve& curve : clip.curves) {
+    baked.curves.push_back(bake_curve(curve, start, intern(character.curve_names, curve.name)));
+  }
+}
+
 }  // namespace
 
 Character bake_character(const Model& model, const BakeOptions& options) {
@@ -211,8 +218,10 @@ Character bake_character(const Model& model, const BakeOptions& options) {
               [&](std::size_t part) { part < std::size(surveys) ? surveys[part]() : bake(part - std::size(surveys)); });
   character.bounds = room.bounds(reaches);
   character.bounds.reach += character.morph_reach;
-  for (std::size_t clip = 0; clip < clips.size(); ++clip)
+  for (std::size_t clip = 0; clip < clips.size(); ++clip) {
     add_data_keys(character, character.clips[clip], data_keys[clip]);
+    add_curves(character, character.clips[clip], clips[clip], start_of(clips[clip], options));
+  }
   return character;
 }
 

@@ -15,6 +15,7 @@
 #include "engine/anim/asset/root_curve.h"
 #include "engine/anim/asset/sampled_stream.h"
 #include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/asset/user_curves.h"
 #include "engine/anim/bake/rounding.h"
 #include "engine/anim/bake/skip_error.h"
 #include "engine/anim/base/aligned_bytes.h"
@@ -36,6 +37,7 @@ struct BakedClip {
   glm::dvec3 loop_displacement{0.0};  ///< where a loop's root motion leads: metres, in the space of its start
   RootCurve root_motion;              ///< taken out of the pose, which stands where the curve is at its time
   std::vector<DataKey> data_keys;     ///< by time; names index Character::data_key_names
+  UserCurves curves = {};             ///< numbers for game play; no pose depends on them
   MorphCurves morphs = {};            ///< empty: the surface keeps its shape
   double stance_speed = 0.0;  ///< metres a second of the foot that stands; 0: nobody strides, or the clip travels
   AlignedBytes keyframe_block;
@@ -63,6 +65,7 @@ struct Character {
   HierarchyProgram hierarchy;
   std::vector<BakedClip> clips;  ///< never empty: a model without clips gets one, "rest", of its rest pose
   std::vector<std::string> data_key_names = {};  ///< names in all its clips, each once
+  std::vector<std::string> curve_names = {};     ///< names in all its clips, each once
   double height = 0.0;    ///< metres, of the rest pose's surface, or of its joints where there is no surface
   BoneLod bone_lod = {};  ///< the errors that dropping bones causes
   std::vector<SkipError> skip_errors = {};  ///< the errors that skipping frames causes, one a clip

@@ -6,6 +6,7 @@
 
 #include "engine/anim/agent/blend_space_2d_channel.h"
 #include "engine/anim/agent/blend_space_channel.h"
+#include "engine/anim/agent/channel/slot_channel.h"
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
@@ -82,6 +83,32 @@ Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) cons
   return added;
 }
 
+Result<ChannelId> Agent::add_slot(const Layer& layer) const {
+  return crowd_->system->agent(id_).add_channel(std::make_unique<anim::SlotChannel>(), settings_of(layer));
+}
+
+bool Agent::play_once(ChannelId slot, const OneShot& shot) const {
+  anim::Agent agent = crowd_->system->agent(id_);
+  const auto* const own = agent.channel<anim::SlotChannel>(slot);
+  if (own == nullptr) return anim::report_misuse({"Agent::play_once", "the agent has no slot of this id"});
+  const anim::OneShot request{.clip = detail::number_of(shot.clip),
+                              .fade_in = shot.fade_in,
+                              .fade_out = shot.fade_out,
+                              .speed = shot.speed,
+                              .queued = shot.queued};
+  const anim::Status played = agent.change<anim::SlotChannel>(slot, [&](auto& channel) { channel.play(request); });
+  if (played) return own->took_all();
+  static_cast<void>(agent.change<anim::SlotChannel>(slot, [](auto& channel) { channel.stop(); }));
+  return false;
+}
+
+bool Agent::is_playing(ChannelId slot) const {
+  const anim::Agent agent = crowd_->system->agent(id_);
+  const auto* const own = agent.channel<anim::SlotChannel>(slot);
+  if (own == nullptr) return anim::report_misuse({"Agent::is_playing", "the agent has no slot of this id"});
+  return own->is_playing(crowd_->system->clock());
+}
+
 bool Agent::set_parameter(ChannelId channel, float parameter) const {
   const auto set = [parameter](anim::BlendSpaceChannel& space) { space.set_parameter(parameter); };
   return crowd_->system->agent(id_).change<anim::BlendSpaceChannel>(channel, set).has_value();
@@ -92,8 +119,8 @@ bool Agent::set_parameters(ChannelId channel, float x, float y) const {
   return crowd_->system->agent(id_).change<anim::BlendSpace2dChannel>(channel, set).has_value();
 }
 
-bool Agent::set_weight(ChannelId channel, float weight) const {
-  return crowd_->system->agent(id_).set_channel_weight(channel, weight);
+bool Agent::set_weight(ChannelId channel, float weight, Ticks fade) const {
+  return crowd_->system->agent(id_).set_channel_weight(channel, weight, fade);
 }
 
 bool Agent::remove(ChannelId channel) const { return crowd_->system->agent(id_).remove_channel(channel); }

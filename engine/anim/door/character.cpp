@@ -109,6 +109,8 @@ double Character::height() const { return baked(data()).height; }
 
 std::span<const std::string> Character::data_key_names() const { return baked(data()).data_key_names; }
 
+std::span<const std::string> Character::curve_names() const { return baked(data()).curve_names; }
+
 std::size_t Character::mesh_count() const { return data() == nullptr ? 0 : data()->meshes.size(); }
 
 MeshView Character::mesh(std::size_t index) const {

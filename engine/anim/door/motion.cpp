@@ -30,6 +30,14 @@ RootMotion Motion::displacement(Ticks from, Ticks to) const {
   return {.displacement = detail::from_glm(glm::vec3(motion.translation)), .turn = static_cast<float>(motion.yaw)};
 }
 
+float Motion::curve(std::uint32_t name) const {
+  const anim::AgentView agent = std::as_const(*crowd_->system).agent(agent_);
+  if (agent.exists() && name < agent.character().curve_names.size())
+    return agent.motion().curve(name, crowd_->system->clock());
+  return static_cast<float>(
+      anim::report_misuse({"Motion::curve", "the agent has no curve of this name, an index of curve_names"}));
+}
+
 std::optional<Place> Motion::absolute_root() const {
   const auto root = motion_of(*crowd_, agent_).absolute_root(crowd_->system->clock());
   if (!root) return std::nullopt;

@@ -7,6 +7,7 @@
 #include "engine/anim/asset/morph_curves.h"
 #include "engine/anim/asset/root_curve.h"
 #include "engine/anim/asset/sampled_stream.h"
+#include "engine/anim/asset/user_curves.h"
 
 namespace throng::anim {
 
@@ -17,6 +18,7 @@ struct ClipStreams {
   Ticks duration{};
   const RootCurve* root_motion = nullptr;  ///< the motion that was taken out of the pose; null: none was
   std::span<const DataKey> data_keys{};    ///< ascending
+  const UserCurves* curves = nullptr;      ///< null: the clip has none
   const MorphCurves* morphs = nullptr;     ///< null: the clip leaves the surface as it is
   double ground_speed = 0.0;               ///< metres a second (character.h); above 0 the clip is a gait
 };

@@ -67,6 +67,10 @@ void advance_blender(EaseBlender& blender) {
   blender.elapsed += blender.state.delta_time;
   blender.state.delta_time = Ticks{};
   if ((blender.flags & EaseBlender::held) != 0) return;
+  if ((blender.flags & EaseBlender::linear) != 0) {
+    blender.fraction = value(blender.weight, blender.elapsed);
+    return;
+  }
   const Ticks elapsed = std::clamp(blender.elapsed, Ticks{}, blender.total);
   blender.fraction = blender.total > Ticks{}
                          ? ease(static_cast<float>(elapsed.count()) / static_cast<float>(blender.total.count()))

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/anim/entity/entity_kind.h"
+#include "engine/anim/entity/linear_weight.h"
 
 namespace throng::anim {
 
@@ -12,19 +13,24 @@ namespace throng::anim {
 ///     [header 96 | blender 32 | transforms if resident]
 struct alignas(64) EaseBlender {
   static constexpr std::uint16_t held = 1;     ///< time does not move the fraction
+  static constexpr std::uint16_t linear = 2;   ///< the fraction is `weight`, `elapsed` after its end
   static constexpr std::int16_t no_mask = -1;  ///< every bone takes the whole fraction
 
   AnimationStateHeader state;  //   0
   Handle from;                 //  96  the paper's "source animation state pointers"
   Handle to;                   // 100
   Ticks elapsed;               // 104
-  Ticks total;                 // 112
-  std::int16_t mask;           // 120  index of an array of bone weights (2.2.4, footnote 6), or no_mask
-  std::uint16_t flags;         // 122
-  float fraction;              // 124  of `to`, 0 to 1, of the last update
+  union {
+    Ticks total;          // 112
+    LinearWeight weight;  // 112  where it is linear
+  };
+  std::int16_t mask;    // 120  index of an array of bone weights (2.2.4, footnote 6), or no_mask
+  std::uint16_t flags;  // 122
+  float fraction;       // 124  of `to`, 0 to 1, of the last update
 };
 static_assert(sizeof(EaseBlender) == entity_header_bytes);
 static_assert(offsetof(EaseBlender, from) == 96 && offsetof(EaseBlender, elapsed) == 104);
+static_assert(offsetof(EaseBlender, total) == 112 && sizeof(LinearWeight) == sizeof(Ticks));
 static_assert(offsetof(EaseBlender, mask) == 120 && offsetof(EaseBlender, fraction) == 124);
 
 /// Eases in and out: 0 at 0, 1 at 1, level at both ends.

@@ -36,6 +36,7 @@ class AnimationReader {
         tree_(tree),
         source_(document.gltf.animations[index]),
         data_keys_(document.data_keys[index]),
+        curves_(document.curves[index]),
         name_(label("animation", index, source_.name)) {}
 
   Animation read() {
@@ -46,6 +47,8 @@ class AnimationReader {
     }
     animation_.start = std::min(start_, animation_.duration);
     read_data_keys();
+    check_curves();
+    animation_.curves = curves_;
     return std::move(animation_);
   }
 
@@ -140,6 +143,23 @@ class AnimationReader {
     std::ranges::stable_sort(animation_.data_keys, {}, &anim::NamedDataKey::time);
   }
 
+  void check_curves() const {
+    std::set<std::string> names;
+    for (const anim::NamedCurve& curve : curves_) {
+      if (curve.name.empty()) throw Refusal(name_ + ": a curve has no name; give it one");
+      const std::string named = name_ + ": curve \"" + curve.name + "\" ";
+      if (!names.insert(curve.name).second) throw Refusal(named + "is there twice; give each a name of its own");
+      if (curve.times.empty() || curve.times.size() != curve.values.size()) {
+        throw Refusal(named + "has " + std::to_string(curve.values.size()) + " values for " +
+                      std::to_string(curve.times.size()) + " times; give each time one value");
+      }
+      for (std::size_t key = 1; key < curve.times.size(); ++key) {
+        if (curve.times[key] > curve.times[key - 1]) continue;
+        throw Refusal(named + key_at(key, curve.times[key]) + ", not after the one before; sort its keys by time");
+      }
+    }
+  }
+
   Keys read_keys(const tinygltf::AnimationSampler& sampler) const {
     const std::string& mode = sampler.interpolation;
     Keys keys;
@@ -200,6 +220,7 @@ class AnimationReader {
   const NodeTree& tree_;
   const tinygltf::Animation& source_;
   const std::vector<anim::NamedDataKey>& data_keys_;
+  const std::vector<anim::NamedCurve>& curves_;
   std::string name_;
   std::string channel_name_;
   std::set<std::pair<int, std::string>> targets_;
@@ -252,7 +273,8 @@ anim::Clip& clip_of(const std::vector<Animation>& animations, int index, std::ve
                                .start = animation.start,
                                .duration = animation.duration,
                                .tracks = {},
-                               .data_keys = animation.data_keys});
+                               .data_keys = animation.data_keys,
+                               .curves = animation.curves});
 }
 
 }  // namespace

@@ -35,10 +35,11 @@ struct Animation {
   std::map<int, NodeTracks> nodes;            ///< by node
   std::map<int, WeightKeys> weights;          ///< by node
   std::vector<anim::NamedDataKey> data_keys;  ///< by time
+  std::vector<anim::NamedCurve> curves;       ///< by name
 };
 
-/// Reads every animation. Checks that key times ascend, are finite and match their bounds, that values are finite, and
-/// that data keys are inside the animation. Throws Refusal; repairs go to `document`.
+/// Reads every animation. Checks that key times ascend, are finite and match their bounds, that values are finite, that
+/// data keys are inside the animation, and that curves have one value a time. Throws Refusal; repairs go to `document`.
 std::vector<Animation> read_animations(Document& document, const NodeTree& tree);
 
 /// Returns the morph targets of a node's mesh that any of the animations gives another weight than its own, which

@@ -44,6 +44,22 @@ std::vector<std::vector<anim::NamedDataKey>> take_data_keys(json& document) {
   return animations;
 }
 
+std::vector<std::vector<anim::NamedCurve>> take_curves(json& document) {
+  std::vector<std::vector<anim::NamedCurve>> animations;
+  if (!document.contains("animations")) return animations;
+  for (json& animation : document["animations"]) {
+    std::vector<anim::NamedCurve>& curves = animations.emplace_back();
+    const json named = animation.value(curves_property, json::object());
+    for (auto curve = named.begin(); curve != named.end(); ++curve) {
+      curves.push_back({.name = anim::plain_text(curve.key()),
+                        .times = curve.value()["times"].get<std::vector<float>>(),
+                        .values = curve.value()["values"].get<std::vector<float>>()});
+    }
+    animation.erase(curves_property);
+  }
+  return animations;
+}
+
 std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
   std::vector<std::vector<MeshLodNode>> nodes;
   if (!document.contains("nodes")) return nodes;
@@ -115,6 +131,7 @@ Document load_document(const std::filesystem::path& path, bool strict) {
   document.files = ModelFiles(path, strict);
   document.images = take_images(json_document);
   document.data_keys = take_data_keys(json_document);
+  document.curves = take_curves(json_document);
   document.mesh_lods = take_mesh_lods(json_document);
   document.target_names = take_target_names(json_document);
   document.is_hidden = take_hidden(json_document);

@@ -36,6 +36,7 @@ struct Document {
   BufferViews buffer_views;
   std::vector<ImageSource> images;
   std::vector<std::vector<anim::NamedDataKey>> data_keys;  ///< by animation, as the file has them
+  std::vector<std::vector<anim::NamedCurve>> curves;       ///< by animation, as the file has them
   std::vector<std::vector<MeshLodNode>> mesh_lods;         ///< by node, as the file has them
   std::vector<std::vector<std::string>> target_names;      ///< by mesh, of its morph targets; may be fewer or none
   std::vector<bool> is_hidden;                             ///< by node: KHR_node_visibility hides it and all below

@@ -120,6 +120,7 @@ nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repai
   if (!document.is_object()) throw Refusal("its JSON is not an object; export the file again as glTF 2.0");
   leave_out_unknown_values(document, repairs);
   keep_extra(document, "animations", data_keys_property);
+  keep_extra(document, "animations", curves_property);
   keep_extra(document, "nodes", mesh_lods_property);
   keep_extra(document, "meshes", target_names_property);
   simplify(document);

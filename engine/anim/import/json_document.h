@@ -16,6 +16,11 @@ inline constexpr int max_json_depth = 128;
 ///     "extras": { "throng_data_keys": [ { "time": 0.31, "name": "footstep_left" } ] }
 inline constexpr const char* data_keys_property = "throng_data_keys";
 
+/// Numbers over time for game play, in an animation's extras, by name. Times are in seconds and ascend; each has a
+/// value:
+///     "extras": { "curves": { "glow": { "times": [ 0, 0.5, 1 ], "values": [ 0, 1, 0 ] } } }
+inline constexpr const char* curves_property = "curves";
+
 /// Coarser meshes, in the extras of a node that draws a skinned mesh: nodes whose meshes have the same skin, finest
 /// first, and how far in metres their surface is from the full one. The nodes stand outside of the default scene, so
 /// that other programs do not draw them too.
@@ -25,10 +30,10 @@ inline constexpr const char* mesh_lods_property = "throng_mesh_lods";
 /// Names of a mesh's morph targets, in its extras, where exporters write them.
 inline constexpr const char* target_names_property = "targetNames";
 
-/// Parses a glTF document and keeps only what import uses. Of extras, it keeps data keys, mesh LODs and names of morph
-/// targets as properties of the animation, the node and the mesh; of extensions, those that import reads. Every number
-/// with an integer value becomes an integer (glTF 2.0, 2.7 allows "1.0"), and every name plain text. Checks depth on
-/// the text, before anything recursive reads it. `repairs` says what was left out. Throws Refusal.
+/// Parses a glTF document and keeps only what import uses. Of extras, it keeps data keys, curves, mesh LODs and names
+/// of morph targets as properties of the animation, the node and the mesh; of extensions, those that import reads.
+/// Every number with an integer value becomes an integer (glTF 2.0, 2.7 allows "1.0"), and every name plain text.
+/// Checks depth on the text, before anything recursive reads it. `repairs` says what was left out. Throws Refusal.
 nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repairs);
 
 /// Checks that everything import reads has the type, the length and, for an index, the range that glTF demands, and

@@ -207,7 +207,8 @@ class SkeletonBuilder {
                       .start = animation.start,
                       .duration = animation.duration,
                       .tracks = {},
-                      .data_keys = animation.data_keys};
+                      .data_keys = animation.data_keys,
+                      .curves = animation.curves};
       for (const auto& [node, tracks] : animation.nodes) {
         const int bone = bone_of_node_[static_cast<std::size_t>(node)];
         if (bone < 0) continue;

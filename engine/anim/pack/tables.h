@@ -60,9 +60,15 @@ void describe(Archive& archive, T& track) {
   archive(track.interpolation, track.morphs, track.times, track.weights);
 }
 
+template <typename Archive, Same<anim::NamedCurve> T>
+void describe(Archive& archive, T& curve) {
+  archive(curve.name, curve.times, curve.values);
+}
+
 template <typename Archive, Same<anim::Clip> T>
 void describe(Archive& archive, T& clip) {
-  archive(clip.name, clip.animation, clip.start, clip.duration, clip.tracks, clip.data_keys, clip.morph_tracks);
+  archive(clip.name, clip.animation, clip.start, clip.duration, clip.tracks, clip.data_keys, clip.morph_tracks,
+          clip.curves);
 }
 
 // These functions describe skins, surfaces and what they show.
@@ -159,13 +165,18 @@ void describe(Archive& archive, T& curve) {
   archive(curve.interpolation, curve.morphs, curve.times, curve.weights);
 }
 
+template <typename Archive, Same<anim::UserCurve> T>
+void describe(Archive& archive, T& curve) {
+  archive(curve.name, curve.times, curve.values);
+}
+
 template <typename Archive, Same<anim::BakedClip> T>
 void describe(Archive& archive, T& clip) {
   archive(clip.name, clip.duration, clip.loops, clip.loop_displacement, clip.root_motion, clip.data_keys);
   archive.template lend_block<anim::KeyframeStream>(clip.keyframe_block);
   archive.template lend_block<anim::SampledStream>(clip.sampled_block);
   archive(clip.keyframe_error, clip.sampled_rate, clip.sampled_error, clip.error_bound, clip.sampled_rounding,
-          clip.morphs, clip.stance_speed, clip.note);
+          clip.curves, clip.morphs, clip.stance_speed, clip.note);
 }
 
 template <typename Archive, Same<anim::BoneLodRow> T>
@@ -200,8 +211,8 @@ void describe(Archive& archive, T& points) {
 
 template <typename Archive, Same<anim::Character> T>
 void describe(Archive& archive, T& character) {
-  archive(character.skeleton, character.hierarchy, character.clips, character.data_key_names, character.height,
-          character.bone_lod, character.skip_errors, character.bounds, character.surface_points,
+  archive(character.skeleton, character.hierarchy, character.clips, character.data_key_names, character.curve_names,
+          character.height, character.bone_lod, character.skip_errors, character.bounds, character.surface_points,
           character.level_entries, character.morph_bones, character.morph_reach);
 }
 

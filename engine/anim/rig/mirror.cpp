@@ -182,6 +182,7 @@ Clip mirror_clip(const Skeleton& skeleton, const Clip& clip, const MirrorMap& mi
     if (moves_something) result.tracks.push_back(std::move(tracks));
   }
   for (NamedDataKey& key : result.data_keys) key.name = with_sides_swapped(key.name);
+  for (NamedCurve& curve : result.curves) curve.name = with_sides_swapped(curve.name);
   return result;
 }
 

@@ -124,6 +124,8 @@ TEST(Pack, KeepsMorphsAndWhatClipsMakeOfThem) {
   morphing->clips[0].morphs.push_back(
       {.morphs = {0}, .times = {anim::Ticks{0}, anim::Ticks{10}}, .weights = {0.0F, 1.0F}});
   morphing->morph_bones = {2};
+  morphing->clips[0].curves.push_back({.name = 0, .times = {anim::Ticks{5}}, .values = {2.5F}});
+  morphing->curve_names = {"glow"};
   file.characters[0].character = morphing;
   const auto pack = Pack::open(written(write_pack({&file, 1})));
   ASSERT_TRUE(pack) << pack.error().message;
@@ -131,6 +133,9 @@ TEST(Pack, KeepsMorphsAndWhatClipsMakeOfThem) {
   ASSERT_EQ(character->clips[0].morphs.size(), 1U);
   EXPECT_THAT(character->clips[0].morphs[0].weights, ElementsAre(0.0F, 1.0F));
   EXPECT_THAT(character->morph_bones, ElementsAre(2));
+  ASSERT_EQ(character->clips[0].curves.size(), 1U);
+  EXPECT_THAT(character->clips[0].curves[0].values, ElementsAre(2.5F));
+  EXPECT_THAT(character->curve_names, ElementsAre("glow"));
   const auto imported = pack->imported(0);
   EXPECT_EQ(imported->models[0].morphs[0].name, "smile");
   EXPECT_EQ(imported->models[0].meshes[0].morph_deltas[0].vertex, 7U);

@@ -225,11 +225,14 @@ TEST(Retarget, KeepsNameDurationAndDataKeys) {
   const Skeleton to = figures::person({.legs = 1.2});
   Clip clip = figures::knee_bend(from);
   clip.data_keys = {{0.5, "down"}};
+  clip.curves = {{.name = "glow", .times = {0.5F}, .values = {1.0F}}};
   const Clip result = Retargeter(from, to).retarget(clip).clip;
   EXPECT_EQ(result.name, clip.name);
   EXPECT_EQ(result.duration, clip.duration);
   ASSERT_EQ(result.data_keys.size(), 1U);
   EXPECT_EQ(result.data_keys.front().name, "down");
+  ASSERT_EQ(result.curves.size(), 1U);
+  EXPECT_EQ(result.curves.front().name, "glow");
 }
 
 TEST(Retarget, PosesWhoeverHasNoLegs) {

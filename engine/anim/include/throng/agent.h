@@ -68,10 +68,20 @@ class Agent {
   Result<ChannelId> add_clips(const Layer& layer = {}) const;  ///< plays nothing until it is asked to
   Result<ChannelId> add(const BlendSpace& space, const Layer& layer = {}) const;
   Result<ChannelId> add(const BlendSpace2d& space, const Layer& layer = {}) const;
+  /// Lays a slot over the channels before it. It plays one-shots, and costs nothing in between.
+  Result<ChannelId> add_slot(const Layer& layer = {}) const;
+  /// Plays a clip once in a slot. It fades out before its end by itself; Motion::for_each_end tells the end, if it is
+  /// asked before Crowd::update. One that is not queued takes the place of those that play and wait, and neither snaps
+  /// nor waits. Returns false if it is queued and four play and wait already. Returns false also if the local stores
+  /// have no room; then the slot has stopped.
+  bool play_once(ChannelId slot, const OneShot& shot) const;
+  /// Returns whether a slot plays.
+  bool is_playing(ChannelId slot) const;
   /// Sets the parameter of a blend space; of a plane with both.
   bool set_parameter(ChannelId channel, float parameter) const;
   bool set_parameters(ChannelId channel, float x, float y) const;
-  bool set_weight(ChannelId channel, float weight) const;
+  /// Sets how much a channel covers those below it, 0 to 1. The weight moves there evenly in `fade`.
+  bool set_weight(ChannelId channel, float weight, Ticks fade = {}) const;
   bool remove(ChannelId channel) const;
 
   /// Adds a process that the pose passes through, after those that were added before. Errors: the character has no such
@@ -137,6 +147,9 @@ class Motion {
   Motion(const detail::CrowdParts& crowd, AgentId agent) : crowd_(&crowd), agent_(agent) {}
 
   RootMotion displacement(Ticks from, Ticks to) const;
+  /// Returns a number that its clips have over time, now; `name` is an index of Character::curve_names. It is blended
+  /// by the weights of the clips; one that has no such curve counts as 0.
+  float curve(std::uint32_t name) const;
   /// Returns where a cut scene has it now; nothing if none plays.
   std::optional<Place> absolute_root() const;
 

@@ -22,6 +22,15 @@ struct Play {
   std::optional<Place> absolute_root = std::nullopt;
 };
 
+/// "Play this clip once, over what plays." It is for slots (Agent::add_slot).
+struct OneShot {
+  ClipId clip{};
+  Ticks fade_in{};      ///< eases in from what is shown; 0 replaces it at once
+  Ticks fade_out{};     ///< eases out, so that the fade ends with the clip
+  double speed = 1.0;   ///< multiple of the clip's own speed, not 0; negative: backwards, from the clip's end
+  bool queued = false;  ///< it waits for those before it, and eases in over the end of the last
+};
+
 /// How a channel lies over those before it.
 struct Layer {
   float weight = 1.0F;  ///< 0 to 1

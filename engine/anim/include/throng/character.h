@@ -74,6 +74,8 @@ class Character {
   double height() const;
   /// Returns the names of the data keys of all its clips. DataKey::name is an index.
   std::span<const std::string> data_key_names() const;
+  /// Returns the names of the curves of all its clips. Motion::curve takes an index.
+  std::span<const std::string> curve_names() const;
 
   std::size_t mesh_count() const;
   MeshView mesh(std::size_t index) const;

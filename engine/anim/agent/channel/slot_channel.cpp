@@ -1,0 +1,210 @@
+#include "engine/anim/agent/channel/slot_channel.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "engine/anim/base/misuse.h"
+#include "engine/anim/entity/inertialiser.h"
+
+namespace throng::anim {
+namespace {
+
+// As in a CrossFadeChannel: little is left after four half-lives.
+constexpr double half_lives_in_a_fade = 4.0;
+
+PlayerStart start_of(const EntityBuilder& build, const OneShot& shot) {
+  const Ticks begin = shot.speed < 0.0 && build.has_clip(shot.clip) ? build.clip(shot.clip).duration : Ticks{};
+  return {.clip = shot.clip, .speed = shot.speed, .start = begin, .loop = false};
+}
+
+const char* fault_of(const EntityBuilder& build, const OneShot& shot) {
+  if (const char* fault = build.fault_of(start_of(build, shot)); fault != nullptr) return fault;
+  if (std::abs(shot.speed) < 1.0 / 65536.0) return "a one-shot of no speed has no end";
+  return is_fade(shot.fade_in) && is_fade(shot.fade_out) ? nullptr : not_a_fade;
+}
+
+/// Returns how long a player needs from one end of its clip to the other.
+Ticks length_of(const EntityBuilder& build, const Player& player) {
+  const FineTicks way = build.clip(static_cast<int>(player.clip)).duration * fine_ticks_per_tick;
+  const std::int64_t speed = std::abs(std::int64_t{player.speed});
+  return Ticks{(way + speed - 1) / speed};
+}
+
+/// Makes a blender stand where it is if it began, or will begin, at a time of the clock.
+void begin_at(const EntityBuilder& build, Handle blender, Ticks begins, Ticks total) {
+  auto& own = build.as<EaseBlender>(blender);
+  own.total = total;
+  own.elapsed = build.lead() + (build.now() - begins);
+}
+
+}  // namespace
+
+bool SlotChannel::play(const OneShot& shot) {
+  if (!shot.queued) asked_count_ = 0;
+  const bool replaces_all = asked_count_ > 0 && !asked_[0].queued;
+  const std::size_t before = asked_count_ + (replaces_all ? 0 : tree_.count);
+  if (shot.queued && before >= OneShotTree::max_shots) {
+    refused_ = true;
+    return false;
+  }
+  asked_[asked_count_++] = shot;
+  return true;
+}
+
+void SlotChannel::stop() {
+  asked_count_ = 0;
+  stops_ = true;
+}
+
+bool SlotChannel::update(const EntityBuilder& build) {
+  bool changed = end_interruption(build);
+  changed = end_shots(build) || changed;
+  took_all_ = !std::exchange(refused_, false);
+  if (stops_) {
+    note_ends(build.now());
+    destroy_entities(build);
+    changed = true;
+  }
+  for (std::size_t i = 0; i < asked_count_; ++i) {
+    const bool taken = take(build, asked_[i]);
+    took_all_ = took_all_ && taken;
+    changed = changed || taken;
+  }
+  asked_count_ = 0;
+  stops_ = false;
+  return changed;
+}
+
+bool SlotChannel::take(const EntityBuilder& build, const OneShot& shot) {
+  if (const char* fault = fault_of(build, shot); fault != nullptr) {
+    report_misuse({"SlotChannel::play", fault});
+    return false;
+  }
+  const Ticks now = build.now();
+  if (shot.queued && is_playing(now) && now < fades_out_at_) {
+    const Ticks begins = std::max({now, tree_.last().ends - shot.fade_in, tree_.last().begins});
+    append(build, shot, begins, true);
+  } else if (tree_.empty()) {
+    append(build, shot, now, shot.fade_in > Ticks{});
+  } else if (shot.fade_in > Ticks{}) {
+    interrupt(build, shot);
+  } else {
+    note_ends(now);
+    destroy_entities(build);
+    append(build, shot, now, false);
+  }
+  return true;
+}
+
+void SlotChannel::append(const EntityBuilder& build, const OneShot& shot, Ticks begins, bool fades_in) {
+  constexpr Ticks at_once{1};  // a blender of no time has eased before it begins
+  const Ticks fade_in = std::max(shot.fade_in, at_once);
+  const Handle player = build.player(start_of(build, shot));
+  const auto& own = build.as<Player>(player);
+  build.seek(player, build.position(player) - distance(begins - build.now(), own.speed));
+  OneShotTree::Shot& added = tree_.shots[tree_.count++];
+  added = {.clip = shot.clip,
+           .begins = begins,
+           .ends = begins + length_of(build, own),
+           .faded_in = begins + fade_in,
+           .player = player,
+           .in = fades_in ? build.ease({}, player, fade_in) : Handle{}};
+  if (fades_in) begin_at(build, added.in, begins, fade_in);
+  if (!tree_.out.valid()) tree_.out = build.ease({}, {}, at_once);
+  const Ticks fade_out = std::clamp(shot.fade_out, at_once, std::max(added.ends - begins, at_once));
+  fades_out_at_ = added.ends - fade_out;
+  begin_at(build, tree_.out, fades_out_at_, fade_out);
+}
+
+void SlotChannel::interrupt(const EntityBuilder& build, const OneShot& shot) {
+  note_ends(build.now());
+  if (!inertialiser_.valid()) inertialiser_ = build.create(EntityPools::inertialisers);
+  if (left_.empty()) {
+    left_ = tree_;
+    tree_ = {};
+  } else {
+    tree_.destroy(build);  // interrupted before it was ever shown
+  }
+  append(build, shot, build.now(), false);
+  const auto half_life = static_cast<float>(to_seconds(shot.fade_in) / half_lives_in_a_fade);
+  retarget(build.as<Inertialiser>(inertialiser_), tree_.root(has_below_), left_.root(has_below_), half_life);
+}
+
+void SlotChannel::lie_over(const EntityBuilder& build, Handle below) {
+  has_below_ = below.valid();
+  tree_.join(build, below);
+  left_.join(build, below);
+  if (!inertialiser_.valid()) return;
+  auto& inertialiser = build.as<Inertialiser>(inertialiser_);
+  inertialiser.target = tree_.root(has_below_);
+  if (!left_.empty()) inertialiser.leaving = left_.root(has_below_);
+}
+
+// What an inertialiser still leaves behind is shown over what is below.
+bool SlotChannel::end_shots(const EntityBuilder& build) {
+  if (tree_.empty()) return false;
+  if (build.now() >= tree_.last().ends && !inertialiser_.valid()) {
+    note_ends(build.now());
+    tree_.destroy(build);
+    return true;
+  }
+  const std::size_t covered = tree_.covered(build.now());
+  for (std::size_t i = 0; i < covered; ++i) note_end(tree_.shots[i], build.now());
+  return tree_.drop_covered(build);
+}
+
+// Lets go of what was left once the inertialiser has seen it, and of the inertialiser once its offset has ended.
+bool SlotChannel::end_interruption(const EntityBuilder& build) {
+  if (!inertialiser_.valid()) return false;
+  auto& inertialiser = build.as<Inertialiser>(inertialiser_);
+  if (!has_left(inertialiser)) return false;
+  const bool lets_go = !left_.empty();
+  left_.destroy(build);
+  inertialiser.leaving = {};
+  if (!is_over(inertialiser)) return lets_go;
+  build.destroy(inertialiser_);
+  inertialiser_ = {};
+  return true;
+}
+
+// One that is queued while the last fades out takes over from it, which has then as good as finished.
+void SlotChannel::note_end(const OneShotTree::Shot& shot, Ticks now) {
+  const bool finished = shot.ends <= now || (&shot == &tree_.last() && fades_out_at_ <= now);
+  ends_[ended_count_++ % kept_ends] = {.clip = shot.clip, .time = std::min(shot.ends, now), .finished = finished};
+}
+
+void SlotChannel::note_ends(Ticks now) {
+  for (std::size_t i = 0; i < tree_.count; ++i) note_end(tree_.shots[i], now);
+}
+
+void SlotChannel::for_each_end(Ticks from, Ticks to, const std::function<void(const OneShotEnd&)>& visit) const {
+  const auto visit_if_met = [&](const OneShotEnd& end) {
+    if (end.time >= from && end.time < to) visit(end);
+  };
+  const std::size_t oldest = ended_count_ - std::min(ended_count_, kept_ends);
+  for (std::size_t i = oldest; i < ended_count_; ++i) visit_if_met(ends_[i % kept_ends]);
+  for (std::size_t i = 0; i < tree_.count; ++i) {
+    visit_if_met({.clip = tree_.shots[i].clip, .time = tree_.shots[i].ends, .finished = true});
+  }
+}
+
+Ticks SlotChannel::next_update() const {
+  if (inertialiser_.valid()) return Ticks{};
+  return tree_.empty() ? never : std::min(tree_.last().ends, tree_.next_faded_in());
+}
+
+void SlotChannel::visit_handles(const std::function<void(Handle&)>& visit) {
+  tree_.visit_handles(visit);
+  left_.visit_handles(visit);
+  if (inertialiser_.valid()) visit(inertialiser_);
+}
+
+void SlotChannel::destroy_entities(const EntityBuilder& build) {
+  tree_.destroy(build);
+  left_.destroy(build);
+  if (inertialiser_.valid()) build.destroy(inertialiser_);
+  inertialiser_ = {};
+}
+
+}  // namespace throng::anim

@@ -149,7 +149,8 @@ HWY_INLINE void store_rows_of_four(D d, const FourVectors<V>* in, float* const* 
       alignas(64) float lanes[block_floats][lane_count<D>];
       for (int i = 0; i < block_floats; ++i) hn::Store(in[row].v[i], d, lanes[i]);
       for (int lane = 0; lane < lane_count<D>; ++lane) {
-        for (int i = 0; i < block_floats; ++i) std::memcpy(to[lane] + first + row * stride + i, &lanes[i][lane], sizeof(float));
+        for (int i = 0; i < block_floats; ++i)
+          std::memcpy(to[lane] + first + row * stride + i, &lanes[i][lane], sizeof(float));
       }
     }
   }

@@ -30,6 +30,7 @@ TEST(DoorHost, GivesTheMemoryOfBlocksAndTakesItBack) {
                                 std::free(memory);
                               },
                           .context = &account};
+  door_test::mannequin();  // it stays for the tests that come after
   set_memory_hooks(hooks);
   {
     DoorCrowd crowd(1000);

@@ -40,7 +40,7 @@ struct ChainReach {
 /// Lets feet stand on the ground that is there; see Agent::set_placement and set_ground.
 struct FootPlacement {
   float max_drop = 0.4F;       ///< metres that the pelvis may be lowered
-  float farthest_lock = 0.0F;  ///< metres that a planted foot may be held from its animation; 0: the default
+  float farthest_lock = 0.4F;  ///< metres from its animation at which a planted foot is let go; 0: none is held
 };
 
 /// Adds noise to all joints, so that nobody stands like a statue.

@@ -51,17 +51,21 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
     }
   }
 
-  /// Returns the ankle of a leg at the last update, as the animation has it before it is placed, in world space. Call
-  /// it only when the process was added.
+  /// Returns the ankle of a leg at the last update, as the animation has it before it is placed, in world space. Like
+  /// what follows, it is 0 where nobody was posed yet, and for a leg that there is not.
   glm::vec3 ankle(const EntityPools& pools, int leg) const {
+    if (!has(pools, leg)) return glm::vec3(0.0F);
     const auto& memory = pools.private_as<FootPlacementMemory>(entity());
     const JointMotion& model = memory.body.model_in_world;
     return model.position + model.rotation * memory.feet[leg].ankle;
   }
   /// Returns the metres by which the pelvis was lowered at the last update.
-  float drop(const EntityPools& pools) const { return pools.as<FootPlacementEntity>(entity()).drop; }
+  float drop(const EntityPools& pools) const {
+    return entity().valid() ? pools.as<FootPlacementEntity>(entity()).drop : 0.0F;
+  }
   const FootLock& lock(const EntityPools& pools, int leg) const {
-    return pools.private_as<FootPlacementMemory>(entity()).feet[leg].lock;
+    static constexpr FootLock free{};
+    return has(pools, leg) ? pools.private_as<FootPlacementMemory>(entity()).feet[leg].lock : free;
   }
 
   const char* fault(const EntityBuilder& build) const override {
@@ -71,6 +75,10 @@ class FootPlacementProcess final : public WeightedProcess<FootPlacementEntity> {
   std::unique_ptr<PostProcess> clone() const override { return std::make_unique<FootPlacementProcess>(*this); }
 
  private:
+  bool has(const EntityPools& pools, int leg) const {
+    if (!entity().valid() || leg < 0) return false;
+    return leg < static_cast<const FootPlacementRig*>(pools.kind(entity()).resource)->leg_count;
+  }
   static bool is_ground(const Footing& plane) {
     return all_finite(plane.place) && all_finite(plane.normal) && plane.normal.y > 0.0F;
   }

@@ -11,6 +11,7 @@ bool RagdollProcess::is_asleep(const EntityPools& pools) const {
 }
 
 glm::vec3 RagdollProcess::hips(const EntityPools& pools) const {
+  if (!ragdoll_.valid()) return glm::vec3(0.0F);
   return pools.private_as<RagdollMemory>(ragdoll_).bodies.bodies[0].position;
 }
 

@@ -57,7 +57,7 @@ class RagdollProcess final : public PostProcess {
   Phase phase() const { return phase_; }
   /// Returns whether it lies and does not move.
   bool is_asleep(const EntityPools& pools) const;
-  /// Returns the place of its first body, the hips, at the last update, in model space. There must be a rag-doll.
+  /// Returns the place of its first body, the hips, at the last update, in model space; 0 while it stands.
   glm::vec3 hips(const EntityPools& pools) const;
 
   const char* fault(const EntityBuilder& build) const override {

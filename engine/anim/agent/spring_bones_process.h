@@ -36,8 +36,9 @@ class SpringBonesProcess final : public WeightedProcess<SpringBonesEntity> {
   void restart() { ++restarts_; }
 
   /// Returns the ends of the bones that swing at the last update, in world space and in the order of SpringRig::joints.
-  /// Call it only when the process was added.
+  /// There are none where nobody was posed yet.
   std::span<const SpringJointState> joints(const EntityPools& pools) const {
+    if (!entity().valid()) return {};
     return spring_joints(rig_of(pools), pools.private_as<SpringBody>(entity()));
   }
 

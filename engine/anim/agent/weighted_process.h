@@ -26,9 +26,10 @@ class WeightedProcess : public OneEntityProcess<Entity> {
     fades_ = true;
   }
 
-  /// Returns the weight that the last update reached on its way to what was set. Call it only when the process was
-  /// added.
-  float weight(const EntityPools& pools) const { return value(pools.as<Entity>(this->entity()).weight); }
+  /// Returns the weight that the last update reached on its way to what was set; 0 where nobody was posed yet.
+  float weight(const EntityPools& pools) const {
+    return this->entity().valid() ? value(pools.as<Entity>(this->entity()).weight) : 0.0F;
+  }
 
   bool update(const EntityBuilder& build) final {
     if (this->entity().valid()) bring(build, this->entity());

@@ -46,6 +46,7 @@ TEST(DoorHost, IsToldOfEachThread) {
   set_thread_hook([](int pu) { told += pu; });
   {
     DoorCrowd crowd(1, {.pus = 4});
+    crowd.agent(0).play({.clip = {0}});
     crowd.step();
   }
   set_thread_hook(nullptr);

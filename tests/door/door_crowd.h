@@ -35,7 +35,7 @@ class DoorCrowd {
       crowd_.update(requests_);
     }
   }
-  /// Returns the place of a joint in the last palette of an agent: where the matrix brings the joint's own place.
+  /// Returns the last palette of an agent, 12 floats an entry.
   const float* palette(AgentId agent) const { return lines_[agent.number * stride_].floats; }
   std::uint64_t hash() const { return crowd_.debug().pose_hash(); }
 

@@ -113,7 +113,8 @@ class Agent : public AgentView {
   /// blends that stay (masked or held) take all places of the channel's tree. Returns false also if a local store of a
   /// fixed size has no room for the fade; then the clip has replaced all at once.
   bool play(const PlayRequest& request);
-  /// Does the same on another channel, which is a CrossFadeChannel.
+  /// Does the same on another channel, which is a CrossFadeChannel. A layer for which a local store of a fixed size has
+  /// no room at all plays nothing afterwards.
   bool play(ChannelId channel, const PlayRequest& request);
   /// Plays what was asked for last at another speed from now on, without a jump. The first channel is as for play().
   bool set_speed(double speed);

@@ -2,13 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/anim/entity/inertialiser.h"
-
 namespace throng::anim {
 namespace {
-
-// An interrupted fade has as long to settle as the request gives it to fade: little is left after four half-lives.
-constexpr double half_lives_in_a_fade = 4.0;
 
 constexpr std::size_t player_place(std::size_t player) { return player == 0 ? 0 : 2 * player - 1; }
 
@@ -16,12 +11,12 @@ bool stays(const PlayRequest& request) {
   return request.held_fraction.has_value() || request.mask != PlayRequest::no_mask;
 }
 
-void destroy(const EntityBuilder& build, BlendTree& tree) {
-  for (const Handle entity : tree.all()) build.destroy(entity);
-  tree.count = 0;
-}
-
 }  // namespace
+
+void BlendTree::destroy(const EntityBuilder& build) {
+  for (const Handle entity : all()) build.destroy(entity);
+  count = 0;
+}
 
 PlayerStart start_of(const PlayRequest& request) {
   return {.clip = request.clip,
@@ -34,7 +29,7 @@ PlayerStart start_of(const PlayRequest& request) {
 
 bool CrossFadeChannel::play(const EntityBuilder& build, const PlayRequest& request) {
   end_fades(build);
-  end_interruption(build);
+  end_interruption(build, inertialiser_, left_);
   const bool full = tree_.player_count() == BlendTree::max_players;
   if (tree_.count == 0 || (request.fade <= Ticks{} && !stays(request))) {
     cut(build, request);
@@ -66,17 +61,10 @@ void CrossFadeChannel::lay_over(const EntityBuilder& build, const PlayRequest& r
 }
 
 void CrossFadeChannel::interrupt(const EntityBuilder& build, const PlayRequest& request) {
-  if (!inertialiser_.valid()) inertialiser_ = build.create(EntityPools::inertialisers);
-  if (left_.count == 0) {
-    left_ = tree_;
-  } else {
-    destroy(build, tree_);  // interrupted before it was ever shown
-  }
-  tree_ = {};
+  begin_interruption(build, inertialiser_, tree_, left_);
   tree_.entities[tree_.count++] = build.player(start_of(request));
   settled_at_ = build.now() + request.fade;
-  const auto half_life = static_cast<float>(to_seconds(request.fade) / half_lives_in_a_fade);
-  retarget(build.as<Inertialiser>(inertialiser_), tree_.root(), left_.root(), half_life);
+  retarget(build.as<Inertialiser>(inertialiser_), tree_.root(), left_.root(), half_life_of(request.fade));
 }
 
 void CrossFadeChannel::set_speed(const EntityBuilder& build, double speed) const {
@@ -85,7 +73,7 @@ void CrossFadeChannel::set_speed(const EntityBuilder& build, double speed) const
 
 bool CrossFadeChannel::update(const EntityBuilder& build) {
   const bool faded = end_fades(build);
-  return end_interruption(build) || faded;
+  return end_interruption(build, inertialiser_, left_) || faded;
 }
 
 // Replaces every fade that is over by its target, so that trees stay shallow.
@@ -104,20 +92,6 @@ bool CrossFadeChannel::end_fades(const EntityBuilder& build) {
   if (shorter.count > 1) build.as<EaseBlender>(shorter.entities[2]).from = shorter.entities[0];
   tree_ = shorter;
   if (inertialiser_.valid()) build.as<Inertialiser>(inertialiser_).target = tree_.root();
-  return true;
-}
-
-// Lets go of what was left once the inertialiser has seen it, and of the inertialiser once its offset has ended.
-bool CrossFadeChannel::end_interruption(const EntityBuilder& build) {
-  if (!inertialiser_.valid()) return false;
-  auto& inertialiser = build.as<Inertialiser>(inertialiser_);
-  if (!has_left(inertialiser)) return false;
-  const bool lets_go = left_.count > 0;
-  destroy(build, left_);
-  inertialiser.leaving = {};
-  if (!is_over(inertialiser)) return lets_go;
-  build.destroy(inertialiser_);
-  inertialiser_ = {};
   return true;
 }
 
@@ -142,8 +116,8 @@ void CrossFadeChannel::visit_handles(const std::function<void(Handle&)>& visit) 
 }
 
 void CrossFadeChannel::destroy_entities(const EntityBuilder& build) {
-  destroy(build, tree_);
-  destroy(build, left_);
+  tree_.destroy(build);
+  left_.destroy(build);
   if (inertialiser_.valid()) build.destroy(inertialiser_);
   inertialiser_ = {};
   settled_at_ = Ticks{};

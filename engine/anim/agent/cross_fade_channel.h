@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "engine/anim/agent/channel.h"
+#include "engine/anim/entity/inertialiser.h"
 
 namespace throng::anim {
 
@@ -40,10 +42,42 @@ struct BlendTree {
   std::array<Handle, max_entities> entities;
   std::uint8_t count = 0;
 
+  bool empty() const { return count == 0; }
   std::span<const Handle> all() const { return {entities.data(), count}; }
   Handle root() const { return count == 0 ? Handle{} : entities[count - 1U]; }
   std::size_t player_count() const { return (count + 1U) / 2U; }
+  void destroy(const EntityBuilder& build);
 };
+
+// A fade that is interrupted is left behind through an inertialiser. Channels whose entities are a tree share how. The
+// inertialiser is invalid, and `left` empty, where nothing was interrupted.
+
+/// Moves the entities of `tree` to `left`, which the inertialiser leaves from now on; retarget() says for what.
+template <typename Tree>
+void begin_interruption(const EntityBuilder& build, Handle& inertialiser, Tree& tree, Tree& left) {
+  if (!inertialiser.valid()) inertialiser = build.create(EntityPools::inertialisers);
+  if (left.empty()) {
+    left = tree;
+  } else {
+    tree.destroy(build);  // interrupted before it was ever shown
+  }
+  tree = {};
+}
+
+/// Lets go of what was left once the inertialiser has seen it, and of the inertialiser once its offset has ended.
+/// Returns whether it let go of anything.
+template <typename Tree>
+bool end_interruption(const EntityBuilder& build, Handle& inertialiser, Tree& left) {
+  if (!inertialiser.valid()) return false;
+  auto& own = build.as<Inertialiser>(inertialiser);
+  if (!has_left(own)) return false;
+  const bool lets_go = !left.empty();
+  left.destroy(build);
+  own.leaving = {};
+  if (!is_over(own)) return lets_go;
+  build.destroy(std::exchange(inertialiser, {}));
+  return true;
+}
 
 /// Plays a clip, and fades to the next. A fade that is interrupted neither snaps nor waits: an inertialiser leaves
 /// behind what was shown, so that at most two fades are evaluated at once, whatever is asked for.
@@ -71,7 +105,6 @@ class CrossFadeChannel final : public Channel {
   void lay_over(const EntityBuilder& build, const PlayRequest& request, Ticks fade_end);
   void interrupt(const EntityBuilder& build, const PlayRequest& request);
   bool end_fades(const EntityBuilder& build);
-  bool end_interruption(const EntityBuilder& build);
   bool is_fading(Ticks now) const;
 
   BlendTree tree_;

@@ -15,8 +15,8 @@ const char* fault_of(const Population& population, const ExactPose& exact) {
   const std::size_t bones = population.character_of(exact.agent.number).skeleton().bones.size();
   if (!exact.locals.empty() && exact.locals.size() < bones) return "local transforms have room for every bone";
   const PaletteDestination palette = exact.palette;
-  const bool has_none = palette == nullptr && exact.locals.empty();
-  return has_none || palette.is_misaligned() ? "a palette lies at a multiple of 16 bytes" : nullptr;
+  if (palette == nullptr && exact.locals.empty()) return "neither a palette nor local transforms are asked for";
+  return palette.is_misaligned() ? "a palette lies at a multiple of 16 bytes" : nullptr;
 }
 
 }  // namespace

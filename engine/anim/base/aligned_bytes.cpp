@@ -4,6 +4,8 @@
 #include <cstring>
 #include <new>
 
+#include "engine/anim/base/misuse.h"
+
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
@@ -64,6 +66,9 @@ void give_back_pages(std::byte* bytes, std::size_t size) {
 }  // namespace throng::anim
 
 void throng::set_memory_hooks(const MemoryHooks& hooks) {
-  const bool are_whole = (hooks.allocate == nullptr) == (hooks.release == nullptr);
-  if (are_whole) anim::hooks_of_the_host = hooks;
+  if ((hooks.allocate == nullptr) == (hooks.release == nullptr)) {
+    anim::hooks_of_the_host = hooks;
+  } else {
+    anim::report_misuse({"set_memory_hooks", "both functions are given, or neither"});
+  }
 }

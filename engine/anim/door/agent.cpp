@@ -32,6 +32,12 @@ anim::LayerSettings settings_of(const Layer& layer) {
   return {.weight = layer.weight, .mask = detail::number_of(layer.mask)};
 }
 
+// The enumerators of the door have the numbers of the library's own.
+static_assert(static_cast<int>(Pace::gait) == static_cast<int>(anim::Pace::gait));
+static_assert(static_cast<int>(Pace::own) == static_cast<int>(anim::Pace::own));
+static_assert(static_cast<int>(PlaneMeaning::velocity) == static_cast<int>(anim::PlaneMeaning::velocity));
+static_assert(static_cast<int>(PlaneMeaning::speed_and_turn) == static_cast<int>(anim::PlaneMeaning::speed_and_turn));
+
 anim::Pace pace_of(Pace pace) { return static_cast<anim::Pace>(pace); }
 
 }  // namespace

@@ -22,6 +22,11 @@ struct Snapshot::State {
 
 namespace {
 
+// The enumerators of the door have the numbers of the library's own.
+static_assert(static_cast<int>(JointFormat::transforms) == static_cast<int>(anim::JointFormat::transforms));
+static_assert(static_cast<int>(JointFormat::matrices) == static_cast<int>(anim::JointFormat::matrices));
+static_assert(static_cast<int>(JointFormat::matrices_4x4) == static_cast<int>(anim::JointFormat::matrices_4x4));
+
 anim::SystemOptions system_options(const CrowdOptions& options) {
   return {.pus = options.pus,
           .local_store_bytes = options.local_store_bytes,
@@ -82,7 +87,7 @@ void note(detail::CrowdParts& parts, std::span<const AgentId> added, CharacterId
 detail::CrowdCharacter* detail::CrowdParts::character_of(AgentId agent, const char* call) {
   const anim::Agent own = system->agent(agent);
   if (own.exists()) return &characters[own.character_number()];
-  anim::report_misuse({call, "an agent of this id is not in the crowd"});
+  anim::report_misuse({call, detail::no_agent});
   return nullptr;
 }
 
@@ -138,7 +143,7 @@ std::size_t Crowd::palette_bytes(CharacterId character) const {
 Status Crowd::write_joints(CharacterId character, const JointOutput& output) {
   anim::Characters& characters = parts_->system->characters();
   if (!characters.has(character)) {
-    return anim::refuse({"Crowd::write_joints", "a character of this id is not in the crowd"});
+    return anim::refuse({"Crowd::write_joints", detail::no_character});
   }
   const Result<anim::JointList> joints = joints_of(*parts_->characters[character.number].character.data(), output);
   if (!joints) return joints.error();
@@ -153,7 +158,7 @@ std::size_t Crowd::joint_bytes(CharacterId character) const {
 MaskId Crowd::add_mask(CharacterId character, std::span<const BoneWeight> bones, float elsewhere) {
   anim::Characters& characters = parts_->system->characters();
   if (!characters.has(character)) {
-    anim::report_misuse({"Crowd::add_mask", "a character of this id is not in the crowd"});
+    anim::report_misuse({"Crowd::add_mask", detail::no_character});
     return {};
   }
   const anim::Skeleton& skeleton = std::as_const(characters)[character].skeleton;
@@ -174,7 +179,7 @@ MaskId Crowd::add_mask(CharacterId character, std::span<const BoneWeight> bones,
 
 Result<StepId> Crowd::add_step(CharacterId character, const StepKind& kind) {
   if (!parts_->system->characters().has(character)) {
-    return anim::refuse({"Crowd::add_step", "a character of this id is not in the crowd"});
+    return anim::refuse({"Crowd::add_step", detail::no_character});
   }
   const Result<std::uint32_t> number = parts_->characters[character.number].kinds->add_step(kind);
   if (!number) return number.error();
@@ -219,7 +224,7 @@ void Crowd::pose_exactly(std::span<const PoseRequest> requests) {
 bool Crowd::local_pose(AgentId agent, std::span<LocalTransform> into) {
   constexpr const char* call = "Crowd::local_pose";
   const anim::AgentView own = std::as_const(*parts_->system).agent(agent);
-  if (!own.exists()) return anim::report_misuse({call, "an agent of this id is not in the crowd"});
+  if (!own.exists()) return anim::report_misuse({call, detail::no_agent});
   const auto bones = static_cast<std::size_t>(own.character().skeleton.bone_count());
   if (into.size() < bones) return anim::report_misuse({call, "there is no room for a transform of each bone"});
   if (own.graph().empty() || !own.can_pose_exactly()) return false;

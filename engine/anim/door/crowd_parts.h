@@ -13,7 +13,11 @@
 
 namespace throng::detail {
 
-/// What level of detail reads of the agents, by number.
+// The reasons why a call with such an id is refused.
+inline constexpr const char* no_agent = "an agent of this id is not in the crowd";
+inline constexpr const char* no_character = "a character of this id is not in the crowd";
+
+/// Notes of each agent, by number, which level of detail reads.
 struct AgentNotes {
   std::vector<std::uint8_t> characters;  // [agent]
   std::vector<int> clips;                // [agent] the clip that it was asked for last; -1: none

@@ -46,6 +46,10 @@ anim::LodCamera camera_for(const Camera& camera) {
   return own;
 }
 
+// The enumerators of the door have the numbers of the library's own.
+static_assert(static_cast<int>(LodRule::distance) == static_cast<int>(anim::LodRule::distance));
+static_assert(static_cast<int>(LodRule::budget) == static_cast<int>(anim::LodRule::budget));
+
 anim::LodLimits limits_of(const LodRules& rules) {
   return {.error_pixels = rules.error_pixels, .budget_nanoseconds = rules.budget_milliseconds * 1e6};
 }

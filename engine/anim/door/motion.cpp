@@ -13,6 +13,10 @@ anim::AgentMotion motion_of(const detail::CrowdParts& crowd, AgentId agent) {
   return std::as_const(*crowd.system).agent(agent).motion();
 }
 
+// The enumerators of the door have the numbers of the library's own.
+static_assert(static_cast<int>(KeyChoice::heaviest) == static_cast<int>(anim::KeyChoice::heaviest));
+static_assert(static_cast<int>(KeyChoice::all) == static_cast<int>(anim::KeyChoice::all));
+
 /// Returns whether both times are within a day of the clock; else reports a misuse.
 bool are_near(const detail::CrowdParts& crowd, Ticks from, Ticks to, const char* call) {
   constexpr Ticks day = 24 * 3600 * ticks_per_second;

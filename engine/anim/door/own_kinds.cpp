@@ -19,6 +19,10 @@ std::string why_missing(const CharacterData& data) {
   return why;
 }
 
+// The enumerators of the door have the numbers of the library's own.
+static_assert(static_cast<int>(Limb::right_arm) == static_cast<int>(anim::CharacterRigs::Limb::right_arm));
+static_assert(static_cast<int>(Limb::right_leg) == static_cast<int>(anim::CharacterRigs::Limb::right_leg));
+
 anim::SpringOptions options_of(const SpringChain& chain) {
   return {.stiffness = chain.stiffness,
           .damping = chain.damping,
@@ -53,6 +57,17 @@ std::string key_of(const Springs& settings) {
 }
 
 }  // namespace
+
+template <typename Owned>
+Result<OwnKinds::Kind> OwnKinds::add_last(std::deque<Owned>& all) {
+  const Result<Kind> kind = add(all.back().own);
+  if (kind) {
+    all.back().kind = *kind;
+  } else {
+    all.pop_back();
+  }
+  return kind;
+}
 
 Result<int> OwnKinds::bone(std::string_view name) const {
   const int found = anim::find_bone(skeleton(), name);
@@ -90,13 +105,7 @@ Result<OwnKinds::Kind> OwnKinds::chain(const ChainReach& settings) {
   if (!made) return made.error();
   Chains& chain = chains_.emplace_back(Chains{.first = *first, .last = *last, .chains = {*made}, .own = {}});
   chain.own = anim::chain_reach_kind(chain.chains);
-  const Result<Kind> kind = add(chain.own);
-  if (kind) {
-    chain.kind = *kind;
-  } else {
-    chains_.pop_back();
-  }
-  return kind;
+  return add_last(chains_);
 }
 
 Result<OwnKinds::Kind> OwnKinds::springs(const Springs& settings) {
@@ -119,13 +128,7 @@ Result<OwnKinds::Kind> OwnKinds::springs(const Springs& settings) {
   if (!rig) return rig.error();
   SpringSet& set = springs_.emplace_back(SpringSet{.key = std::move(key), .rig = std::move(*rig), .own = {}});
   set.own = anim::spring_bones_kind(set.rig);
-  const Result<Kind> kind = add(set.own);
-  if (kind) {
-    set.kind = *kind;
-  } else {
-    springs_.pop_back();
-  }
-  return kind;
+  return add_last(springs_);
 }
 
 Result<OwnKinds::Place> OwnKinds::socket(const Socket& settings) {
@@ -157,12 +160,7 @@ Result<std::uint32_t> OwnKinds::add_step(const StepKind& step) {
   if (const char* const fault = fault_of(step); fault != nullptr) return Error{fault};
   Step& own = steps_.emplace_back(Step{.step = step, .own = {}});
   own.own = step_entity_kind(own.step);
-  const Result<Kind> kind = add(own.own);
-  if (!kind) {
-    steps_.pop_back();
-    return kind.error();
-  }
-  own.kind = *kind;
+  if (const Result<Kind> kind = add_last(steps_); !kind) return kind.error();
   return static_cast<std::uint32_t>(steps_.size() - 1);
 }
 

@@ -73,6 +73,9 @@ class OwnKinds {
 
   const anim::Skeleton& skeleton() const { return data_->baked.skeleton; }
   Result<int> bone(std::string_view name) const;
+  /// Adds the kind of the last element, or takes that away again.
+  template <typename Owned>
+  Result<Kind> add_last(std::deque<Owned>& all);
   Result<Kind> add(const anim::EntityKind& kind) { return system_->characters().add_entity_kind(kind, character_); }
 
   anim::AnimationSystem* system_;

@@ -18,9 +18,8 @@ namespace throng {
 namespace {
 
 constexpr const char* adds = "Agent::add";
-constexpr const char* no_agent = "an agent of this id is not in the crowd";
 
-using detail::to_glm;
+using detail::no_agent, detail::to_glm;
 
 /// Adds a process of type `Process`, made of its kind and `settings`, to an agent.
 template <typename Process, typename... Settings>
@@ -178,11 +177,7 @@ bool Processes::set_ground(ProcessId feet, int leg, const Vec3& point, const Vec
 
 Vec3 Processes::ankle(ProcessId feet, int leg) const {
   const auto* const own = find<anim::FootPlacementProcess>(*crowd_, agent_, feet, "Processes::ankle");
-  if (own == nullptr) return {};
-  const int legs = crowd_->character_of(agent_, "Processes::ankle")->character.data()->rigs.foot_placement()->leg_count;
-  if (leg >= 0 && leg < legs) return detail::from_glm(own->ankle(pools_of(*crowd_, agent_), leg));
-  anim::report_misuse({"Processes::ankle", "a leg is one of the character's, from 0"});
-  return {};
+  return own == nullptr ? Vec3{} : detail::from_glm(own->ankle(pools_of(*crowd_, agent_), leg));
 }
 
 bool Processes::push(ProcessId ragdoll, const Vec3& impulse, const Vec3& place) const {

@@ -9,12 +9,12 @@ using namespace throng;
 
 namespace {
 
-/// What all agents share: the bones that sway.
+/// All agents share the bones that sway.
 struct Swaying {
   std::vector<int> bones;
 };
 
-/// What one agent remembers: plain bytes, 0 at first. The library moves them, and keeps them in snapshots.
+/// Each agent remembers its time in plain bytes, 0 at first. The library moves them, and keeps them in snapshots.
 struct Memory {
   double seconds;
 };

@@ -136,7 +136,7 @@ TEST(ExactLocals, OfNobodyOrWithoutRoomAreReportedAndTheOthersAreWritten) {
   crowd->pose_exactly(wanted);
   EXPECT_THAT(HeardMisuses::all(),
               ElementsAre(HasSubstr("pose_exactly"), HasSubstr("plays something before it is posed"),
-                          HasSubstr("room for every bone"), HasSubstr("multiple of 16 bytes")));
+                          HasSubstr("room for every bone"), HasSubstr("neither a palette nor local transforms")));
   EXPECT_EQ(good.front().scale, glm::vec3(1.0F));
 }
 

@@ -1,5 +1,7 @@
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -166,7 +168,9 @@ TEST_F(MisuseTest, OfAnExactPose) {
     ASSERT_EQ(heard.size(), 1U) << sentence;
     EXPECT_THAT(heard.front(), HasSubstr(sentence));
   };
-  poses("a multiple of 16 bytes", {.agent = {0}});
+  poses("neither a palette nor local transforms", {.agent = {0}});
+  alignas(16) std::array<std::byte, 64> bytes{};
+  poses("a multiple of 16 bytes", {.agent = {0}, .palette = reinterpret_cast<PaletteMatrix*>(bytes.data() + 4)});
   poses("an agent of this id is not in the system", {.agent = {99}});
 }
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/anim/agent/channel.h"
+#include "engine/anim/agent/cross_fade_channel.h"
 
 namespace throng::anim {
 

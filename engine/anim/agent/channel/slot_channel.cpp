@@ -5,13 +5,9 @@
 #include <utility>
 
 #include "engine/anim/base/misuse.h"
-#include "engine/anim/entity/inertialiser.h"
 
 namespace throng::anim {
 namespace {
-
-// As in a CrossFadeChannel: little is left after four half-lives.
-constexpr double half_lives_in_a_fade = 4.0;
 
 PlayerStart start_of(const EntityBuilder& build, const OneShot& shot) {
   const Ticks begin = shot.speed < 0.0 && build.has_clip(shot.clip) ? build.clip(shot.clip).duration : Ticks{};
@@ -58,7 +54,7 @@ void SlotChannel::stop() {
 }
 
 bool SlotChannel::update(const EntityBuilder& build) {
-  bool changed = end_interruption(build);
+  bool changed = end_interruption(build, inertialiser_, left_);
   changed = end_shots(build) || changed;
   took_all_ = !std::exchange(refused_, false);
   if (stops_) {
@@ -119,16 +115,10 @@ void SlotChannel::append(const EntityBuilder& build, const OneShot& shot, Ticks 
 
 void SlotChannel::interrupt(const EntityBuilder& build, const OneShot& shot) {
   note_ends(build.now());
-  if (!inertialiser_.valid()) inertialiser_ = build.create(EntityPools::inertialisers);
-  if (left_.empty()) {
-    left_ = tree_;
-    tree_ = {};
-  } else {
-    tree_.destroy(build);  // interrupted before it was ever shown
-  }
+  begin_interruption(build, inertialiser_, tree_, left_);
   append(build, shot, build.now(), false);
-  const auto half_life = static_cast<float>(to_seconds(shot.fade_in) / half_lives_in_a_fade);
-  retarget(build.as<Inertialiser>(inertialiser_), tree_.root(has_below_), left_.root(has_below_), half_life);
+  retarget(build.as<Inertialiser>(inertialiser_), tree_.root(has_below_), left_.root(has_below_),
+           half_life_of(shot.fade_in));
 }
 
 void SlotChannel::lie_over(const EntityBuilder& build, Handle below) {
@@ -141,7 +131,7 @@ void SlotChannel::lie_over(const EntityBuilder& build, Handle below) {
   if (!left_.empty()) inertialiser.leaving = left_.root(has_below_);
 }
 
-// What an inertialiser still leaves behind is shown over what is below.
+// An inertialiser shows its offset over the shots, so they stay until it has ended.
 bool SlotChannel::end_shots(const EntityBuilder& build) {
   if (tree_.empty()) return false;
   if (build.now() >= tree_.last().ends && !inertialiser_.valid()) {
@@ -152,20 +142,6 @@ bool SlotChannel::end_shots(const EntityBuilder& build) {
   const std::size_t covered = tree_.covered(build.now());
   for (std::size_t i = 0; i < covered; ++i) note_end(tree_.shots[i], build.now());
   return tree_.drop_covered(build);
-}
-
-// Lets go of what was left once the inertialiser has seen it, and of the inertialiser once its offset has ended.
-bool SlotChannel::end_interruption(const EntityBuilder& build) {
-  if (!inertialiser_.valid()) return false;
-  auto& inertialiser = build.as<Inertialiser>(inertialiser_);
-  if (!has_left(inertialiser)) return false;
-  const bool lets_go = !left_.empty();
-  left_.destroy(build);
-  inertialiser.leaving = {};
-  if (!is_over(inertialiser)) return lets_go;
-  build.destroy(inertialiser_);
-  inertialiser_ = {};
-  return true;
 }
 
 // One that is queued while the last fades out takes over from it, which has then as good as finished.

@@ -32,7 +32,7 @@ struct OneShotEnd {
 class SlotChannel final : public Channel {
  public:
   /// Asks for a shot; call it through `Agent::change`. Returns false if max_shots are playing and waiting already.
-  /// What the character cannot play is a misuse: it is reported, and ignored.
+  /// A shot that the character cannot play is a misuse, which the next update reports and ignores.
   bool play(const OneShot& shot);
   /// Returns whether the last update took all that it was asked for.
   bool took_all() const { return took_all_; }
@@ -56,16 +56,14 @@ class SlotChannel final : public Channel {
   static constexpr std::size_t kept_ends = 16;
 
   bool take(const EntityBuilder& build, const OneShot& shot);
-  void begin(const EntityBuilder& build, const OneShot& shot);
   void interrupt(const EntityBuilder& build, const OneShot& shot);
   void append(const EntityBuilder& build, const OneShot& shot, Ticks begins, bool fades_in);
   bool end_shots(const EntityBuilder& build);
-  bool end_interruption(const EntityBuilder& build);
   void note_end(const OneShotTree::Shot& shot, Ticks now);
   void note_ends(Ticks now);
 
   OneShotTree tree_;
-  OneShotTree left_;  // what the inertialiser is leaving
+  OneShotTree left_;  // the tree that the inertialiser is leaving
   Handle inertialiser_;
   Ticks fades_out_at_ = never;  // the last shot
   bool has_below_ = false;

@@ -10,7 +10,7 @@
 
 #include "engine/anim/base/misuse.h"
 
-// What a pointer of the door for C points to.
+// A pointer of the door for C points to one of these.
 struct throng_file {
   throng::LoadedFile loaded;
 };

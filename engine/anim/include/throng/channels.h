@@ -7,7 +7,7 @@
 #include "throng/math.h"
 #include "throng/ticks.h"
 
-/// What an agent plays: requests to its channels, and the settings of new ones. Spans are read during the call alone.
+/// Requests to the channels of an agent, and settings of new channels. A call reads spans while it lasts.
 namespace throng {
 
 /// "Play this clip."

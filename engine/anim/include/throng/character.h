@@ -21,7 +21,7 @@ namespace detail {
 struct CharacterData;
 }
 
-/// What is known of a clip.
+/// Describes a clip.
 struct ClipInfo {
   std::string_view name{};
   Ticks duration{};
@@ -55,7 +55,7 @@ class Character {
   explicit operator bool() const { return data_ != nullptr; }
 
   std::uint32_t clip_count() const;
-  /// Returns what is known of a clip; nothing of a clip that there is not.
+  /// Describes a clip; the description of a clip that there is not is empty.
   ClipInfo clip(ClipId clip) const;
   /// Returns the clip of this name; an invalid id if there is none.
   ClipId find_clip(std::string_view name) const;

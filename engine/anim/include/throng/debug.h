@@ -7,7 +7,7 @@
 
 namespace throng {
 
-/// What a crowd did and what it takes: figures for a profiler or a test, none of which a game needs.
+/// Tells a profiler or a test what a crowd did and what it takes. A game needs none of it.
 class Debug {
  public:
   explicit Debug(const detail::CrowdParts& crowd) : crowd_(&crowd) {}

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-/// What a host may do in the library's place: hear of mistakes, run jobs, give memory, name threads.
+/// A host may hear of misuses, run jobs, give memory and name threads in the library's place.
 namespace throng {
 
 /// A call that broke its contract: an id of nothing, a number that is none, a call at the wrong time. The library
@@ -54,7 +54,7 @@ struct MemoryHooks {
 
 /// Sets who gives memory from now on; without functions, operator new. What was given is taken back by whoever gave it,
 /// so the functions stay callable. Call it when no other thread is in the library. Only one of the two functions is a
-/// mistake, and changes nothing.
+/// misuse, which changes nothing.
 void set_memory_hooks(const MemoryHooks& hooks);
 
 /// Is called first on each thread that the library starts, with the number of its PU, from 1: to name it, or to choose

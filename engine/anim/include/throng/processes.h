@@ -8,8 +8,8 @@
 #include "throng/math.h"
 #include "throng/ticks.h"
 
-/// What changes an agent's final pose: the settings of post processes. They work in the order in which they are added.
-/// Strings and spans are read during the call alone.
+/// Settings of post processes, which change an agent's final pose. They work in the order in which they are added. A
+/// call reads strings and spans while it lasts.
 namespace throng {
 
 /// Turns spine, neck and head towards a place, within limits. It looks nowhere until Agent::look_at.

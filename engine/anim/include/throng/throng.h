@@ -9,8 +9,9 @@
 ///     crowd->advance(16ms);                                          the clock
 ///     crowd->update(requests);                                       poses, written where the requests say
 ///
-/// What can go wrong without a mistake of the caller returns a Result with a sentence. A mistake is reported (host.h)
-/// and ignored. Nothing is thrown. From version 1.0 on, what these headers say stays true within a major version.
+/// A call that can fail although its caller made no mistake returns a Result with a sentence. A misuse is reported
+/// (host.h) and ignored. Nothing is thrown. From version 1.0 on, what these headers say stays true within a major
+/// version.
 
 #include "throng/agent.h"
 #include "throng/channels.h"

@@ -8,19 +8,11 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/base/finite.h"
 #include "engine/anim/base/pose.h"
 
 namespace throng::anim {
 namespace {
-
-bool is_finite(const glm::dmat4& matrix) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      if (!std::isfinite(static_cast<float>(matrix[column][row]))) return false;
-    }
-  }
-  return true;
-}
 
 bool is_similarity(const glm::dmat4& matrix) {
   const glm::dmat3 linear(matrix);
@@ -34,7 +26,7 @@ bool is_similarity(const glm::dmat4& matrix) {
   return glm::determinant(linear) > 0.0 && worst <= most_unlike * scale * scale;
 }
 
-/// What is left of sums that cancel out in double.
+/// Returns the matrix without the remains of sums that cancel out in double.
 glm::dmat4 without_dust(glm::dmat4 matrix) {
   constexpr double dust = 1e-12;
   for (int column = 0; column < 4; ++column) {
@@ -108,7 +100,8 @@ Status check(const Skeleton& skeleton, const JointList& list, JointFormat format
       return Error{whose + which + " is of bone " + std::to_string(list[i].bone) + ": give 0 to " +
                    std::to_string(skeleton.bone_count() - 1)};
     }
-    if (!is_finite(list[i].post)) return Error{whose + which + " has a matrix that is not finite"};
+    if (!all_finite(glm::dmat4(glm::mat4(list[i].post))))
+      return Error{whose + which + " has a matrix that is not finite"};
     if (format == JointFormat::transforms && !is_similarity(bind_global(skeleton, list[i].bone) * list[i].post)) {
       return Error{whose + which + " has a matrix with shear or uneven scale: ask for matrices"};
     }

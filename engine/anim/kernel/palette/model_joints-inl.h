@@ -22,6 +22,16 @@ class JointWriter {
  public:
   explicit JointWriter(float* const* to) : to_(to) {}
 
+  /// Writes all joints that the bone of a step carries.
+  template <class Carrier>
+  HWY_INLINE void write_all(D d, const JointProgram& program, int step, const Carrier& carrier) const {
+    const int last = program.first_joint[static_cast<std::size_t>(step) + 1];
+    for (int joint = program.first_joint[static_cast<std::size_t>(step)]; joint < last; ++joint) {
+      write(d, carrier, program.joints[static_cast<std::size_t>(joint)]);
+    }
+  }
+
+ private:
   HWY_INLINE void write(D d, const RigidMotion<V>& motion, const PlacedJoint& joint) const {
     if constexpr (format == JointFormat::transforms) {
       const Quaternions<V> turn{hn::Set(d, joint.rotation[0]), hn::Set(d, joint.rotation[1]),
@@ -47,7 +57,6 @@ class JointWriter {
     write(d, product(global, broadcast_affine(d, joint.rows[0])), joint.at);
   }
 
- private:
   static HWY_INLINE Vectors<V> position(D d, const RigidMotion<V>& motion, const PlacedJoint& joint) {
     if (!joint.moves) return motion.joint;
     const Vectors<V> from_origin{hn::Set(d, joint.rows[0][3]), hn::Set(d, joint.rows[1][3]),
@@ -118,10 +127,7 @@ HWY_INLINE void rigid_joints(D d, const ModelJointsJob& job, int lane, int begin
     const float* const input = inputs.of(d, in_packet, displaced ? rigid_components : 4);
     move_on(d, hierarchy, i, load_quaternions(d, input, lanes), displaced ? input + 4 * lanes : nullptr, lanes, motion);
     if (step.store >= 0) store(d, motion, slots + step.store * branch_slot_floats * width, width);
-    const int last = program.first_joint[static_cast<std::size_t>(i) + 1];
-    for (int joint = program.first_joint[static_cast<std::size_t>(i)]; joint < last; ++joint) {
-      writer.write(d, motion, program.joints[static_cast<std::size_t>(joint)]);
-    }
+    writer.write_all(d, program, i, motion);
   }
   store(d, motion, job.carry + lane, width);
 }
@@ -148,10 +154,7 @@ HWY_INLINE void general_joints(D d, const ModelJointsJob& job, int lane, int beg
     const int in_packet = program.bones[static_cast<std::size_t>(i)] % packet_bones;
     global = product(global, load_local(d, inputs.of(d, in_packet, general_components), lanes));
     if (step.store >= 0) store_affine(d, global, slots + step.store * branch_slot_floats * width, width);
-    const int last = program.first_joint[static_cast<std::size_t>(i) + 1];
-    for (int joint = program.first_joint[static_cast<std::size_t>(i)]; joint < last; ++joint) {
-      writer.write(d, global, program.joints[static_cast<std::size_t>(joint)]);
-    }
+    writer.write_all(d, program, i, global);
   }
   store_affine(d, global, job.carry + lane, width);
 }

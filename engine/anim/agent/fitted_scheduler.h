@@ -36,9 +36,9 @@ class FittedScheduler {
   /// Changes the graph of an agent, and fits the stores to what the graph asks of them afterwards.
   template <typename Change>
   Status settle(const Population& population, std::uint32_t agent, Change&& change_graph) {
-    const StoreNeeds before = population.graph(agent).program->needs;
+    // The needs of before say nothing: that graph may be one that a failed change has left, which fits no store.
     Status changed = change_graph();
-    return !changed || population.graph(agent).program->needs == before ? changed : fit(population, agent);
+    return changed ? fit(population, agent) : changed;
   }
   /// Returns what all graphs ask of the stores.
   LocalStoreDemand demand(const Population& population) const;

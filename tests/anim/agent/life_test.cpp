@@ -132,6 +132,24 @@ TEST(AgentLife, AFrameThatAddsAndRemovesAThousandAllocatesNothingAfterTheFirst) 
   EXPECT_EQ(system->agent_count(), static_cast<std::uint32_t>(crowd));
 }
 
+TEST(AgentLife, ALayerForWhichThereIsNoRoomPlaysNothing) {
+  const auto system = empty_system({.local_store_bytes = std::size_t{16} << 10U});
+  Agent agent = system->agent(system->add_agent());
+  agent.play({.clip = 0});
+  int played = 0;
+  constexpr int layers = 40;
+  for (int layer = 0; layer < layers; ++layer) {
+    const Result<ChannelId> added = agent.add_channel(std::make_unique<CrossFadeChannel>());
+    ASSERT_TRUE(added);
+    if (agent.play(*added, {.clip = 1})) ++played;
+    system->advance(frame_ticks);
+    const AgentUpdate update{.agent = agent.id()};
+    system->update({&update, 1});
+  }
+  EXPECT_GT(played, 0);
+  EXPECT_LT(played, layers) << "this many layers have no room";
+}
+
 TEST(CharacterLife, ASnapshotOfACharacterThatLeftIsRefusedThoughItCameBack) {
   const auto system = empty_system();
   const Result<CharacterId> guest = system->characters().add(test_character());

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/character/bone_lod.h"
-#include "app/files/json.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 namespace {

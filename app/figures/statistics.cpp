@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "app/files/atomic_file.h"
-#include "app/files/json.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 namespace {

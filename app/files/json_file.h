@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/files/json.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 

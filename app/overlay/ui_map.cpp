@@ -4,9 +4,9 @@
 #include <cstddef>
 
 #include "app/character/rig_table.h"
-#include "app/files/json.h"
 #include "app/settings/choices.h"
 #include "app/settings/preset.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/character/cast_entry.h"
 #include "app/character/roles.h"
 #include "app/character/source.h"
-#include "app/files/json.h"
 #include "engine/anim/base/result.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/json.h"
 #include "app/settings/option_values.h"
 #include "app/settings/settings.h"
 #include "engine/anim/base/result.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 

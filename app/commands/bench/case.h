@@ -7,10 +7,10 @@
 #include "app/commands/bench/options.h"
 #include "app/commands/bench/times.h"
 #include "app/figures/timeline_log.h"
-#include "app/files/json.h"
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/base/result.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "app/commands/bench/options.h"
-#include "app/files/json.h"
 #include "engine/anim/base/result.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 

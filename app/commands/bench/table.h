@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "app/files/json.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 

@@ -5,7 +5,7 @@
 
 #include "app/commands/bench/options.h"
 #include "app/figures/timeline_log.h"
-#include "app/files/json.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 

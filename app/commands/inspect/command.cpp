@@ -12,9 +12,9 @@
 #include "app/commands/inspect/report.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
-#include "app/files/json.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
+#include "engine/anim/import/json/json.h"
 #include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/placement_guess.h"
 

@@ -12,7 +12,7 @@
 #include "app/commands/pose/pipe.h"
 #include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
-#include "app/files/json.h"
+#include "engine/anim/import/json/json.h"
 
 namespace throng::app {
 

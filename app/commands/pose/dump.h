@@ -4,8 +4,8 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "app/files/json.h"
 #include "engine/anim/asset/model.h"
+#include "engine/anim/import/json/json.h"
 namespace throng::app {
 
 /// One pose of a skeleton.

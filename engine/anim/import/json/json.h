@@ -14,9 +14,9 @@
 #include <variant>
 #include <vector>
 
-#include "engine/anim/base/result.h"
+#include "engine/result.h"
 
-namespace throng::app {
+namespace throng {
 
 /// The limits of parse_json(), which refuses deeper nesting and longer texts.
 inline constexpr std::size_t most_json_depth = 64;
@@ -130,7 +130,7 @@ inline bool Json::operator==(const Json& other) const { return value_ == other.v
 
 /// Parses `text`. If members have the same key, the last one counts, in the place of the first. The error says the line
 /// and column where `text` stops being JSON.
-anim::Result<Json> parse_json(std::string_view text);
+Result<Json> parse_json(std::string_view text);
 
 template <JsonNumber T>
 Json::Json(T value) {
@@ -179,4 +179,4 @@ T Json::get() const {
   }
 }
 
-}  // namespace throng::app
+}  // namespace throng

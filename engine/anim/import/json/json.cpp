@@ -1,10 +1,10 @@
-#include "app/files/json.h"
+#include "engine/anim/import/json/json.h"
 
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
 
-namespace throng::app {
+namespace throng {
 namespace {
 
 using Native = nlohmann::ordered_json;
@@ -37,7 +37,7 @@ class TreeBuilder final : public nlohmann::json_sax<Native> {
     return false;
   }
 
-  anim::Result<Json> result() && { return error_.empty() ? anim::Result<Json>(std::move(root_)) : anim::Error{error_}; }
+  Result<Json> result() && { return error_.empty() ? Result<Json>(std::move(root_)) : Error{error_}; }
 
  private:
   // A parent keeps its place while its children are built: nothing is added to what is around it meanwhile.
@@ -155,11 +155,11 @@ std::string Json::dump(int indent) const {
   return JsonPrinter::native(*this).dump(indent, ' ', false, Native::error_handler_t::replace);
 }
 
-anim::Result<Json> parse_json(std::string_view text) {
-  if (text.size() > most_json_bytes) return anim::Error{"is too long"};
+Result<Json> parse_json(std::string_view text) {
+  if (text.size() > most_json_bytes) return Error{"is too long"};
   TreeBuilder builder(text);
   Native::sax_parse(text.begin(), text.end(), &builder);
   return std::move(builder).result();
 }
 
-}  // namespace throng::app
+}  // namespace throng

@@ -1,6 +1,7 @@
+#include "engine/anim/import/json/json.h"
+
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -9,10 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/files/json_file.h"
-#include "tests/app/temporary_folder.h"
-
-namespace throng::app::json_test {
+namespace throng::json_test {
 namespace {
 
 using testing::HasSubstr;
@@ -107,29 +105,5 @@ TEST(Json, RefusesWhatIsNestedTooDeepOrTooLong) {
   EXPECT_EQ(refusal_of(std::string(most_json_bytes + 1, ' ')), "is too long");
 }
 
-TEST(JsonFile, BeginsComplaintsWithItsNameAndEndsThemWithARemedy) {
-  const std::string path = test::path_of_this_test().concat(".json");
-  const JsonFile file(path, {.unread = "; look", .malformed = "; mend", .wrong = "; change"});
-  EXPECT_EQ(file.read().error().message, path + ": cannot be read; look");
-  std::ofstream(path) << "[";
-  EXPECT_EQ(file.read().error().message, path + ": is not JSON at line 1, column 2; mend");
-  std::ofstream(path) << "[7]";
-  EXPECT_EQ(*file.read(), Json::array({7}));
-  std::filesystem::remove(path);
-  EXPECT_EQ(file.wrong("has a hole").message, path + ": has a hole; change");
-}
-
-TEST(JsonFile, ChecksTheVersionAndTheKeysOfATable) {
-  const JsonFile file("f");
-  const auto complaint = [&](std::string_view text) {
-    const anim::Status checked = file.check_table(*parse_json(text), 2, {"version", "names", "counts"});
-    return checked ? "" : checked.error().message;
-  };
-  EXPECT_EQ(complaint(R"({"counts": 1, "version": 2})"), "");
-  EXPECT_EQ(complaint("[]"), R"(f: must be an object with "version", "names" and "counts")");
-  EXPECT_EQ(complaint(R"({"version": 2, "count": 1})"), R"(f: unknown key "count"; it knows version, names, counts)");
-  EXPECT_EQ(complaint(R"({"version": "2"})"), "f: \"version\" must be 2");
-}
-
 }  // namespace
-}  // namespace throng::app::json_test
+}  // namespace throng::json_test

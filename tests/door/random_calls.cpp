@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace throng::door_test {
 namespace {
@@ -16,9 +17,29 @@ void sway(const StepJob& job) {
   job.pose.set_rotation(0, job.pose.rotation(1));
 }
 
+/// Returns a machine of the character's first clips, in which all kinds of transitions come often.
+StateMachine restless_machine(const Character& character) {
+  const auto clip = [&](std::uint32_t number) { return "\"" + std::string(character.clip({number}).name) + "\""; };
+  const std::string text =
+      R"({"inputs": [{"name": "x"}, {"name": "on", "value": true}, {"name": "go", "trigger": true}],
+    "states": [{"name": "a", "by": "x", "points": [{"clip": )" +
+      clip(0) + R"(, "at": 0}, {"clip": )" + clip(1) + R"(, "at": 1.5}]},
+               {"name": "b", "clip": )" +
+      clip(2) + R"(, "loop": false, "speed": -3}, {"name": "c", "clip": )" + clip(3) + R"(}],
+    "transitions": [{"from": "*", "to": "a", "when": ["x > 0.5"], "fade": 0.1},
+                    {"from": "a", "to": "b", "when": ["go"], "fade": 0.2},
+                    {"from": "b", "to": "c", "at_end": true, "fade": 0.3},
+                    {"from": "c", "to": "a", "when": ["not on"], "after": 0.01},
+                    {"from": "*", "to": "b", "when": ["x < -0.2", "on"]},
+                    {"from": "c", "to": "c", "at_end": true, "when": ["x <= 0"], "fade": 0.4}]})";
+  const auto machine = StateMachine::parse(text, character);
+  return machine ? *machine : StateMachine();
+}
+
 }  // namespace
 
-RandomCalls::RandomCalls(const Character& character, std::uint32_t seed) : random_(seed), character_(character) {
+RandomCalls::RandomCalls(const Character& character, std::uint32_t seed)
+    : random_(seed), character_(character), machine_(restless_machine(character)) {
   begin_again();
 }
 
@@ -189,7 +210,9 @@ void RandomCalls::call_agent() {
   const std::array<BlendPoint2d, 3> plane{BlendPoint2d{clip(), number(), number()},
                                           BlendPoint2d{clip(), number(), number()},
                                           BlendPoint2d{clip(), number(), number()}};
-  switch (below(10)) {
+  switch (below(11)) {
+    case 10:
+      return call_machine();
     case 0:
     case 1:
       agent().play(play());
@@ -222,6 +245,14 @@ void RandomCalls::call_agent() {
     default:
       agent().remove(channel());
   }
+}
+
+void RandomCalls::call_machine() {
+  if (one_in(4)) static_cast<void>(agent().add(one_in(20) ? StateMachine() : machine_, layer()));
+  const Machine machine(agent(), channel());
+  machine.set(below(5) == 0 ? count() : below(3), number());
+  static_cast<void>(machine_.state_name(machine.state()));
+  static_cast<void>(machine.entered_at());
 }
 
 void RandomCalls::call_motion() {

@@ -49,6 +49,7 @@ class RandomCalls {
   void call_crowd();
   void call_characters();
   void call_agent();
+  void call_machine();
   void add_process();
   void call_process();
   void call_motion();
@@ -57,6 +58,7 @@ class RandomCalls {
 
   std::mt19937 random_;
   Character character_;
+  StateMachine machine_;
   std::unique_ptr<Crowd> crowd_;
   Lod lod_;
   Snapshot snapshot_;

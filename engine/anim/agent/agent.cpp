@@ -148,7 +148,7 @@ bool Agent::set_channel_weight(ChannelId channel, float weight, Ticks fade) {
 Status Agent::channel_changed() {
   const Turn turn(system_->turn, "Agent::change");
   if (!turn) return turn.refusal();
-  return settle([&] { return own_graphs().update(builder(), index()); });
+  return system_->pus.update_channels(system_->population, number());
 }
 
 Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, TypeTag type) {

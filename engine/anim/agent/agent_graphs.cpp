@@ -210,9 +210,12 @@ Handle AgentGraphs::lay(const EntityBuilder& build, Layer& layer, Handle below) 
   return layer.blender;
 }
 
-Status AgentGraphs::rebuild(const EntityBuilder& build, std::uint32_t agent_index) {
+Status AgentGraphs::rebuild(const EntityBuilder& build, std::uint32_t agent_index, Fades fades) {
   Agent& agent = agents_[agent_index];
   Handle root;
+  if (fades == Fades::are_cut) {
+    for (const Layer& layer : agent.layers) layer.own.part->cut_fades(build);
+  }
   find_next_update(agent_index);
   for (Layer& layer : agent.layers) root = lay(build, layer, root);
   if (!root.valid()) {

@@ -58,6 +58,8 @@ class AgentGraphs {
   const PoseGraph& graph(std::uint32_t agent) const { return graphs_[agent]; }
   Ticks next_update(std::uint32_t agent) const { return next_updates_[agent]; }
 
+  enum class Fades : unsigned char { go_on, are_cut };
+
   // Channels and post processes of an agent have places, from the bottom up, which change when one below is removed,
   // and ids, which do not.
   std::size_t channel_count(std::uint32_t agent) const { return agents_[agent].layers.size(); }
@@ -87,8 +89,9 @@ class AgentGraphs {
   /// Updates every channel and post process, and rebuilds the graph if one of them changed. Errors: a channel made a
   /// graph with a cycle; then the agent keeps its graph if all entities of it are still alive, or else has none.
   Status update(const EntityBuilder& build, std::uint32_t agent);
-  /// Rebuilds the graph. Call it when somebody else has changed a channel.
-  Status rebuild(const EntityBuilder& build, std::uint32_t agent);
+  /// Rebuilds the graph. Call it when somebody else has changed a channel; or after an update whose graph has no room,
+  /// to cut what channels fade by themselves.
+  Status rebuild(const EntityBuilder& build, std::uint32_t agent, Fades fades = Fades::go_on);
   /// Compiles all graphs anew. Call it when layouts of entities have changed.
   void recompile();
 

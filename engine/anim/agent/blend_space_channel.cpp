@@ -9,7 +9,8 @@
 
 namespace throng::anim {
 
-BlendSpaceChannel::BlendSpaceChannel(std::vector<BlendPoint> points, float parameter, bool is_ground_speed)
+BlendSpaceChannel::BlendSpaceChannel(std::shared_ptr<const std::vector<BlendPoint>> points, float parameter,
+                                     bool is_ground_speed)
     : points_(std::move(points)), is_ground_speed_(is_ground_speed) {
   set_parameter(parameter);
 }
@@ -23,25 +24,26 @@ void BlendSpaceChannel::set_parameter(float parameter) {
 }
 
 const char* BlendSpaceChannel::fault(const EntityBuilder& build) const {
-  if (points_.empty()) return "a blend space has points";
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (!build.has_clip(points_[i].clip)) return "the clip of a point is not an index of the character's clips";
-    if (!std::isfinite(points_[i].parameter)) return "the parameter of a point is a number";
-    if (i > 0 && !(points_[i - 1].parameter < points_[i].parameter)) return "the parameters of points ascend";
+  const std::vector<BlendPoint>& points = *points_;
+  if (points.empty()) return "a blend space has points";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!build.has_clip(points[i].clip)) return "the clip of a point is not an index of the character's clips";
+    if (!std::isfinite(points[i].parameter)) return "the parameter of a point is a number";
+    if (i > 0 && !(points[i - 1].parameter < points[i].parameter)) return "the parameters of points ascend";
   }
   return nullptr;
 }
 
 BlendSpaceChannel::Place BlendSpaceChannel::place() const {
-  const auto above = std::ranges::upper_bound(points_, parameter_, {}, &BlendPoint::parameter);
-  const std::size_t lower = above == points_.begin() ? 0 : static_cast<std::size_t>(above - points_.begin()) - 1;
-  if (above == points_.begin() || above == points_.end()) return {.lower = lower, .fraction = 0.0F};
-  const float below = points_[lower].parameter;
+  const auto above = std::ranges::upper_bound(*points_, parameter_, {}, &BlendPoint::parameter);
+  const std::size_t lower = above == points_->begin() ? 0 : static_cast<std::size_t>(above - points_->begin()) - 1;
+  if (above == points_->begin() || above == points_->end()) return {.lower = lower, .fraction = 0.0F};
+  const float below = (*points_)[lower].parameter;
   return {.lower = lower, .fraction = (parameter_ - below) / (above->parameter - below)};
 }
 
 PlayingPoint BlendSpaceChannel::playing(const EntityBuilder& build, std::size_t point, float weight) const {
-  const BlendPoint& own = points_[point];
+  const BlendPoint& own = (*points_)[point];
   const bool travels = is_ground_speed_ ? own.parameter != 0.0F : build.clip(own.clip).ground_speed > 0.0;
   const bool is_gait = own.pace == Pace::automatic ? travels : own.pace == Pace::gait;
   return {.point = point, .clip = own.clip, .weight = weight, .is_gait = is_gait};
@@ -50,7 +52,7 @@ PlayingPoint BlendSpaceChannel::playing(const EntityBuilder& build, std::size_t 
 double BlendSpaceChannel::cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const {
   StrideSum sum;
   for (const PlayingPoint& one : playing) {
-    if (one.is_gait) sum.add(build, one, static_cast<double>(points_[one.point].parameter));
+    if (one.is_gait) sum.add(build, one, static_cast<double>((*points_)[one.point].parameter));
   }
   return is_ground_speed_ && sum.metres_a_cycle > StrideSum::least
              ? static_cast<double>(parameter_) / sum.metres_a_cycle

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/anim/agent/in_step_players.h"
@@ -33,7 +35,11 @@ class BlendSpaceChannel final : public Channel {
  public:
   /// Takes at least one of `points`, whose parameters ascend. Set `is_ground_speed` if the parameter is the speed over
   /// ground, in metres a second, at which each clip was made.
-  BlendSpaceChannel(std::vector<BlendPoint> points, float parameter, bool is_ground_speed);
+  BlendSpaceChannel(std::vector<BlendPoint> points, float parameter, bool is_ground_speed)
+      : BlendSpaceChannel(std::make_shared<const std::vector<BlendPoint>>(std::move(points)), parameter,
+                          is_ground_speed) {}
+  /// Shares the points, which are not null, with others.
+  BlendSpaceChannel(std::shared_ptr<const std::vector<BlendPoint>> points, float parameter, bool is_ground_speed);
 
   /// Sets the parameter at once, from the next update on. A caller that wants a slow change moves it slowly. A value
   /// that is not a number changes nothing.
@@ -60,7 +66,7 @@ class BlendSpaceChannel final : public Channel {
   double cycles_per_second(const EntityBuilder& build, std::span<const PlayingPoint> playing) const;
   bool blend(const EntityBuilder& build, float fraction);
 
-  std::vector<BlendPoint> points_;
+  std::shared_ptr<const std::vector<BlendPoint>> points_;
   float parameter_ = 0.0F;
   bool is_ground_speed_;
   InStepPlayers players_;  // of the points around the parameter, the lower first

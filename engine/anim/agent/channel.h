@@ -37,6 +37,9 @@ class Channel {
   /// Returns the time of the clock at which update() must be called again by itself, or never.
   virtual Ticks next_update() const { return never; }
 
+  /// Ends at once what fades, if the channel began it by itself, because the agent's graph has no room for both sides.
+  virtual void cut_fades(const EntityBuilder&) {}
+
   /// Calls `visit` with each handle that the channel keeps, because entities are renamed when the stream changes.
   virtual void visit_handles(const std::function<void(Handle&)>& visit) = 0;
 

@@ -121,6 +121,13 @@ FineTicks EntityBuilder::position(Handle player) const {
   return as<Player>(player).position - distance(lead(), as<Player>(player).speed);
 }
 
+Ticks EntityBuilder::length_of(Handle player) const {
+  const auto& own = as<Player>(player);
+  const FineTicks way = clips_[own.clip].duration * fine_ticks_per_tick;
+  const std::int64_t speed = std::max(std::abs(std::int64_t{own.speed}), std::int64_t{1});
+  return Ticks{(way + speed - 1) / speed};
+}
+
 void EntityBuilder::set_speed(Handle player, double speed) const {
   if (!is_speed(speed)) {
     report_misuse({"EntityBuilder::set_speed", not_a_speed});

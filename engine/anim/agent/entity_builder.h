@@ -30,6 +30,7 @@ inline constexpr const char* not_a_fade = "a fade takes from no time to a day";
 
 /// Returns whether a player can play at this speed.
 bool is_speed(double speed);
+inline constexpr double slowest_speed = 1.0 / 65536.0;  ///< a player that is slower stands still
 /// Returns whether something can fade for so long, so that the clock can be added to it.
 constexpr bool is_fade(Ticks time) { return time >= Ticks{} && time <= 24 * 3600 * ticks_per_second; }
 
@@ -49,6 +50,13 @@ class EntityBuilder {
       : pools_(&pools), clips_(clips), about_(about) {}
 
   Ticks now() const { return about_.now; }
+  /// Returns a builder for what happened at an earlier time of the clock: what it makes stands where it would stand if
+  /// it had been made then.
+  EntityBuilder at(Ticks time) const {
+    EntityBuilder earlier = *this;
+    earlier.about_.now = time;
+    return earlier;
+  }
   /// Returns the time from the clock to where the agent's entities stand; negative if they are behind.
   Ticks lead() const { return about_.posed_at - about_.now; }
   const ClipStreams& clip(int index) const { return clips_[static_cast<std::size_t>(index)]; }
@@ -92,6 +100,8 @@ class EntityBuilder {
   /// Returns the position of a player at the clock, wherever it stands. It may lie outside of the clip, whole loops
   /// away.
   FineTicks position(Handle player) const;
+  /// Returns how long a player, which does not stand still, takes from one end of its clip to the other.
+  Ticks length_of(Handle player) const;
   /// Sets the speed of a player from the clock on. Position and time go on without a jump; a player that holds an end
   /// goes on from there.
   void set_speed(Handle player, double speed) const;

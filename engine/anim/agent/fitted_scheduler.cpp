@@ -106,6 +106,15 @@ void FittedScheduler::make_scheduler(const Population& population, const LocalSt
 }
 
 // What an agent asks of the local store after a change may be more than any did before.
+Status FittedScheduler::update_channels(Population& population, std::uint32_t agent) {
+  AgentGraphs& graphs = population.character_of(agent).agents;
+  const std::uint32_t index = population.numbers().member(agent).index;
+  const EntityBuilder build = population.builder(agent);
+  Status updated = settle(population, agent, [&] { return graphs.update(build, index); });
+  if (updated) return updated;
+  return settle(population, agent, [&] { return graphs.rebuild(build, index, AgentGraphs::Fades::are_cut); });
+}
+
 Status FittedScheduler::fit(const Population& population, std::uint32_t agent) {
   const StoreNeeds& needs = population.graph(agent).program->needs;
   const UpdateContext& context = contexts_[population.numbers().member(agent).character];

@@ -40,6 +40,8 @@ class FittedScheduler {
     Status changed = change_graph();
     return changed ? fit(population, agent) : changed;
   }
+  /// Updates the channels of an agent. If there is no room for what they fade, it is shown without fading.
+  Status update_channels(Population& population, std::uint32_t agent);
   /// Returns what all graphs ask of the stores.
   LocalStoreDemand demand(const Population& population) const;
   Status fit(const Population& population, const LocalStoreDemand& needs);

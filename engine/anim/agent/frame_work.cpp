@@ -29,14 +29,6 @@ struct AlikeAgents {
   }
 };
 
-void update_channels(Population& population, FittedScheduler& pus, std::uint32_t agent) {
-  [[maybe_unused]] const Status updated = pus.settle(population, agent, [&] {
-    return population.character_of(agent).agents.update(population.builder(agent),
-                                                        population.numbers().member(agent).index);
-  });
-  assert(updated && "a channel changed by itself to a graph that cannot be run");
-}
-
 /// Updates the shared channels of a character that are due; true: there were some.
 bool update_shared(const Population& population, CharacterAgents& character) {
   bool changed = false;
@@ -111,8 +103,10 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
     const std::uint32_t agent = update.agent.number;
     const Member member = members[agent];
     const AgentGraphs& graphs = characters[member.character]->agents;
-    if (graphs.next_update(member.index) <= now) [[unlikely]]
-      update_channels(population, pus, agent);
+    if (graphs.next_update(member.index) <= now) [[unlikely]] {
+      [[maybe_unused]] const Status updated = pus.update_channels(population, agent);
+      assert(updated && "a channel changed by itself to a graph that cannot be run");
+    }
     const PoseGraph& graph = graphs.graph(member.index);
     if (graph.empty()) [[unlikely]] {
       report_misuse({"AnimationSystem::update", "an agent plays something before it is updated"});

@@ -89,14 +89,14 @@ FileParts split_file(std::span<const std::byte> bytes, const std::filesystem::pa
   return {.json = as_text(bytes), .binary = std::nullopt};
 }
 
-std::vector<std::byte> read_file(const std::filesystem::path& path) {
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::string_view wanted, std::size_t most) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw Refusal("there is no such file; check the path");
-  if (!std::filesystem::is_regular_file(status)) throw Refusal("it is not a regular file; name a .glb or .gltf");
+  if (!std::filesystem::is_regular_file(status)) throw Refusal("it is not a regular file; name " + std::string(wanted));
   const auto size = std::filesystem::file_size(path, error);
   if (error) throw Refusal("its size cannot be read: " + error.message());
-  if (size > max_file_size) throw Refusal("it is larger than 1 GiB; split the model");
+  if (size > most) throw Refusal("it is larger than " + std::to_string(most >> 20U) + " MiB; split it");
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
   std::ifstream stream(path, std::ios::binary);
   if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {

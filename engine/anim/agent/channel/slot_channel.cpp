@@ -16,15 +16,8 @@ PlayerStart start_of(const EntityBuilder& build, const OneShot& shot) {
 
 const char* fault_of(const EntityBuilder& build, const OneShot& shot) {
   if (const char* fault = build.fault_of(start_of(build, shot)); fault != nullptr) return fault;
-  if (std::abs(shot.speed) < 1.0 / 65536.0) return "a one-shot of no speed has no end";
+  if (std::abs(shot.speed) < slowest_speed) return "a one-shot of no speed has no end";
   return is_fade(shot.fade_in) && is_fade(shot.fade_out) ? nullptr : not_a_fade;
-}
-
-/// Returns how long a player needs from one end of its clip to the other.
-Ticks length_of(const EntityBuilder& build, const Player& player) {
-  const FineTicks way = build.clip(static_cast<int>(player.clip)).duration * fine_ticks_per_tick;
-  const std::int64_t speed = std::abs(std::int64_t{player.speed});
-  return Ticks{(way + speed - 1) / speed};
 }
 
 /// Makes a blender stand where it is if it began, or will begin, at a time of the clock.
@@ -102,7 +95,7 @@ void SlotChannel::append(const EntityBuilder& build, const OneShot& shot, Ticks 
   OneShotTree::Shot& added = tree_.shots[tree_.count++];
   added = {.clip = shot.clip,
            .begins = begins,
-           .ends = begins + length_of(build, own),
+           .ends = begins + build.length_of(player),
            .faded_in = begins + fade_in,
            .player = player,
            .in = fades_in ? build.ease({}, player, fade_in) : Handle{}};

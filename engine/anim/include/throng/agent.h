@@ -17,6 +17,7 @@ namespace throng {
 namespace detail {
 struct CrowdParts;
 }
+class StateMachine;
 
 /// The way of an agent over some time, in its own space at the start.
 struct RootMotion {
@@ -68,6 +69,8 @@ class Agent {
   Result<ChannelId> add_clips(const Layer& layer = {}) const;  ///< plays nothing until it is asked to
   Result<ChannelId> add(const BlendSpace& space, const Layer& layer = {}) const;
   Result<ChannelId> add(const BlendSpace2d& space, const Layer& layer = {}) const;
+  /// Lays a state machine over the channels before it; Machine (state_machine.h) tells it its inputs.
+  Result<ChannelId> add(const StateMachine& machine, const Layer& layer = {}) const;
   /// Lays a slot over the channels before it. It plays one-shots, and costs nothing in between.
   Result<ChannelId> add_slot(const Layer& layer = {}) const;
   /// Plays a clip once in a slot. It fades out before its end by itself; Motion::for_each_end tells the end, if it is
@@ -103,6 +106,7 @@ class Agent {
   class Motion motion() const;
 
  private:
+  friend class Machine;
   detail::CrowdParts* crowd_;
   AgentId id_;
 };

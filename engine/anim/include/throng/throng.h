@@ -24,5 +24,6 @@
 #include "throng/math.h"
 #include "throng/processes.h"
 #include "throng/result.h"
+#include "throng/state_machine.h"
 #include "throng/ticks.h"
 #include "throng/version.h"

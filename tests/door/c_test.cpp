@@ -113,6 +113,37 @@ TEST(DoorC, ReachesAndTellsWhereTheHandIs) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(position[axis], target[axis], 0.01F);
 }
 
+TEST(DoorC, PlaysAStateMachineUnderASlot) {
+  CCrowd c(1);
+  EXPECT_EQ(throng_machine_parse("{}", c.character), nullptr);
+  EXPECT_THAT(throng_last_error(), HasSubstr("has states"));
+  EXPECT_EQ(throng_machine_load("no-such-file.json", c.character), nullptr);
+  throng_machine* const machine = throng_machine_parse(
+      R"({"inputs": [{"name": "seated", "value": false}],
+          "states": [{"name": "stands", "clip": "idle"}, {"name": "sits", "clip": "sit"}],
+          "transitions": [{"from": "stands", "to": "sits", "when": ["seated"], "fade": 0.1},
+                          {"from": "sits", "to": "stands", "when": ["not seated"], "fade": 0.1}]})",
+      c.character);
+  ASSERT_NE(machine, nullptr) << throng_last_error();
+  const std::uint32_t body = throng_agent_add_machine(c.crowd, c.ids[0], machine);
+  const std::uint32_t slot = throng_agent_add_slot(c.crowd, c.ids[0]);
+  const throng_one_shot wave{.clip = throng_character_find_clip(c.character, "wave"),
+                             .fade_in = 0.1F,
+                             .fade_out = 0.1F,
+                             .speed = 1,
+                             .queued = 0};
+  EXPECT_EQ(throng_agent_play_once(c.crowd, c.ids[0], slot, &wave), 0);
+  EXPECT_EQ(throng_agent_is_playing(c.crowd, c.ids[0], slot), 1);
+  EXPECT_EQ(throng_agent_set_input(c.crowd, c.ids[0], body, throng_machine_find_input(machine, "seated"), 1.0F), 0);
+  c.step(10);
+  EXPECT_STREQ(throng_machine_state_name(machine, throng_agent_state(c.crowd, c.ids[0], body)), "sits");
+  EXPECT_NE(throng_agent_set_input(c.crowd, c.ids[0], slot, 0, 1.0F), 0) << "a slot is no machine";
+  EXPECT_EQ(throng_machine_find_input(machine, "asleep"), THRONG_NONE);
+  EXPECT_EQ(throng_machine_state_name(machine, 7), nullptr);
+  throng_machine_free(machine);  // the agent plays on
+  c.step(10);
+}
+
 TEST(DoorC, MovesMeetsKeysAndIsPutBack) {
   CCrowd c(1);
   const throng_play walk{

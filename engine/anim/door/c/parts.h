@@ -21,6 +21,10 @@ struct throng_character {
   std::vector<std::string> bone_names = {};
 };
 
+struct throng_machine {
+  throng::StateMachine own;
+};
+
 struct throng_crowd {
   throng::Crowd own;
   std::vector<throng::PoseRequest> requests = {};

@@ -28,6 +28,7 @@ extern "C" {
 
 typedef struct throng_file throng_file;           /* what was loaded from a model or a pack */
 typedef struct throng_character throng_character; /* a skeleton and its clips, shared and read-only */
+typedef struct throng_machine throng_machine;     /* a state machine for a character, shared and read-only */
 typedef struct throng_crowd throng_crowd;         /* agents; one thread at a time calls it */
 typedef struct throng_snapshot throng_snapshot;   /* the state of a crowd at a moment */
 
@@ -45,6 +46,15 @@ typedef struct throng_play {
   float start;   /* seconds from the start of the clip */
   uint32_t loop; /* 0: once */
 } throng_play;
+
+/* "Play this clip once, over what plays." */
+typedef struct throng_one_shot {
+  uint32_t clip;
+  float fade_in;   /* seconds */
+  float fade_out;  /* seconds; the fade ends with the clip */
+  float speed;     /* multiple of the clip's own speed, not 0 */
+  uint32_t queued; /* 1: it waits for those before it */
+} throng_one_shot;
 
 /* One agent to be posed. */
 typedef struct throng_pose_request {
@@ -85,6 +95,13 @@ THRONG_C const char* throng_character_bone_name(const throng_character* characte
 THRONG_C uint32_t throng_character_palette_entries(const throng_character* character);
 THRONG_C const char* throng_character_key_name(const throng_character* character, uint32_t name);
 
+/* State machines, read from JSON; state_machine.h has an example. */
+THRONG_C throng_machine* throng_machine_load(const char* path, const throng_character* character);
+THRONG_C throng_machine* throng_machine_parse(const char* json, const throng_character* character);
+THRONG_C void throng_machine_free(throng_machine* machine);
+THRONG_C uint32_t throng_machine_find_input(const throng_machine* machine, const char* name);
+THRONG_C const char* throng_machine_state_name(const throng_machine* machine, uint32_t state);
+
 /* Crowds. The first character is number 0. `hashes` 0: throng_crowd_pose_hash stays what it is. */
 THRONG_C throng_crowd* throng_crowd_create(const throng_character* character, uint32_t pus, uint32_t hashes);
 THRONG_C void throng_crowd_free(throng_crowd* crowd);
@@ -110,6 +127,17 @@ THRONG_C int throng_agent_set_speed(throng_crowd* crowd, throng_id agent, float 
 THRONG_C uint32_t throng_agent_add_blend_space(throng_crowd* crowd, throng_id agent, const uint32_t* clips,
                                                const float* parameters, uint32_t count, uint32_t is_ground_speed);
 THRONG_C int throng_agent_set_parameter(throng_crowd* crowd, throng_id agent, uint32_t channel, float parameter);
+/* Adds a slot for one-shots over all channels that the agent has. Returns the channel. */
+THRONG_C uint32_t throng_agent_add_slot(throng_crowd* crowd, throng_id agent);
+THRONG_C int throng_agent_play_once(throng_crowd* crowd, throng_id agent, uint32_t slot, const throng_one_shot* shot);
+/* Returns 1 while a slot plays, else 0. */
+THRONG_C int throng_agent_is_playing(const throng_crowd* crowd, throng_id agent, uint32_t slot);
+/* Adds a state machine over all channels that the agent has. Returns the channel. */
+THRONG_C uint32_t throng_agent_add_machine(throng_crowd* crowd, throng_id agent, const throng_machine* machine);
+THRONG_C int throng_agent_set_input(throng_crowd* crowd, throng_id agent, uint32_t channel, uint32_t input,
+                                    float value);
+/* Returns the number of the state that a machine is in; see throng_machine_state_name. */
+THRONG_C uint32_t throng_agent_state(throng_crowd* crowd, throng_id agent, uint32_t channel);
 THRONG_C uint32_t throng_agent_add_look_at(throng_crowd* crowd, throng_id agent);
 THRONG_C int throng_agent_look_at(throng_crowd* crowd, throng_id agent, uint32_t process, const float target[3],
                                   float fade);

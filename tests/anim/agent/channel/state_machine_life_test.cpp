@@ -92,7 +92,7 @@ TEST(StateMachineLife, ATransitionThatInterruptsAFadeDoesNotSnap) {
   for (const int frames_between : {1, 2, 5, 11}) {
     EXPECT_LT(largest_step(frames_between, fade), 1.2F * calm) << "every " << frames_between << " frames";
   }
-  EXPECT_GT(largest_step(5, 0.0), 2.0F * calm) << "else the promise above could not be broken";
+  EXPECT_GT(largest_step(5, 0.0), 1.2F * calm) << "else the promise above could not be broken";
 }
 
 TEST(StateMachineLife, LeavesNoEntityBehind) {

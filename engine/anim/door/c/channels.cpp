@@ -1,0 +1,78 @@
+#include "engine/anim/door/c/parts.h"
+
+using namespace throng::c;  // NOLINT: functions of C have no namespace
+
+namespace {
+
+throng_machine* keep(Result<StateMachine> made) {
+  if (made) return make<throng_machine>(std::move(*made));
+  fail(made.error().message);
+  return nullptr;
+}
+
+}  // namespace
+
+throng_machine* throng_machine_load(const char* path, const throng_character* character) {
+  constexpr const char* call = "throng_machine_load";
+  if (is_missing(path, call) || is_missing(character, call)) return nullptr;
+  return keep(StateMachine::load(path, character->own));
+}
+
+throng_machine* throng_machine_parse(const char* json, const throng_character* character) {
+  constexpr const char* call = "throng_machine_parse";
+  if (is_missing(json, call) || is_missing(character, call)) return nullptr;
+  return keep(StateMachine::parse(json, character->own));
+}
+
+void throng_machine_free(throng_machine* machine) { delete machine; }
+
+uint32_t throng_machine_find_input(const throng_machine* machine, const char* name) {
+  constexpr const char* call = "throng_machine_find_input";
+  if (is_missing(machine, call) || is_missing(name, call)) return THRONG_NONE;
+  return machine->own.find_input(name).value_or(THRONG_NONE);
+}
+
+const char* throng_machine_state_name(const throng_machine* machine, uint32_t state) {
+  if (is_missing(machine, "throng_machine_state_name")) return nullptr;
+  const std::string_view name = machine->own.state_name(state);
+  return name.empty() ? nullptr : name.data();  // it is a whole std::string
+}
+
+uint32_t throng_agent_add_slot(throng_crowd* crowd, throng_id agent) {
+  if (is_missing(crowd, "throng_agent_add_slot")) return THRONG_NONE;
+  return number_or_none(agent_of(crowd, agent).add_slot());
+}
+
+int throng_agent_play_once(throng_crowd* crowd, throng_id agent, uint32_t slot, const throng_one_shot* shot) {
+  constexpr const char* call = "throng_agent_play_once";
+  if (is_missing(crowd, call) || is_missing(shot, call)) return failed;
+  return outcome(agent_of(crowd, agent)
+                     .play_once({slot}, {.clip = {shot->clip},
+                                         .fade_in = to_ticks(static_cast<double>(shot->fade_in)),
+                                         .fade_out = to_ticks(static_cast<double>(shot->fade_out)),
+                                         .speed = static_cast<double>(shot->speed),
+                                         .queued = shot->queued != 0}),
+                 call);
+}
+
+int throng_agent_is_playing(const throng_crowd* crowd, throng_id agent, uint32_t slot) {
+  if (is_missing(crowd, "throng_agent_is_playing")) return 0;
+  return agent_of(crowd, agent).is_playing({slot}) ? 1 : 0;
+}
+
+uint32_t throng_agent_add_machine(throng_crowd* crowd, throng_id agent, const throng_machine* machine) {
+  constexpr const char* call = "throng_agent_add_machine";
+  if (is_missing(crowd, call) || is_missing(machine, call)) return THRONG_NONE;
+  return number_or_none(agent_of(crowd, agent).add(machine->own));
+}
+
+int throng_agent_set_input(throng_crowd* crowd, throng_id agent, uint32_t channel, uint32_t input, float value) {
+  constexpr const char* call = "throng_agent_set_input";
+  if (is_missing(crowd, call)) return failed;
+  return outcome(Machine(agent_of(crowd, agent), {channel}).set(input, value), call);
+}
+
+uint32_t throng_agent_state(throng_crowd* crowd, throng_id agent, uint32_t channel) {
+  if (is_missing(crowd, "throng_agent_state")) return 0;
+  return Machine(agent_of(crowd, agent), {channel}).state();
+}

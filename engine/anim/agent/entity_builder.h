@@ -64,7 +64,9 @@ class EntityBuilder {
 
   // Each of the functions below that is given what does not exist reports a misuse and returns an invalid handle or
   // does nothing. A channel can ask before.
-  bool has_clip(int clip) const { return clip >= 0 && static_cast<std::size_t>(clip) < clips_.size(); }
+  bool has_clip(int clip) const {
+    return clip >= 0 && static_cast<std::size_t>(clip) < clips_.size() && !this->clip(clip).is_empty();
+  }
   bool has_mask(int mask) const { return mask >= EaseBlender::no_mask && mask < static_cast<int>(about_.masks); }
   bool has_kind(EntityPools::Kind kind, EntityType type) const {
     return kind < pools_->kind_count() && pools_->layout(kind).kind->type == type;

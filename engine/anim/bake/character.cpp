@@ -15,9 +15,9 @@ const char* fault_of(const Character& character) {
   if (!has_levels || character.hierarchy.bone_count != skeleton.bone_count()) {
     return "the character's hierarchy or levels are not those of its skeleton";
   }
-  const auto has_stream = [](const BakedClip& clip) { return clip.keyframe_block.get() != nullptr; };
-  const bool plays = !character.clips.empty() && std::ranges::all_of(character.clips, has_stream);
-  return plays ? nullptr : "the character has no clips, or one without a stream";
+  const auto has_lost_streams = [](const BakedClip& clip) { return clip.is_empty() && !clip.name.empty(); };
+  if (std::ranges::any_of(character.clips, has_lost_streams)) return "the character has a clip without a stream";
+  return std::ranges::all_of(character.clips, &BakedClip::is_empty) ? "the character has no clips" : nullptr;
 }
 
 double ground_speed(const Character& character, int clip) {

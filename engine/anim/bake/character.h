@@ -29,7 +29,8 @@ namespace throng::anim {
 
 enum class StreamKind : unsigned char { sampled, keyframe };
 
-/// A clip that is ready to play: both streams, and the results of baking.
+/// A clip that is ready to play: both streams, and the results of baking. Without streams it is an empty place: a clip
+/// was there, and another one may come (bake/clip_set.h).
 struct BakedClip {
   std::string name;
   Ticks duration{};
@@ -48,7 +49,11 @@ struct BakedClip {
   double error_bound = 0.0;     ///< metres: no stream is farther off than this
   Rounding sampled_rounding = Rounding::nearest;
   std::string note;
+  std::uint32_t generation = 0;             ///< of its place: it grows when a clip leaves the place
+  std::shared_ptr<const void> lender = {};  ///< keeps lent streams; null: this clip or Character::lender does
 
+  bool is_empty() const { return keyframe_block == nullptr; }
+  /// Returns the keyframe stream, which every clip has.
   const KeyframeStream& keyframe() const { return *reinterpret_cast<const KeyframeStream*>(keyframe_block.get()); }
   const SampledStream* sampled() const { return reinterpret_cast<const SampledStream*>(sampled_block.get()); }
 };
@@ -63,12 +68,13 @@ struct BakeOptions {
 struct Character {
   Skeleton skeleton;
   HierarchyProgram hierarchy;
-  std::vector<BakedClip> clips;  ///< never empty: a model without clips gets one, "rest", of its rest pose
+  /// At least one of them has streams: a model without clips gets "rest", of its rest pose. Others may be empty places.
+  std::vector<BakedClip> clips;
   std::vector<std::string> data_key_names = {};  ///< names in all its clips, each once
   std::vector<std::string> curve_names = {};     ///< names in all its clips, each once
   double height = 0.0;    ///< metres, of the rest pose's surface, or of its joints where there is no surface
   BoneLod bone_lod = {};  ///< the errors that dropping bones causes
-  std::vector<SkipError> skip_errors = {};  ///< the errors that skipping frames causes, one a clip
+  std::vector<SkipError> skip_errors = {};  ///< the errors that skipping frames causes, one a place
   CharacterBounds bounds = {};
   std::vector<int> morph_bones = {};              ///< of each of Model::morphs, the bone that it moves with
   double morph_reach = 0.0;                       ///< metres, how far these can move a vertex; bounds.reach has it too

@@ -1,34 +1,38 @@
 #include "engine/anim/bake/reorder.h"
 
-#include "engine/anim/bake/character.h"
 #include "engine/anim/bake/parallel.h"
 #include "engine/anim/bake/root_motion.h"
 #include "engine/anim/bake/sampled.h"
 
 namespace throng::anim {
 
-namespace {
+BakedClip without_streams(const BakedClip& clip) {
+  return {.name = clip.name,
+          .duration = clip.duration,
+          .loops = clip.loops,
+          .loop_displacement = clip.loop_displacement,
+          .root_motion = clip.root_motion,
+          .data_keys = clip.data_keys,
+          .curves = clip.curves,
+          .morphs = clip.morphs,
+          .stance_speed = clip.stance_speed,
+          .keyframe_block = {},
+          .keyframe_error = clip.keyframe_error,
+          .sampled_block = {},
+          .sampled_rate = clip.sampled_rate,
+          .sampled_error = clip.sampled_error,
+          .error_bound = clip.error_bound,
+          .sampled_rounding = clip.sampled_rounding,
+          .note = clip.note,
+          .generation = clip.generation};
+}
 
-/// Notes, errors, loops, root motion and data keys stay. They come from the largest distance over all points of the
-/// surface, from the roots and from the lowest joints, which are the same in any order.
+// Notes, errors, loops, root motion and data keys stay. They come from the largest distance over all points of the
+// surface, from the roots and from the lowest joints, which are the same in any order.
 BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::span<const int> places) {
-  BakedClip reordered{.name = clip.name,
-                      .duration = clip.duration,
-                      .loops = clip.loops,
-                      .loop_displacement = clip.loop_displacement,
-                      .root_motion = clip.root_motion,
-                      .data_keys = clip.data_keys,
-                      .curves = clip.curves,
-                      .morphs = clip.morphs,
-                      .stance_speed = clip.stance_speed,
-                      .keyframe_block = reorder_keyframe_stream(clip.keyframe(), places),
-                      .keyframe_error = clip.keyframe_error,
-                      .sampled_block = {},
-                      .sampled_rate = clip.sampled_rate,
-                      .sampled_error = clip.sampled_error,
-                      .error_bound = clip.error_bound,
-                      .sampled_rounding = clip.sampled_rounding,
-                      .note = clip.note};
+  BakedClip reordered = without_streams(clip);
+  if (clip.is_empty()) return reordered;
+  reordered.keyframe_block = reorder_keyframe_stream(clip.keyframe(), places);
   if (clip.sampled() == nullptr) return reordered;
   const SurfaceProxy unused;
   const SampleSource source{skeleton, unused, reordered.keyframe(), straight_travel(clip.root_motion),
@@ -36,8 +40,6 @@ BakedClip reorder_clip(const BakedClip& clip, const Skeleton& skeleton, std::spa
   reordered.sampled_block = sample_as(source, *clip.sampled(), clip.sampled_rounding);
   return reordered;
 }
-
-}  // namespace
 
 std::vector<std::uint32_t> entries_of_levels(const Skeleton& skeleton) {
   std::vector<std::uint32_t> entries;

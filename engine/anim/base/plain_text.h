@@ -10,6 +10,9 @@ namespace throng::anim {
 /// invisible, and bytes that are no UTF-8.
 std::string plain_text(std::string_view text);
 
+/// Returns plain_text of a name, in quotation marks.
+inline std::string in_quotes(std::string_view name) { return '"' + plain_text(name) + '"'; }
+
 /// Says whether `text` is UTF-8.
 bool is_utf8(std::string_view text);
 

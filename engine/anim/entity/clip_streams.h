@@ -11,7 +11,8 @@
 
 namespace throng::anim {
 
-/// The read-only resource of one clip, in main memory (paper 2.2.2 "pointer to the animation stream").
+/// The read-only resource of one clip, in main memory (paper 2.2.2 "pointer to the animation stream"). The place of a
+/// clip may be empty; nobody plays it then.
 struct ClipStreams {
   const KeyframeStream* keyframe = nullptr;
   const SampledStream* sampled = nullptr;  ///< null: the clip plays from its keyframe stream
@@ -21,6 +22,8 @@ struct ClipStreams {
   const UserCurves* curves = nullptr;      ///< null: the clip has none
   const MorphCurves* morphs = nullptr;     ///< null: the clip leaves the surface as it is
   double ground_speed = 0.0;               ///< metres a second (character.h); above 0 the clip is a gait
+
+  bool is_empty() const { return keyframe == nullptr; }
 };
 
 }  // namespace throng::anim

@@ -18,6 +18,7 @@ constexpr std::uint32_t usual_blenders = usual_players - 1;
 std::uint32_t largest_player(const UpdateContext& context, const LocalStoreDemand& demand) {
   std::uint32_t size = 0;
   for (const ClipStreams& clip : context.assets.clips) {
+    if (clip.is_empty()) continue;
     const bool sampled = demand.stream == StreamKind::sampled && clip.sampled != nullptr;
     const auto kind = sampled ? EntityPools::sampled_players : EntityPools::keyframe_players;
     size = std::max(size, context.pools->layout(kind).total_size);

@@ -11,25 +11,10 @@
 #include "engine/anim/bake/character.h"
 #include "engine/anim/survey/lod_survey.h"
 #include "tests/anim/asset/clip_fixtures.h"
+#include "tests/anim/bake/clip_parts.h"
 
 namespace throng::anim::reorder_test {
 namespace {
-
-/// Every bone after its parent, but the last ones of those first.
-BoneOrder other_order(const Skeleton& skeleton) {
-  BoneOrder order{.bones = {}, .level_counts = {skeleton.bone_count(), skeleton.bone_count() / 2}};
-  std::vector<bool> is_placed(skeleton.bones.size(), false);
-  while (order.bones.size() < skeleton.bones.size()) {
-    for (int bone = skeleton.bone_count(); bone-- > 0;) {
-      const int parent = skeleton.bones[static_cast<std::size_t>(bone)].parent;
-      if (is_placed[static_cast<std::size_t>(bone)]) continue;
-      if (parent >= 0 && !is_placed[static_cast<std::size_t>(parent)]) continue;
-      is_placed[static_cast<std::size_t>(bone)] = true;
-      order.bones.push_back(bone);
-    }
-  }
-  return order;
-}
 
 template <typename Stream>
 bool same_bits(const Stream* a, const Stream* b) {

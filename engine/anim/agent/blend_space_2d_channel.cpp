@@ -39,7 +39,7 @@ const char* BlendSpace2dChannel::fault(const EntityBuilder& build) const {
   if (space_ == nullptr) return "the blend space is null";
   const bool has_clips =
       std::ranges::all_of(space_->all(), [&](const BlendPoint2d& one) { return build.has_clip(one.clip); });
-  return has_clips ? nullptr : "the clip of a point is not an index of the character's clips";
+  return has_clips ? nullptr : "the clip of a point is not one that the character has";
 }
 
 void BlendSpace2dChannel::set_place(const glm::vec2& place) {

@@ -27,7 +27,7 @@ const char* BlendSpaceChannel::fault(const EntityBuilder& build) const {
   const std::vector<BlendPoint>& points = *points_;
   if (points.empty()) return "a blend space has points";
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!build.has_clip(points[i].clip)) return "the clip of a point is not an index of the character's clips";
+    if (!build.has_clip(points[i].clip)) return "the clip of a point is not one that the character has";
     if (!std::isfinite(points[i].parameter)) return "the parameter of a point is a number";
     if (i > 0 && !(points[i - 1].parameter < points[i].parameter)) return "the parameters of points ascend";
   }

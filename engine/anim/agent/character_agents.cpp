@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cassert>
+#include <compare>
 #include <limits>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "engine/anim/asset/reference_pose.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::anim {
 namespace {
 
 ClipStreams streams_of(const Character& character, int index) {
   const BakedClip& clip = character.clips[static_cast<std::size_t>(index)];
+  if (clip.is_empty()) return {};
   return {.keyframe = &clip.keyframe(),
           .sampled = clip.sampled(),
           .duration = clip.duration,
@@ -28,6 +32,75 @@ std::vector<ClipStreams> all_streams_of(const Character& character) {
   const int count = static_cast<int>(character.clips.size());
   for (int clip = 0; clip < count; ++clip) streams.push_back(streams_of(character, clip));
   return streams;
+}
+
+bool keeps_clip(const Character& before, const Character& after, std::size_t place) {
+  const std::byte* const then = place < after.clips.size() ? after.clips[place].keyframe_block.get() : nullptr;
+  return then == before.clips[place].keyframe_block.get();
+}
+
+std::string in_words(std::size_t count) {
+  return count == 1 ? std::string("1 agent") : std::to_string(count) + " agents";
+}
+
+/// A player of a clip that another character has not in its place.
+struct LostPlayer {
+  std::uint32_t clip;
+  std::uint32_t owner;
+
+  friend auto operator<=>(const LostPlayer&, const LostPlayer&) = default;
+};
+
+/// Says who plays a clip that `after` has not in its place; empty: nobody does.
+std::string played_clip(const Character& before, const Character& after, const EntityPools& pools) {
+  std::set<LostPlayer> lost;
+  const auto note = [&](const std::byte* block) {
+    const auto& player = *reinterpret_cast<const Player*>(block);
+    if (!keeps_clip(before, after, player.clip)) lost.insert({.clip = player.clip, .owner = player.state.owner});
+  };
+  for (const EntityPools::Kind kind : {EntityPools::sampled_players, EntityPools::keyframe_players}) {
+    pools.pool(kind).for_each_block(note);
+    pools.shared_pool(kind).for_each_block(note);
+  }
+  if (lost.empty()) return {};
+  const std::uint32_t clip = lost.begin()->clip;
+  const auto agents = std::ranges::count_if(
+      lost, [&](const LostPlayer& one) { return one.clip == clip && (one.owner & shared_owner) == 0; });
+  const std::string who = agents == 0 ? std::string("a shared graph") : in_words(static_cast<std::size_t>(agents));
+  return who + (agents > 1 ? " play " : " plays ") + in_quotes(before.clips[clip].name) +
+         (agents > 1 ? ": let them play something else first" : ": let it play something else first");
+}
+
+/// Returns how many graphs have a channel that has no fault now and would have one, and the fault of the last.
+std::pair<std::size_t, const char*> faulty_graphs(const AgentGraphs& graphs, const EntityBuilder& now,
+                                                  const EntityBuilder& then) {
+  std::size_t count = 0;
+  const char* fault = nullptr;
+  for (std::uint32_t graph = 0; graph < graphs.count(); ++graph) {
+    bool has_fault = false;
+    for (std::size_t place = 0; place < graphs.channel_count(graph); ++place) {
+      const Channel& channel = *graphs.channel(graph, place).part;
+      const char* const found = channel.fault(then);
+      if (found == nullptr || channel.fault(now) != nullptr) continue;
+      fault = found;
+      has_fault = true;
+    }
+    count += has_fault ? 1 : 0;
+  }
+  return {count, fault};
+}
+
+/// Says which place would go from one clip to another at once; empty: none would.
+std::string exchanged_clip(const Character& before, const Character& after) {
+  const std::size_t places = std::min(before.clips.size(), after.clips.size());
+  for (std::size_t place = 0; place < places; ++place) {
+    const BakedClip &old = before.clips[place], &other = after.clips[place];
+    if (old.is_empty() || other.is_empty() || keeps_clip(before, after, place)) continue;
+    return "place " + std::to_string(place) + " would go from " + in_quotes(old.name) + " to " + in_quotes(other.name) +
+           " at once, and ids of the one would name the other: take the character without " + in_quotes(old.name) +
+           " first";
+  }
+  return {};
 }
 
 void add(PoolMemory& sum, const PoolMemory& part) {
@@ -55,13 +128,32 @@ CharacterAgents::CharacterAgents(std::shared_ptr<const Character> played)
       shared(pools, programs, shared_owner) {}
 
 std::shared_ptr<const Character> CharacterAgents::replace_character(std::shared_ptr<const Character> reordered) {
-  assert(reordered->skeleton.bone_count() == skeleton().bone_count() && "another character");
   assert(reordered->clips.size() == character->clips.size() && "another character");
-  clips = all_streams_of(*reordered);
   still_pose = anim::still_pose(reordered->skeleton);
   agents.restart_keyframes();
   shared.restart_keyframes();
-  return std::exchange(character, std::move(reordered));
+  return replace_clips(std::move(reordered));
+}
+
+std::shared_ptr<const Character> CharacterAgents::replace_clips(std::shared_ptr<const Character> other) {
+  assert(other->skeleton.bone_count() == skeleton().bone_count() && "another character");
+  clips = all_streams_of(*other);
+  return std::exchange(character, std::move(other));
+}
+
+std::string CharacterAgents::bound_to_clips(const Character& other) {
+  if (std::string played = played_clip(*character, other, pools); !played.empty()) return played;
+  const EntityBuilder::About about{.masks = masks.size(), .selections = selections.size()};
+  const std::vector<ClipStreams> others = all_streams_of(other);
+  const EntityBuilder now(pools, clips, about), then(pools, others, about);
+  constexpr const char* cannot = " could not play the other clips: ";
+  if (const auto [count, fault] = faulty_graphs(agents, now, then); count > 0) {
+    return "a channel of " + in_words(count) + cannot + fault;
+  }
+  if (const auto [count, fault] = faulty_graphs(shared, now, then); count > 0) {
+    return std::string("a shared channel") + cannot + fault;
+  }
+  return exchanged_clip(*character, other);
 }
 
 std::string CharacterAgents::bound_to_bone_order() const {
@@ -204,8 +296,8 @@ LocalStoreDemand local_store_demand(std::span<const std::unique_ptr<CharacterAge
     if (one->skeleton().bone_count() <= most_bones) continue;
     most_bones = one->skeleton().bone_count();
     demand.skeleton = one->skeleton().name;
-    demand.falls_back =
-        std::ranges::any_of(one->clips, [](const ClipStreams& clip) { return clip.sampled == nullptr; });
+    demand.falls_back = std::ranges::any_of(
+        one->clips, [](const ClipStreams& clip) { return !clip.is_empty() && clip.sampled == nullptr; });
   }
   return demand;
 }

@@ -47,6 +47,11 @@ struct CharacterAgents {
     return {.bones = character->morph_bones, .masks = mask_weights, .ranges = mask_ranges};
   }
 
+  /// Takes the same character with other clips, and returns the one before. The clips that are played stay where they
+  /// are: bound_to_clips() says so.
+  std::shared_ptr<const Character> replace_clips(std::shared_ptr<const Character> other);
+  /// Returns why agents cannot go on with the clips of `other`, in a sentence; empty if they can.
+  std::string bound_to_clips(const Character& other);
   /// Takes the same character with its bones in another order, and returns the one before.
   std::shared_ptr<const Character> replace_character(std::shared_ptr<const Character> reordered);
   /// Does what AgentGraphs::reorder_kept_transforms does, for all graphs.

@@ -1,8 +1,11 @@
 #include "engine/anim/agent/characters.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
+
+#include "engine/anim/bake/bone_match.h"
 
 namespace throng::anim {
 namespace {
@@ -16,6 +19,18 @@ const char* fault_of(const EntityKind& kind) {
     return "prepared_bytes is a multiple of 64, and at most most_prepared_bytes";
   }
   return nullptr;
+}
+
+/// Checks that both are the same skeleton, with its bones in the same order.
+Status has_bones_of(const Skeleton& skeleton, const Skeleton& other) {
+  const Result<std::vector<int>> places = match_bones(skeleton, other);
+  if (!places) return places.error();
+  const bool is_in_order = std::ranges::is_sorted(*places) && skeleton.palette.size() == other.palette.size() &&
+                           skeleton.level_bone_counts == other.level_bone_counts;
+  if (is_in_order) return Done{};
+  return Error{"\"" + other.name +
+               "\" has its bones or its levels in another order: with_clips() of the character that "
+               "agents play brings clips to its order"};
 }
 
 }  // namespace
@@ -92,6 +107,24 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
   agents.replace_character(before);
   system_->pus.refresh_contexts(system_->population);
   return configured;
+}
+
+Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Character> other) {
+  constexpr const char* call = "Characters::replace_clips";
+  const Turn turn(system_->turn, call);
+  if (!turn) return turn.refusal();
+  if (!has(character)) return refuse({call, no_character});
+  if (other == nullptr) return refuse({call, "the character is null"});
+  if (const char* fault = fault_of(*other); fault != nullptr) return refuse({call, fault});
+  CharacterAgents& agents = of(character);
+  if (Status same = has_bones_of(agents.skeleton(), other->skeleton); !same) return same;
+  if (std::string bound = agents.bound_to_clips(*other); !bound.empty()) return Error{std::move(bound)};
+  const std::shared_ptr<const Character> before = agents.replace_clips(std::move(other));
+  Status fits = system_->pus.take_character(system_->population, character.number);
+  if (fits) return fits;
+  agents.replace_clips(before);
+  system_->pus.refresh_contexts(system_->population);
+  return fits;
 }
 
 Status Characters::write_joints(const JointList& list, JointFormat format, CharacterId character) {

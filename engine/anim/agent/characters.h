@@ -42,6 +42,14 @@ class Characters {
   /// masks, selections or inertialisers depend on the order, or the local store is too small; then nothing has changed.
   Status replace(CharacterId character, std::shared_ptr<const Character> reordered, std::span<const int> places);
 
+  /// Takes the same character with other clips (bake/clip_set.h), at a frame boundary, and lets go of the one before.
+  /// Agents go on where they are, to the bit. Older snapshots cannot be restored, and keep the clips that they know.
+  ///
+  /// Errors: it has another skeleton or its bones in another order; agents play a clip that leaves its place, be it
+  /// that they still fade away from it; a channel has such a clip, as a blend space; a place goes from one clip to
+  /// another at once; or a local store of a fixed size is too small. Then nothing has changed.
+  Status replace_clips(CharacterId character, std::shared_ptr<const Character> other);
+
   /// Sets which joints an update writes of each agent of this character, to AgentUpdate::joints, instead of a palette
   /// or beside it: all (all_joints), chosen ones for sockets and hits (joints_of), or palettes in the order of a glTF
   /// skin (joints_of_skin) or as 4x4 matrices. An agent of whom neither a palette nor a hash is wanted is posed as far

@@ -182,7 +182,7 @@ Status Population::can_restore(const PopulationSnapshot& from) const {
     }
     if (from.characters[i].character != characters_[i]->character) {
       return Error{"\"" + characters_[i]->skeleton().name +
-                   "\" is another character, or has its bones in another order, since this snapshot: take another one"};
+                   "\" has other clips, or its bones in another order, since this snapshot: take another one"};
     }
   }
   return Done{};

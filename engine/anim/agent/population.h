@@ -129,8 +129,8 @@ class Population {
   void restart();
 
   void snapshot(PopulationSnapshot& into) const;
-  /// Checks that the snapshot is of this population. Errors: it is empty, or characters, their kinds of entities or the
-  /// order of their bones differ.
+  /// Checks that the snapshot is of this population. Errors: it is empty, or characters, their clips, their kinds of
+  /// entities or the order of their bones differ.
   Status can_restore(const PopulationSnapshot& from) const;
   Status restore(const PopulationSnapshot& from);
   Compaction compact();

@@ -87,6 +87,15 @@ class Pool {
     return block_at(tables_.place_of(handle.index()));
   }
 
+  /// Calls visit(const std::byte* block) for each living block, in the order of their places.
+  template <typename Visit>
+  void for_each_block(Visit&& visit) const {
+    for (std::uint32_t place = tables_.first_owned(0); place < tables_.place_count();
+         place = tables_.first_owned(place + 1)) {
+      visit(static_cast<const std::byte*>(block_at(place)));
+    }
+  }
+
   /// Allocates slabs for at least `blocks` blocks, so that create() allocates none up to there. Compaction keeps as
   /// many until the next call asks for fewer. (Tables grow by some 13 KiB for 262,144 creations, as indices wear out.)
   void reserve(std::size_t blocks);

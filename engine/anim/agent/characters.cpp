@@ -91,7 +91,7 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
   if (!has(character)) return refuse({call, no_character});
   CharacterAgents& agents = of(character);
   if (reordered == nullptr || reordered->skeleton.bone_count() != agents.skeleton().bone_count() ||
-      reordered->clips.size() != agents.character->clips.size() ||
+      !std::ranges::equal(reordered->clips, agents.character->clips, {}, &BakedClip::name, &BakedClip::name) ||
       places.size() != static_cast<std::size_t>(agents.skeleton().bone_count())) {
     return refuse({call, "it is not the same character with its bones in another order"});
   }
@@ -118,6 +118,7 @@ Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Ch
   if (const char* fault = fault_of(*other); fault != nullptr) return refuse({call, fault});
   CharacterAgents& agents = of(character);
   if (Status same = has_bones_of(agents.skeleton(), other->skeleton); !same) return same;
+  FrameWork::ask_due_channels(system_->population, system_->pus, character.number);  // fades may be over
   if (std::string bound = agents.bound_to_clips(*other); !bound.empty()) return Error{std::move(bound)};
   const std::shared_ptr<const Character> before = agents.replace_clips(std::move(other));
   Status fits = system_->pus.take_character(system_->population, character.number);

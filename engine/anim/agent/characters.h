@@ -46,8 +46,9 @@ class Characters {
   /// Agents go on where they are, to the bit. Older snapshots cannot be restored, and keep the clips that they know.
   ///
   /// Errors: it has another skeleton or its bones in another order; agents play a clip that leaves its place, be it
-  /// that they still fade away from it; a channel has such a clip, as a blend space; a place goes from one clip to
-  /// another at once; or a local store of a fixed size is too small. Then nothing has changed.
+  /// that they still fade away from it, which an interrupted fade does until its agent was posed twice; a channel has
+  /// such a clip, as a blend space; a place goes from one clip to another at once; or a local store of a fixed size is
+  /// too small. Then nothing has changed.
   Status replace_clips(CharacterId character, std::shared_ptr<const Character> other);
 
   /// Sets which joints an update writes of each agent of this character, to AgentUpdate::joints, instead of a palette

@@ -27,7 +27,7 @@ constexpr Ticks longest_start = 24 * 3600 * ticks_per_second;
 bool is_speed(double speed) { return std::abs(speed) < 32768.0; }
 
 const char* EntityBuilder::fault_of(const PlayerStart& start) const {
-  if (!has_clip(start.clip)) return "clip is not the number of a clip that the character has";
+  if (!has_clip(start.clip)) return "clip is not an index of a clip that the character has";
   if (!is_speed(start.speed)) return not_a_speed;
   if (start.start < -longest_start || start.start > longest_start) return "start is within a day of the clip's begin";
   if (start.bone_selection > about_.selections)

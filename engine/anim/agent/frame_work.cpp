@@ -59,6 +59,15 @@ void FrameWork::update(Population& population, FittedScheduler& pus, std::span<c
   if (hash) sum_up_hashes(population.numbers().order());
 }
 
+void FrameWork::ask_due_channels(Population& population, FittedScheduler& pus, std::uint32_t character) {
+  const AgentGraphs& graphs = population.characters()[character]->agents;
+  for (std::uint32_t agent = 0; agent < population.numbers().number_limit(); ++agent) {
+    const Member& member = population.numbers().member(agent);
+    const bool is_its = member.alive() && member.character == character;
+    if (is_its && graphs.next_update(member.index) <= population.clock()) update_channels(population, pus, agent);
+  }
+}
+
 void FrameWork::list_shared_work(Population& population, FittedScheduler& pus) {
   shared_work_.clear();
   bool changed = false;

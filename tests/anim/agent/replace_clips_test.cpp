@@ -167,6 +167,25 @@ TEST(ReplacedClips, AreRefusedWhileAgentsPlayOneThatLeaves) {
   crowd.step(2);
 }
 
+TEST(ReplacedClips, MayLeaveWhenAFadeAwayFromThemIsOverThoughNobodyWasPosed) {
+  const Shared larger = made(with_clips(base(), more()));
+  Crowd unseen(larger), quiet(larger);
+  for (Crowd* crowd : {&unseen, &quiet}) {
+    crowd->add(4);
+    crowd->step(3);
+    crowd->system->agent(0).play({.clip = 1, .fade = 200ms});
+    crowd->system->advance(150ms);
+  }
+  EXPECT_NE(unseen.refusal(base()), "") << "it still fades";
+  for (Crowd* crowd : {&unseen, &quiet}) crowd->system->advance(60ms);
+  EXPECT_EQ(unseen.refusal(base()), "");
+  for (int frame = 0; frame < 5; ++frame) {
+    unseen.step();
+    quiet.step();
+    ASSERT_EQ(unseen.hash(), quiet.hash());
+  }
+}
+
 TEST(ReplacedClips, AreRefusedWhileABlendSpaceHasOneThatLeavesThoughNobodyPlaysIt) {
   const Shared larger = made(with_clips(base(), more()));
   Crowd crowd(larger);
@@ -231,6 +250,7 @@ TEST(ReplacedClips, ThatALocalStoreOfFixedSizeCannotHoldAreRefused) {
   for (Crowd* one : {&crowd, &quiet}) one->step(3);
   EXPECT_EQ(crowd.hash(), quiet.hash());
   EXPECT_EQ(quiet.refusal(larger), "") << "automatic stores grow";
+  EXPECT_EQ(crowd.refusal(made(without_clip(base(), 2))), "") << "an empty place asks for nothing";
 }
 
 TEST(ReplacedClips, MakeOlderSnapshotsInvalid) {

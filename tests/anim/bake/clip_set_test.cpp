@@ -164,6 +164,13 @@ TEST(AddedClips, OfAnotherSkeletonAreRefusedWithTheFirstBoneThatDiffers) {
   EXPECT_NE(error_of(with_clips(base, baked(named_model(21, 1)))).find("is not in"), std::string::npos);
 }
 
+TEST(AddedClips, OfABindPoseThatWasRoundedAreTaken) {
+  const Model whole = named_model(20, 2);
+  Model rounded = part_of(whole, 1, 2);
+  rounded.skeleton.references[7].origin.x += 1e-6;
+  EXPECT_EQ(error_of(with_clips(baked(part_of(whole, 0, 1)), baked(rounded))), "");
+}
+
 TEST(AddedClips, OfANameThatIsThereAreRefused) {
   const Model whole = named_model(20, 2);
   const Shared base = baked(whole);

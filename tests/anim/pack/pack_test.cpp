@@ -4,6 +4,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -12,6 +13,7 @@
 #include "engine/anim/agent/animation_system.h"
 #include "engine/anim/asset/placement.h"
 #include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/bake/clip_set.h"
 
 namespace throng::pack::pack_test {
 namespace {
@@ -161,6 +163,14 @@ TEST(Pack, StaysAsLongAsACharacterOfItLives) {
   auto character = opened().character();  // the pack itself is gone
   ASSERT_TRUE(character);
   EXPECT_EQ(character->clips[0].keyframe().bone_count, 23);
+}
+
+TEST(Pack, StaysAsLongAsAClipOfItIsLentToAnotherCharacter) {
+  auto packed = std::make_shared<const anim::Character>(std::move(*opened().character()));
+  const auto lent = anim::without_clip(std::move(packed), 1);
+  ASSERT_TRUE(lent);
+  EXPECT_TRUE(lent->clips[1].is_empty());
+  EXPECT_EQ(lent->clips[0].keyframe().bone_count, 23);
 }
 
 TEST(Pack, GivesAnEmptyClipsStreamBackAsNone) {

@@ -99,6 +99,7 @@ void RandomCalls::begin_again() {
   lod_ = Lod();
   snapshot_ = Snapshot();
   known_characters_ = {CharacterId(0)};
+  made_characters_ = {character_};
   steps_.clear();
   known_agents_.clear();
   for (const AgentId id : crowd_->add_agents(4)) known_agents_.push_back(id);
@@ -107,7 +108,9 @@ void RandomCalls::begin_again() {
 void RandomCalls::call() {
   ++calls_;
   if (known_agents_.size() > 200) known_agents_.erase(known_agents_.begin(), known_agents_.begin() + 100);
-  switch (below(8)) {
+  switch (below(9)) {
+    case 8:
+      return call_clips();
     case 0:
       return call_crowd();
     case 1:
@@ -201,6 +204,29 @@ void RandomCalls::call_characters() {
       static_cast<void>(crowd_->character(character_id()).clip(clip()));
       static_cast<void>(character_.bone_name(index()));
       static_cast<void>(character_.palette_entries(index()));
+  }
+}
+
+// Nothing may depend on the order in which characters are made, so all of them stay for later calls.
+void RandomCalls::call_clips() {
+  if (made_characters_.size() > 60) made_characters_.erase(made_characters_.begin() + 1, made_characters_.begin() + 30);
+  const Character from = one_in(2) ? known_character() : crowd_->character(character_id());
+  switch (below(4)) {
+    case 0:
+      if (auto made = from.without(clip()); made) made_characters_.push_back(*made);
+      return;
+    case 1:
+      if (auto made = from.with_clips(one_in(10) ? Character() : known_character()); made) {
+        made_characters_.push_back(*made);
+      }
+      return;
+    case 2:
+      static_cast<void>(from.has(clip()));
+      static_cast<void>(from.clip(clip()));
+      static_cast<void>(from.find_clip("walk"));
+      return;
+    default:
+      static_cast<void>(crowd_->replace(character_id(), one_in(10) ? Character() : known_character()));
   }
 }
 

@@ -39,7 +39,10 @@ class RandomCalls {
   CharacterId character_id();
   ChannelId channel() { return {below(4) == 0 ? count() : below(4)}; }
   ProcessId process() { return {below(4) == 0 ? count() : below(6)}; }
-  ClipId clip() { return {below(4) == 0 ? count() : below(12)}; }
+  ClipId clip() { return {below(4) == 0 ? count() : below(12), one_in(3) ? below(3) : whichever}; }
+  const Character& known_character() {
+    return made_characters_[below(static_cast<std::uint32_t>(made_characters_.size()))];
+  }
   MaskId mask() { return {below(3) == 0 ? below(3) : (below(6) == 0 ? count() : no_number)}; }
   Layer layer() { return {.weight = number(), .mask = mask()}; }
   Play play();
@@ -48,6 +51,7 @@ class RandomCalls {
 
   void call_crowd();
   void call_characters();
+  void call_clips();
   void call_agent();
   void call_machine();
   void add_process();
@@ -64,6 +68,7 @@ class RandomCalls {
   Snapshot snapshot_;
   std::vector<AgentId> known_agents_;
   std::vector<CharacterId> known_characters_;
+  std::vector<Character> made_characters_;  // of the one that it was given, with other clips
   std::vector<StepId> steps_;
   std::vector<Line> lines_;
   std::vector<PoseRequest> requests_;

@@ -65,7 +65,7 @@ TEST_F(Slots, TellTheEndAsMotionDoes) {
     const Ticks before = crowd_->clock();
     crowd_->advance(ticks_per_second / 60);
     crowd_.agent(1).motion().for_each_end(before, crowd_->clock(), [&](const ClipEnd& end) {
-      EXPECT_EQ(end.clip, ClipId{1});
+      EXPECT_EQ(end.clip.number, 1U);
       ++ends;
     });
     ASSERT_LT(crowd_->clock(), 60 * ticks_per_second);

@@ -8,6 +8,7 @@
 #include "engine/anim/agent/blend_space_channel.h"
 #include "engine/anim/agent/channel/slot_channel.h"
 #include "engine/anim/agent/cross_fade_channel.h"
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
 
@@ -38,6 +39,15 @@ static_assert(static_cast<int>(Pace::own) == static_cast<int>(anim::Pace::own));
 static_assert(static_cast<int>(PlaneMeaning::velocity) == static_cast<int>(anim::PlaneMeaning::velocity));
 static_assert(static_cast<int>(PlaneMeaning::speed_and_turn) == static_cast<int>(anim::PlaneMeaning::speed_and_turn));
 
+/// Returns why an agent cannot play one of these points, as CrowdParts::fault_of does.
+template <typename Point>
+const char* fault_of(const detail::CrowdParts& crowd, AgentId agent, std::span<const Point> points) {
+  for (const Point& point : points) {
+    if (const char* const fault = crowd.fault_of(agent, point.clip); fault != nullptr) return fault;
+  }
+  return nullptr;
+}
+
 anim::Pace pace_of(Pace pace) { return static_cast<anim::Pace>(pace); }
 
 }  // namespace
@@ -46,12 +56,16 @@ bool Agent::exists() const { return crowd_->system->agent(id_).exists(); }
 CharacterId Agent::character() const { return crowd_->system->agent(id_).character_id(); }
 
 bool Agent::play(const Play& request) const {
+  if (const char* const fault = crowd_->fault_of(id_, request.clip); fault != nullptr)
+    return anim::report_misuse({"Agent::play", fault});
   if (!crowd_->system->agent(id_).play(request_of(request))) return false;
   crowd_->note_clip(id_, request.clip);
   return true;
 }
 
 bool Agent::play(ChannelId channel, const Play& request) const {
+  if (const char* const fault = crowd_->fault_of(id_, request.clip); fault != nullptr)
+    return anim::report_misuse({"Agent::play", fault});
   return crowd_->system->agent(id_).play(channel, request_of(request));
 }
 
@@ -63,6 +77,8 @@ Result<ChannelId> Agent::add_clips(const Layer& layer) const {
 
 Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const {
   if (space.points.empty()) return anim::refuse({"Agent::add", "a blend space has at least one point"});
+  if (const char* const fault = fault_of(*crowd_, id_, space.points); fault != nullptr)
+    return anim::refuse({"Agent::add", fault});
   std::vector<anim::BlendPoint> points;
   for (const BlendPoint& point : space.points) {
     points.push_back(
@@ -75,6 +91,8 @@ Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const 
 }
 
 Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) const {
+  if (const char* const fault = fault_of(*crowd_, id_, space.points); fault != nullptr)
+    return anim::refuse({"Agent::add", fault});
   const anim::Agent agent = crowd_->system->agent(id_);
   std::vector<anim::BlendPoint2d> points;
   for (const BlendPoint2d& point : space.points) {
@@ -97,6 +115,8 @@ bool Agent::play_once(ChannelId slot, const OneShot& shot) const {
   anim::Agent agent = crowd_->system->agent(id_);
   const auto* const own = agent.channel<anim::SlotChannel>(slot);
   if (own == nullptr) return anim::report_misuse({"Agent::play_once", "the agent has no slot of this id"});
+  if (const char* const fault = crowd_->fault_of(id_, shot.clip); fault != nullptr)
+    return anim::report_misuse({"Agent::play_once", fault});
   const anim::OneShot request{.clip = detail::number_of(shot.clip),
                               .fade_in = shot.fade_in,
                               .fade_out = shot.fade_out,

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "engine/anim/asset/bone_mask.h"
+#include "engine/anim/bake/clip_set.h"
+#include "engine/anim/base/misuse.h"
 #include "engine/anim/door/character_data.h"
 
 namespace throng {
@@ -14,7 +16,7 @@ const anim::Character& nobody() {
   return empty;
 }
 
-const anim::Character& baked(const detail::CharacterData* data) { return data == nullptr ? nobody() : data->baked; }
+const anim::Character& baked(const detail::CharacterData* data) { return data == nullptr ? nobody() : *data->baked; }
 
 bool has_bone(const anim::Character& character, int bone) {
   return bone >= 0 && bone < character.skeleton.bone_count();
@@ -27,7 +29,7 @@ std::span<const To> as_floats(const std::vector<From>& from) {
   return {reinterpret_cast<const To*>(from.data()), from.size()};
 }
 
-void show_material(const detail::CharacterData& data, int index, MeshView& view) {
+void show_material(const detail::CharacterBody& data, int index, MeshView& view) {
   const auto place = static_cast<std::size_t>(index);
   if (place >= data.materials.size()) return;
   const anim::Material& material = data.materials[place];
@@ -39,10 +41,15 @@ void show_material(const detail::CharacterData& data, int index, MeshView& view)
   view.texture_height = data.images[image].height;
 }
 
+Character character_of(anim::Character baked, std::shared_ptr<const detail::CharacterBody> body) {
+  auto shared = std::make_shared<const anim::Character>(std::move(baked));
+  return Character(std::make_shared<const detail::CharacterData>(
+      detail::CharacterData{.baked = std::move(shared), .body = std::move(body)}));
+}
+
 }  // namespace
 
-detail::CharacterData::CharacterData(anim::Character own_baked, const anim::Model& model)
-    : baked(std::move(own_baked)), rigs(model) {
+detail::CharacterBody::CharacterBody(const anim::Model& model) : rigs(model) {
   for (const anim::Skin& skin : model.skins) {
     const Result<anim::JointList> joints = anim::joints_of_skin(model, skin.skin);
     const auto place = static_cast<std::size_t>(skin.skin);
@@ -53,20 +60,26 @@ detail::CharacterData::CharacterData(anim::Character own_baked, const anim::Mode
 }
 
 Character detail::make_character(anim::Model model, anim::Character baked, bool keep_meshes) {
-  auto data = std::make_shared<CharacterData>(std::move(baked), model);
+  auto body = std::make_shared<CharacterBody>(model);
   if (keep_meshes) {
-    data->meshes = std::move(model.meshes);
-    data->materials = std::move(model.materials);
-    data->images = std::move(model.images);
+    body->meshes = std::move(model.meshes);
+    body->materials = std::move(model.materials);
+    body->images = std::move(model.images);
   }
-  return Character(std::move(data));
+  return character_of(std::move(baked), std::move(body));
 }
 
 std::uint32_t Character::clip_count() const { return static_cast<std::uint32_t>(baked(data()).clips.size()); }
 
+bool Character::has(ClipId clip) const {
+  const auto& clips = baked(data()).clips;
+  if (clip.number >= clips.size() || clips[clip.number].is_empty()) return false;
+  return clip.generation == whichever || clip.generation == clips[clip.number].generation;
+}
+
 ClipInfo Character::clip(ClipId clip) const {
+  if (!has(clip)) return {};
   const anim::Character& character = baked(data());
-  if (clip.number >= character.clips.size()) return {};
   const anim::BakedClip& own = character.clips[clip.number];
   return {.name = own.name,
           .duration = own.duration,
@@ -76,8 +89,25 @@ ClipInfo Character::clip(ClipId clip) const {
 
 ClipId Character::find_clip(std::string_view name) const {
   const auto& clips = baked(data()).clips;
-  const auto found = std::ranges::find(clips, name, &anim::BakedClip::name);
-  return found == clips.end() ? ClipId{} : ClipId{static_cast<std::uint32_t>(found - clips.begin())};
+  const auto is_named = [name](const anim::BakedClip& clip) { return !clip.is_empty() && clip.name == name; };
+  const auto found = std::ranges::find_if(clips, is_named);
+  if (found == clips.end()) return {};
+  return {.number = static_cast<std::uint32_t>(found - clips.begin()), .generation = found->generation};
+}
+
+Result<Character> Character::with_clips(const Character& more) const {
+  if (!*this || !more) return anim::refuse({"Character::with_clips", "a character is empty"});
+  Result<anim::Character> made = anim::with_clips(data()->baked, more.data()->baked);
+  if (!made) return made.error();
+  return character_of(std::move(*made), data()->body);
+}
+
+Result<Character> Character::without(ClipId clip) const {
+  if (!*this) return anim::refuse({"Character::without", "the character is empty"});
+  if (!has(clip)) return Error{data()->baked->skeleton.name + ": the character has no clip of this id"};
+  Result<anim::Character> made = anim::without_clip(data()->baked, static_cast<int>(clip.number));
+  if (!made) return made.error();
+  return character_of(std::move(*made), data()->body);
 }
 
 int Character::bone_count() const { return baked(data()).skeleton.bone_count(); }
@@ -111,11 +141,11 @@ std::span<const std::string> Character::data_key_names() const { return baked(da
 
 std::span<const std::string> Character::curve_names() const { return baked(data()).curve_names; }
 
-std::size_t Character::mesh_count() const { return data() == nullptr ? 0 : data()->meshes.size(); }
+std::size_t Character::mesh_count() const { return data() == nullptr ? 0 : data()->body->meshes.size(); }
 
 MeshView Character::mesh(std::size_t index) const {
   if (index >= mesh_count()) return {};
-  const anim::SkinnedMesh& mesh = data()->meshes[index];
+  const anim::SkinnedMesh& mesh = data()->body->meshes[index];
   MeshView view{.name = mesh.name,
                 .positions = as_floats<Vec3>(mesh.positions),
                 .normals = as_floats<Vec3>(mesh.normals),
@@ -125,12 +155,12 @@ MeshView Character::mesh(std::size_t index) const {
                 .indices = mesh.indices,
                 .base_color_texels = {}};
   if (!mesh.texture_coords.empty()) view.texture_coords = as_floats<std::array<float, 2>>(mesh.texture_coords.front());
-  show_material(*data(), mesh.material, view);
+  show_material(*data()->body, mesh.material, view);
   return view;
 }
 
 std::span<const std::string> Character::missing_rigs() const {
-  return data() == nullptr ? std::span<const std::string>() : data()->rigs.missing();
+  return data() == nullptr ? std::span<const std::string>() : data()->body->rigs.missing();
 }
 
 }  // namespace throng

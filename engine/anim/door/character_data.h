@@ -13,17 +13,22 @@
 
 namespace throng::detail {
 
-/// The inside of a Character: what was baked, the rigs that it looks, stands, reaches and falls with, and the surface
-/// if it was asked for.
-struct CharacterData {
-  CharacterData(anim::Character own_baked, const anim::Model& model);
+/// What a character has besides what was baked: the rigs that it looks, stands, reaches and falls with, and the surface
+/// if it was asked for. Characters that differ in their clips alone share it.
+struct CharacterBody {
+  explicit CharacterBody(const anim::Model& model);
 
-  anim::Character baked;
   anim::CharacterRigs rigs;
   std::vector<anim::JointList> skins;  // [skin of the file] empty where it is another model's
   std::vector<anim::SkinnedMesh> meshes;
   std::vector<anim::Material> materials;
   std::vector<anim::Image> images;
+};
+
+/// The inside of a Character. Neither part is null.
+struct CharacterData {
+  std::shared_ptr<const anim::Character> baked;
+  std::shared_ptr<const CharacterBody> body;
 };
 
 /// Makes a character of a model that stands in its place, and of what was baked from it.

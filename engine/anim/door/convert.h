@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdint>
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 #include "throng/ids.h"
 #include "throng/math.h"
 
+#include "engine/anim/bake/character.h"
 #include "engine/anim/kernel/limb/joint_chain.h"
 
 /// The numbers of the door as those of the library, and back.
@@ -23,6 +26,10 @@ inline Place from_joint(const anim::JointMotion& joint) {
   return {.position = from_glm(joint.position), .rotation = from_glm(joint.rotation)};
 }
 
+/// Returns the id of a clip that the character has.
+inline ClipId id_of(const anim::Character& character, std::uint32_t clip) {
+  return {.number = clip, .generation = character.clips[clip].generation};
+}
 /// Returns the number of a clip or mask as the library counts it: -1 for none.
 inline int number_of(ClipId clip) { return static_cast<int>(clip.number); }
 inline int number_of(MaskId mask) { return static_cast<int>(mask.number); }

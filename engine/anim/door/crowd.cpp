@@ -55,17 +55,17 @@ std::uint64_t new_version() {
 
 void keep(detail::CrowdParts& parts, CharacterId id, const Character& character) {
   if (parts.characters.size() <= id.number) parts.characters.resize(id.number + 1);
-  parts.characters[id.number] = {.character = character,
-                                 .kinds = std::make_unique<detail::OwnKinds>(*parts.system, id, *character.data())};
+  parts.characters[id.number] = {
+      .character = character, .kinds = std::make_unique<detail::OwnKinds>(*parts.system, id, character.data()->body)};
   parts.version = new_version();
 }
 
 Result<anim::JointList> joints_of(const detail::CharacterData& character, const JointOutput& output) {
-  const anim::Skeleton& skeleton = character.baked.skeleton;
+  const anim::Skeleton& skeleton = character.baked->skeleton;
   if (!output.skin) return output.bones.empty() ? anim::all_joints(skeleton) : anim::joints_of(skeleton, output.bones);
+  const std::vector<anim::JointList>& skins = character.body->skins;
   const auto skin = static_cast<std::size_t>(*output.skin);
-  if (*output.skin >= 0 && skin < character.skins.size() && !character.skins[skin].empty())
-    return character.skins[skin];
+  if (*output.skin >= 0 && skin < skins.size() && !skins[skin].empty()) return skins[skin];
   return Error{skeleton.name + ": the character has no skin " + std::to_string(*output.skin) + " of the file"};
 }
 
@@ -82,7 +82,26 @@ void note(detail::CrowdParts& parts, std::span<const AgentId> added, CharacterId
   }
 }
 
+/// Forgets notes of clips that a character has no more.
+void forget_lost_clips(detail::CrowdParts& parts, CharacterId character) {
+  const Character& played = parts.characters[character.number].character;
+  detail::AgentNotes& notes = parts.notes;
+  for (std::size_t agent = 0; agent < notes.clips.size(); ++agent) {
+    const bool is_lost = !played.has({static_cast<std::uint32_t>(notes.clips[agent])});
+    if (notes.characters[agent] == character.number && is_lost) notes.clips[agent] = -1;
+  }
+}
+
 }  // namespace
+
+const char* detail::CrowdParts::fault_of(AgentId agent, ClipId clip) const {
+  const anim::Agent own = system->agent(agent);
+  if (!own.exists() || !clip.valid()) return nullptr;
+  const Character& played = characters[own.character_number()].character;
+  const bool was_there = clip.generation != whichever || clip.number < played.clip_count();
+  if (played.has(clip) || !was_there) return nullptr;
+  return "the character has no clip of this id: it was unloaded";
+}
 
 detail::CrowdCharacter* detail::CrowdParts::character_of(AgentId agent, const char* call) {
   const anim::Agent own = system->agent(agent);
@@ -127,6 +146,24 @@ Status Crowd::remove(CharacterId character) {
   parts_->characters[character.number] = {};
   parts_->version = new_version();
   return removed;
+}
+
+Status Crowd::replace(CharacterId character, const Character& with_other_clips) {
+  constexpr const char* call = "Crowd::replace";
+  if (!with_other_clips) return anim::refuse({call, "the character is empty"});
+  const Character played = this->character(character);
+  if (!played) return anim::refuse({call, detail::no_character});
+  if (played.data()->body != with_other_clips.data()->body) {
+    return Error{"\"" + with_other_clips.data()->baked->skeleton.name +
+                 "\" was not made of the character that it is to replace: use with_clips() and without() of "
+                 "Crowd::character()"};
+  }
+  const Status replaced = parts_->system->characters().replace_clips(character, detail::baked_of(with_other_clips));
+  if (!replaced) return replaced;
+  parts_->characters[character.number].character = with_other_clips;
+  parts_->version = new_version();
+  forget_lost_clips(*parts_, character);
+  return replaced;
 }
 
 Character Crowd::character(CharacterId character) const {

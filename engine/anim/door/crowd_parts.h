@@ -42,15 +42,16 @@ struct CrowdParts {
 
   /// Returns the character of an agent; null, after a report, if the agent is gone.
   CrowdCharacter* character_of(AgentId agent, const char* call);
+  /// Returns why an agent cannot play the clip of an id that it could once play, in one sentence; else null. Every
+  /// request for a clip asks it first. The system checks everything else.
+  const char* fault_of(AgentId agent, ClipId clip) const;
   /// Notes which clip an agent plays.
   void note_clip(AgentId agent, ClipId clip) {
     if (agent.number < notes.clips.size()) notes.clips[agent.number] = static_cast<int>(clip.number);
   }
 };
 
-/// Returns the baked part of a character as a system takes it, which keeps all of it.
-inline std::shared_ptr<const anim::Character> baked_of(const Character& character) {
-  return {character.shared(), &character.data()->baked};
-}
+/// Returns the baked part of a character as a system takes it.
+inline std::shared_ptr<const anim::Character> baked_of(const Character& character) { return character.data()->baked; }
 
 }  // namespace throng::detail

@@ -141,7 +141,7 @@ void Lod::take_characters(const Crowd& crowd) {
   state_->characters = parts.version;
   std::vector<anim::LodCharacter> characters;
   for (const detail::CrowdCharacter& one : parts.characters) {
-    characters.push_back(one.character ? anim::lod_character(one.character.data()->baked) : anim::LodCharacter{});
+    characters.push_back(one.character ? anim::lod_character(*one.character.data()->baked) : anim::LodCharacter{});
   }
   state_->lod.set_characters(std::move(characters));
 }

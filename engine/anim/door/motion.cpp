@@ -56,16 +56,19 @@ void Motion::visit_keys(Ticks from, Ticks to, KeyChoice choice, void (*visit)(vo
     anim::report_misuse({call, "an interval is a minute at most: ask in each frame"});
     return;
   }
+  const anim::Character& character = std::as_const(*crowd_->system).agent(agent_).character();
   const auto tell = [&](const anim::DataKeyEvent& key) {
-    visit(context, {.name = key.name, .clip = {key.clip}, .time = key.time, .weight = key.weight});
+    visit(context,
+          {.name = key.name, .clip = detail::id_of(character, key.clip), .time = key.time, .weight = key.weight});
   };
   motion_of(*crowd_, agent_).for_each_data_key(from, to, tell, static_cast<anim::KeyChoice>(choice));
 }
 
 void Motion::visit_ends(Ticks from, Ticks to, void (*visit)(void*, const ClipEnd&), void* context) const {
   if (!are_near(*crowd_, from, to, "Motion::for_each_end")) return;
+  const anim::Character& character = std::as_const(*crowd_->system).agent(agent_).character();
   const auto tell = [&](const anim::ClipEnd& end) {
-    visit(context, {.clip = {end.clip}, .time = end.time, .weight = end.weight});
+    visit(context, {.clip = detail::id_of(character, end.clip), .time = end.time, .weight = end.weight});
   };
   motion_of(*crowd_, agent_).for_each_end(from, to, tell);
 }

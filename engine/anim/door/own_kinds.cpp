@@ -12,13 +12,6 @@
 namespace throng::detail {
 namespace {
 
-/// Returns the reason why a rig is missing, as the survey of the character's limbs says it.
-std::string why_missing(const CharacterData& data) {
-  std::string why = data.baked.skeleton.name + ": the character has no such rig";
-  for (const std::string& reason : data.rigs.missing()) why += "; " + reason;
-  return why;
-}
-
 // The enumerators of the door have the numbers of the library's own.
 static_assert(static_cast<int>(Limb::right_arm) == static_cast<int>(anim::CharacterRigs::Limb::right_arm));
 static_assert(static_cast<int>(Limb::right_leg) == static_cast<int>(anim::CharacterRigs::Limb::right_leg));
@@ -58,6 +51,12 @@ std::string key_of(const Springs& settings) {
 
 }  // namespace
 
+std::string OwnKinds::why_missing() const {
+  std::string why = skeleton().name + ": the character has no such rig";
+  for (const std::string& reason : body_->rigs.missing()) why += "; " + reason;
+  return why;
+}
+
 template <typename Owned>
 Result<OwnKinds::Kind> OwnKinds::add_last(std::deque<Owned>& all) {
   const Result<Kind> kind = add(all.back().own);
@@ -80,16 +79,16 @@ Result<int> OwnKinds::bone(std::string_view name) const {
 Result<OwnKinds::Kind> OwnKinds::rig(anim::EntityType type) {
   const auto known = std::ranges::find(rigs_, type, &Rig::type);
   if (known != rigs_.end()) return known->kind;
-  const anim::EntityKind* const own = data_->rigs.kind(type);
-  if (own == nullptr) return Error{why_missing(*data_)};
+  const anim::EntityKind* const own = body_->rigs.kind(type);
+  if (own == nullptr) return Error{why_missing()};
   const Result<Kind> kind = add(*own);
   if (kind) rigs_.push_back({.type = type, .kind = *kind});
   return kind;
 }
 
 Result<std::uint32_t> OwnKinds::limb(Limb limb) const {
-  const auto found = data_->rigs.limb(static_cast<anim::CharacterRigs::Limb>(limb));
-  if (!found) return Error{why_missing(*data_)};
+  const auto found = body_->rigs.limb(static_cast<anim::CharacterRigs::Limb>(limb));
+  if (!found) return Error{why_missing()};
   return *found;
 }
 

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "throng/processes.h"
@@ -24,8 +26,8 @@ class OwnKinds {
  public:
   using Kind = anim::EntityPools::Kind;
 
-  OwnKinds(anim::AnimationSystem& system, CharacterId character, const CharacterData& data)
-      : system_(&system), character_(character), data_(&data) {}
+  OwnKinds(anim::AnimationSystem& system, CharacterId character, std::shared_ptr<const CharacterBody> body)
+      : system_(&system), character_(character), body_(std::move(body)) {}
 
   /// Returns the kind of a rig. Errors: the character has no such rig, or no more kinds can be added.
   Result<Kind> rig(anim::EntityType type);
@@ -71,7 +73,9 @@ class OwnKinds {
     Kind kind = 0;
   };
 
-  const anim::Skeleton& skeleton() const { return data_->baked.skeleton; }
+  const anim::Skeleton& skeleton() const { return system_->characters()[character_].skeleton; }
+  /// Returns the reason why a rig is missing, as the survey of the character's limbs says it.
+  std::string why_missing() const;
   Result<int> bone(std::string_view name) const;
   /// Adds the kind of the last element, or takes that away again.
   template <typename Owned>
@@ -80,7 +84,7 @@ class OwnKinds {
 
   anim::AnimationSystem* system_;
   CharacterId character_;
-  const CharacterData* data_;
+  std::shared_ptr<const CharacterBody> body_;
   std::vector<Rig> rigs_;
   std::deque<Chains> chains_;  // deques, because their elements stay where they are
   std::deque<SpringSet> springs_;

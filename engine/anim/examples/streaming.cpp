@@ -1,4 +1,4 @@
-// Streaming: characters are loaded on a thread, join a crowd that plays, and leave it again.
+// Streaming: characters are loaded on a thread, join a crowd that plays, and leave it again. So do clips.
 #include <cstdio>
 #include <future>
 #include <vector>
@@ -15,6 +15,17 @@ void step(Crowd& crowd, std::vector<PoseRequest>& requests) {
   for (const AgentId id : crowd.agents()) requests.push_back({.agent = id});
   crowd.advance(ticks_per_second / 60);
   crowd.update(requests);
+}
+
+/// Lets the last clip of the crowd's first character go, and takes it back from a file that has it alone.
+Status stream_a_clip(Crowd& crowd, Character file) {
+  const ClipId last{crowd.character(0).clip_count() - 1};
+  for (std::uint32_t clip = 0; clip < last.number; ++clip) file = *file.without({clip});
+  const auto less = crowd.character(0).without(last);
+  if (!less) return less.error();
+  if (const Status left = crowd.replace(0, *less); !left) return left;
+  const auto more = less->with_clips(file);  // may take a moment, on any thread
+  return more ? crowd.replace(0, *more) : more.error();
 }
 
 }  // namespace
@@ -50,6 +61,9 @@ int main(int count, char** arguments) {
     const auto left = crowd->remove(*guest);  // its memory is free when nobody else has the character
     if (!left) return std::fprintf(stderr, "%s\n", left.error().message.c_str()), 1;
   }
-  std::printf("4 characters came and went; %zu agents of the first play on\n", crowd->agents().size());
+  if (const Status streamed = stream_a_clip(*crowd, load(arguments[1])->characters.front()); !streamed)
+    return std::fprintf(stderr, "%s\n", streamed.error().message.c_str()), 1;
+  for (int frame = 0; frame < 60; ++frame) step(*crowd, requests);
+  std::printf("4 characters and a clip came and went; %zu agents of the first play on\n", crowd->agents().size());
   return frames > 0 ? 0 : 1;
 }

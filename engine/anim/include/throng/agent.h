@@ -28,14 +28,14 @@ struct RootMotion {
 /// A data key that an agent has met: a step, a shot, a word.
 struct DataKey {
   std::uint32_t name = 0;  ///< index of Character::data_key_names
-  ClipId clip{};
-  Ticks time{};         ///< of the clock, when it was met
-  float weight = 0.0F;  ///< how much of the clip is felt, 0 to 1
+  ClipId clip{};           ///< with its generation
+  Ticks time{};            ///< of the clock, when it was met
+  float weight = 0.0F;     ///< how much of the clip is felt, 0 to 1
 };
 
 /// A clip that does not loop has reached its end.
 struct ClipEnd {
-  ClipId clip{};
+  ClipId clip{};  ///< with its generation
   Ticks time{};
   float weight = 0.0F;
 };

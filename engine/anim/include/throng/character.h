@@ -54,11 +54,25 @@ class Character {
   explicit Character(std::shared_ptr<const detail::CharacterData> data) : data_(std::move(data)) {}
   explicit operator bool() const { return data_ != nullptr; }
 
+  /// Returns the number of places for clips, those that without() left empty included.
   std::uint32_t clip_count() const;
-  /// Describes a clip; the description of a clip that there is not is empty.
+  /// Returns whether the clip is there, and has not left.
+  bool has(ClipId clip) const;
+  /// Describes a clip; the description of a clip that there is not, or of an empty place, is empty.
   ClipInfo clip(ClipId clip) const;
   /// Returns the clip of this name; an invalid id if there is none.
   ClipId find_clip(std::string_view name) const;
+
+  /// Returns this character with the clips of `more`, for example of a file of clips alone, which are not copied. Empty
+  /// places are filled first. Names of data keys and curves keep their indices, and new ones follow. The surface and
+  /// what depends on it are those of this one; added clips move its morphs if `more` has the same ones. Takes a moment,
+  /// on any thread, while crowds play both: see Crowd::replace. Errors: the skeleton is another one, by bones, parents
+  /// or bind pose; a clip has the name of one that is there.
+  Result<Character> with_clips(const Character& more) const;
+  /// Returns this character without a clip. Its place is empty until another clip comes, and ids of the clip name
+  /// nothing from then on. The others keep theirs. The memory of clips that came together is let go with the last of
+  /// them, when no crowd, character or snapshot has it. Errors: it has no such clip, or no other.
+  Result<Character> without(ClipId clip) const;
 
   int bone_count() const;
   std::string_view bone_name(int bone) const;

@@ -99,6 +99,12 @@ class Crowd {
   Result<CharacterId> add(const Character& character);
   /// Errors: agents play it, or it is the only one.
   Status remove(CharacterId character);
+  /// Takes a character with other clips, which was made of the one that it replaces (Character::with_clips, without),
+  /// between frames. Agents go on where they are, to the bit. Older snapshots cannot be restored, and keep the clips
+  /// that they know. Errors: agents play a clip that leaves, be it that they still fade away from it, which an
+  /// interrupted fade does until its agent was posed twice; a blend space of theirs has one; a place goes from one clip
+  /// to another at once; or a local store of a fixed size is too small. Then nothing has changed.
+  Status replace(CharacterId character, const Character& with_other_clips);
   /// Returns a character; an empty one if there is none of this id.
   Character character(CharacterId character) const;
   /// Returns the bytes from one palette of a character to the next, where many lie in a row.

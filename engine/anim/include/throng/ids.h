@@ -48,9 +48,11 @@ struct ProcessId {
   friend constexpr bool operator==(ProcessId, ProcessId) = default;
 };
 
-/// Names a clip of a character, whichever system plays it.
+/// Names a clip of a character, whichever system plays it. A character gives ids with the generation of the place where
+/// the clip is; `ClipId{n}` names whichever is at place n now.
 struct ClipId {
   std::uint32_t number = no_number;
+  std::uint32_t generation = whichever;
 
   constexpr bool valid() const { return number != no_number; }
   friend constexpr bool operator==(ClipId, ClipId) = default;

@@ -126,13 +126,16 @@ TEST(UnloadedClips, AreRefusedByTheirIdsInEveryRequest) {
   const ChannelId slot = *agent.add_slot(), layer = *agent.add_clips();
   const BlendPoint line[] = {{.clip = idle}, {.clip = wave, .parameter = 1.0F}};
   const BlendPoint2d plane[] = {{.clip = idle}, {.clip = wave, .x = 1.0F}};
+  const auto machine = StateMachine::parse(R"({"states": [{"name": "greet", "clip": "wave"}]})", mannequin());
+  ASSERT_TRUE(machine);
   const HeardMisuses heard;
+  EXPECT_FALSE(agent.add(*machine)) << "it was made for a character that had the clip";
   EXPECT_FALSE(agent.play({.clip = wave}));
   EXPECT_FALSE(agent.play(layer, {.clip = wave}));
   EXPECT_FALSE(agent.play_once(slot, {.clip = wave}));
   EXPECT_FALSE(agent.add(BlendSpace{.points = line}));
   EXPECT_FALSE(agent.add(BlendSpace2d{.points = plane}));
-  ASSERT_EQ(HeardMisuses::all().size(), 5U);
+  ASSERT_EQ(HeardMisuses::all().size(), 6U);
   for (const std::string& misuse : HeardMisuses::all()) EXPECT_NE(misuse.find(unloaded), std::string::npos) << misuse;
   EXPECT_TRUE(agent.play({.clip = crowd->character(0).find_clip("wave")}));
   EXPECT_TRUE(agent.play({.clip = {wave.number}})) << "a number names whichever is there";

@@ -29,6 +29,8 @@ struct AlikeAgents {
   }
 };
 
+[[maybe_unused]] constexpr const char* by_itself = "a channel changed by itself to a graph that cannot be run";
+
 /// Updates the shared channels of a character that are due; true: there were some.
 bool update_shared(const Population& population, CharacterAgents& character) {
   bool changed = false;
@@ -64,7 +66,9 @@ void FrameWork::ask_due_channels(Population& population, FittedScheduler& pus, s
   for (std::uint32_t agent = 0; agent < population.numbers().number_limit(); ++agent) {
     const Member& member = population.numbers().member(agent);
     const bool is_its = member.alive() && member.character == character;
-    if (is_its && graphs.next_update(member.index) <= population.clock()) update_channels(population, pus, agent);
+    if (!is_its || graphs.next_update(member.index) > population.clock()) continue;
+    [[maybe_unused]] const Status updated = pus.update_channels(population, agent);
+    assert(updated && by_itself);
   }
 }
 
@@ -114,7 +118,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
     const AgentGraphs& graphs = characters[member.character]->agents;
     if (graphs.next_update(member.index) <= now) [[unlikely]] {
       [[maybe_unused]] const Status updated = pus.update_channels(population, agent);
-      assert(updated && "a channel changed by itself to a graph that cannot be run");
+      assert(updated && by_itself);
     }
     const PoseGraph& graph = graphs.graph(member.index);
     if (graph.empty()) [[unlikely]] {

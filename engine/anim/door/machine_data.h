@@ -1,6 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
+
+#include "throng/ids.h"
 
 #include "engine/anim/agent/channel/state_machine.h"
 
@@ -9,6 +12,7 @@ namespace throng::detail {
 /// The inside of a StateMachine.
 struct MachineData {
   std::shared_ptr<const anim::StateMachine> machine;
+  std::vector<ClipId> clips;  // that its states play
 };
 
 }  // namespace throng::detail

@@ -5,6 +5,7 @@
 
 #include "engine/anim/agent/channel/state_machine_channel.h"
 #include "engine/anim/door/character_data.h"
+#include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
 #include "engine/anim/door/machine_data.h"
 
@@ -18,9 +19,13 @@ namespace {
 #if defined(THRONG_HAS_IMPORT)
 Result<StateMachine> made_for(const anim::MachineDescription& description, const Character& character) {
   if (!character) return anim::refuse({"StateMachine", "the character is empty"});
-  auto machine = anim::StateMachine::create(description, character.data()->baked);
+  const anim::Character& baked = *character.data()->baked;
+  auto machine = anim::StateMachine::create(description, baked);
   if (!machine) return machine.error();
-  return StateMachine(std::make_shared<const detail::MachineData>(detail::MachineData{std::move(*machine)}));
+  detail::MachineData data{.machine = std::move(*machine), .clips = {}};
+  data.machine->for_each_clip(
+      [&](int clip) { data.clips.push_back(detail::id_of(baked, static_cast<std::uint32_t>(clip))); });
+  return StateMachine(std::make_shared<const detail::MachineData>(std::move(data)));
 }
 #else
 Error no_json() { return {"this build of the library reads no JSON: build it with throng::import"}; }
@@ -76,6 +81,10 @@ std::string_view StateMachine::state_name(std::uint32_t state) const {
 
 Result<ChannelId> Agent::add(const StateMachine& machine, const Layer& layer) const {
   if (!machine) return anim::refuse({"Agent::add", "the state machine is empty"});
+  for (const ClipId clip : machine.data()->clips) {
+    if (const char* const fault = crowd_->fault_of(id_, clip); fault != nullptr)
+      return anim::refuse({"Agent::add", fault});
+  }
   auto channel = std::make_unique<anim::StateMachineChannel>(machine.data()->machine);
   return crowd_->system->agent(id_).add_channel(std::move(channel),
                                                 {.weight = layer.weight, .mask = detail::number_of(layer.mask)});

@@ -40,6 +40,18 @@ std::optional<std::uint32_t> StateMachine::find_state(std::string_view name) con
   return found == states_.end() ? std::nullopt : std::optional(static_cast<std::uint32_t>(found - states_.begin()));
 }
 
+void StateMachine::for_each_clip(const std::function<void(int)>& visit) const {
+  for (const State& state : states_) {
+    if (state.points != nullptr) {
+      for (const BlendPoint& point : *state.points) visit(point.clip);
+    } else if (state.plane != nullptr) {
+      for (const BlendPoint2d& point : state.plane->all()) visit(point.clip);
+    } else {
+      visit(state.clip.clip);
+    }
+  }
+}
+
 void StateMachine::use_triggers(const Transition& taken, Inputs& inputs) const {
   for (const Condition& condition : taken.when) {
     if (inputs_[condition.input].kind == MachineDescription::Input::Kind::trigger) inputs[condition.input] = 0.0F;

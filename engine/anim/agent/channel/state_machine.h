@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -71,6 +72,9 @@ class StateMachine {
   std::span<const State> states() const { return states_; }
   const Transition& transition(std::uint16_t index) const { return transitions_[index]; }
   std::uint8_t start() const { return start_; }
+
+  /// Calls visit(int clip) for the number of each clip that a state plays.
+  void for_each_clip(const std::function<void(int)>& visit) const;
 
   /// Lowers the triggers that a transition asks for.
   void use_triggers(const Transition& taken, Inputs& inputs) const;

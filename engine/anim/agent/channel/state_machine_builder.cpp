@@ -28,14 +28,16 @@ bool has_twice(const std::vector<Named>& all, const std::string& name) {
 
 bool is_time(double seconds) { return seconds >= 0.0 && is_fade(to_ticks(seconds)); }
 
-/// Lists names up to a number that a line has room for.
+/// Lists the names of clips, as many as a line has room for.
 std::string listed(const std::vector<BakedClip>& clips) {
   constexpr std::size_t most = 12;
   std::string names;
-  for (std::size_t i = 0; i < std::min(clips.size(), most); ++i) {
-    names += (i == 0 ? "" : ", ") + clips[i].name;
+  std::size_t count = 0;
+  for (const BakedClip& clip : clips) {
+    if (clip.is_empty() || ++count > most) continue;
+    names += (names.empty() ? "" : ", ") + clip.name;
   }
-  return clips.size() > most ? names + " and " + std::to_string(clips.size() - most) + " more" : names;
+  return count > most ? names + " and " + std::to_string(count - most) + " more" : names;
 }
 
 }  // namespace
@@ -95,7 +97,8 @@ Status StateMachineBuilder::take_state(const Description::State& from) {
 
 Result<int> StateMachineBuilder::clip_of(const std::string& name) const {
   const auto& clips = character_->clips;
-  const auto found = std::ranges::find(clips, name, &BakedClip::name);
+  const auto is_named = [&](const BakedClip& clip) { return !clip.is_empty() && clip.name == name; };
+  const auto found = std::ranges::find_if(clips, is_named);
   if (found != clips.end()) return static_cast<int>(found - clips.begin());
   return Error{"plays clip " + quoted(name) + ", which \"" + character_->skeleton.name + "\" has not: choose one of " +
                listed(clips)};

@@ -26,14 +26,9 @@ bool StateMachineChannel::set(std::uint32_t input, float value) {
 
 const char* StateMachineChannel::fault(const EntityBuilder& build) const {
   if (machine_ == nullptr) return "the state machine is null";
-  const auto has = [&](const auto& point) { return build.has_clip(point.clip); };
-  for (const StateMachine::State& state : machine_->states()) {
-    const bool plays = state.points != nullptr  ? std::ranges::all_of(*state.points, has)
-                       : state.plane != nullptr ? std::ranges::all_of(state.plane->all(), has)
-                                                : has(state.clip);
-    if (!plays) return "the state machine was made for another character: a state plays a clip that this one has not";
-  }
-  return nullptr;
+  bool has_all = true;
+  machine_->for_each_clip([&](int clip) { has_all = has_all && build.has_clip(clip); });
+  return has_all ? nullptr : "a state of the machine plays a clip that the character has not";
 }
 
 bool StateMachineChannel::update(const EntityBuilder& build) {

@@ -63,7 +63,7 @@ class Character {
   /// Returns the clip of this name; an invalid id if there is none.
   ClipId find_clip(std::string_view name) const;
 
-  /// Returns this character with the clips of `more`, for example of a file of clips alone, which are not copied. Empty
+  /// Returns this character with the clips of `more`, for example of another file, which are not copied. Empty
   /// places are filled first. Names of data keys and curves keep their indices, and new ones follow. The surface and
   /// what depends on it are those of this one; added clips move its morphs if `more` has the same ones. Takes a moment,
   /// on any thread, while crowds play both: see Crowd::replace. Errors: the skeleton is another one, by bones, parents

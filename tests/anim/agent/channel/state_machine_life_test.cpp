@@ -177,7 +177,7 @@ TEST(StateMachineLife, IsRefusedByACharacterThatHasNotItsClips) {
   system->set_agent_count(1);
   const auto added = system->agent(0).add_channel(std::make_unique<StateMachineChannel>(machine_of(description())));
   ASSERT_FALSE(added);
-  EXPECT_NE(added.error().message.find("made for another character"), std::string::npos);
+  EXPECT_NE(added.error().message.find("plays a clip that the character has not"), std::string::npos);
   EXPECT_FALSE(system->agent(0).add_channel(std::make_unique<StateMachineChannel>(nullptr)));
 }
 

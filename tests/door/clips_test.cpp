@@ -219,6 +219,9 @@ TEST(UnloadedClips, GoWithCharactersThatWereMadeOfTheCrowdsAlone) {
   const Status refused = crowd->replace(0, stranger);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("was not made of the character"), std::string::npos);
+  ASSERT_TRUE(crowd->replace(0, without(mannequin(), "wave")));
+  EXPECT_FALSE(crowd->replace(0, mannequin())) << "an older one: ids would name other clips in the next";
+  EXPECT_FALSE(crowd->replace(0, without(mannequin(), "clap")));
   const HeardMisuses heard;
   EXPECT_FALSE(crowd->replace(0, Character()));
   EXPECT_FALSE(crowd->replace(3, mannequin()));

@@ -82,6 +82,15 @@ void note(detail::CrowdParts& parts, std::span<const AgentId> added, CharacterId
   }
 }
 
+/// Returns whether `after` was made of `before`, or of one that was: then no id of a clip names another clip in it.
+bool follows(const anim::Character& after, const anim::Character& before) {
+  if (after.clips.size() < before.clips.size()) return false;
+  for (std::size_t place = 0; place < before.clips.size(); ++place) {
+    if (after.clips[place].generation < before.clips[place].generation) return false;
+  }
+  return true;
+}
+
 /// Forgets notes of clips that a character has no more.
 void forget_lost_clips(detail::CrowdParts& parts, CharacterId character) {
   const Character& played = parts.characters[character.number].character;
@@ -153,8 +162,9 @@ Status Crowd::replace(CharacterId character, const Character& with_other_clips) 
   if (!with_other_clips) return anim::refuse({call, "the character is empty"});
   const Character played = this->character(character);
   if (!played) return anim::refuse({call, detail::no_character});
-  if (played.data()->body != with_other_clips.data()->body) {
-    return Error{"\"" + with_other_clips.data()->baked->skeleton.name +
+  const anim::Character &before = *played.data()->baked, &after = *with_other_clips.data()->baked;
+  if (played.data()->body != with_other_clips.data()->body || !follows(after, before)) {
+    return Error{"\"" + after.skeleton.name +
                  "\" was not made of the character that it is to replace: use with_clips() and without() of "
                  "Crowd::character()"};
   }

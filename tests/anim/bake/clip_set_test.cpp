@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/anim/asset/bone_mask.h"
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/anim/bake/clip_parts.h"
@@ -90,6 +91,23 @@ TEST(AddedClips, AreCoveredByBoundsAndErrors) {
   ASSERT_EQ(added->skip_errors.size(), 5U);
   EXPECT_EQ(added->skip_errors[1].held, base->skip_errors[1].held);
   EXPECT_EQ(added->skip_errors[4].held, more->skip_errors[2].held);
+}
+
+TEST(AddedClips, OfAnotherOrderAreCoveredByTheWorstLimbThatALevelDrops) {
+  const Model whole = named_model(40, 4);
+  Model turned = part_of(whole, 0, 2);
+  reorder_bones(turned, other_order(turned.skeleton));
+  const Shared more = baked(part_of(whole, 2, 4));
+  const auto added = with_clips(baked(turned), more);
+  ASSERT_TRUE(added) << error_of(added);
+  ASSERT_EQ(added->skeleton.level_bone_counts.size(), 2U);
+  int dropped = 0;
+  for (std::size_t bone = 0; bone < more->skeleton.bones.size(); ++bone) {
+    if (find_bone(added->skeleton, more->skeleton.bones[bone].name) < added->skeleton.level_bone_counts[1]) continue;
+    EXPECT_GE(added->bone_lod.level_error_metres[1], more->bone_lod.rows[bone].error_metres);
+    ++dropped;
+  }
+  EXPECT_EQ(dropped, 20);
 }
 
 TEST(AddedClips, OfFewerBonesThatAreDrawnReachAsFarAsTheSurface) {

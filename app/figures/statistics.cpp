@@ -30,7 +30,7 @@ Json bones_per_agent(const Stage& stage) {
   for (std::uint32_t agent = 0; agent < agents; ++agent) {
     bones += static_cast<std::uint64_t>(stage.system().agent(agent).character().skeleton.bone_count());
   }
-  if (bones % agents == 0) return bones / agents;
+  if (agents > 0 && bones % agents == 0) return bones / agents;
   return mean(bones, agents);
 }
 

@@ -108,7 +108,7 @@ bool Agent::set_speed(double speed) {
 Result<ChannelId> Agent::add_channel(std::unique_ptr<Channel> channel, TypeTag type, const LayerSettings& settings) {
   constexpr const char* call = "Agent::add_channel";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (!exists()) return refuse({call, no_agent});
   if (channel == nullptr) return refuse({call, "the channel is null"});
   const EntityBuilder build = builder();
@@ -147,14 +147,14 @@ bool Agent::set_channel_weight(ChannelId channel, float weight, Ticks fade) {
 
 Status Agent::channel_changed() {
   const Turn turn(system_->turn, "Agent::change");
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   return system_->pus.update_channels(system_->population, number());
 }
 
 Result<ProcessId> Agent::add_post_process(std::unique_ptr<PostProcess> process, TypeTag type) {
   constexpr const char* call = "Agent::add_post_process";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (!exists()) return refuse({call, no_agent});
   if (process == nullptr) return refuse({call, "the post process is null"});
   const EntityBuilder build = builder();
@@ -193,7 +193,7 @@ std::unique_ptr<PostProcess> Agent::take(ProcessId process) {
 
 Status Agent::process_changed(ProcessId process) {
   const Turn turn(system_->turn, "Agent::change_process");
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   const std::optional<std::size_t> place = graphs().place(index(), process);
   if (!place) return refuse({"Agent::change_process", no_process});
   Status changed = settle([&] { return own_graphs().update_post_process(builder(), index(), *place); });

@@ -134,7 +134,7 @@ class Agent : public AgentView {
   /// channel.set_parameter(speed); }). Errors: those of add_channel, and the channel was added as another type.
   template <typename Derived, typename Change>
   Status change(ChannelId channel, Change&& change_parameters) {
-    Derived* const found = as<Derived, Channel>(own(channel));
+    auto* const found = as<Derived, Channel>(own(channel));
     if (found == nullptr) return refuse({"Agent::change", "the agent has no channel of this id and type"});
     std::forward<Change>(change_parameters)(*found);
     return channel_changed();
@@ -162,7 +162,7 @@ class Agent : public AgentView {
   /// entities.
   template <typename Derived, typename Change>
   Status change_process(ProcessId process, Change&& change_parameters) {
-    Derived* const found = as<Derived, PostProcess>(own(process));
+    auto* const found = as<Derived, PostProcess>(own(process));
     if (found == nullptr) return refuse({"Agent::change_process", "the agent has no post process of this id and type"});
     std::forward<Change>(change_parameters)(*found);
     return process_changed(process);

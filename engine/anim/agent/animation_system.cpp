@@ -30,7 +30,7 @@ AnimationSystem::~AnimationSystem() {
 
 Status AnimationSystem::configure(const SystemOptions& options) {
   const Turn turn(parts_.turn, "AnimationSystem::configure");
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   return parts_.pus.configure(parts_.population, options);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <compare>
 #include <limits>
 #include <set>
 #include <string_view>
@@ -30,6 +29,7 @@ ClipStreams streams_of(const Character& character, int index) {
 std::vector<ClipStreams> all_streams_of(const Character& character) {
   std::vector<ClipStreams> streams;
   const int count = static_cast<int>(character.clips.size());
+  streams.reserve(character.clips.size());
   for (int clip = 0; clip < count; ++clip) streams.push_back(streams_of(character, clip));
   return streams;
 }
@@ -48,7 +48,9 @@ struct LostPlayer {
   std::uint32_t clip;
   std::uint32_t owner;
 
-  friend auto operator<=>(const LostPlayer&, const LostPlayer&) = default;
+  friend bool operator<(const LostPlayer& a, const LostPlayer& b) {
+    return a.clip != b.clip ? a.clip < b.clip : a.owner < b.owner;
+  }
 };
 
 /// Says who plays a clip that `after` has not in its place; empty: nobody does.

@@ -48,7 +48,7 @@ Status Characters::configure_again() { return system_->pus.configure(system_->po
 Result<CharacterId> Characters::add(std::shared_ptr<const Character> character) {
   constexpr const char* call = "Characters::add";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (character == nullptr) return refuse({call, "the character is null"});
   if (const char* fault = fault_of(*character); fault != nullptr) return refuse({call, fault});
   Population& population = system_->population;
@@ -68,7 +68,7 @@ Result<CharacterId> Characters::add(std::shared_ptr<const Character> character) 
 Status Characters::remove(CharacterId character) {
   constexpr const char* call = "Characters::remove";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (!has(character)) return refuse({call, no_character});
   Population& population = system_->population;
   const CharacterAgents& agents = of(character);
@@ -87,7 +87,7 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
                            std::span<const int> places) {
   constexpr const char* call = "Characters::replace";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (!has(character)) return refuse({call, no_character});
   CharacterAgents& agents = of(character);
   if (reordered == nullptr || reordered->skeleton.bone_count() != agents.skeleton().bone_count() ||
@@ -112,7 +112,7 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
 Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Character> other) {
   constexpr const char* call = "Characters::replace_clips";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (!has(character)) return refuse({call, no_character});
   if (other == nullptr) return refuse({call, "the character is null"});
   if (const char* fault = fault_of(*other); fault != nullptr) return refuse({call, fault});
@@ -131,7 +131,7 @@ Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Ch
 Status Characters::write_joints(const JointList& list, JointFormat format, CharacterId character) {
   constexpr const char* call = "Characters::write_joints";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (!has(character)) return refuse({call, no_character});
   CharacterAgents& agents = of(character);
   std::vector<JointProgram> programs;
@@ -187,7 +187,7 @@ std::uint32_t Characters::add_bone_selection(BoneSelection selection, CharacterI
 Result<EntityPools::Kind> Characters::add_entity_kind(const EntityKind& kind, CharacterId character) {
   constexpr const char* call = "Characters::add_entity_kind";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (!has(character)) return refuse({call, no_character});
   if (const char* fault = fault_of(kind); fault != nullptr) return refuse({call, fault});
   if (of(character).pools.kind_count() == EntityPools::most_kinds) {
@@ -211,7 +211,7 @@ bool Characters::reserve_entities(EntityPools::Kind kind, std::size_t count, Cha
 Result<Handle> Characters::add_shared(std::unique_ptr<Channel> channel, TypeTag type, CharacterId character) {
   constexpr const char* call = "Characters::add_shared";
   const Turn turn(system_->turn, call);
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (!has(character)) return refuse({call, no_character});
   if (channel == nullptr) return refuse({call, "the channel is null"});
   Population& population = system_->population;

@@ -11,7 +11,7 @@ void AnimationSystem::snapshot(SystemSnapshot& into) const {
 
 Status AnimationSystem::restore(const SystemSnapshot& from) {
   const Turn turn(parts_.turn, "AnimationSystem::restore");
-  if (!turn) return turn.refusal();
+  if (!turn) return Turn::refusal();
   if (Status same = parts_.population.can_restore(from.population_); !same) return same;
   LocalStoreDemand needs = parts_.pus.demand(parts_.population);
   from.population_.widen(needs);

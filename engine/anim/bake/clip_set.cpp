@@ -178,7 +178,7 @@ class ClipUnion {
 
 }  // namespace
 
-Result<Character> with_clips(std::shared_ptr<const Character> base, std::shared_ptr<const Character> more) {
+Result<Character> with_clips(const std::shared_ptr<const Character>& base, std::shared_ptr<const Character> more) {
   for (const auto& one : {base, more}) {
     if (auto fault = fault_in(one); fault) return std::move(*fault);
   }
@@ -193,7 +193,7 @@ Result<Character> with_clips(std::shared_ptr<const Character> base, std::shared_
   return ClipUnion(base, std::move(more), std::move(*places)).add_all();
 }
 
-Result<Character> without_clip(std::shared_ptr<const Character> from, int clip) {
+Result<Character> without_clip(const std::shared_ptr<const Character>& from, int clip) {
   if (auto fault = fault_in(from); fault) return std::move(*fault);
   const auto place = static_cast<std::size_t>(clip);
   const std::vector<BakedClip>& clips = from->clips;

@@ -24,10 +24,10 @@ namespace throng::anim {
 /// their number, their bones and their reach; else they move none.
 ///
 /// Errors: the skeleton is another one, a clip has the name of a clip that is there, or a character cannot be played.
-Result<Character> with_clips(std::shared_ptr<const Character> base, std::shared_ptr<const Character> more);
+Result<Character> with_clips(const std::shared_ptr<const Character>& base, std::shared_ptr<const Character> more);
 
 /// Returns the character `from` where the place of a clip is empty. Streams of the other clips are lent, as above, and
 /// what was measured stays, so bounds may be wider than needed. Errors: there is no such clip, or it is the last one.
-Result<Character> without_clip(std::shared_ptr<const Character> from, int clip);
+Result<Character> without_clip(const std::shared_ptr<const Character>& from, int clip);
 
 }  // namespace throng::anim

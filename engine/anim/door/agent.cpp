@@ -85,7 +85,7 @@ Result<ChannelId> Agent::add(const BlendSpace& space, const Layer& layer) const 
         {.clip = detail::number_of(point.clip), .parameter = point.parameter, .pace = pace_of(point.pace)});
   }
   auto channel = std::make_unique<anim::BlendSpaceChannel>(std::move(points), space.parameter, space.is_ground_speed);
-  const Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+  Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
   if (added) crowd_->note_clip(id_, space.points.back().clip);
   return added;
 }
@@ -102,7 +102,7 @@ Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) cons
   auto plane = anim::BlendSpace2d::create(std::move(points), meaning, static_cast<int>(agent.character().clips.size()));
   if (!plane) return plane.error();
   auto channel = std::make_unique<anim::BlendSpace2dChannel>(std::move(*plane), glm::vec2(space.x, space.y));
-  const Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
+  Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
   if (added) crowd_->note_clip(id_, space.points.front().clip);
   return added;
 }

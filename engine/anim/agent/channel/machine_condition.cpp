@@ -38,8 +38,10 @@ std::string_view take_word(std::string_view& text) {
 std::optional<Is> comparison_of(std::string_view word) {
   constexpr std::array<std::pair<std::string_view, Is>, 4> all{
       {{"<", Is::less}, {"<=", Is::at_most}, {">", Is::more}, {">=", Is::at_least}}};
-  const auto found = std::ranges::find(all, word, &std::pair<std::string_view, Is>::first);
-  return found == all.end() ? std::nullopt : std::optional(found->second);
+  for (const auto& [text, is] : all) {
+    if (text == word) return is;
+  }
+  return std::nullopt;
 }
 
 /// Reads the number that is all of the text, and that a float holds.

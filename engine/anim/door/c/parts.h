@@ -81,7 +81,7 @@ inline void write(const Vec3& v, float out[3]) {
 }
 
 // Agents are read through a crowd that no function changes.
-inline Agent agent_of(const throng_crowd* crowd, throng_id id) { return Agent(crowd->own.parts(), agent_id(id)); }
+inline Agent agent_of(const throng_crowd* crowd, throng_id id) { return {crowd->own.parts(), agent_id(id)}; }
 
 /// Makes something, or says that there is no memory for it.
 template <typename Made, typename... Parts>

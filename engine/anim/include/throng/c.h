@@ -7,6 +7,7 @@
  * something returns 0 (else 1); throng_last_error() says why. Strings are UTF-8. Times are seconds. Vectors are three
  * floats, rotations four: x, y, z, w. Nothing is kept of a pointer after the call, unless it says so. */
 
+/* NOLINTBEGIN: this is C, also where a C++ compiler reads it */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -164,4 +165,5 @@ THRONG_C void throng_snapshot_free(throng_snapshot* snapshot);
 }
 #endif
 
+/* NOLINTEND */
 #endif

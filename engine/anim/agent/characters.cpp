@@ -118,7 +118,7 @@ Status Characters::replace_clips(CharacterId character, std::shared_ptr<const Ch
   if (const char* fault = fault_of(*other); fault != nullptr) return refuse({call, fault});
   CharacterAgents& agents = of(character);
   if (Status same = has_bones_of(agents.skeleton(), other->skeleton); !same) return same;
-  FrameWork::ask_due_channels(system_->population, system_->pus, character.number);  // fades may be over
+  system_->pus.update_due_channels(system_->population, character.number);  // fades may be over
   if (std::string bound = agents.bound_to_clips(*other); !bound.empty()) return Error{std::move(bound)};
   const std::shared_ptr<const Character> before = agents.replace_clips(std::move(other));
   Status fits = system_->pus.take_character(system_->population, character.number);

@@ -117,9 +117,7 @@ void CrossFadeChannel::visit_handles(const std::function<void(Handle&)>& visit) 
 
 void CrossFadeChannel::destroy_entities(const EntityBuilder& build) {
   tree_.destroy(build);
-  left_.destroy(build);
-  if (inertialiser_.valid()) build.destroy(inertialiser_);
-  inertialiser_ = {};
+  cut_interruption(build, inertialiser_, left_);
   settled_at_ = Ticks{};
 }
 

@@ -79,6 +79,13 @@ bool end_interruption(const EntityBuilder& build, Handle& inertialiser, Tree& le
   return true;
 }
 
+/// Ends an interruption at once.
+template <typename Tree>
+void cut_interruption(const EntityBuilder& build, Handle& inertialiser, Tree& left) {
+  left.destroy(build);
+  if (inertialiser.valid()) build.destroy(std::exchange(inertialiser, {}));
+}
+
 /// Plays a clip, and fades to the next. A fade that is interrupted neither snaps nor waits: an inertialiser leaves
 /// behind what was shown, so that at most two fades are evaluated at once, whatever is asked for.
 ///

@@ -1,6 +1,7 @@
 #include "engine/anim/agent/fitted_scheduler.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string>
 
 #include "engine/anim/run/store/store_choice.h"
@@ -105,7 +106,6 @@ void FittedScheduler::make_scheduler(const Population& population, const LocalSt
   scheduler_->reserve(population.numbers().number_limit());
 }
 
-// What an agent asks of the local store after a change may be more than any did before.
 Status FittedScheduler::update_channels(Population& population, std::uint32_t agent) {
   AgentGraphs& graphs = population.character_of(agent).agents;
   const std::uint32_t index = population.numbers().member(agent).index;
@@ -115,6 +115,18 @@ Status FittedScheduler::update_channels(Population& population, std::uint32_t ag
   return settle(population, agent, [&] { return graphs.rebuild(build, index, AgentGraphs::Fades::are_cut); });
 }
 
+void FittedScheduler::update_due_channels(Population& population, std::uint32_t character) {
+  const AgentGraphs& graphs = population.characters()[character]->agents;
+  for (std::uint32_t agent = 0; agent < population.numbers().number_limit(); ++agent) {
+    const Member& member = population.numbers().member(agent);
+    const bool is_its = member.alive() && member.character == character;
+    if (!is_its || graphs.next_update(member.index) > population.clock()) continue;
+    [[maybe_unused]] const Status updated = update_channels(population, agent);
+    assert(updated && "a channel changed by itself to a graph that cannot be run");
+  }
+}
+
+// After a change an agent may ask more of the local store than any did before.
 Status FittedScheduler::fit(const Population& population, std::uint32_t agent) {
   const StoreNeeds& needs = population.graph(agent).program->needs;
   const UpdateContext& context = contexts_[population.numbers().member(agent).character];

@@ -29,8 +29,6 @@ struct AlikeAgents {
   }
 };
 
-[[maybe_unused]] constexpr const char* by_itself = "a channel changed by itself to a graph that cannot be run";
-
 /// Updates the shared channels of a character that are due; true: there were some.
 bool update_shared(const Population& population, CharacterAgents& character) {
   bool changed = false;
@@ -59,17 +57,6 @@ void FrameWork::update(Population& population, FittedScheduler& pus, std::span<c
   pus.scheduler().update(pus.contexts(), shared_work_, {work_, runs_}, pus.executor());
   report_work(population, pus);
   if (hash) sum_up_hashes(population.numbers().order());
-}
-
-void FrameWork::ask_due_channels(Population& population, FittedScheduler& pus, std::uint32_t character) {
-  const AgentGraphs& graphs = population.characters()[character]->agents;
-  for (std::uint32_t agent = 0; agent < population.numbers().number_limit(); ++agent) {
-    const Member& member = population.numbers().member(agent);
-    const bool is_its = member.alive() && member.character == character;
-    if (!is_its || graphs.next_update(member.index) > population.clock()) continue;
-    [[maybe_unused]] const Status updated = pus.update_channels(population, agent);
-    assert(updated && by_itself);
-  }
 }
 
 void FrameWork::list_shared_work(Population& population, FittedScheduler& pus) {
@@ -118,7 +105,7 @@ void FrameWork::list_work(Population& population, FittedScheduler& pus, std::spa
     const AgentGraphs& graphs = characters[member.character]->agents;
     if (graphs.next_update(member.index) <= now) [[unlikely]] {
       [[maybe_unused]] const Status updated = pus.update_channels(population, agent);
-      assert(updated && by_itself);
+      assert(updated && "a channel changed by itself to a graph that cannot be run");
     }
     const PoseGraph& graph = graphs.graph(member.index);
     if (graph.empty()) [[unlikely]] {

@@ -34,8 +34,6 @@ struct FrameHashes {
 class FrameWork {
  public:
   void update(Population& population, FittedScheduler& pus, std::span<const AgentUpdate> agents);
-  /// Asks the channels of a character's agents that are due by the clock, whoever is posed.
-  static void ask_due_channels(Population& population, FittedScheduler& pus, std::uint32_t character);
   /// Makes room for agents with numbers below `limit`, so that an update allocates nothing.
   void reserve(std::uint32_t limit);
   /// Forgets the agent that had this number.

@@ -34,7 +34,7 @@ struct MachineDescription {
     bool loop = true;
     std::vector<std::string> by = {};  ///< inputs of a blend space; empty: the state plays `clip`
     std::vector<Point> points = {};
-    /// What the inputs are: "speed" or "plain" for one, "velocity", "speed_and_turn" or "plain" for two
+    /// Says what the inputs are: "speed" or "plain" for one; "velocity", "speed_and_turn" or "plain" for two
     /// (BlendSpaceChannel, PlaneMeaning). Empty: the first of these.
     std::string meaning = {};
   };

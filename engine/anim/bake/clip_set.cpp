@@ -155,7 +155,7 @@ class ClipUnion {
     }
   }
 
-  // What a level was not measured on is off by no more than the worst of the limbs that it drops.
+  // Takes the error of the worst limb that a level drops, for clips that were not measured at this level.
   float level_error(std::size_t level) const {
     const std::vector<int>& counts = result_.skeleton.level_bone_counts;
     if (level >= counts.size()) return 0.0F;

@@ -4,13 +4,17 @@
 #include <utility>
 #include <vector>
 
+#include "throng/state_machine.h"
+
 #include "engine/anim/agent/blend_space_2d_channel.h"
 #include "engine/anim/agent/blend_space_channel.h"
 #include "engine/anim/agent/channel/slot_channel.h"
+#include "engine/anim/agent/channel/state_machine_channel.h"
 #include "engine/anim/agent/cross_fade_channel.h"
 #include "engine/anim/base/misuse.h"
 #include "engine/anim/door/convert.h"
 #include "engine/anim/door/crowd_parts.h"
+#include "engine/anim/door/machine_data.h"
 
 namespace throng {
 namespace {
@@ -105,6 +109,16 @@ Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) cons
   Result<ChannelId> added = crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
   if (added) crowd_->note_clip(id_, space.points.front().clip);
   return added;
+}
+
+Result<ChannelId> Agent::add(const StateMachine& machine, const Layer& layer) const {
+  if (!machine) return anim::refuse({"Agent::add", "the state machine is empty"});
+  for (const ClipId clip : machine.data()->clips) {
+    if (const char* const fault = crowd_->fault_of(id_, clip); fault != nullptr)
+      return anim::refuse({"Agent::add", fault});
+  }
+  auto channel = std::make_unique<anim::StateMachineChannel>(machine.data()->machine);
+  return crowd_->system->agent(id_).add_channel(std::move(channel), settings_of(layer));
 }
 
 Result<ChannelId> Agent::add_slot(const Layer& layer) const {

@@ -13,8 +13,8 @@
 
 namespace throng::detail {
 
-/// What a character has besides what was baked: the rigs that it looks, stands, reaches and falls with, and the surface
-/// if it was asked for. Characters that differ in their clips alone share it.
+/// Holds the rigs with which a character looks, stands, reaches and falls, and its surface if that was asked for.
+/// Characters that differ in their clips alone share it.
 struct CharacterBody {
   explicit CharacterBody(const anim::Model& model);
 

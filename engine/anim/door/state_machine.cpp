@@ -79,17 +79,6 @@ std::string_view StateMachine::state_name(std::uint32_t state) const {
   return data_->machine->states()[state].name;
 }
 
-Result<ChannelId> Agent::add(const StateMachine& machine, const Layer& layer) const {
-  if (!machine) return anim::refuse({"Agent::add", "the state machine is empty"});
-  for (const ClipId clip : machine.data()->clips) {
-    if (const char* const fault = crowd_->fault_of(id_, clip); fault != nullptr)
-      return anim::refuse({"Agent::add", fault});
-  }
-  auto channel = std::make_unique<anim::StateMachineChannel>(machine.data()->machine);
-  return crowd_->system->agent(id_).add_channel(std::move(channel),
-                                                {.weight = layer.weight, .mask = detail::number_of(layer.mask)});
-}
-
 bool Machine::set(std::uint32_t input, float value) const {
   bool taken = false;
   const auto change = [&](anim::StateMachineChannel& own) { taken = own.set(input, value); };

@@ -1,5 +1,5 @@
-// The text of a state machine, and the sentence for a text that is none. What its names mean is tested in
-// tests/anim/agent/channel.
+// A text of a state machine is read whole, or refused in a sentence. tests/anim/agent/channel tests what its names
+// mean.
 
 #include "engine/anim/import/machine/machine_file.h"
 

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "engine/anim/base/plain_text.h"
+
 namespace throng::anim {
 namespace {
 
@@ -66,7 +68,7 @@ Result<StateMachine::Condition> read_condition(const std::string& text,
   const bool negated = name == negation;
   if (negated) name = take_word(rest);
   const auto found = std::ranges::find(inputs, name, &MachineDescription::Input::name);
-  if (found == inputs.end()) return Error{"names no input: give the machine an input \"" + std::string(name) + "\""};
+  if (found == inputs.end()) return Error{"names no input: give the machine an input " + in_quotes(name)};
   const auto input = static_cast<std::uint8_t>(found - inputs.begin());
   const std::string_view comparison = take_word(rest);
   if (found->kind != Kind::number) {

@@ -171,9 +171,7 @@ void SlotChannel::visit_handles(const std::function<void(Handle&)>& visit) {
 
 void SlotChannel::destroy_entities(const EntityBuilder& build) {
   tree_.destroy(build);
-  left_.destroy(build);
-  if (inertialiser_.valid()) build.destroy(inertialiser_);
-  inertialiser_ = {};
+  cut_interruption(build, inertialiser_, left_);
 }
 
 }  // namespace throng::anim

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/anim/agent/channel/machine_condition.h"
+#include "engine/anim/base/plain_text.h"
 
 namespace throng::anim {
 namespace {
@@ -12,13 +13,11 @@ namespace {
 using Description = MachineDescription;
 using Kind = Description::Input::Kind;
 
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
-
-std::string state_in_words(const std::string& name) { return "state " + quoted(name); }
+std::string state_in_words(const std::string& name) { return "state " + in_quotes(name); }
 
 std::string in_words(const Description::Transition& transition) {
-  const std::string from = transition.from == Description::Transition::any ? "any state" : quoted(transition.from);
-  return "the transition from " + from + " to " + quoted(transition.to);
+  const std::string from = transition.from == Description::Transition::any ? "any state" : in_quotes(transition.from);
+  return "the transition from " + from + " to " + in_quotes(transition.to);
 }
 
 template <typename Named>
@@ -59,7 +58,7 @@ Status StateMachineBuilder::take_inputs() {
     return Error{"a state machine has at most " + std::to_string(StateMachine::most_inputs) + " inputs"};
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const std::string name = "input " + quoted(inputs[i].name);
+    const std::string name = "input " + in_quotes(inputs[i].name);
     if (!is_input_name(inputs[i].name))
       return Error{name + " is named by letters, digits and underscores, and not \"not\""};
     if (has_twice(inputs, inputs[i].name)) return Error{name + " is there twice: give each a name of its own"};
@@ -100,8 +99,8 @@ Result<int> StateMachineBuilder::clip_of(const std::string& name) const {
   const auto is_named = [&](const BakedClip& clip) { return !clip.is_empty() && clip.name == name; };
   const auto found = std::ranges::find_if(clips, is_named);
   if (found != clips.end()) return static_cast<int>(found - clips.begin());
-  return Error{"plays clip " + quoted(name) + ", which \"" + character_->skeleton.name + "\" has not: choose one of " +
-               listed(clips)};
+  return Error{"plays clip " + in_quotes(name) + ", which " + in_quotes(character_->skeleton.name) +
+               " has not: choose one of " + listed(clips)};
 }
 
 Status StateMachineBuilder::take_clip(const Description::State& from, StateMachine::State& state) const {
@@ -125,7 +124,7 @@ Status StateMachineBuilder::take_inputs_of_space(const Description::State& from,
   for (std::size_t i = 0; i < from.by.size(); ++i) {
     const std::optional<std::uint32_t> input = machine_->find_input(from.by[i]);
     if (!input || machine_->input(*input).kind != Kind::number) {
-      return Error{"blends by " + quoted(from.by[i]) + ", which is no input that is a number: add one of this name"};
+      return Error{"blends by " + in_quotes(from.by[i]) + ", which is no input that is a number: add one of this name"};
     }
     state.by[i] = static_cast<std::uint8_t>(*input);
   }
@@ -135,7 +134,7 @@ Status StateMachineBuilder::take_inputs_of_space(const Description::State& from,
 Status StateMachineBuilder::take_points(const Description::State& from, StateMachine::State& state) const {
   const bool is_speed = from.meaning.empty() || from.meaning == "speed";
   if (!is_speed && from.meaning != "plain") {
-    return Error{"says that its input means " + quoted(from.meaning) + ": one input is \"speed\" or \"plain\""};
+    return Error{"says that its input means " + in_quotes(from.meaning) + ": one input is \"speed\" or \"plain\""};
   }
   std::vector<BlendPoint> points;
   for (const Description::Point& point : from.points) {
@@ -158,7 +157,7 @@ Status StateMachineBuilder::take_plane(const Description::State& from, StateMach
   } else if (from.meaning == "plain") {
     meaning = PlaneMeaning::plain;
   } else if (!from.meaning.empty() && from.meaning != "velocity") {
-    return Error{"says that its inputs mean " + quoted(from.meaning) +
+    return Error{"says that its inputs mean " + in_quotes(from.meaning) +
                  ": two inputs are \"velocity\", \"speed_and_turn\" or \"plain\""};
   }
   std::vector<BlendPoint2d> points;
@@ -177,7 +176,7 @@ Status StateMachineBuilder::take_start() {
   const std::optional<std::uint32_t> start =
       description_->start.empty() ? std::optional<std::uint32_t>(0) : machine_->find_state(description_->start);
   if (!start)
-    return Error{"it starts in " + quoted(description_->start) + ", which is no state: name one of its states"};
+    return Error{"it starts in " + in_quotes(description_->start) + ", which is no state: name one of its states"};
   machine_->start_ = static_cast<std::uint8_t>(*start);
   return Done{};
 }
@@ -201,7 +200,7 @@ Status StateMachineBuilder::take_transition(const Description::Transition& from,
   if (Status taken = take_times(from, transition); !taken) return taken;
   for (const std::string& text : from.when) {
     const Result<StateMachine::Condition> condition = read_condition(text, machine_->inputs_);
-    if (!condition) return Error{"has a condition, " + quoted(text) + ", which " + condition.error().message};
+    if (!condition) return Error{"has a condition, " + in_quotes(text) + ", which " + condition.error().message};
     transition.when.push_back(*condition);
   }
   if (Status checked = check_source(from, transition); !checked) return checked;
@@ -254,7 +253,7 @@ Status StateMachineBuilder::check_reach() const {
   const auto lost = std::ranges::find(reached, false);
   if (lost == reached.end()) return Done{};
   const std::string& name = machine_->states_[static_cast<std::size_t>(lost - reached.begin())].name;
-  return Error{state_in_words(name) + " is never reached from " + quoted(machine_->states_[machine_->start_].name) +
+  return Error{state_in_words(name) + " is never reached from " + in_quotes(machine_->states_[machine_->start_].name) +
                ": add a transition that leads to it, or leave it out"};
 }
 

@@ -74,7 +74,7 @@ bool StateMachineChannel::take_transitions(const EntityBuilder& build) {
   return changed;
 }
 
-// Of those that are due together, the first that the machine lists is taken.
+// Takes the first in the order of the machine, where several are due at the same time.
 StateMachineChannel::Due StateMachineChannel::next_transition(const EntityBuilder& build) const {
   Due next;
   for (const std::uint16_t index : current_state().transitions) {
@@ -91,7 +91,7 @@ Ticks StateMachineChannel::due_time(const EntityBuilder& build, const StateMachi
   return transition.at_end ? end_after(build, from, transition.fade) : from;
 }
 
-// A fade ends with the clip, or with one of its loops.
+// Begins the fade so that it ends with the clip, or with one of its loops.
 Ticks StateMachineChannel::end_after(const EntityBuilder& build, Ticks from, Ticks fade) const {
   const Ticks length = std::max(build.length_of(tree_.played[tree_.count - 1].root()), Ticks{1});
   const Ticks first = entered_at_ + length - fade;
@@ -134,8 +134,7 @@ Ticks StateMachineChannel::next_update() const {
 void StateMachineChannel::cut_fades(const EntityBuilder& build) {
   tree_.faded_at = build.now();
   tree_.end_fade(build);
-  left_.destroy(build);
-  if (inertialiser_.valid()) build.destroy(std::exchange(inertialiser_, {}));
+  cut_interruption(build, inertialiser_, left_);
   settled_at_ = Ticks{};
 }
 
@@ -147,8 +146,7 @@ void StateMachineChannel::visit_handles(const std::function<void(Handle&)>& visi
 
 void StateMachineChannel::destroy_entities(const EntityBuilder& build) {
   tree_.destroy(build);
-  left_.destroy(build);
-  if (inertialiser_.valid()) build.destroy(std::exchange(inertialiser_, {}));
+  cut_interruption(build, inertialiser_, left_);
   settled_at_ = Ticks{};
 }
 

@@ -31,7 +31,6 @@ class StateMachineChannel final : public Channel {
   /// Returns the state that plays, and when it was entered, as of the last update.
   std::uint32_t current() const { return current_; }
   Ticks entered_at() const { return entered_at_; }
-  const StateMachine& machine() const { return *machine_; }
 
   const char* fault(const EntityBuilder& build) const override;
   Handle state() const override { return inertialiser_.valid() ? inertialiser_ : tree_.root(); }
@@ -60,8 +59,8 @@ class StateMachineChannel final : public Channel {
   bool update_played(const EntityBuilder& build);
 
   std::shared_ptr<const StateMachine> machine_;
-  StateMachine::Inputs inputs_{};  // that the transitions have seen
-  StateMachine::Inputs asked_{};   // that count from the next update on
+  StateMachine::Inputs inputs_{};  // the values that the transitions have seen
+  StateMachine::Inputs asked_{};   // the values that count from the next update on
   std::uint8_t current_ = 0;
   Ticks entered_at_{};
   Ticks inputs_at_{};  // when inputs_ changed

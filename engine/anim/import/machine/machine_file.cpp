@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/json/json.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/source_file.h"
@@ -22,7 +23,7 @@ class Reader {
     if (other == nullptr) return;
     std::string known;
     for (const std::string_view key : keys) known.append(known.empty() ? "" : ", ").append(key);
-    throw Refusal(name_ + " has an unknown key \"" + other->key + "\"; it knows " + known);
+    throw Refusal(name_ + " has an unknown key " + anim::in_quotes(other->key) + "; it knows " + known);
   }
 
   const Json& operator[](std::string_view key) const { return (*object_)[key]; }

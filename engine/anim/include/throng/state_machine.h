@@ -48,7 +48,7 @@ class StateMachine {
 
   /// Reads a text. Errors: one sentence with the object and what to do, about what is no JSON, has the wrong type,
   /// names what there is not, is out of its range, is never reached, or never rests; also if the library was built
-  /// without glTF, and with it without JSON.
+  /// without throng::import, which reads JSON.
   static Result<StateMachine> parse(std::string_view json, const Character& character);
   /// Reads a file. Errors: the same, after the name of the file.
   static Result<StateMachine> load(const std::string& path, const Character& character);

@@ -1,4 +1,4 @@
-// What a state machine may say, and the sentence for what it may not.
+// A state machine finds what its names mean, or is refused in a sentence.
 
 #include "engine/anim/agent/channel/state_machine.h"
 
@@ -77,6 +77,11 @@ TEST(StateMachine, RefusesNamesThatCannotBeTold) {
   EXPECT_THAT(refusal([](auto& m) { m.inputs[0].name = "not"; }), HasSubstr("letters, digits and underscores"));
   EXPECT_THAT(refusal([](auto& m) { m.inputs[0].name = "a b"; }), HasSubstr("letters, digits and underscores"));
   EXPECT_THAT(refusal([](auto& m) { m.states[0].name = "*"; }), HasSubstr("needs another name"));
+}
+
+TEST(StateMachine, ShowsNamesAsPlainText) {
+  const std::string told = refusal([](auto& m) { m.states[1].clip = "\x1b[2J"; });
+  EXPECT_EQ(told.find('\x1b'), std::string::npos) << "it would clear a terminal";
 }
 
 TEST(StateMachine, RefusesConditionsThatSayNothing) {

@@ -1,11 +1,7 @@
-#include <cstdio>
-#include <exception>
-#include <functional>
-#include <initializer_list>
-#include <new>
 #include <string>
 #include <variant>
 
+#include "app/command_line/command_files.h"
 #include "app/command_line/options.h"
 #include "app/commands/bake/command.h"
 #include "app/commands/bench/command.h"
@@ -13,60 +9,30 @@
 #include "app/commands/lod/command.h"
 #include "app/commands/pose/command.h"
 #include "app/demo/demo.h"
-#include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {
 
-struct Output {
-  std::string option;
-  std::string file;
-};
-
-/// Runs a command whose files can all be written; that is known before its first frame, not after its last.
-int run_if_writable(std::initializer_list<Output> outputs, const std::function<int()>& run) {
-  for (const auto& [option, file] : outputs) {
-    if (file.empty() || file == "-") continue;
-    const anim::Status writable = check_can_be_written(option, file);
-    if (!writable) return end_with(exit_job_failed, writable.error().message);
-  }
-  return run();
-}
+int run(const DemoOptions& options) { return run_demo(options); }
+int run(const PoseOptions& options) { return run_pose(options); }
+int run(const InspectOptions& options) { return run_inspect(options); }
+int run(const LodOptions& options) { return run_lod(options); }
+int run(const BenchOptions& options) { return run_bench(options); }
+int run(const BakeOptions& options) { return run_bake(options); }
 
 struct Run {
-  int operator()(const DemoOptions& options) const {
-    return run_if_writable({{"--screenshot", options.screenshot},
-                            {"--stats", options.stats},
-                            {"--trace", options.trace},
-                            {"--record", options.record},
-                            {"--ui-map", options.ui_map}},
-                           [&] { return run_demo(options); });
-  }
-
-  int operator()(const PoseOptions& options) const {
-    return run_if_writable({{"--json", options.json}}, [&] { return run_pose(options); });
-  }
-
-  int operator()(const InspectOptions& options) const { return run_inspect(options); }
-
-  int operator()(const LodOptions& options) const {
-    return run_if_writable({{"--json", options.json}, {"--plot", options.plot}, {"--export", options.export_file}},
-                           [&] { return run_lod(options); });
-  }
-
-  int operator()(const BenchOptions& options) const {
-    return run_if_writable({{"--json", options.json}, {"--plot", options.plot}, {"--trace", options.trace}},
-                           [&] { return run_bench(options); });
-  }
-
-  int operator()(const BakeOptions& options) const {
-    return run_if_writable({{"-o", options.pack}}, [&] { return run_bake(options); });
+  int operator()(const auto& options) const {
+    const RunFiles files = files_of(options);
+    if (const anim::Status checked = check(files); !checked) return end_with(exit_job_failed, checked.error().message);
+    for (const std::string& line : tend_to_parts(files)) end_with(exit_done, line);
+    return run(options);
   }
 
   int operator()(const ShowText& shown) const {
-    std::fputs(shown.text.c_str(), stdout);
-    return exit_done;
+    const anim::Status printed = print(shown.text);
+    return printed ? static_cast<int>(exit_done) : end_with(exit_job_failed, printed.error().message);
   }
 
   int operator()(const UsageError& error) const { return end_with(exit_usage, error.message); }
@@ -78,11 +44,10 @@ struct Run {
 // NOLINTNEXTLINE(bugprone-exception-escape): end_with() makes one line of text
 int main(int argument_count, char** arguments) {
   using namespace throng::app;
+  end_in_words();
   try {
     return std::visit(Run{}, parse_command_line({arguments + 1, arguments + argument_count}));
-  } catch (const std::bad_alloc&) {
-    return end_with(exit_job_failed, "the machine has no memory left; ask for fewer agents or smaller models");
-  } catch (const std::exception& error) {
-    return end_with(exit_job_failed, error.what());
+  } catch (...) {
+    return end_with(exit_job_failed, sentence_of_failure());
   }
 }

@@ -1,14 +1,18 @@
 #include "app/character/bone_lod.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "app/files/json_file.h"
 #include "engine/anim/base/pose.h"
+#include "engine/anim/import/json/json_object.h"
 #include "engine/anim/kernel/kernels.h"
 #include "engine/anim/run/program/cost_model.h"
 
@@ -52,28 +56,20 @@ anim::Status check_levels(std::span<const int> counts, int bones) {
   return anim::Done{};
 }
 
-anim::Result<std::vector<int>> bones_in(const Json& names, const anim::Skeleton& skeleton, const JsonFile& file) {
-  if (!names.is_array()) return file.wrong("\"bones\" must be a list of bone names");
-  if (!names.is<std::vector<std::string>>()) return file.wrong("\"bones\" must hold names only");
-  auto bones = bones_named(names.get<std::vector<std::string>>(), skeleton);
-  return bones ? std::move(bones) : file.wrong("\"bones\": " + bones.error().message);
-}
-
-anim::Result<std::vector<int>> counts_in(const Json& numbers, const JsonFile& file) {
-  if (numbers.are_whole(0, anim::max_bones)) return numbers.get<std::vector<int>>();
-  return file.wrong("\"level_counts\" must be a list of whole numbers of bones");
-}
-
 anim::Result<BoneLodChoice> choice_in(const Json& table, const anim::Skeleton& skeleton, const JsonFile& file) {
-  const anim::Status known = file.check_table(table, version, {"version", "bones", "level_counts"});
-  if (!known) return known.error();
-  if (!table.contains("bones")) return file.wrong("\"bones\" is missing");
-  if (!table.contains("level_counts")) return file.wrong("\"level_counts\" is missing");
-  auto bones = bones_in(table["bones"], skeleton, file);
-  if (!bones) return bones.error();
-  auto counts = counts_in(table["level_counts"], file);
-  if (!counts) return counts.error();
-  BoneLodChoice choice{.bones = std::move(*bones), .level_counts = std::move(*counts)};
+  const std::initializer_list<std::string_view> keys = {"version", "bones", "level_counts"};
+  if (const anim::Status known = file.check_table(table, version, keys); !known) return known.error();
+  std::optional<std::string> complaint;
+  const JsonObject reader("", table, keys, complaint);
+  reader.need(keys);
+  std::vector<std::string> names;
+  reader.texts("bones", names);
+  BoneLodChoice choice;
+  reader.wholes("level_counts", choice.level_counts, 0, anim::max_bones);
+  if (complaint) return file.wrong(*complaint);
+  auto bones = bones_named(names, skeleton);
+  if (!bones) return file.wrong("\"bones\": " + bones.error().message);
+  choice.bones = std::move(*bones);
   if (const auto checked = check_bone_lod(skeleton, choice); !checked) return file.wrong(checked.error().message);
   return choice;
 }

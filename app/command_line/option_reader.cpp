@@ -73,6 +73,10 @@ CLI::Option* OptionReader::flag(const std::string& name, bool& target, const std
       ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
 }
 
+void OptionReader::parts_remover(bool& target) {
+  flag("--remove-parts", target, "Remove FILE.*.part, which a run that was killed left beside a file to write");
+}
+
 CLI::Option* OptionReader::optional_value(const std::string& name, const std::string& unsaid, const std::string& hint,
                                           const std::string& description, ValueReader reader) {
   const auto said = [unsaid, reader = std::move(reader)](const std::string& text) {

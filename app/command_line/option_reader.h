@@ -25,6 +25,9 @@ class OptionReader : public CLI::App {
   /// Adds an option without a value, which sets `target`.
   CLI::Option* flag(const std::string& name, bool& target, const std::string& description);
 
+  /// Adds the flag that removes what killed runs left beside the files to write.
+  void parts_remover(bool& target);
+
   /// Adds an option that takes a value only after `=`; without one, `reader` gets `unsaid`.
   CLI::Option* optional_value(const std::string& name, const std::string& unsaid, const std::string& hint,
                               const std::string& description, ValueReader reader);

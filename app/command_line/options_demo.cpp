@@ -96,6 +96,7 @@ void declare_files(OptionReader& reader, DemoOptions& options) {
   reader.value("--ui-map", "FILE", "Write where every widget of the overlay is, as JSON", file_name(options.ui_map));
   reader.value("--data", "DIR", "Folder of shaders and assets", existing_folder(options.data));
   reader.value("--record", "FILE", "Record what is asked for and the poses that come of it", file_name(options.record));
+  reader.parts_remover(options.remove_parts);
 }
 
 /// Without updates to skip, the parts that only save work are off too, so that each agent is shown exactly. Who gives a
@@ -124,7 +125,7 @@ std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
       "MODEL",   "--clips-from", "--replay",        "--pus",    "--local-store", "--tile",
       "--grain", "--schedule",   "--double-buffer", "--size",   "--msaa",        "--shadows",
       "--ui",    "--hide-ui",    "--headless",      "--draw",   "--frames",      "--screenshot",
-      "--stats", "--events",     "--trace",         "--ui-map", "--data"};
+      "--stats", "--events",     "--trace",         "--ui-map", "--data",        "--remove-parts"};
   for (const std::string& name : options.given) {
     if (!free_to_choose.contains(name)) return name + ": the recording says it; leave it out with --replay";
   }

@@ -81,6 +81,7 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   Tuning tuning;
   reader.tuning_value(tuning_value("--stream"), tuning);
   reader.value("--json", "FILE|-", "Where to write", any_text(options.json))->required();
+  reader.parts_remover(options.remove_parts);
   if (auto stop = reader.read(arguments)) return *stop;
   options.stream = tuning.system.stream;
   return options;
@@ -112,6 +113,7 @@ ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
   reader.value("--export", "FILE", "Write distances, intervals, bones and meshes for another engine",
                file_name(options.export_file));
   reader.value("--data", "DIR", "Folder of assets", existing_folder(options.data));
+  reader.parts_remover(options.remove_parts);
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
 }
@@ -128,6 +130,7 @@ ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
       ->required()
       ->group("Model");
   reader.value("-o", "FILE.pack", "The file to write", file_that_ends_in(".pack", options.pack))->required();
+  reader.parts_remover(options.remove_parts);
   clips_from(reader, options.clips_from);
   strict(reader, options.strict);
   declare_placement(reader, options.placement);
@@ -175,6 +178,7 @@ void declare_files(OptionReader& reader, BenchOptions& options) {
   reader.value("--trace", "FILE", "Write what each PU did when, for ui.perfetto.dev", file_name(options.trace))
       ->excludes("--sweep", "--machine");
   reader.value("--data", "DIR", "Folder of assets/machines", existing_folder(options.data));
+  reader.parts_remover(options.remove_parts);
 }
 
 }  // namespace

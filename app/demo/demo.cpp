@@ -7,10 +7,11 @@
 #include <string>
 
 #include "app/demo/frame_reporter.h"
+#include "app/demo/stop_signals.h"
 #include "app/demo/window_loop.h"
-#include "app/files/atomic_file.h"
 #include "app/files/data_folder.h"
 #include "app/files/exit_status.h"
+#include "engine/files/output_file.h"
 #include "app/overlay/overlay.h"
 #include "app/show/replay.h"
 #include "app/show/show.h"
@@ -64,9 +65,15 @@ int write_results(Show& show, const DemoOptions& options) {
   return exit_done;
 }
 
+// A full disk is said when it happens, not hours later.
+void tell_once(const anim::Status& outcome, bool& told) {
+  if (!outcome && !told) end_with(exit_job_failed, outcome.error().message);
+  told = !outcome;
+}
+
 anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay) {
   const DrawWhich which = show.painter().draws() ? drawn_frames(options) : DrawWhich::none;
-  for (int frame = 1; !options.frames_given || frame <= options.frames; ++frame) {
+  for (int frame = 1; !asked_to_stop() && (!options.frames_given || frame <= options.frames); ++frame) {
     const anim::Result<bool> repeated = replay.step(show);
     if (!repeated) return repeated.error();
     if (!*repeated) break;
@@ -79,10 +86,12 @@ anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay) 
 anim::Status run_frames(Show& show, const DemoOptions& options) {
   const anim::Ticks step = anim::to_ticks(options.dt.value_or(1.0 / 60.0));
   const DrawWhich which = drawn_frames(options);
-  for (int frame = 1; frame <= options.frames; ++frame) {
+  bool last = options.frames < 1, told = false;
+  for (int frame = 1; !last; ++frame) {
     show.animate(step);
-    const bool last = frame == options.frames;
+    last = frame == options.frames || asked_to_stop() != 0;
     if (show.painter().draws() && (which == DrawWhich::all || (which == DrawWhich::last && last))) show.draw();
+    tell_once(show.recording_outcome(), told);
   }
   return anim::Done{};
 }
@@ -95,7 +104,7 @@ anim::Status run_headless(Show& show, const DemoOptions& options, Replay* replay
   return anim::Done{};
 }
 
-anim::Status run_recorded(Show& show, const DemoOptions& options, Replay* replay) {
+anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* replay) {
   if (!options.record.empty()) {
     if (anim::Status started = show.start_recording(options.record); !started) return started;
   }
@@ -104,14 +113,14 @@ anim::Status run_recorded(Show& show, const DemoOptions& options, Replay* replay
   }
   if (options.selected) show.hands().select(static_cast<std::uint32_t>(*options.selected));
   const bool window = options.context == ContextKind::window;
-  const anim::Status run = window ? run_window(show, options, replay) : run_headless(show, options, replay);
-  const anim::Status recorded = show.stop_recording();
-  return run ? recorded : run;
+  return window ? run_window(show, options, replay) : run_headless(show, options, replay);
 }
 
 // Beside JSON on standard output, on standard error.
-void say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
-  std::fprintf(options.stats == "-" ? stderr : stdout, "%s\n", replay.summary().c_str());
+anim::Status say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
+  if (options.stats != "-") return print(replay.summary() + "\n");
+  std::fprintf(stderr, "%s\n", replay.summary().c_str());
+  return anim::Done{};
 }
 
 // What a window shows over the crowd.
@@ -121,16 +130,22 @@ void say_on_stderr(const std::string& notice) {
 }
 
 int run_show(const DemoOptions& options, Replay* replay) {
+  const StopSignals signals;
   StartError error;
   const std::unique_ptr<Show> show = Show::create(options, error);
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
-  const anim::Status run = run_recorded(*show, options, replay);
+  const anim::Status run = run_and_record(*show, options, replay);
+  const anim::Status recorded = show->stop_recording();
   if (!run) return end_with(exit_job_failed, run.error().message);
   const int written = write_results(*show, options);
   if (written != exit_done) return written;
-  if (replay != nullptr) say_what_was_repeated(*replay, options);
+  if (!recorded) return end_with(exit_job_failed, recorded.error().message);
+  if (replay != nullptr) {
+    const anim::Status said = say_what_was_repeated(*replay, options);
+    if (!said) return end_with(exit_job_failed, said.error().message);
+  }
   if (options.context != ContextKind::window) say_on_stderr(show->notice);
-  return exit_done;
+  return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop());
 }
 
 }  // namespace

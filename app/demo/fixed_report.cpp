@@ -1,21 +1,28 @@
 #include "app/demo/fixed_report.h"
 
-#include <vector>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
 
 #include "app/files/json_file.h"
+#include "engine/anim/import/json/json_object.h"
 
 namespace throng::app {
 namespace {
 
-// Of the tile, as it was swept once.
-SweepCurve sweep_in(const Json& stops) {
+// The tile, as it was swept once.
+SweepCurve sweep_in(std::span<const Json> stops, std::optional<std::string>& complaint) {
   SweepCurve sweep{.value = SweptValue::tile, .stops = {}, .refusal = {}};
-  for (const Json& stop : stops.elements()) {
-    sweep.stops.push_back({.value = stop.value("tile", 0.0),
-                           .known = true,
-                           .cost = {.milliseconds = stop.value("update_ms", 0.0),
-                                    .tasks = stop.value("tasks", std::uint64_t{0}),
-                                    .bytes = stop.value("bytes", std::uint64_t{0})}});
+  for (const Json& each : stops) {
+    const std::string name = "stop " + std::to_string(sweep.stops.size());
+    const JsonObject reader(name, each, {"tile", "update_ms", "tasks", "bytes"}, complaint);
+    auto& stop = sweep.stops.emplace_back();
+    stop.known = true;
+    reader.number("tile", stop.value);
+    reader.number("update_ms", stop.cost.milliseconds);
+    reader.read("tasks", stop.cost.tasks, "a whole number");
+    reader.read("bytes", stop.cost.bytes, "a whole number");
   }
   return sweep;
 }
@@ -23,26 +30,34 @@ SweepCurve sweep_in(const Json& stops) {
 }  // namespace
 
 anim::Status fix_measured(const std::filesystem::path& report_file, FrameReport& report) {
-  const JsonFile file(report_file);
-  const auto read = file.read();
-  if (!read || !read->is_object()) {
-    return file.wrong("not the JSON object of measured figures that --ui=fixed shows");
-  }
-  const Json& json = *read;
-  report.frame_ms = json.value("frame_ms", 0.0F);
-  report.update_ms = json.value("update_ms", 0.0F);
-  report.draw_ms = json.value("draw_ms", 0.0F);
-  report.frame_ms_history = json.value("frame_ms_history", std::vector<float>{});
-  report.update_ms_history = json.value("update_ms_history", std::vector<float>{});
-  report.context = json.value("context", std::string());
-  report.gl_version = json.value("gl_version", std::string());
-  report.gl_renderer = json.value("gl_renderer", std::string());
-  report.simd_target = json.value("simd_target", std::string());
-  report.hardware_threads = json.value("hardware_threads", 0);
-  report.limit_sentence = json.value("limit_sentence", std::string());
-  for (PuReport& pu : report.pu) pu.activity.busy_ms = json.value("pu_busy_ms", 0.0);
-  report.timeline.clear();
-  if (json.contains("sweep")) report.sweep = sweep_in(json["sweep"]);
+  const JsonFile file(report_file, {.wrong = ", as the measured figures that --ui=fixed shows have it"});
+  const auto json = file.read();
+  if (!json) return json.error();
+  std::optional<std::string> complaint;
+  const JsonObject reader(
+      "", *json,
+      {"frame_ms", "update_ms", "draw_ms", "frame_ms_history", "update_ms_history", "context", "gl_version",
+       "gl_renderer", "simd_target", "hardware_threads", "limit_sentence", "pu_busy_ms", "sweep"},
+      complaint);
+  FrameReport fixed = report;
+  reader.read("frame_ms", fixed.frame_ms, "a number");
+  reader.read("update_ms", fixed.update_ms, "a number");
+  reader.read("draw_ms", fixed.draw_ms, "a number");
+  reader.read("frame_ms_history", fixed.frame_ms_history, "an array of numbers");
+  reader.read("update_ms_history", fixed.update_ms_history, "an array of numbers");
+  reader.text("context", fixed.context);
+  reader.text("gl_version", fixed.gl_version);
+  reader.text("gl_renderer", fixed.gl_renderer);
+  reader.text("simd_target", fixed.simd_target);
+  reader.whole("hardware_threads", fixed.hardware_threads, 0, 65536);
+  reader.text("limit_sentence", fixed.limit_sentence);
+  double busy_ms = 0;
+  reader.number("pu_busy_ms", busy_ms);
+  for (PuReport& pu : fixed.pu) pu.activity.busy_ms = busy_ms;
+  if (reader.has("sweep")) fixed.sweep = sweep_in(reader.elements("sweep"), complaint);
+  if (complaint) return file.wrong(*complaint);
+  fixed.timeline.clear();
+  report = std::move(fixed);
   return anim::Done{};
 }
 

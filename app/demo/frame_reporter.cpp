@@ -1,9 +1,9 @@
 #include "app/demo/frame_reporter.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "app/demo/selection_reporter.h"
+#include "engine/anim/base/cores.h"
 
 namespace throng::app {
 namespace {
@@ -79,7 +79,7 @@ void FrameReporter::describe_device(const Show& show) {
   report_.context = drawn_by.context;
   report_.gl_version = drawn_by.gl_version;
   report_.gl_renderer = drawn_by.gl_renderer;
-  report_.hardware_threads = static_cast<int>(std::thread::hardware_concurrency());
+  report_.hardware_threads = anim::usable_cores();
 }
 
 void FrameReporter::describe_character(const Show& show, std::size_t character) {

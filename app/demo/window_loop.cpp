@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <string>
 
 #include "app/demo/frame_reporter.h"
+#include "app/demo/stop_signals.h"
 #include "app/demo/window_input.h"
-#include "app/files/atomic_file.h"
 #include "app/files/data_folder.h"
+#include "engine/files/output_file.h"
 #include "app/overlay/overlay.h"
 #include "app/report/tuning_sweep.h"
 #include "app/settings/preset.h"
@@ -65,10 +65,7 @@ class WindowLoop {
   }
 
   // Programs that drive the window wait for this line.
-  static void announce() {
-    std::puts("READY");
-    std::fflush(stdout);
-  }
+  static void announce() { static_cast<void>(print("READY\n")); }
 
   void run_frame() {
     const Clock::time_point now = Clock::now();
@@ -97,7 +94,8 @@ class WindowLoop {
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     reporter_.update(show_, fly_camera_.place(), frame_ms, notice_.empty() ? show_.notice : notice_);
     write_ui_map();
-    done_ = done_ || commands.quit || input_.asked_to_close();
+    if (!show_.recording_outcome()) notice_ = show_.recording_outcome().error().message;
+    done_ = done_ || commands.quit || input_.asked_to_close() || asked_to_stop() != 0;
   }
 
   // What was recorded happens, and nothing else.
@@ -257,8 +255,7 @@ class WindowLoop {
 
   void copy(const std::string& options) {
     input_.clipboard().set(options);
-    std::puts(options.c_str());
-    std::fflush(stdout);
+    static_cast<void>(print(options + "\n"));  // a window may have nobody who reads it
     notice_ = "Copied: " + options;
   }
 

@@ -105,6 +105,12 @@ std::string local_store_notice(const anim::AnimationSystem& system) {
          ": one character's largest task needs that much.";
 }
 
+std::string pu_notice(int asked, int running) {
+  if (running >= asked) return {};
+  return std::to_string(asked) + " PUs were asked for, but the system has no more threads: " +
+         counted(static_cast<std::size_t>(running), "PU") + " run; --pus asks for fewer.";
+}
+
 std::string palette_notice(const ShownPoses& shown) {
   if (!shown.out_of_memory()) return {};
   return "Palette memory ran out: not every agent in view was drawn; fewer --agents would be.";

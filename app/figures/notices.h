@@ -27,6 +27,9 @@ std::string placement_notice(std::span<const CharacterSource> characters);
 /// Says that an automatic local store had to be larger than usual.
 std::string local_store_notice(const anim::AnimationSystem& system);
 
+/// Says that fewer PUs run than were asked for, because the system has no more threads.
+std::string pu_notice(int asked, int running);
+
 /// Says how many agents in view have no room for their palettes.
 std::string palette_notice(const ShownPoses& shown);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/files/atomic_file.h"
+#include "engine/files/output_file.h"
 #include "engine/anim/import/json/json.h"
 
 namespace throng::app {

@@ -2,17 +2,12 @@
 
 #include <filesystem>
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "engine/anim/import/json/json.h"
 
 namespace throng::app {
-
-/// Returns the text of a file, up to `most_bytes` and one more, so that a longer file is known. Returns nothing if it
-/// cannot be opened.
-std::optional<std::string> read_text(const std::filesystem::path& file, std::size_t most_bytes);
 
 /// The remedies that complaints end with: for a missing file, for a file that is not JSON, and for wrong contents.
 struct JsonRemedies {

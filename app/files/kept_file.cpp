@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "app/files/atomic_file.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {

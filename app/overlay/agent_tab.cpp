@@ -10,6 +10,7 @@
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
 #include "engine/anim/lod/lod.h"
+#include "engine/files/size_text.h"
 
 namespace throng::app {
 namespace {
@@ -25,7 +26,7 @@ void show_who(const TabContext& context, const SelectionReport& selected) {
                {.what = "What the crowd has in mind for it."});
   widgets.fact("Posture", posture_words.at(static_cast<std::size_t>(selected.posture)),
                {.what = "Upright, or how a rag-doll is."});
-  widgets.fact("Blocks", std::to_string(selected.entities.size()) + ", " + as_bytes(selected.bytes),
+  widgets.fact("Blocks", std::to_string(selected.entities.size()) + ", " + size_text(selected.bytes),
                {.what = "Its entities in main memory."});
 }
 

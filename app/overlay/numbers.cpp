@@ -34,14 +34,6 @@ std::string with_thousands(std::uint64_t value) {
   return text;
 }
 
-std::string as_bytes(std::uint64_t bytes) {
-  constexpr double kib = 1024, mib = kib * kib;
-  const auto amount = static_cast<double>(bytes);
-  if (amount < kib) return std::to_string(bytes) + " B";
-  if (amount < mib) return fixed(amount / kib, amount < 100 * kib ? 1 : 0) + " KiB";
-  return fixed(amount / mib, amount < 100 * mib ? 1 : 0) + " MiB";
-}
-
 std::string as_percent(float share) { return fixed(100 * static_cast<double>(share), 0) + " %"; }
 
 NumberScale scale_of(std::string_view key, std::span<const int> stops) {

@@ -12,7 +12,6 @@ namespace throng::app {
 
 inline std::string fixed(float value, int decimals) { return fixed(static_cast<double>(value), decimals); }
 std::string with_thousands(std::uint64_t value);  ///< 12,345
-std::string as_bytes(std::uint64_t bytes);        ///< "640 B", "12.3 KiB", "1.5 MiB"
 std::string as_percent(float share);              ///< "25 %", of a share of 0 to 1
 
 /// The numbers that a row accepts, and how it writes them.

@@ -5,6 +5,7 @@
 
 #include "app/overlay/tabs.h"
 #include "app/report/tuning_sweep.h"
+#include "engine/files/size_text.h"
 
 namespace throng::app {
 namespace {
@@ -146,13 +147,14 @@ void show_totals(const TabContext& context) {
   for (const PuReport& pu : report.pu) laid_out = std::max(laid_out, pu.local_store_laid_out_bytes);
   widgets.section("In all");
   widgets.fact("Local store laid out",
-               as_bytes(laid_out) + " of " + std::to_string(report.schedule.local_store_bytes / bytes_a_kib) + " KiB",
+               size_text(laid_out) + " of " + std::to_string(report.schedule.local_store_bytes / bytes_a_kib) + " KiB",
                {.what = "Of each PU's local store: its fetch buffers and the scratch of a tile. The rest stays free."});
   widgets.fact("Tile width", std::to_string(tile) + (tile == 1 ? " character" : " characters"),
                {.what = "What the local store has room for, or what was asked for."});
-  widgets.fact("Copied in, out", as_bytes(report.work.copies.bytes_in) + ", " + as_bytes(report.work.copies.bytes_out),
+  widgets.fact("Copied in, out",
+               size_text(report.work.copies.bytes_in) + ", " + size_text(report.work.copies.bytes_out),
                {.what = "Entity blocks, in this frame, over all PUs.", .unit = "bytes"});
-  widgets.fact("Palettes written", as_bytes(report.work.palette_bytes),
+  widgets.fact("Palettes written", size_text(report.work.palette_bytes),
                {.what = "Straight into memory that the renderer reads, once.", .unit = "bytes in this frame"});
   widgets.fact("SIMD target", report.simd_target, {.what = "The vector instructions chosen for this processor."});
   widgets.fact("Pose hash", as_hex(report.pose_hash),
@@ -170,7 +172,7 @@ void show_memory(const TabContext& context) {
     if (!has_blocks(kind)) continue;
     context.widgets.fact(kind.kind,
                          with_thousands(kind.own.blocks_alive + kind.shared.blocks_alive) + ", " +
-                             as_bytes(kind.own.bytes_alive + kind.shared.bytes_alive),
+                             size_text(kind.own.bytes_alive + kind.shared.bytes_alive),
                          {.what = "Living blocks of this kind of entity, of all agents, and what they take. The slabs "
                                   "they lie in have room for more."});
   }

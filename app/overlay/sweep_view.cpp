@@ -7,6 +7,7 @@
 #include "app/overlay/plots.h"
 #include "app/overlay/tabs.h"
 #include "app/settings/choices.h"
+#include "engine/files/size_text.h"
 
 namespace throng::app {
 namespace {
@@ -132,7 +133,7 @@ const SweepStop* stop_under_pointer(const Axes& axes, const SweepCurve& curve) {
 
 void tell_of(const SweepCurve& curve, const SweepStop& stop) {
   tell({with_unit(curve.value, stop.value) + ": " + as_milliseconds(stop.cost.milliseconds),
-        with_thousands(stop.cost.tasks) + " tasks, " + as_bytes(stop.cost.bytes) + " copied an update",
+        with_thousands(stop.cost.tasks) + " tasks, " + size_text(stop.cost.bytes) + " copied an update",
         curve.runs ? "" : "Click: take this value."});
 }
 
@@ -145,7 +146,7 @@ std::string summary(const SweepCurve& curve) {
   if (lowest == nullptr) return curve.visits > 0 || curve.refusal.empty() ? "Ended before anything was known." : "";
   return std::string(curve.complete() ? "" : "Ended early. ") + "Lowest: " + with_unit(curve.value, lowest->value) +
          ", " + as_milliseconds(lowest->cost.milliseconds) + " an update, " + with_thousands(lowest->cost.tasks) +
-         " tasks, " + as_bytes(lowest->cost.bytes) + " copied.";
+         " tasks, " + size_text(lowest->cost.bytes) + " copied.";
 }
 
 std::string refusals(const SweepCurve& curve) {

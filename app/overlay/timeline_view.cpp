@@ -7,6 +7,7 @@
 
 #include "app/overlay/plots.h"
 #include "app/overlay/tabs.h"
+#include "engine/files/size_text.h"
 
 namespace throng::app {
 namespace {
@@ -42,7 +43,7 @@ void tell_of(const anim::TraceSpan& span, const TimelineFrame& frame) {
             fixed(1000 * (end - begin), 1) + " \xC2\xB5s",
         span.content.agents == 0 ? "" : agents_of(span.content),
         span.transfers == 0 ? ""
-                            : as_bytes(span.bytes_in) + " in, " + as_bytes(span.bytes_out) + " out, " +
+                            : size_text(span.bytes_in) + " in, " + size_text(span.bytes_out) + " out, " +
                                   with_thousands(span.transfers) + " transfers"});
 }
 

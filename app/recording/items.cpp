@@ -84,9 +84,11 @@ std::optional<RecordedRequest> bone_order(NumberReader& numbers) {
 std::optional<RecordedRequest> characters(std::string_view text) {
   RecordedCharacters characters;
   const auto json = parse_json(text);
-  const bool read = json && from_json(*json, characters.characters);
+  if (!json) return {};
+  std::optional<std::string> complaint;
+  characters.characters = read_characters(json->elements(), complaint);
   const bool of_files = std::ranges::none_of(characters.characters, &std::string::empty, &RecordedCharacter::file);
-  return read && of_files ? std::optional<RecordedRequest>(std::move(characters)) : std::nullopt;
+  return !complaint && of_files ? std::optional<RecordedRequest>(std::move(characters)) : std::nullopt;
 }
 
 std::optional<RecordedRequest> rig(std::string_view text) {

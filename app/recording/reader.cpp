@@ -1,7 +1,6 @@
 #include "app/recording/reader.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include "app/files/byte_hash.h"
 #include "app/recording/bytes.h"
@@ -17,33 +16,17 @@ constexpr std::uint32_t most_header_bytes = 1U << 24U;
 constexpr std::uint32_t most_hashes = 100'100;  // the agents, and what a scene adds to them
 constexpr std::uint64_t item_head_bytes = 5, checksum_bytes = 8;
 
-// Of as many bytes of the file, from its first.
-std::optional<std::uint64_t> hash_of(std::istream& stream, std::uint64_t count) {
-  constexpr std::uint64_t most_at_once = 1U << 16U;
-  ByteHash hash;
-  std::string bytes;
-  for (stream.seekg(0); count > 0; count -= bytes.size()) {
-    bytes.resize(std::min(count, most_at_once));
-    if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return {};
-    hash.add(bytes);
-  }
-  return hash.value();
-}
-
 }  // namespace
 
 anim::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const fs::path& file) {
-  std::unique_ptr<RecordingReader> reader(new RecordingReader(file));
+  auto input = InputFile::open(file, "a recording of throng");
+  if (!input) return anim::Error{file.string() + ": " + input.error().message};
+  std::unique_ptr<RecordingReader> reader(new RecordingReader(file, std::move(*input)));
   if (const auto complaint = reader->read_begin()) return anim::Error{file.string() + ": " + *complaint};
   return reader;
 }
 
 std::optional<std::string> RecordingReader::read_begin() {
-  std::error_code error;
-  if (!fs::is_regular_file(file_, error)) return "cannot be read";
-  bytes_left_ = fs::file_size(file_, error);
-  stream_.open(file_, std::ios::binary);
-  if (error || !stream_) return "cannot be read";
   std::string bytes;
   const bool has_head = read_bytes(recording_magic.size() + 8, bytes);
   NumberReader head(bytes);
@@ -56,34 +39,45 @@ std::optional<std::string> RecordingReader::read_begin() {
   if (is_damaged()) return "is damaged: its bytes do not add up to its checksum; record it again";
   const auto header_bytes = head.next<std::uint32_t>();
   if (header_bytes > most_header_bytes || !read_bytes(header_bytes, bytes)) return "is cut short in its header";
-  if (auto complaint = read_header(bytes, header_)) return complaint;
+  if (const auto complaint = read_header(bytes, header_)) return "is damaged in its header: " + *complaint;
   tuning_ = header_.tuning;
   return {};
 }
 
-// Only what was ended has a checksum; what was cut short is read as far as it goes.
+// A recording has a checksum once it was ended. One that was cut short is read as far as it goes.
 bool RecordingReader::is_damaged() {
   constexpr std::uint64_t end_bytes = item_head_bytes + end_payload_bytes;
-  const std::uint64_t next_item = static_cast<std::uint64_t>(stream_.tellg()), all = next_item + bytes_left_;
-  if (bytes_left_ < end_bytes) return false;
-  std::string bytes(end_bytes, '\0');
-  stream_.seekg(static_cast<std::streamoff>(all - end_bytes));
-  stream_.read(bytes.data(), static_cast<std::streamsize>(end_bytes));
+  const std::uint64_t left = bytes_left_, all = input_.size();
+  if (left < end_bytes || !input_.go_to(all - end_bytes)) return false;
+  std::string bytes;
+  if (!read_bytes(end_bytes, bytes)) return true;
   NumberReader end(bytes);
   const bool is_ended = end.next<std::uint8_t>() == static_cast<std::uint8_t>(RecordKind::end) &&
                         end.next<std::uint32_t>() == end_payload_bytes;
   end.next<std::uint64_t>();
-  const bool damaged = is_ended && hash_of(stream_, all - checksum_bytes) != end.next<std::uint64_t>();
-  stream_.seekg(static_cast<std::streamoff>(next_item));
-  return damaged;
+  const bool damaged = is_ended && hash_of_first(all - checksum_bytes) != end.next<std::uint64_t>();
+  bytes_left_ = left;
+  return damaged || !input_.go_to(all - left);
+}
+
+std::optional<std::uint64_t> RecordingReader::hash_of_first(std::uint64_t count) {
+  constexpr std::uint64_t most_at_once = 1U << 16U;
+  ByteHash hash;
+  std::string bytes;
+  if (!input_.go_to(0)) return {};
+  for (bytes_left_ = count; bytes_left_ > 0;) {
+    if (!read_bytes(std::min(bytes_left_, most_at_once), bytes)) return {};
+    hash.add(bytes);
+  }
+  return hash.value();
 }
 
 bool RecordingReader::read_bytes(std::uint64_t count, std::string& bytes) {
   if (count > bytes_left_) return false;
   bytes.resize(count);
-  stream_.read(bytes.data(), static_cast<std::streamsize>(count));
+  const auto read = input_.read(std::as_writable_bytes(std::span(bytes)));
   bytes_left_ -= count;
-  return static_cast<std::uint64_t>(stream_.gcount()) == count;
+  return read && *read == count;
 }
 
 anim::Error RecordingReader::error_at(std::uint64_t frame, const std::string& what) const {

@@ -2,15 +2,16 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/recording/recording.h"
 #include "engine/anim/base/result.h"
+#include "engine/files/input_file.h"
 
 namespace throng::app {
 
@@ -32,9 +33,11 @@ class RecordingReader {
   anim::Error error_at(std::uint64_t frame, const std::string& what) const;
 
  private:
-  explicit RecordingReader(std::filesystem::path file) : file_(std::move(file)) {}
+  RecordingReader(std::filesystem::path file, InputFile input)
+      : file_(std::move(file)), input_(std::move(input)), bytes_left_(input_.size()) {}
   std::optional<std::string> read_begin();
   bool is_damaged();
+  std::optional<std::uint64_t> hash_of_first(std::uint64_t count);
   bool read_bytes(std::uint64_t count, std::string& bytes);
   std::optional<RecordedItem> item(RecordKind kind);
   std::optional<RecordedItem> frame();
@@ -42,8 +45,8 @@ class RecordingReader {
   std::optional<RecordedItem> changed_tuning();
 
   std::filesystem::path file_;
-  std::ifstream stream_;
-  std::uint64_t bytes_left_ = 0;
+  InputFile input_;
+  std::uint64_t bytes_left_;
   RecordingHeader header_;
   Tuning tuning_;  // as of the items read
   std::uint64_t frames_ = 0;

@@ -12,6 +12,7 @@
 #include "app/files/byte_hash.h"
 #include "app/settings/settings.h"
 #include "engine/anim/base/hash.h"
+#include "engine/anim/import/json/json_object.h"
 
 namespace throng::app {
 namespace {
@@ -47,45 +48,41 @@ Json to_json(const anim::PlacementChoice& placement) {
       {placement.scale.value_or(0.0), static_cast<int>(placement.up), static_cast<int>(placement.ground)});
 }
 
-bool read_placement(const Json& json, anim::PlacementChoice& placement) {
+void read_placement(const JsonObject& character, anim::PlacementChoice& placement) {
   constexpr int last_axis = static_cast<int>(anim::UpAxis::minus_z),
                 last_rule = static_cast<int>(anim::GroundRule::feet);
-  const std::span<const Json> values = json.elements();
-  if (values.size() != 3 || !values[0].is<double>() || !values[1].is_whole(0, last_axis)) return false;
-  const auto scale = values[0].get<double>();
-  if (!values[2].is_whole(0, last_rule) || !(scale >= 0.0)) return false;
-  if (scale > 0.0) placement.scale = scale;
+  const std::span<const Json> values = character.elements("placement");
+  const bool can_be = values.size() == 3 && values[0].is<double>() && values[0].get<double>() >= 0.0 &&
+                      values[1].is_whole(0, last_axis) && values[2].is_whole(0, last_rule);
+  if (!can_be) return character.wrong("placement", "a scale, an axis and a rule, as numbers");
+  if (const auto scale = values[0].get<double>(); scale > 0.0) placement.scale = scale;
   placement.up = static_cast<anim::UpAxis>(values[1].get<int>());
   placement.ground = static_cast<anim::GroundRule>(values[2].get<int>());
-  return true;
 }
 
-bool read_share(const Json& json, double& share) {
-  if (!json.is<double>() || !is_share(json.get<double>())) return false;
-  share = json.get<double>();
-  return true;
-}
-
-bool read_character(const Json& json, RecordedCharacter& character) {
+void read_roles(const JsonObject& character, RoleClips& roles) {
   constexpr int most_clips = 65535;
-  const Json& roles = json["roles"];
-  if (!json["file"].is<std::string>() || !json["fingerprint"].is<std::string>()) return false;
-  if (!json["bones"].is<std::vector<std::string>>() || !json["level_counts"].are_whole(1, anim::max_bones))
-    return false;
-  if (!roles.are_whole(no_clip, most_clips) || roles.elements().size() != character.roles.size()) return false;
-  if (json.contains("share") && !read_share(json["share"], character.share)) return false;
-  if (json.contains("clip_files")) {
-    if (!json["clip_files"].is<std::vector<std::string>>()) return false;
-    character.clip_files = json["clip_files"].get<std::vector<std::string>>();
-  }
-  if (json.contains("rig") && !(character.rig = recorded_rig(json["rig"]))) return false;
-  if (json.contains("placement") && !read_placement(json["placement"], character.placement)) return false;
-  character.file = json["file"].get<std::string>();
-  character.fingerprint = json["fingerprint"].get<std::string>();
-  character.bones = json["bones"].get<std::vector<std::string>>();
-  character.level_counts = json["level_counts"].get<std::vector<int>>();
-  std::ranges::transform(roles.elements(), character.roles.begin(), &Json::get<int>);
-  return character.file.find('\0') == std::string::npos;
+  std::vector<int> clips;
+  character.wholes("roles", clips, no_clip, most_clips);
+  if (clips.size() != roles.size()) return character.wrong("roles", std::to_string(roles.size()) + " clips");
+  std::ranges::copy(clips, roles.begin());
+}
+
+RecordedCharacter read_character(const JsonObject& json) {
+  RecordedCharacter character;
+  json.need({"file", "fingerprint", "roles", "bones", "level_counts"});
+  json.text("file", character.file);
+  json.text("fingerprint", character.fingerprint);
+  read_roles(json, character.roles);
+  json.texts("bones", character.bones);
+  json.wholes("level_counts", character.level_counts, 1, anim::max_bones);
+  if (json.has("placement")) read_placement(json, character.placement);
+  json.number("share", character.share);
+  if (!is_share(character.share)) json.wrong("share", "a share of the crowd");
+  json.texts("clip_files", character.clip_files);
+  if (json.has("rig") && !(character.rig = recorded_rig(json["rig"]))) json.wrong("rig", "parts of the body and bones");
+  if (character.file.find('\0') != std::string::npos) json.wrong("file", "the name of a file");
+  return character;
 }
 
 anim::Status take_bone_lod(const RecordedCharacter& recorded, CharacterSource& source) {
@@ -174,12 +171,20 @@ Json to_json(std::span<const RecordedCharacter> characters) {
   return json;
 }
 
-bool from_json(const Json& json, std::vector<RecordedCharacter>& characters) {
-  if (json.elements().empty() || json.elements().size() > most_models) return false;
-  for (const Json& each : json.elements()) {
-    if (!read_character(each, characters.emplace_back())) return false;
+std::vector<RecordedCharacter> read_characters(std::span<const Json> json, std::optional<std::string>& complaint) {
+  std::vector<RecordedCharacter> characters;
+  for (const Json& each : json) {
+    const std::string name = "character " + std::to_string(characters.size());
+    characters.push_back(read_character(
+        JsonObject(name, each,
+                   {"file", "fingerprint", "roles", "bones", "level_counts", "placement", "share", "clip_files", "rig"},
+                   complaint)));
+    if (complaint) break;
   }
-  return true;
+  if (!complaint && (json.empty() || json.size() > most_models)) {
+    complaint = "\"characters\" must be 1 to " + std::to_string(most_models) + " characters";
+  }
+  return characters;
 }
 
 }  // namespace throng::app

@@ -49,7 +49,7 @@ std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters)
 /// Returns a list of objects with "file", "fingerprint", "roles", "bones", "level_counts", "share", "clip_files", "rig"
 /// and "placement": scale (0: guessed), up axis and ground rule as numbers.
 Json to_json(std::span<const RecordedCharacter> characters);
-/// Reads 1 to most_models characters; returns false where the JSON is no such list.
-bool from_json(const Json& json, std::vector<RecordedCharacter>& characters);
+/// Reads 1 to most_models characters. `complaint` is what is wrong first, as the end of a sentence.
+std::vector<RecordedCharacter> read_characters(std::span<const Json> json, std::optional<std::string>& complaint);
 
 }  // namespace throng::app

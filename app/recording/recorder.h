@@ -8,7 +8,8 @@
 
 namespace throng::app {
 
-/// Records into a file while one is open. While none is, it does nothing.
+/// Records into a file while one is open. While none is, it does nothing. A file that cannot be written any more is
+/// closed, and its error kept.
 class Recorder {
  public:
   /// Opens a file. Errors: it cannot be written; then nothing has changed.
@@ -16,20 +17,29 @@ class Recorder {
     auto writer = RecordingWriter::create(file, header);
     if (!writer) return writer.error();
     writer_ = std::move(*writer);
+    outcome_ = anim::Done{};
     return anim::Done{};
   }
-  /// Finishes the file. Errors: it could not be written. Without an open file there is no error.
-  anim::Status stop() { return writer_ == nullptr ? anim::Done{} : std::exchange(writer_, nullptr)->finish(); }
+  /// Finishes the file. Errors: it could not be written, now or before. Without a file there is no error.
+  anim::Status stop() {
+    if (writer_ != nullptr) outcome_ = std::exchange(writer_, nullptr)->finish();
+    return std::exchange(outcome_, anim::Done{});
+  }
   bool is_recording() const { return writer_ != nullptr; }
+  /// Returns why the file was closed before stop(), if that is so.
+  const anim::Status& outcome() const { return outcome_; }
 
   /// Adds an item, as RecordingWriter::add does.
   template <typename... Item>
   void add(const Item&... item) {
-    if (writer_ != nullptr) writer_->add(item...);
+    if (writer_ == nullptr) return;
+    writer_->add(item...);
+    if (writer_->fails()) outcome_ = std::exchange(writer_, nullptr)->finish();
   }
 
  private:
   std::unique_ptr<RecordingWriter> writer_;
+  anim::Status outcome_ = anim::Done{};
 };
 
 }  // namespace throng::app

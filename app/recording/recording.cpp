@@ -1,6 +1,7 @@
 #include "app/recording/recording.h"
 
 #include "app/settings/preset.h"
+#include "engine/anim/import/json/json_object.h"
 
 namespace throng::app {
 namespace {
@@ -28,20 +29,19 @@ std::string header_text(const RecordingHeader& header) {
 }
 
 std::optional<std::string> read_header(std::string_view text, RecordingHeader& header) {
-  const auto read = parse_json(text);
-  const auto has = [&](const char* key) { return read && read->contains(key); };
-  if (!has("width") || !has("height") || !has("characters") || !has("tuning")) return "has a header that is none";
-  const Json& json = *read;
-  if (!json["width"].is_whole(1, most_picture_pixels) || !json["height"].is_whole(1, most_picture_pixels)) {
-    return "has a header with a picture of no size";
-  }
-  if (!from_json(json["characters"], header.characters)) return "has a header with characters that are none";
+  const auto json = parse_json(text);
+  if (!json) return json.error().message;
+  std::optional<std::string> complaint;
+  const JsonObject reader("", *json, {"width", "height", "characters", "tuning"}, complaint);
+  reader.need({"width", "height", "characters", "tuning"});
+  reader.whole("width", header.width, 1, most_picture_pixels);
+  reader.whole("height", header.height, 1, most_picture_pixels);
+  const std::span<const Json> characters = reader.elements("characters");
+  if (!complaint) header.characters = read_characters(characters, complaint);
   Preset preset;
-  if (const Complaint complaint = from_json(json["tuning"], preset)) return "has a header in which " + *complaint;
+  if (!complaint) complaint = from_json(reader["tuning"], preset);
   header.tuning = preset.tuning;
-  header.width = json["width"].get<int>();
-  header.height = json["height"].get<int>();
-  return {};
+  return complaint;
 }
 
 }  // namespace throng::app

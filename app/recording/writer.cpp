@@ -17,7 +17,7 @@ std::string item_head(RecordKind kind, std::size_t payload_bytes) {
 
 anim::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& file,
                                                                        const RecordingHeader& header) {
-  auto beside = FileBeside::create(file);
+  auto beside = OutputFile::create(file, OutputFile::Unfinished::kept);
   if (!beside) return beside.error();
   std::unique_ptr<RecordingWriter> writer(new RecordingWriter(std::move(*beside), header.tuning));
   const std::string text = header_text(header);
@@ -30,7 +30,7 @@ anim::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
 
 void RecordingWriter::write(std::string_view bytes) {
   written_.add(bytes);
-  file_.write(bytes);
+  if (state_) state_ = file_.write(bytes);
 }
 
 void RecordingWriter::write_item(RecordKind kind) {
@@ -131,8 +131,10 @@ anim::Status RecordingWriter::finish() {
   write(payload_);
   std::string checksum;
   append_number(checksum, written_.value());
-  file_.write(checksum);
-  return file_.commit();
+  if (state_) state_ = file_.write(checksum);
+  if (state_) state_ = file_.commit();
+  if (state_ || file_.part().empty()) return state_;
+  return anim::Error{state_.error().message + "; the frames before are in " + file_.part().string()};
 }
 
 }  // namespace throng::app

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "app/files/atomic_file.h"
-#include "app/files/json_file.h"
 #include "app/files/kept_file.h"
+#include "engine/files/output_file.h"
 #include "app/settings/tuning_values.h"
+#include "engine/files/input_file.h"
 
 namespace throng::app {
 namespace {
@@ -51,10 +51,8 @@ Json json_of(const TuningValue& row, const Tuning& tuning) {
 }
 
 Complaint read_into(const fs::path& file, Preset& preset) {
-  std::error_code error;
-  const std::optional<std::string> text = read_text(file, most_bytes);
-  if (!text || !fs::is_regular_file(file, error)) return "cannot be read";
-  return from_json_text(*text, preset);
+  const auto text = read_text(file, "a preset", most_bytes);
+  return text ? from_json_text(*text, preset) : Complaint(text.error().message);
 }
 
 bool may_stand_in_a_name(char letter) {
@@ -79,9 +77,8 @@ Json to_json(const Preset& preset) {
 }
 
 Complaint from_json_text(std::string_view text, Preset& preset) {
-  if (text.size() > most_bytes) return "is too long to be a preset";
   const auto json = parse_json(text);
-  return from_json(json ? *json : Json(), preset);
+  return json ? from_json(*json, preset) : Complaint(json.error().message);
 }
 
 Complaint from_json(const Json& json, Preset& preset) {
@@ -139,6 +136,7 @@ ValueReader preset_values(DemoOptions& options) {
     }
     options.tuning = preset.tuning;
     options.camera = preset.camera;
+    options.preset = file.string();
     return {};
   };
 }

@@ -140,6 +140,8 @@ struct DemoOptions {
   std::string camera_name;                             ///< named camera of the scene, empty: the scene's first
   bool events = false;                                 ///< the statistics sum up the events of all agents
   std::string record, replay;                          ///< files; empty: not asked for
+  std::string preset;                                  ///< the file of the preset that was read; empty: none
+  bool remove_parts = false;                           ///< what killed runs left beside the files to write is removed
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };
 

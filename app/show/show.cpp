@@ -195,6 +195,7 @@ void Show::freeze_lod_camera() {
 void Show::update_notice() {
   notice.clear();
   add_line(notice, painter_->notice());
+  add_line(notice, pu_notice(on_this_machine(stage_->tuning().system).pus, stage_->system().options().pus));
   for (const std::string& sentence : left_out_) add_line(notice, sentence);
   add_line(notice, import_notice(stage_->people()));
   add_line(notice, placement_notice(stage_->people()));

@@ -65,6 +65,8 @@ class Show {
   /// Ends the recording, if there is one. Errors: the file could not be written.
   anim::Status stop_recording() { return recorder_.stop(); }
   bool is_recording() const { return recorder_.is_recording(); }
+  /// Returns why the recording had to end, if that is so; stop_recording() returns it too.
+  const anim::Status& recording_outcome() const { return recorder_.outcome(); }
 
   /// Returns how files of characters are read.
   const LoadOptions& load_options() const { return load_options_; }

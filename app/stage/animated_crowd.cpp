@@ -1,14 +1,14 @@
 #include "app/stage/animated_crowd.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "app/character/cut_scene_models.h"
+#include "engine/anim/base/cores.h"
 
 namespace throng::app {
 
 anim::SystemOptions on_this_machine(anim::SystemOptions options) {
-  if (options.pus == 0) options.pus = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (options.pus == 0) options.pus = anim::usable_cores();
   return options;
 }
 

@@ -27,7 +27,7 @@ struct Image {
 
 Result<Image> read_png(const std::filesystem::path& file);
 
-/// Writes a temporary file beside `file`, then renames it, so that `file` is whole or as it was.
+/// Writes the picture as a PNG. `file` is whole or as it was.
 Status write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace throng::render

@@ -1,11 +1,13 @@
 #include "tests/app/program_run.h"
 
 #include <array>
+#include <csignal>
+#include <filesystem>
 #include <string_view>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <spawn.h>
+#include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,28 +56,54 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+void send_once_ready(pid_t child, const ProgramTreatment& treatment) {
+  std::string file = treatment.once_there_is;
+  if (const std::size_t at = file.find("PID"); at != std::string::npos) file.replace(at, 3, std::to_string(child));
+  const auto has_ended = [&] {
+    siginfo_t ended{};
+    waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+    return ended.si_pid == child;
+  };
+  while (!file.empty() && !std::filesystem::exists(file) && !has_ended()) usleep(1000);
+  kill(child, treatment.signal);
+}
+
+/// Becomes the program. It runs in the child, which shares nothing with a thread of ours.
+[[noreturn]] void become_program(const std::vector<char*>& arguments, const std::vector<char*>& environment, int output,
+                                 int errors, const std::vector<std::size_t>& cores) {
+  dup2(output, STDOUT_FILENO);
+  dup2(errors, STDERR_FILENO);
+  if (!cores.empty()) {
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    for (const std::size_t core : cores) CPU_SET(core, &allowed);
+    sched_setaffinity(0, sizeof(allowed), &allowed);
+  }
+  execve(THRONG_PROGRAM, arguments.data(), environment.data());
+  _exit(127);
+}
+
 }  // namespace
 
-ProgramRun run_program(const std::vector<std::string>& arguments) {
+ProgramRun run_program(const std::vector<std::string>& arguments, const ProgramTreatment& treatment) {
   std::vector<std::string> words{THRONG_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-
+  const std::vector<char*> environment = environment_without_display();
   const Capture output;
   const Capture errors;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, output.descriptor(), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, errors.descriptor(), STDERR_FILENO);
-  pid_t child = 0;
-  const int failure =
-      posix_spawn(&child, THRONG_PROGRAM, &actions, nullptr, pointers.data(), environment_without_display().data());
-  posix_spawn_file_actions_destroy(&actions);
-  EXPECT_EQ(failure, 0) << THRONG_PROGRAM << " cannot be run";
-  if (failure != 0) return {};
+  const int other = treatment.output.empty() ? -1 : open(treatment.output.c_str(), O_WRONLY | O_CLOEXEC);
+  const pid_t child = fork();
+  if (child == 0) {
+    become_program(pointers, environment, other >= 0 ? other : output.descriptor(), errors.descriptor(),
+                   treatment.cores);
+  }
+  if (other >= 0) close(other);
+  if (treatment.signal != 0) send_once_ready(child, treatment);
   const int exit_status = wait_for(child);
+  EXPECT_NE(exit_status, 127) << THRONG_PROGRAM << " cannot be run";
   return {exit_status, output.text(), errors.text()};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,15 @@ struct ProgramRun {
   std::string errors;
 };
 
+/// What is done to the program while it runs.
+struct ProgramTreatment {
+  std::string output = {};         ///< a file in place of the one that ProgramRun::output is read from
+  int signal = 0;                  ///< 0: none
+  std::string once_there_is = {};  ///< the signal is sent then; PID stands for the program's number
+  std::vector<std::size_t> cores = {};     ///< those that it may run on; empty: all
+};
+
 /// Runs `throng` without a display, with `arguments`, and waits for its end. ctest limits the time.
-ProgramRun run_program(const std::vector<std::string>& arguments);
+ProgramRun run_program(const std::vector<std::string>& arguments, const ProgramTreatment& treatment = {});
 
 }  // namespace throng::app

@@ -39,7 +39,11 @@ Findings includes_across_animation_and_drawing(const Tree& tree);
 /// Only the few files that speak with a part that others made see it.
 Findings parts_seen_elsewhere(const Tree& tree);
 
-/// app/main.cpp parses and dispatches: it includes app/ and the standard library, and has no fractions.
+/// Only engine/files opens files, and only engine/anim/import/json parses JSON. Tests may do both.
+Findings files_opened_elsewhere(const Tree& tree);
+
+/// app/main.cpp parses and dispatches: it includes app/, engine/files/ and the standard library, and has no
+/// fractions.
 Findings maths_in_main(const Tree& tree);
 
 /// No file of code has more than 350 lines.

@@ -46,6 +46,23 @@ TEST(Floors, OfTheProgramAreKeptToo) {
   EXPECT_THAT(includes_that_climb(one("app/main.cpp", "#include \"app/demo/demo.h\"\n")), IsEmpty());
 }
 
+TEST(Files, AreOpenedInOneFolderAlone) {
+  const std::string reads = "  std::ifstream file(path);\n";
+  EXPECT_THAT(files_opened_elsewhere(one("app/show/show.cpp", reads)), ElementsAre(StartsWith("app/show/show.cpp:1:")));
+  EXPECT_THAT(files_opened_elsewhere(one("engine/anim/pack/pack.cpp", "int f = ::open(path, O_RDONLY);\n")),
+              testing::SizeIs(1));
+  EXPECT_THAT(files_opened_elsewhere(one("assets/sheet/sheet.cpp", "FILE* f = fopen(path, mode);\n")),
+              testing::SizeIs(1));
+  EXPECT_THAT(files_opened_elsewhere(one("engine/files/input_file.cpp", reads)), IsEmpty());
+  EXPECT_THAT(files_opened_elsewhere(one("app/show/show.cpp", "  Status open(const Options& options);\n")), IsEmpty());
+}
+
+TEST(Json, IsParsedInOneFileAlone) {
+  const std::string parses = "  auto tree = nlohmann::json::parse(text);\n";
+  EXPECT_THAT(files_opened_elsewhere(one("engine/anim/import/document.cpp", parses)), testing::SizeIs(1));
+  EXPECT_THAT(files_opened_elsewhere(one("engine/anim/import/json/json_tree.h", parses)), IsEmpty());
+}
+
 TEST(Room, IsMissedWhereItHasNoFile) {
   EXPECT_THAT(rooms_without_files(one("app/stage/stage.h", "")),
               AllOf(Contains(StartsWith("app/overlay/")), Not(Contains(StartsWith("app/stage/")))));

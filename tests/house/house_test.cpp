@@ -29,6 +29,8 @@ TEST(House, AnimationAndDrawingMeetInAppAlone) {
 
 TEST(House, PartsOfOthersAreSeenByFewFiles) { EXPECT_THAT(parts_seen_elsewhere(project()), IsEmpty()); }
 
+TEST(House, FilesAreOpenedAndJsonIsParsedInOnePlace) { EXPECT_THAT(files_opened_elsewhere(project()), IsEmpty()); }
+
 TEST(House, MainDoesNoMaths) { EXPECT_THAT(maths_in_main(project()), IsEmpty()); }
 
 TEST(House, NoFileIsTooLong) { EXPECT_THAT(files_too_long(project()), IsEmpty()); }

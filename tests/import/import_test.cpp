@@ -139,7 +139,7 @@ TEST(Import, RefusesWhatHasNoSkinOrIsNoFile) {
   ASSERT_TRUE(skins) << "who asks for every skin there is, gets none";
   EXPECT_TRUE(skins->models.empty());
   EXPECT_FALSE(skins->animations.empty());
-  EXPECT_THAT(message_of(folder.write("x.gltf", std::string("{}")).parent_path()), HasSubstr("not a regular file"));
+  EXPECT_THAT(message_of(folder.write("x.gltf", std::string("{}")).parent_path()), HasSubstr("it is a folder"));
   EXPECT_EQ(message_of("no/such.glb"), "no/such.glb: there is no such file; check the path");
 }
 

@@ -14,12 +14,13 @@
 #include "app/character/skin_choice.h"
 #include "app/character/source.h"
 #include "app/figures/notices.h"
-#include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
+#include "engine/files/output_file.h"
 #include "engine/anim/asset/placement.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/pack/pack.h"
+#include "engine/files/size_text.h"
 #include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app {
@@ -89,11 +90,6 @@ anim::Result<pack::FileToPack> bake_file(const std::string& path, const BakeOpti
   return packed;
 }
 
-std::string size_of(std::size_t bytes) {
-  const auto count = static_cast<double>(bytes);
-  return bytes < 1'000'000 ? fixed(count / 1e3, 0) + " KB" : fixed(count / 1e6, 1) + " MB";
-}
-
 /// Counts the bytes of what a pack is made of.
 struct PackSizes {
   std::size_t streams = 0, surfaces = 0, texels = 0;
@@ -112,17 +108,16 @@ struct PackSizes {
 };
 
 /// Says what was baked of a file, and what a person should know of it.
-void tell(const std::string& path, const pack::FileToPack& file) {
+std::string told_of(const std::string& path, const pack::FileToPack& file) {
   std::size_t clips = 0;
   for (const pack::CharacterToPack& packed : file.characters) clips += packed.character->clips.size();
-  std::printf("%s: %s, %s\n", file.name.c_str(), counted(file.characters.size(), "character").c_str(),
-              counted(clips, "clip").c_str());
   CharacterSource told;
   told.file = path;
   told.repairs = file.file.repairs;
   told.notes = file.file.notes;
   const std::string notice = import_notice({&told, 1});
-  if (!notice.empty()) std::printf("%s\n", notice.c_str());
+  return file.name + ": " + counted(file.characters.size(), "character") + ", " + counted(clips, "clip") + "\n" +
+         (notice.empty() ? "" : notice + "\n");
 }
 
 anim::Status bake(const BakeOptions& options) {
@@ -132,17 +127,16 @@ anim::Status bake(const BakeOptions& options) {
     auto file = bake_file(path, options);
     if (!file) return file.error();
     file->name = name_for(path, files);
-    tell(path, *file);
+    if (anim::Status told = print(told_of(path, *file)); !told) return told;
     sizes.add(*file);
     files.push_back(std::move(*file));
   }
   const std::vector<std::byte> pack = pack::write_pack(files);
   anim::Status written = write_whole_file(options.pack, {reinterpret_cast<const char*>(pack.data()), pack.size()});
   if (!written) return written;
-  std::printf("%s: %s, of which streams %s, surfaces %s, texels %s\n", anim::plain_text(options.pack).c_str(),
-              size_of(pack.size()).c_str(), size_of(sizes.streams).c_str(), size_of(sizes.surfaces).c_str(),
-              size_of(sizes.texels).c_str());
-  return written;
+  return print(anim::plain_text(options.pack) + ": " + size_text(pack.size()) + ", of which streams " +
+               size_text(sizes.streams) + ", surfaces " + size_text(sizes.surfaces) + ", texels " +
+               size_text(sizes.texels) + "\n");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace throng::app {
 struct BakeOptions {
   std::vector<std::string> models;
   std::string pack;                     ///< the file to write
+  bool remove_parts = false;            ///< what killed runs left beside the files to write is removed
   std::vector<std::string> clips_from;  ///< files whose clips every model plays too
   anim::PlacementChoice placement;
   bool strict = false;  ///< what would be repaired is refused

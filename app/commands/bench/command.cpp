@@ -13,8 +13,8 @@
 #include "app/commands/bench/report.h"
 #include "app/commands/bench/table.h"
 #include "app/commands/bench/turns.h"
-#include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {

@@ -2,65 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <optional>
+#include <string>
 
 #include "app/files/json_file.h"
+#include "engine/anim/import/json/json_object.h"
 
 namespace throng::app {
 namespace {
 
 using Kind = anim::TraceSpan::Kind;
-
-/// Reads keys one after the other and keeps the first complaint.
-class MachineReader {
- public:
-  MachineReader(const JsonFile& file, const Json& json) : file_(&file), json_(&json) {}
-
-  void number(const char* key, double least, double most, double& target, bool needed = true) {
-    if (!json_->contains(key)) {
-      if (needed) complain(key, "is missing: " + range(least, most));
-      return;
-    }
-    const Json& value = (*json_)[key];
-    const double found = value.is_number() ? value.get<double>() : std::nan("");
-    const bool fits = found >= least && found <= most;
-    if (!fits) complain(key, "must be " + range(least, most));
-    if (fits) target = found;
-  }
-  void whole(const char* key, int least, int most, int& target) {
-    double value = target;
-    number(key, least, most, value);
-    target = static_cast<int>(value);
-    if (static_cast<double>(target) != value) complain(key, "must be a whole number");
-  }
-  void text(const char* key, std::string& target, bool needed) {
-    if (!json_->contains(key)) {
-      if (needed) complain(key, "is missing: a text");
-      return;
-    }
-    if (!(*json_)[key].is<std::string>()) complain(key, "must be a text");
-    target = json_->value(key, target);
-  }
-  void complain(const std::string& key, const std::string& what) {
-    if (complaint_) complaint_ = file_->wrong("\"" + key + "\" " + what);
-  }
-  /// The first complaint; an unknown key is one.
-  anim::Status complaint(std::initializer_list<std::string_view> known) {
-    if (const Json::Member* const other = json_->member_beside(known)) complain(other->key, "is no key of a machine");
-    return complaint_;
-  }
-
- private:
-  static std::string range(double least, double most) {
-    char text[96];
-    std::snprintf(text, sizeof(text), "a number, %g to %g", least, most);
-    return text;
-  }
-
-  const JsonFile* file_;
-  const Json* json_;
-  anim::Status complaint_ = anim::Done{};
-};
 
 anim::CopyCounts copies_of(const anim::TraceSpan& span) { return {span.bytes_in, span.bytes_out, span.transfers}; }
 
@@ -70,27 +21,29 @@ anim::Result<Machine> read_machine(const std::filesystem::path& file) {
   const JsonFile json_file(file, {.unread = "; --machine takes ps2, spe or a file"});
   const auto json = json_file.read();
   if (!json) return json.error();
-  if (!json->is_object()) return json_file.wrong("not a JSON object that describes a machine");
+  std::optional<std::string> complaint;
+  const JsonObject reader("", *json,
+                          {"name", "local_store_kib", "pus", "dma_latency_ns", "dma_gigabytes_per_second",
+                           "dma_transfers_in_flight", "compute_times", "compute_ns_per_bone", "notes"},
+                          complaint);
   Machine machine;
-  MachineReader reader(json_file, *json);
-  reader.text("name", machine.name, true);
-  reader.whole("local_store_kib", 1, 65536, machine.local_store_kib);
-  reader.whole("pus", 1, 256, machine.pus);
-  reader.number("dma_latency_ns", 0, 1e6, machine.dma_latency_ns);
-  reader.number("dma_gigabytes_per_second", 1e-3, 1e4, machine.dma_gigabytes_per_second);
-  reader.whole("dma_transfers_in_flight", 1, 1024, machine.dma_transfers_in_flight);
-  reader.number("compute_times", 1e-3, 1e6, machine.compute_times, false);
-  if (json->contains("compute_ns_per_bone")) {
-    reader.number("compute_ns_per_bone", 0, 1e9, machine.compute_ns_per_bone.emplace());
-    if (json->contains("compute_times")) {
-      reader.complain("compute_times", "contradicts compute_ns_per_bone; give one of them");
+  reader.text("name", machine.name);
+  reader.whole("local_store_kib", machine.local_store_kib, 1, 65536);
+  reader.whole("pus", machine.pus, 1, 256);
+  reader.number("dma_latency_ns", machine.dma_latency_ns, 0, 1e6);
+  reader.number("dma_gigabytes_per_second", machine.dma_gigabytes_per_second, 1e-3, 1e4);
+  reader.whole("dma_transfers_in_flight", machine.dma_transfers_in_flight, 1, 1024);
+  reader.number("compute_times", machine.compute_times, 1e-3, 1e6);
+  if (reader.has("compute_ns_per_bone")) {
+    reader.number("compute_ns_per_bone", machine.compute_ns_per_bone.emplace(), 0, 1e9);
+    if (reader.has("compute_times")) {
+      reader.complain("\"compute_times\" contradicts compute_ns_per_bone; give one of them");
     }
   }
-  reader.text("notes", machine.notes, false);
-  const anim::Status complaint =
-      reader.complaint({"name", "local_store_kib", "pus", "dma_latency_ns", "dma_gigabytes_per_second",
-                        "dma_transfers_in_flight", "compute_times", "compute_ns_per_bone", "notes"});
-  if (!complaint) return complaint.error();
+  reader.text("notes", machine.notes);
+  reader.need(
+      {"name", "local_store_kib", "pus", "dma_latency_ns", "dma_gigabytes_per_second", "dma_transfers_in_flight"});
+  if (complaint) return json_file.wrong(*complaint);
   return machine;
 }
 

@@ -26,11 +26,12 @@ struct BenchOptions {
   Tuning tuning;  ///< its `system` has what all combinations share: local store, tile, double buffering, palettes
   int frames = 60;
   Sweep sweep = Sweep::none;
-  std::string machine;  ///< a file, or the name of a preset; empty: none
-  std::string data;     ///< folder of presets; empty: the usual places
-  std::string json;     ///< a file, "-" for standard output, empty: lines for a person
-  std::string plot;     ///< an SVG file; empty: none
-  std::string trace;    ///< empty: none
+  std::string machine;        ///< a file, or the name of a preset; empty: none
+  std::string data;           ///< folder of presets; empty: the usual places
+  std::string json;           ///< a file, "-" for standard output, empty: lines for a person
+  std::string plot;           ///< an SVG file; empty: none
+  std::string trace;          ///< empty: none
+  bool remove_parts = false;  ///< what killed runs left beside the files to write is removed
 };
 
 /// One combination of the lists.

@@ -1,9 +1,7 @@
 #include "app/commands/bench/report.h"
 
-#include <cstdio>
-
-#include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {
@@ -14,8 +12,7 @@ anim::Status write(const BenchOptions& options, const BenchReport& report) {
     if (!written) return written;
   }
   if (!options.json.empty()) return write_output(options.json, report.json.dump(2) + "\n");
-  std::fputs(report.text.c_str(), stdout);
-  return anim::Done{};
+  return print(report.text);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/character/model_file.h"
 #include "app/commands/inspect/report.h"
 #include "app/files/exit_status.h"
+#include "engine/files/output_file.h"
 #include "app/files/joined.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
@@ -194,10 +195,8 @@ int run_inspect(const InspectOptions& options) {
   if (!added) return end_with(exit_job_failed, added.error().message);
   const std::vector<InspectedModel> models = placed_models(*file, options.placement);
   const std::string text = options.json ? inspection_json(*file, models) : inspection_text(*file, models);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    return end_with(exit_job_failed, "standard output cannot be written");
-  }
-  return exit_done;
+  const anim::Status printed = print(text);
+  return printed ? static_cast<int>(exit_done) : end_with(exit_job_failed, printed.error().message);
 }
 
 }  // namespace throng::app

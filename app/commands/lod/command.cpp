@@ -8,8 +8,8 @@
 
 #include "app/character/files.h"
 #include "app/commands/lod/curve.h"
-#include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
+#include "engine/files/output_file.h"
 #include "app/stage/stage.h"
 #include "engine/render/camera.h"
 #include "engine/render/mesh/packed_surface.h"
@@ -53,8 +53,8 @@ int run_lod(const LodOptions& options) {
   }
   const auto timed = time_levels(*source, curve.bones);
   if (!timed) return end_with(exit_job_failed, timed.error().message);
-  if (options.json != "-") std::fputs(curve_as_text(*source, curve, options.pixels).c_str(), stdout);
-  const anim::Status written = write_files(options, *source, curve);
+  anim::Status written = options.json == "-" ? anim::Done{} : print(curve_as_text(*source, curve, options.pixels));
+  if (written) written = write_files(options, *source, curve);
   return written ? static_cast<int>(exit_done) : end_with(exit_job_failed, written.error().message);
 }
 

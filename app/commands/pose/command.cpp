@@ -10,8 +10,8 @@
 #include "app/character/model_file.h"
 #include "app/commands/pose/dump.h"
 #include "app/commands/pose/pipe.h"
-#include "app/files/atomic_file.h"
 #include "app/files/exit_status.h"
+#include "engine/files/output_file.h"
 #include "engine/anim/import/json/json.h"
 
 namespace throng::app {

@@ -66,6 +66,7 @@ Status FittedScheduler::configure(Population& population, const SystemOptions& o
     threads_ = std::make_unique<PuThreads>(options.pus);
   }
   options_ = options;
+  if (threads_ != nullptr) options_.pus = threads_->pus();
   for (const std::unique_ptr<CharacterAgents>& character : population.characters()) {
     character->reserve_fades(options.stream, character->agents.alive_count());
   }

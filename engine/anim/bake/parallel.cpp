@@ -4,9 +4,10 @@
 #include <atomic>
 #include <future>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
+
+#include "engine/anim/base/cores.h"
 
 namespace throng::anim {
 
@@ -33,7 +34,7 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
   const auto take = [&] {
     for (std::size_t i = next++; i < count; i = next++) work(i);
   };
-  const std::size_t threads = std::min<std::size_t>(count, std::thread::hardware_concurrency());
+  const std::size_t threads = std::min(count, static_cast<std::size_t>(usable_cores()));
   std::vector<std::future<void>> helpers;
   while (helpers.size() + 1 < threads) {
     std::future<void> helper = start_helper(take);

@@ -1,7 +1,7 @@
-// A renderer of one's own: skins on the CPU and draws dots into a picture (PPM). A real one uploads the palettes.
+// A renderer of one's own: skins on the CPU and draws dots into a picture (PPM) on standard output. A real one uploads
+// the palettes.
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <vector>
 
 #include "throng/throng.h"
@@ -30,7 +30,7 @@ Vec3 skinned(const MeshView& mesh, std::size_t vertex, const float* palette) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 3) return std::fprintf(stderr, "usage: own_renderer MODEL PICTURE.ppm\n"), 2;
+  if (count != 2) return std::fprintf(stderr, "usage: own_renderer MODEL > PICTURE.ppm\n"), 2;
   const auto file = load(arguments[1], {.keep_meshes = true});
   if (!file) return std::fprintf(stderr, "%s\n", file.error().message.c_str()), 1;
   const Character character = file->characters.front();
@@ -66,9 +66,9 @@ int main(int count, char** arguments) {
       }
     }
   }
-  std::ofstream out(arguments[2], std::ios::binary);
-  out << "P6\n" << width << ' ' << height << "\n255\n";
-  out.write(reinterpret_cast<const char*>(picture.data()), static_cast<std::streamsize>(picture.size()));
-  std::printf("drew %zu characters to %s\n", requests.size(), arguments[2]);
-  return out.flush() ? 0 : 1;
+  std::printf("P6\n%d %d\n255\n", width, height);
+  std::fwrite(picture.data(), 1, picture.size(), stdout);
+  if (std::fflush(stdout) != 0) return std::perror("standard output"), 1;
+  std::fprintf(stderr, "drew %zu characters\n", requests.size());
+  return 0;
 }

@@ -2,41 +2,25 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "engine/anim/base/plain_text.h"
+#include "engine/anim/import/json/json_tree.h"
 #include "engine/anim/import/json_extensions.h"
 #include "engine/anim/import/refusal.h"
+#include "engine/anim/import/source_file.h"
 
 namespace throng::import {
 
 namespace {
 
 using nlohmann::json;
-
-/// Counts brackets outside of strings. It is no parser, so it needs no stack.
-void check_depth(std::string_view text) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-      continue;
-    }
-    if (c == '"') in_string = true;
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') --depth;
-    if (depth > max_json_depth) {
-      throw Refusal("its JSON is nested deeper than " + std::to_string(max_json_depth) + " levels; remove its extras");
-    }
-  }
-}
 
 /// Extensions whose content import reads.
 constexpr std::array read_extensions{"EXT_meshopt_compression",
@@ -80,15 +64,23 @@ void keep_extra(json& document, const char* array, const char* property) {
   }
 }
 
+/// A text has two bytes for each value at least, so its length limits them. Objects are searched by their keys.
+constexpr JsonLimits gltf_limits{.depth = max_json_depth,
+                                 .bytes = max_file_size,
+                                 .values = std::numeric_limits<std::size_t>::max(),
+                                 .members = std::numeric_limits<std::size_t>::max()};
+
 /// Names from old exporters may be no UTF-8, which JSON demands.
 json parse_text(std::string_view text, std::vector<std::string>& repairs) {
-  json document = json::parse(text.begin(), text.end(), nullptr, false);
-  if (document.is_discarded() && !anim::is_utf8(text)) {
-    document = json::parse(anim::plain_text(text), nullptr, false);
-    repairs.emplace_back("its JSON is no UTF-8: letters of names were replaced");
+  auto document = parse_json_tree<json>(text, gltf_limits);
+  if (!document && !anim::is_utf8(text)) {
+    document = parse_json_tree<json>(anim::plain_text(text), gltf_limits);
+    if (document) repairs.emplace_back("its JSON is no UTF-8: letters of names were replaced");
   }
-  if (document.is_discarded()) throw Refusal("it is neither GLB nor valid JSON; export the file again as glTF 2.0");
-  return document;
+  if (!document)
+    throw Refusal("it is neither GLB nor valid JSON: its text " + document.error().message +
+                  "; export it again as glTF 2.0");
+  return std::move(*document);
 }
 
 void simplify(json& value) {
@@ -115,7 +107,6 @@ void simplify(json& value) {
 nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repairs) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   while (!text.empty() && text.back() == '\0') text.remove_suffix(1);
-  check_depth(text);
   json document = parse_text(text, repairs);
   if (!document.is_object()) throw Refusal("its JSON is not an object; export the file again as glTF 2.0");
   leave_out_unknown_values(document, repairs);

@@ -3,12 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <string>
-#include <system_error>
 
 #include "engine/anim/import/other_formats.h"
 #include "engine/anim/import/refusal.h"
+#include "engine/files/input_file.h"
 
 namespace throng::import {
 
@@ -90,19 +89,9 @@ FileParts split_file(std::span<const std::byte> bytes, const std::filesystem::pa
 }
 
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::string_view wanted, std::size_t most) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw Refusal("there is no such file; check the path");
-  if (!std::filesystem::is_regular_file(status)) throw Refusal("it is not a regular file; name " + std::string(wanted));
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) throw Refusal("its size cannot be read: " + error.message());
-  if (size > most) throw Refusal("it is larger than " + std::to_string(most >> 20U) + " MiB; split it");
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
-    throw Refusal("it cannot be read; check its permissions");
-  }
-  return bytes;
+  auto bytes = throng::read_file(path, wanted, most);
+  if (!bytes) throw Refusal(bytes.error().message);
+  return std::move(*bytes);
 }
 
 }  // namespace throng::import

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <fstream>
 #include <string_view>
 
 #include "engine/anim/asset/placement.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/base/pose.h"
-#include "engine/anim/pack/mapped_file.h"
 #include "engine/anim/pack/tables.h"
 #include "engine/anim/survey/lod_survey.h"
+#include "engine/files/input_file.h"
 
 namespace throng::pack {
 
@@ -101,16 +100,15 @@ std::vector<std::byte> write_pack(std::span<const FileToPack> files) {
 
 bool is_pack(const std::string& path) {
   std::array<char, 8> start{};
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return false;
-  file.read(start.data(), start.size());
+  auto file = InputFile::open(path);
+  if (!file || !file->read(std::as_writable_bytes(std::span(start)))) return false;
   return path.ends_with(".pack") || begins_a_pack({start.data(), start.size()});
 }
 
 anim::Result<Pack> Pack::open(const std::string& path) {
   Pack pack(anim::plain_text(path));
   const auto refused = [&](const anim::Error& why) { return anim::Error{pack.path_ + ": " + why.message}; };
-  auto mapped = map_file(path);
+  auto mapped = map_file(path, "a .pack");
   if (!mapped) return refused(mapped.error());
   const auto sections = check_sections(mapped->bytes, layout_of_tables());
   if (!sections) return refused(sections.error());

@@ -2,8 +2,10 @@
 
 #include <cassert>
 #include <chrono>
+#include <system_error>
 
 #include "engine/anim/base/compiler.h"
+#include "engine/anim/base/cores.h"
 
 namespace throng::anim {
 namespace {
@@ -17,9 +19,24 @@ std::atomic<ThreadHook> hook_of_the_host{nullptr};
 
 }  // namespace
 
-PuThreads::PuThreads(int pus) : has_cores_(static_cast<unsigned>(pus) <= std::thread::hardware_concurrency()) {
+PuThreads::PuThreads(int pus) : has_cores_(pus <= usable_cores()) {
   threads_.reserve(static_cast<std::size_t>(pus - 1));
-  for (int pu = 1; pu < pus; ++pu) threads_.emplace_back([this, pu] { work(pu); });
+  for (int pu = 1; pu < pus; ++pu) {
+    if (!start(pu)) break;
+  }
+}
+
+bool PuThreads::start(int pu) {
+#if defined(__cpp_exceptions)
+  try {
+    threads_.emplace_back([this, pu] { work(pu); });
+  } catch (const std::system_error&) {
+    return false;
+  }
+#else
+  threads_.emplace_back([this, pu] { work(pu); });  // ends the program if there are no more threads
+#endif
+  return true;
 }
 
 PuThreads::~PuThreads() {

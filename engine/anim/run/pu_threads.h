@@ -9,10 +9,11 @@
 
 namespace throng::anim {
 
-/// Runs each PU on a thread. The calling thread is PU 0; the others are created once and wait between jobs. If the
-/// machine has a core for each, a thread that waits spins for about as long as a wake-up takes, then sleeps.
+/// Runs each PU on a thread. The calling thread is PU 0; the others are created once and wait between jobs. If there is
+/// a core for each, a thread that waits spins for about as long as a wake-up takes, then sleeps.
 class PuThreads final : public Executor {
  public:
+  /// Starts a thread for each PU but the first, or as many as the system has left.
   explicit PuThreads(int pus);
   ~PuThreads() override;
   PuThreads(const PuThreads&) = delete;
@@ -20,14 +21,17 @@ class PuThreads final : public Executor {
 
   /// Runs job i on PU i. `count` is at most the number of PUs.
   void run(int count, Job job) override;
+  /// Returns how many PUs there are: fewer than asked for where the system had no more threads.
+  int pus() const { return static_cast<int>(threads_.size()) + 1; }
 
  private:
+  bool start(int pu);
   void work(int pu);
   template <typename Value>
   void wait_while(const std::atomic<Value>& value, Value is) const;
 
   std::vector<std::thread> threads_;
-  bool has_cores_;  // the machine has a core for each PU
+  bool has_cores_;  // there is a core for each PU
   Job job_{};
   int count_ = 0;
   std::atomic<std::uint32_t> round_{0};  // a new value wakes the threads

@@ -1,10 +1,12 @@
 #include "engine/render/shader/shader_source.h"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <regex>
+#include <sstream>
 #include <string_view>
+
+#include "engine/files/input_file.h"
 
 namespace throng::render {
 namespace {
@@ -16,8 +18,10 @@ std::optional<std::string> included_file(const std::string& line) {
 }
 
 Status append_file(const std::filesystem::path& folder, const std::string& name, ShaderSource& source) {
-  std::ifstream input(folder / name);
-  if (!input) return Error{"cannot read shader " + (folder / name).string() + "; check --data"};
+  constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+  auto text = read_text(folder / name, "a shader", most_bytes);
+  if (!text) return Error{"shader " + (folder / name).string() + ": " + text.error().message + "; check --data"};
+  std::istringstream input(std::move(*text));
   const std::size_t file = source.files.size();
   source.files.push_back(name);
   std::string line;

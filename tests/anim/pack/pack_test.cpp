@@ -245,8 +245,8 @@ TEST(Pack, IsKnownByItsFirstBytesOrItsName) {
 TEST(Pack, IsRefusedInWordsWhereItIsNone) {
   EXPECT_THAT(refusal_of({}), HasSubstr(".pack: it is no pack, or its first bytes are damaged; bake it again"));
   const auto absent = Pack::open(testing::TempDir() + "absent.pack");
-  EXPECT_THAT(absent.error().message, HasSubstr("absent.pack: No such file or directory"));
-  EXPECT_THAT(Pack::open(testing::TempDir()).error().message, HasSubstr("it is no plain file"));
+  EXPECT_THAT(absent.error().message, HasSubstr("absent.pack: there is no such file"));
+  EXPECT_THAT(Pack::open(testing::TempDir()).error().message, HasSubstr("it is a folder, not a file; name a .pack"));
 }
 
 }  // namespace

@@ -123,10 +123,10 @@ TEST_F(BoneLodFileTest, IsRefusedInOneLineThatNamesFileObjectAndRemedy) {
       {R"({"version": 2})", "\"version\" must be 1"},
       {R"({"version": 1, "bone": []})", "unknown key \"bone\""},
       {R"({"version": 1})", "\"bones\" is missing"},
-      {R"({"version": 1, "bones": [3], "level_counts": [5]})", "must hold names only"},
+      {R"({"version": 1, "bones": [3], "level_counts": [5]})", "must be an array of texts"},
       {R"({"version": 1, "bones": ["tail"], "level_counts": [5]})", "the model has no bone \"tail\""},
       {R"({"version": 1, "bones": ["hips"], "level_counts": [5]})", "bone \"spine\" is missing"},
-      {R"({"version": 1, )" + bones + R"(, "level_counts": [5, -1]})", "must be a list of whole numbers"},
+      {R"({"version": 1, )" + bones + R"(, "level_counts": [5, -1]})", "must be an array of whole numbers"},
       {R"({"version": 1, )" + bones + R"(, "level_counts": [5, 5]})", "level 1 must keep"},
       {R"({"version": 1, )" + bones + "}", "\"level_counts\" is missing"}};
   for (const auto& [text, sentence] : wrong) {

@@ -92,7 +92,7 @@ TEST_F(CastShow, RefusesARecordingWithAShareThatIsNone) {
   const std::string share = "\"share\":3.0";
   ASSERT_NE(other.find(share), std::string::npos);
   put(test::with_true_checksum(other.replace(other.find(share), share.size(), "\"share\":-3.")));
-  EXPECT_THAT(repeated(""), HasSubstr("has a header"));
+  EXPECT_THAT(repeated(""), HasSubstr("in its header"));
 }
 
 TEST_F(CastShow, IsInTheStatistics) {

@@ -94,7 +94,7 @@ TEST(Json, SaysWhereTextStopsBeingJson) {
   EXPECT_EQ(refusal_of("{\n  \"a\": 1,\n  oops\n}"), "is not JSON at line 3, column 3");
   EXPECT_EQ(refusal_of(""), "is not JSON at line 1, column 1");
   EXPECT_EQ(refusal_of("[1] 2"), "is not JSON at line 1, column 5");
-  EXPECT_THAT(refusal_of("[1e999]"), HasSubstr("is not JSON at line 1"));
+  EXPECT_EQ(refusal_of("[1e999]"), "has a number that is too large at line 1, column 6");
 }
 
 TEST(Json, RefusesWhatIsNestedTooDeepOrTooLong) {
@@ -102,7 +102,7 @@ TEST(Json, RefusesWhatIsNestedTooDeepOrTooLong) {
   EXPECT_EQ(refusal_of(nested(most_json_depth)), "(taken)");
   EXPECT_EQ(refusal_of(nested(most_json_depth + 1)), "is nested deeper than 64 levels");
   EXPECT_EQ(refusal_of(std::string(1'000'000, '[')), "is nested deeper than 64 levels");
-  EXPECT_EQ(refusal_of(std::string(most_json_bytes + 1, ' ')), "is too long");
+  EXPECT_EQ(refusal_of(std::string(most_json_bytes + 1, ' ')), "is longer than 16777216 bytes");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(MachineFile, BeginsErrorsWithTheNameOfTheFile) {
   const std::string path = folder + "machine_file_test.json";
   EXPECT_EQ(read_machine_file(path).error().message, path + ": there is no such file; check the path");
   EXPECT_THAT(read_machine_file(folder).error().message,
-              testing::HasSubstr(": it is not a regular file; name a .json"));
+              testing::HasSubstr(": it is a folder, not a file; name a .json"));
   std::ofstream(path) << "[]";
   EXPECT_EQ(read_machine_file(path).error().message, path + ": a state machine must be an object");
   std::ofstream(path) << whole;

@@ -4,71 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/import/json/json_tree.h"
+
 namespace throng {
 namespace {
 
 using Native = nlohmann::ordered_json;
-
-/// Builds the tree as the parser comes by.
-class TreeBuilder final : public nlohmann::json_sax<Native> {
- public:
-  explicit TreeBuilder(std::string_view text) : text_(text) {}
-
-  bool null() override { return add(nullptr); }
-  bool boolean(bool value) override { return add(value); }
-  bool number_integer(std::int64_t value) override { return add(value); }
-  bool number_unsigned(std::uint64_t value) override { return add(value); }
-  bool number_float(double value, const std::string& /*digits*/) override { return add(value); }
-  bool string(std::string& value) override { return add(std::move(value)); }
-  bool binary(Native::binary_t& /*value*/) override { return false; }
-  bool start_object(std::size_t /*size*/) override { return open(Json::object()); }
-  bool start_array(std::size_t /*size*/) override { return open(Json::array()); }
-  bool end_object() override { return close(); }
-  bool end_array() override { return close(); }
-  bool key(std::string& key) override {
-    key_ = std::move(key);
-    return true;
-  }
-  bool parse_error(std::size_t position, const std::string& /*token*/, const Native::exception& /*error*/) override {
-    const std::string_view read = text_.substr(0, std::min(position, text_.size() + 1) - 1);
-    const auto line = 1 + std::ranges::count(read, '\n');
-    const std::size_t column = read.size() - (read.rfind('\n') + 1) + 1;
-    error_ = "is not JSON at line " + std::to_string(line) + ", column " + std::to_string(column);
-    return false;
-  }
-
-  Result<Json> result() && { return error_.empty() ? Result<Json>(std::move(root_)) : Error{error_}; }
-
- private:
-  // A parent keeps its place while its children are built: nothing is added to what is around it meanwhile.
-  Json& place(Json value) {
-    if (parents_.empty()) return root_ = std::move(value);
-    Json& parent = *parents_.back();
-    if (parent.is_object()) return parent[key_] = std::move(value);
-    return parent.push_back(std::move(value));
-  }
-  bool add(Json value) {
-    place(std::move(value));
-    return true;
-  }
-  bool open(Json empty) {
-    if (parents_.size() == most_json_depth) {
-      error_ = "is nested deeper than " + std::to_string(most_json_depth) + " levels";
-      return false;
-    }
-    parents_.push_back(&place(std::move(empty)));
-    return true;
-  }
-  bool close() {
-    parents_.pop_back();
-    return true;
-  }
-
-  std::string_view text_;
-  Json root_;
-  std::vector<Json*> parents_;
-  std::string key_, error_;
-};
 
 const Json null;
 
@@ -156,10 +97,9 @@ std::string Json::dump(int indent) const {
 }
 
 Result<Json> parse_json(std::string_view text) {
-  if (text.size() > most_json_bytes) return Error{"is too long"};
-  TreeBuilder builder(text);
-  Native::sax_parse(text.begin(), text.end(), &builder);
-  return std::move(builder).result();
+  constexpr JsonLimits limits{
+      .depth = most_json_depth, .bytes = most_json_bytes, .values = most_json_values, .members = most_json_members};
+  return parse_json_tree<Json>(text, limits);
 }
 
 }  // namespace throng

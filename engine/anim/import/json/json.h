@@ -18,9 +18,11 @@
 
 namespace throng {
 
-/// The limits of parse_json(), which refuses deeper nesting and longer texts.
+/// The limits of parse_json(), which refuses deeper nesting, longer texts, more values, and more members of an object.
 inline constexpr std::size_t most_json_depth = 64;
 inline constexpr std::size_t most_json_bytes = std::size_t{16} << 20U;
+inline constexpr std::size_t most_json_values = std::size_t{1} << 20U;
+inline constexpr std::size_t most_json_members = 1000;  // each is looked for among those before it
 
 template <class T>
 concept JsonNumber = std::is_arithmetic_v<T>;

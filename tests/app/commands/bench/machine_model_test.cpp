@@ -101,13 +101,13 @@ TEST(MachineFile, IsRefusedInALineThatNamesTheKey) {
       R"("pus": 1, "dma_latency_ns": 1, "dma_gigabytes_per_second": 1, "dma_transfers_in_flight": 1})";
   const std::string whole = R"({"name": "a", "local_store_kib": 16, )" + rest;
   EXPECT_EQ(refusal_of(whole), "");
-  EXPECT_THAT(refusal_of("[1, 2]"), HasSubstr("not a JSON object"));
+  EXPECT_THAT(refusal_of("[1, 2]"), HasSubstr("must be an object"));
   EXPECT_THAT(refusal_of("{\"name\": \"a\", " + rest), HasSubstr("\"local_store_kib\" is missing"));
   EXPECT_THAT(refusal_of(R"({"name": 3, "local_store_kib": 16, )" + rest), HasSubstr("\"name\" must be a text"));
   EXPECT_THAT(refusal_of(R"({"name": "a", "local_store_kib": 1.5, )" + rest), HasSubstr("whole number"));
-  EXPECT_THAT(refusal_of(R"({"name": "a", "local_store_kib": -1, )" + rest), HasSubstr("must be a number, 1 to 65536"));
+  EXPECT_THAT(refusal_of(R"({"name": "a", "local_store_kib": -1, )" + rest), HasSubstr("must be a whole number, 1 to 65536"));
   EXPECT_THAT(refusal_of(R"({"name": "a", "cores": 3, "local_store_kib": 16, )" + rest),
-              HasSubstr("\"cores\" is no key"));
+              HasSubstr("unknown key \"cores\""));
   EXPECT_THAT(
       refusal_of(R"({"name": "a", "compute_times": 3, "compute_ns_per_bone": 3, "local_store_kib": 16, )" + rest),
       HasSubstr("contradicts"));

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/command_line/options.h"
+#include "app/files/run_files.h"
+
+namespace throng::app {
+
+/// Each function returns the files that the options of a command name.
+RunFiles files_of(const DemoOptions& options);
+RunFiles files_of(const PoseOptions& options);
+RunFiles files_of(const InspectOptions& options);
+RunFiles files_of(const LodOptions& options);
+RunFiles files_of(const BenchOptions& options);
+RunFiles files_of(const BakeOptions& options);
+
+}  // namespace throng::app

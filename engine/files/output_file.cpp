@@ -1,0 +1,232 @@
+#include "engine/files/output_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include "engine/files/size_text.h"
+
+namespace throng {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_pending = 65536;
+constexpr std::string_view part_ending = ".part";
+
+Error cannot_write(const fs::path& file, const std::string& why) {
+  return {file.string() + ": cannot be written: " + why};
+}
+Error cannot_write(const fs::path& file, int error_number) {
+  return cannot_write(file, std::generic_category().message(error_number));
+}
+
+/// Returns the file that a name stands for, through links, also where that file does not exist yet.
+fs::path followed(fs::path file) {
+  constexpr int most_links = 40;  // as the kernel has it
+  std::error_code error;
+  for (int link = 0; link < most_links && fs::is_symlink(fs::symlink_status(file, error)); ++link) {
+    file = (file.parent_path() / fs::read_symlink(file, error)).lexically_normal();
+  }
+  return file;
+}
+
+/// Returns the name of a part, shorter than the system's limit: "run.rec.1234.part", and "run.rec.1234-1.part" next.
+fs::path part_name(const fs::path& file, int number) {
+  constexpr std::size_t longest = 200;
+  std::string name = file.filename().string().substr(0, longest);
+  name.append(".").append(std::to_string(getpid()));
+  if (number > 0) name.append("-").append(std::to_string(number));
+  return file.parent_path() / name.append(part_ending);
+}
+
+/// Opens a new file for a part, whatever others have left there. Returns its descriptor, or -1.
+int open_new(const fs::path& file, fs::path& part) {
+  constexpr int most_tries = 1000;
+  int descriptor = -1;
+  for (int number = 0; number < most_tries; ++number) {
+    part = part_name(file, number);
+    descriptor = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) break;
+  }
+  return descriptor;
+}
+
+/// Writes all of it; returns 0, or the number of the error.
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+std::string why_full(const fs::path& file, std::uint64_t missing) {
+  struct statvfs disk {};
+  const fs::path folder = file.parent_path();
+  const bool known = statvfs(folder.empty() ? "." : folder.c_str(), &disk) == 0;
+  const std::uint64_t free = known ? std::uint64_t{disk.f_bavail} * disk.f_frsize : 0;
+  return "the disk is full: " + size_text(missing) + " more are needed, and " + size_text(free) +
+         " are free; make room, or name a file on another disk";
+}
+
+/// Returns the process that writes a part: 1234 for "1234" and "1234-1".
+std::optional<pid_t> writer_of(std::string_view number) {
+  pid_t writer = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), writer);
+  const std::string_view rest = number.substr(static_cast<std::size_t>(end - number.data()));
+  const bool is_number = error == std::errc() && writer > 0 && (rest.empty() || rest.front() == '-');
+  return is_number ? std::optional(writer) : std::nullopt;
+}
+
+bool is_gone(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path file, Unfinished unfinished, std::uint64_t expected)
+    : file_(std::move(file)), unfinished_(unfinished), expected_(expected) {}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : file_(std::move(other.file_)),
+      part_(std::move(other.part_)),
+      pending_(std::move(other.pending_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      unfinished_(other.unfinished_),
+      expected_(other.expected_),
+      written_(other.written_),
+      state_(std::move(other.state_)) {}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ < 0) return;
+  if (unfinished_ == Unfinished::kept) static_cast<void>(flush());
+  close(descriptor_);
+  if (unfinished_ == Unfinished::removed && !part_.empty()) unlink(part_.c_str());
+}
+
+Result<OutputFile> OutputFile::create(const fs::path& file, Unfinished unfinished, std::uint64_t expected) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) return cannot_write(file, "it is a folder");
+  const bool straight = is_device_or_pipe(file);
+  OutputFile output(straight ? file : followed(file), unfinished, expected);
+  if (const Status opened = straight ? output.open_straight() : output.open_part(); !opened) {
+    return opened.error();
+  }
+  return output;
+}
+
+// A pipe without a reader would wait for one.
+Status OutputFile::open_straight() {
+  descriptor_ = open(file_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (descriptor_ < 0 && errno == ENXIO) return cannot_write(file_, "nobody reads from it");
+  if (descriptor_ < 0) return cannot_write(file_, errno);
+  fcntl(descriptor_, F_SETFL, fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
+  return Done{};
+}
+
+Status OutputFile::open_part() {
+  descriptor_ = open_new(file_, part_);
+  if (descriptor_ < 0) return cannot_write(file_, errno);
+  struct stat old {};
+  if (stat(file_.c_str(), &old) != 0) return Done{};
+  if (access(file_.c_str(), W_OK) != 0) return cannot_write(file_, errno);
+  constexpr mode_t permissions = 07777;
+  if (fchown(descriptor_, old.st_uid, old.st_gid) == 0 || old.st_uid == geteuid()) {
+    fchmod(descriptor_, old.st_mode & permissions);
+  }
+  return Done{};
+}
+
+Status OutputFile::fail(int error_number) {
+  const std::uint64_t missing = std::max<std::uint64_t>(expected_, written_ + pending_.size()) - written_;
+  const bool is_full = error_number == ENOSPC || error_number == EDQUOT;
+  state_ =
+      is_full && !part_.empty() ? cannot_write(file_, why_full(file_, missing)) : cannot_write(file_, error_number);
+  return state_;
+}
+
+Status OutputFile::flush() {
+  if (!state_) return state_;
+  if (const int error = write_all(descriptor_, pending_); error != 0) return fail(error);
+  written_ += pending_.size();
+  pending_.clear();
+  return Done{};
+}
+
+Status OutputFile::write(std::string_view contents) {
+  pending_ += contents;
+  return pending_.size() < most_pending ? state_ : flush();
+}
+
+Status OutputFile::commit() {
+  if (Status flushed = flush(); !flushed) return flushed;
+  if (!part_.empty() && fsync(descriptor_) != 0) return fail(errno);
+  if (close(std::exchange(descriptor_, -1)) != 0) return fail(errno);
+  if (!part_.empty() && rename(part_.c_str(), file_.c_str()) != 0) {
+    const int error = errno;
+    if (unfinished_ == Unfinished::removed) unlink(part_.c_str());
+    return fail(error);
+  }
+  return Done{};
+}
+
+bool is_device_or_pipe(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+Status write_whole_file(const fs::path& file, std::string_view contents) {
+  auto output = OutputFile::create(file, OutputFile::Unfinished::removed, contents.size());
+  if (!output) return output.error();
+  if (Status written = output->write(contents); !written) return written;
+  return output->commit();
+}
+
+Status write_output(const std::string& file, std::string_view contents) {
+  return file == "-" ? print(contents) : write_whole_file(file, contents);
+}
+
+Status print(std::string_view text) {
+  if (const int error = write_all(STDOUT_FILENO, text); error != 0) return cannot_write("standard output", error);
+  return Done{};
+}
+
+Status check_can_be_written(std::string_view option, const fs::path& file) {
+  if (is_device_or_pipe(file)) {  // to open a pipe and close it would tell its reader that all is over
+    if (access(file.c_str(), W_OK) == 0) return Done{};
+    return Error{std::string(option) + " " + cannot_write(file, errno).message};
+  }
+  const auto output = OutputFile::create(file);
+  return output ? Status(Done{}) : Error{std::string(option) + " " + output.error().message};
+}
+
+std::vector<fs::path> parts_left_beside(const fs::path& file) {
+  const fs::path place = followed(file);
+  const fs::path folder = place.parent_path();
+  const std::string beginning = place.filename().string() + ".";
+  std::vector<fs::path> parts;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(beginning) || !name.ends_with(part_ending)) continue;
+    if (name.size() <= beginning.size() + part_ending.size()) continue;
+    const auto writer =
+        writer_of(std::string_view(name).substr(beginning.size(), name.size() - beginning.size() - part_ending.size()));
+    if (writer && is_gone(*writer)) parts.push_back(folder / name);
+  }
+  return parts;
+}
+
+}  // namespace throng

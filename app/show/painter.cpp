@@ -76,7 +76,9 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
-                  .shadows = options.shadows && !spared_.shadows});
+                  .shadows = options.shadows && !spared_.shadows,
+                  .longest_tile = options.longest_tile,
+                  .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);
   return anim::Done{};
@@ -166,7 +168,7 @@ render::DrawCounts Painter::draw_pictures(const Stage& stage, const PaintedView&
                                {.divider = look.split_at, .difference = look.split == Split::difference});
 }
 
-void Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
+anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
   const auto start = RunFigures::Clock::now();
   const TakenAway& taken_away = stage.tuning().taken_away;
   FrameTimes times;
@@ -177,8 +179,10 @@ void Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
       renderer_->fences().insert(stage.frame());
     });
   }
-  times.wait_ms = time_of([&] { renderer_->finish(); });
+  anim::Status drawn = anim::Done{};
+  times.wait_ms = time_of([&] { drawn = renderer_->finish(); });
   figures.add_drawing(start, times, draw_counts_);
+  return drawn;
 }
 
 }  // namespace throng::app

@@ -55,6 +55,7 @@ Status Context::load_functions(ProcedureSource source) {
   version_ = text_of(GL_VERSION);
   renderer_ = text_of(GL_RENDERER);
   software_ = runs_on_processor(renderer_);
+  limits_ = ask_device_limits();
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(on_message, &messages_);

@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/render/gl/device_limits.h"
 #include "engine/result.h"
 
 struct GLFWwindow;
@@ -58,6 +59,9 @@ class Context {
   /// Says whether drawing runs on the processor, on the same cores that animate.
   bool is_software() const { return software_; }
 
+  /// Gives the largest sizes that the device takes.
+  const DeviceLimits& limits() const { return limits_; }
+
   MessageLog& messages() { return messages_; }
 
  protected:
@@ -71,6 +75,7 @@ class Context {
   std::string version_;
   std::string renderer_;
   bool software_ = false;
+  DeviceLimits limits_;
   MessageLog messages_;
 };
 

@@ -106,6 +106,7 @@ inline Tuning without_level_of_detail(Tuning tuning) {
 
 /// The largest width and height of a picture; PNG files of four times as many pixels are read by few programs.
 inline constexpr int most_picture_pixels = 32767;
+inline constexpr int most_window_pixels = 16384;  ///< the same of a window, which is one target
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {

@@ -6,6 +6,7 @@
 
 #include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
+#include "app/show/contexts.h"
 
 namespace throng::app {
 namespace {
@@ -40,21 +41,9 @@ anim::Result<std::unique_ptr<Painter>> Painter::create(const DemoOptions& option
 }
 
 anim::Status Painter::open_context(const DemoOptions& options) {
-  using render::gl::make_egl_context;
-  using render::gl::make_osmesa_context;
   if (options.context == ContextKind::none) return anim::Done{};
-  auto context = [&] {
-    switch (options.context) {
-      case ContextKind::osmesa:
-        return make_osmesa_context();
-      case ContextKind::window:
-        return render::gl::make_window_context({.width = options.width, .height = options.height});
-      default:
-        return make_egl_context({.force_software = options.force_software});
-    }
-  }();
-  if (!context && options.context == ContextKind::headless_default) context = make_osmesa_context();
-  if (!context) return anim::Error{context.error().message};
+  auto context = app::open_context(options, context_makers(options));
+  if (!context) return context.error();
   context_ = std::move(*context);
   return anim::Done{};
 }

@@ -50,7 +50,7 @@ void MessageLog::clear() {
 
 Status Context::load_functions(ProcedureSource source) {
   if (gladLoadGL(source) == 0 || GLAD_GL_VERSION_4_5 == 0) {
-    return Error{std::string(kind()) + " gives no OpenGL 4.5 core; a newer graphics driver is needed"};
+    return Error{std::string(kind()) + " gives no OpenGL 4.5 core context"};
   }
   version_ = text_of(GL_VERSION);
   renderer_ = text_of(GL_RENDERER);

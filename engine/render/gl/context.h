@@ -94,7 +94,8 @@ struct WindowOptions {
   bool vertical_sync = true;
 };
 
-/// Opens a window. Errors: there is no display; the error names --headless.
+/// Opens a window. Errors: there is no display, or no OpenGL 4.5 on it. Errors of all contexts say what is wrong with
+/// this one; who asked knows which others there are.
 Result<std::unique_ptr<Context>> make_window_context(const WindowOptions& options);
 
 struct EglOptions {

@@ -155,6 +155,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"OverlayWithoutGl", "--headless=none --ui", "--ui: --headless=none draws nothing; use --headless"},
         Refused{"PictureOfNoFrame", "--headless --draw none --screenshot a.png",
                 "--screenshot: --draw none draws nothing"},
+        Refused{"WindowOfAHugeSize", "--size 16385x1",
+                "--size: a window has at most 16384 pixels a side; use --headless"},
         Refused{"WindowThatDrawsOnce", "--draw last", "--draw: a window draws all; use --headless"},
         Refused{"OverlayShownAndHidden", "--ui --hide-ui", "--ui excludes --hide-ui; give one of them"},
         Refused{"OverlayThatNobodySees", "--headless --ui",

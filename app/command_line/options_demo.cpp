@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -158,6 +159,9 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   }
   if (!window && !options.ui && !options.ui_map.empty()) return "--ui-map: no overlay is drawn; add --ui";
   if (!options.screenshot.empty() && options.draw == DrawWhich::none) return "--screenshot: --draw none draws nothing";
+  if (window && std::max(options.width, options.height) > most_window_pixels) {
+    return "--size: a window has at most " + std::to_string(most_window_pixels) + " pixels a side; use --headless";
+  }
   if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";
   return {};
 }

@@ -50,7 +50,10 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
 
 int write_results(Show& show, const DemoOptions& options) {
   if (!options.screenshot.empty()) {
-    const anim::Status written = render::write_png(show.painter().renderer().read_image(), options.screenshot);
+    render::Renderer& renderer = show.painter().renderer();
+    const render::Image& image = renderer.read_image();
+    const anim::Status read = renderer.finish();
+    const anim::Status written = read ? render::write_png(image, options.screenshot) : read;
     if (!written) return end_with(exit_job_failed, written.error().message);
   }
   if (!options.stats.empty()) {
@@ -77,10 +80,10 @@ anim::Status run_replay(Show& show, const DemoOptions& options, Replay& replay) 
     const anim::Result<bool> repeated = replay.step(show);
     if (!repeated) return repeated.error();
     if (!*repeated) break;
-    if (which == DrawWhich::all) show.draw();
+    if (which != DrawWhich::all) continue;
+    if (anim::Status drawn = show.draw(); !drawn) return drawn;
   }
-  if (which == DrawWhich::last) show.draw();
-  return anim::Done{};
+  return which == DrawWhich::last ? show.draw() : anim::Done{};
 }
 
 anim::Status run_frames(Show& show, const DemoOptions& options) {
@@ -90,8 +93,9 @@ anim::Status run_frames(Show& show, const DemoOptions& options) {
   for (int frame = 1; !last; ++frame) {
     show.animate(step);
     last = frame == options.frames || asked_to_stop() != 0;
-    if (show.painter().draws() && (which == DrawWhich::all || (which == DrawWhich::last && last))) show.draw();
     tell_once(show.recording_outcome(), told);
+    if (!show.painter().draws() || !(which == DrawWhich::all || (which == DrawWhich::last && last))) continue;
+    if (anim::Status drawn = show.draw(); !drawn) return drawn;
   }
   return anim::Done{};
 }

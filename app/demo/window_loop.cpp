@@ -142,14 +142,19 @@ class WindowLoop {
     const glm::ivec2 size = show_.painter().context().framebuffer_size();
     minimised_ = size.x <= 0 || size.y <= 0;
     if (minimised_ || size == glm::ivec2(show_.width, show_.height)) return;
-    show_.painter().renderer().set_size(size);
+    const anim::Status set = show_.painter().renderer().set_size(size);
+    if (!set) notice_ = set.error().message;  // the picture keeps its size and is stretched
+    if (!set) return;
     show_.width = size.x;
     show_.height = size.y;
   }
 
   void present() {
     if (minimised_) return;
-    show_.draw();
+    if (const anim::Status drawn = show_.draw(); !drawn) {
+      notice_ = drawn.error().message;  // a person can take back what was too much, but for the first picture
+      if (show_.stage().frame() <= 1) failed_ = drawn, done_ = true;
+    }
     show_.painter().renderer().draw_overlay(*overlay_.draw_data());
     show_.painter().renderer().present();
   }

@@ -104,7 +104,9 @@ inline Tuning without_level_of_detail(Tuning tuning) {
   return tuning;
 }
 
-inline constexpr int most_picture_pixels = 16384;  ///< the largest width and height of a picture
+/// The largest width and height of a picture; PNG files of four times as many pixels are read by few programs.
+inline constexpr int most_picture_pixels = 32767;
+inline constexpr int most_window_pixels = 16384;  ///< the same of a window, which is one target
 
 /// The options of the demo (app/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
@@ -120,10 +122,12 @@ struct DemoOptions {
   std::optional<double> dt;   ///< seconds; unset: 1/60 headless, the clock in a window
   int width = 1280;
   int height = 720;
-  bool ui = false;               ///< overlay in a headless run
-  bool ui_fixed = false;         ///< the overlay shows measured times from a committed report
-  std::string ui_tab = "Crowd";  ///< the overlay starts with it
-  std::optional<int> selected;   ///< an agent, from the start
+  int longest_tile = 4096;                   ///< pixels; larger pictures are drawn in tiles of at most these sides
+  std::optional<std::uint64_t> free_memory;  ///< bytes; unset: what the machine has left
+  bool ui = false;                           ///< overlay in a headless run
+  bool ui_fixed = false;                     ///< the overlay shows measured times from a committed report
+  std::string ui_tab = "Crowd";              ///< the overlay starts with it
+  std::optional<int> selected;               ///< an agent, from the start
   bool hide_ui = false;
   float ui_scale = 1;  ///< multiplies every measure of the overlay
   int msaa = -1;       ///< 0 or 4; -1: as much as the device affords

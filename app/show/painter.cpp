@@ -6,6 +6,7 @@
 
 #include "app/crowd/cast.h"
 #include "app/files/data_folder.h"
+#include "app/show/contexts.h"
 
 namespace throng::app {
 namespace {
@@ -40,21 +41,9 @@ anim::Result<std::unique_ptr<Painter>> Painter::create(const DemoOptions& option
 }
 
 anim::Status Painter::open_context(const DemoOptions& options) {
-  using render::gl::make_egl_context;
-  using render::gl::make_osmesa_context;
   if (options.context == ContextKind::none) return anim::Done{};
-  auto context = [&] {
-    switch (options.context) {
-      case ContextKind::osmesa:
-        return make_osmesa_context();
-      case ContextKind::window:
-        return render::gl::make_window_context({.width = options.width, .height = options.height});
-      default:
-        return make_egl_context({.force_software = options.force_software});
-    }
-  }();
-  if (!context && options.context == ContextKind::headless_default) context = make_osmesa_context();
-  if (!context) return anim::Error{context.error().message};
+  auto context = app::open_context(options, context_makers(options));
+  if (!context) return context.error();
   context_ = std::move(*context);
   return anim::Done{};
 }
@@ -76,7 +65,9 @@ anim::Status Painter::open_renderer(const DemoOptions& options) {
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
                   .samples = options.msaa >= 0 ? options.msaa : (spared_.multisampling ? 0 : 4),
-                  .shadows = options.shadows && !spared_.shadows});
+                  .shadows = options.shadows && !spared_.shadows,
+                  .longest_tile = options.longest_tile,
+                  .memory = options.free_memory});
   if (!renderer) return anim::Error{renderer.error().message};
   renderer_ = std::move(*renderer);
   return anim::Done{};
@@ -166,7 +157,7 @@ render::DrawCounts Painter::draw_pictures(const Stage& stage, const PaintedView&
                                {.divider = look.split_at, .difference = look.split == Split::difference});
 }
 
-void Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
+anim::Status Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
   const auto start = RunFigures::Clock::now();
   const TakenAway& taken_away = stage.tuning().taken_away;
   FrameTimes times;
@@ -177,8 +168,10 @@ void Painter::draw(Stage& stage, const PaintedView& view, RunFigures& figures) {
       renderer_->fences().insert(stage.frame());
     });
   }
-  times.wait_ms = time_of([&] { renderer_->finish(); });
+  anim::Status drawn = anim::Done{};
+  times.wait_ms = time_of([&] { drawn = renderer_->finish(); });
   figures.add_drawing(start, times, draw_counts_);
+  return drawn;
 }
 
 }  // namespace throng::app

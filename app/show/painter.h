@@ -56,8 +56,9 @@ class Painter {
   /// Returns the newest frame of the stage that nothing reads any more.
   std::uint64_t completed_frame(const Stage& stage);
 
-  /// Draws the stage into the renderer's picture and waits for it, so that the time is the whole frame's.
-  void draw(Stage& stage, const PaintedView& view, RunFigures& figures);
+  /// Draws the stage into the renderer's picture and waits for it, so that the time is the whole frame's. Errors: the
+  /// device failed at it; the picture is not whole.
+  anim::Status draw(Stage& stage, const PaintedView& view, RunFigures& figures);
   /// These functions describe the picture drawn last.
   const Picture& picture() const { return picture_; }
   const ThresholdsInView& thresholds() const { return thresholds_; }

@@ -56,8 +56,8 @@ class Show {
   void animate(anim::Ticks delta) { update(delta, nullptr); }
   /// Does the same as it was recorded: seen by that camera, in a picture of that size.
   void animate_as(const RecordedFrame& frame);
-  /// Draws the frame that was animated last.
-  void draw() { painter_->draw(*stage_, {camera, frozen_camera_, width, height}, figures_); }
+  /// Draws the frame that was animated last. Errors: those of Painter::draw.
+  anim::Status draw() { return painter_->draw(*stage_, {camera, frozen_camera_, width, height}, figures_); }
 
   /// Records from now on what the show is asked for, and the poses that come of it. A crowd that has moved begins anew,
   /// so that a replay can begin where this does; moments are kept. Errors: the file cannot be written.

@@ -1,9 +1,9 @@
 #include "engine/render/image.h"
 
 #include <cassert>
+#include <csetjmp>
 #include <memory>
 #include <string>
-#include <string_view>
 
 #include <png.h>
 
@@ -46,18 +46,58 @@ Result<Image> read_png(const std::filesystem::path& file) {
   return image;
 }
 
-Status write_png(const Image& image, const std::filesystem::path& file) {
-  png_image png{};
-  const auto freed = owned(png);
-  png.width = static_cast<png_uint_32>(image.width);
-  png.height = static_cast<png_uint_32>(image.height);
-  png.format = PNG_FORMAT_RGBA;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-  std::string bytes(size, '\0');
-  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgba.data(), 0, nullptr) == 0) {
-    return Error{"cannot write image " + file.string() + ": " + png.message};
+namespace {
+
+/// A PNG on its way into a file. libpng leaves by a jump when something fails, so no object is made meanwhile.
+struct PngWriter {
+  OutputFile* output;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  Status outcome = Done{};
+
+  explicit PngWriter(OutputFile& file) : output(&file) {
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, fail, nullptr);
+    if (png != nullptr) info = png_create_info_struct(png);
   }
-  return write_whole_file(file, std::string_view(bytes).substr(0, size));
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+
+  static void fail(png_structp png, png_const_charp why) {
+    Status& outcome = static_cast<PngWriter*>(png_get_error_ptr(png))->outcome;
+    if (outcome) outcome = Error{why};
+    longjmp(png_jmpbuf(png), 1);
+  }
+  static void take(png_structp png, png_bytep bytes, std::size_t count) {
+    auto* const writer = static_cast<PngWriter*>(png_get_io_ptr(png));
+    writer->outcome = writer->output->write({reinterpret_cast<const char*>(bytes), count});
+    if (!writer->outcome) png_error(png, "");
+  }
+
+  bool write(const Image& image) {
+    if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_write_fn(png, this, take, nullptr);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, info);
+    for (int row = 0; row < image.height; ++row) png_write_row(png, image.pixel(0, row));
+    png_write_end(png, info);
+    return true;
+  }
+};
+
+}  // namespace
+
+Status write_png(const Image& image, const std::filesystem::path& file) {
+  auto output = OutputFile::create(file);
+  if (!output) return output.error();
+  PngWriter writer(*output);
+  if (!writer.write(image)) {
+    return writer.outcome ? Error{file.string() + ": cannot be written: there is no memory left"} : writer.outcome;
+  }
+  return output->commit();
 }
 
 }  // namespace throng::render

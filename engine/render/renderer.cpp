@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string>
 #include <utility>
+
+#include "engine/files/free_memory.h"
+#include "engine/render/gl/device_errors.h"
 
 namespace throng::render {
 namespace {
@@ -12,19 +16,44 @@ void add(DrawCounts& sum, const DrawCounts& more) {
   sum.triangles += more.triangles;
 }
 
+// Colours, depths, what is seen through, and the two sides of a split view.
+std::uint64_t bytes_a_pixel(int samples) {
+  constexpr std::uint64_t bytes_a_sample = 4 + 8 + 10, bytes_of_sides = 8, bytes_of_finished = 4;
+  return bytes_a_sample * static_cast<std::uint64_t>(std::max(samples, 1)) + bytes_of_sides + bytes_of_finished;
+}
+
+Result<TiledTarget> create_target(const gl::Context& context, const RendererOptions& options) {
+  const gl::DeviceLimits& device = context.limits();
+  if (options.samples > device.samples) {
+    return Error{"the graphics device takes at most " + std::to_string(device.samples) + " samples a pixel, not " +
+                 std::to_string(options.samples)};
+  }
+  const bool whole = context.window() != nullptr;
+  const TileLimits limits{.longest = whole ? device.target : glm::min(device.target, glm::ivec2(options.longest_tile)),
+                          .memory = options.memory ? *options.memory : free_memory(),
+                          .bytes_a_pixel = context.is_software() ? bytes_a_pixel(options.samples) : 0};
+  return TiledTarget::create(options.size, options.samples, limits, whole);
+}
+
+CrowdFrame part_of(const CrowdFrame& frame, glm::ivec2 picture, const PixelRect& drawn) {
+  CrowdFrame part = frame;
+  part.camera = part_of(frame.camera, picture, drawn);
+  return part;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::create(gl::Context& context, const RendererOptions& options) {
-  std::unique_ptr<Renderer> renderer(new Renderer(context, options));
+  Result<TiledTarget> target = create_target(context, options);
+  if (!target) return target.error();
+  std::unique_ptr<Renderer> renderer(new Renderer(context, options, std::move(*target)));
   if (const Status& built = renderer->shaders_.status(); !built) return built.error();
+  if (const Status made = gl::take_errors("the parts of a picture"); !made) return made.error();
   return renderer;
 }
 
-Renderer::Renderer(gl::Context& context, const RendererOptions& options)
-    : context_(&context),
-      shaders_(options.data / "shaders"),
-      target_(options.size, options.samples),
-      shadows_(options.shadows) {}
+Renderer::Renderer(gl::Context& context, const RendererOptions& options, TiledTarget target)
+    : context_(&context), shaders_(options.data / "shaders"), target_(std::move(target)), options_(options) {}
 
 Status Renderer::load_characters(std::span<const CrowdMeshData> characters) {
   assert(!characters.empty() && characters.size() <= most_characters);
@@ -38,73 +67,114 @@ Status Renderer::load_characters(std::span<const CrowdMeshData> characters) {
     crowd_.prepare_morphs();
     if (!shaders_.status()) return shaders_.status().error();
   }
+  if (Status copied = gl::take_errors("the characters; ask for fewer or smaller models"); !copied) return copied;
   meshes_ = std::move(meshes);
   return Done{};
 }
 
 void Renderer::reset_palette_pages() {
-  finish();
+  glFinish();
   palettes_ = PaletteBuffer();
 }
 
-void Renderer::upload(const CrowdFrame& frame) { frame_data_.upload(frame); }
+void Renderer::upload(const CrowdFrame& frame) {
+  const std::size_t limit = context_->limits().storage_block;
+  if (frame.instances.size_bytes() > limit || frame.morph_weights.size_bytes() > limit) {
+    trouble_ = Error{"the graphics device takes at most " + std::to_string(limit / sizeof(InstanceRecord)) +
+                     " agents in a picture, or " + std::to_string(limit / sizeof(float)) + " weights of their morphs"};
+  }
+  frame_data_.upload(frame);
+}
 
 DrawCounts Renderer::draw(const CrowdFrame& frame) {
   upload(frame);
   return draw_uploaded(frame);
 }
 
-DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split) {
-  DrawCounts counts = draw(right);
-  split_.keep_right(target_);
-  add(counts, draw(left));
-  split_.keep_left(target_);
-  add(counts, split_.draw(target_, split));
+DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
+  DrawCounts counts;
+  target_.draw_tiles([&](const PixelRect& drawn) {
+    const CrowdFrame tile = part_of(frame, size(), drawn);
+    if (target_.is_tiled()) frame_data_.upload_view(tile);
+    add(counts, draw_scene(tile));
+  });
   return counts;
 }
 
-DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
+DrawCounts Renderer::draw_split(const CrowdFrame& left, const CrowdFrame& right, const SplitView& split) {
+  DrawCounts counts;
+  const auto draw_side = [&](const CrowdFrame& side, const PixelRect& drawn) {
+    const CrowdFrame tile = part_of(side, size(), drawn);
+    upload(tile);
+    add(counts, draw_scene(tile));
+  };
+  target_.draw_tiles([&](const PixelRect& drawn) {
+    draw_side(right, drawn);
+    split_.keep_right(target_.tile());
+    draw_side(left, drawn);
+    split_.keep_left(target_.tile());
+    add(counts, split_.draw(target_.tile(), part_of(split, size(), drawn)));
+  });
+  return counts;
+}
+
+DrawCounts Renderer::draw_scene(const CrowdFrame& frame) {
   assert(!meshes_.empty());
-  target_.bind_scene();
-  target_.clear_scene();
+  const ImageTarget& target = target_.tile();
+  target.bind_scene();
+  target.clear_scene();
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd_.begin(frame);
   DrawCounts counts = ground_.draw();
-  if (shadows_) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
-  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !shadows_));
+  if (options_.shadows) add(counts, crowd_.draw_shadows(frame, meshes_, palettes_));
+  add(counts, ground_.draw_spots(static_cast<std::uint32_t>(frame.instances.size()), !options_.shadows));
   add(counts, crowd_.draw(frame, meshes_, palettes_));
   if (crowd_.has_blended()) {
-    blend_.begin(target_);
+    blend_.begin(target);
     add(counts, crowd_.draw_blended(meshes_, palettes_));
-    add(counts, blend_.finish(target_));
+    add(counts, blend_.finish(target));
   }
-  add(counts, lines_.draw(frame.lines, target_.size()));
+  add(counts, lines_.draw(frame.lines, target.size()));
   glDisable(GL_RASTERIZER_DISCARD);
-  target_.resolve();
+  target.resolve();
   return counts;
 }
 
 Status Renderer::prepare_overlay() {
   if (!overlay_) overlay_.emplace(shaders_);
-  overlay_->upload_fonts();
+  if (Status uploaded = overlay_->upload_fonts(); !uploaded) return uploaded;
   return shaders_.status();
 }
 
 void Renderer::draw_overlay(const ImDrawData& data) {
   assert(overlay_.has_value());
-  target_.bind_overlay();
-  overlay_->draw(data);
+  target_.draw_tiles_over([&](const PixelRect& drawn) {
+    target_.tile().bind_overlay();
+    overlay_->draw(data, drawn);
+  });
 }
 
 void Renderer::present() {
-  target_.copy_to_window(context_->framebuffer_size());
+  target_.tile().copy_to_window(context_->framebuffer_size());
   context_->swap_buffers();
 }
 
-void Renderer::finish() { glFinish(); }
+Status Renderer::finish() {
+  glFinish();
+  Status drawn = gl::take_errors("this picture");
+  if (const std::optional<Error> trouble = std::exchange(trouble_, {})) return *trouble;
+  return drawn;
+}
 
-void Renderer::set_size(glm::ivec2 size) {
-  if (size != target_.size()) target_ = ImageTarget(size, target_.samples());
+Status Renderer::set_size(glm::ivec2 size) {
+  if (size == target_.size()) return Done{};
+  RendererOptions changed = options_;
+  changed.size = size;
+  Result<TiledTarget> target = create_target(*context_, changed);
+  if (!target) return target.error();
+  target_ = std::move(*target);
+  options_ = changed;
+  return Done{};
 }
 
 }  // namespace throng::render

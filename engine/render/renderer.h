@@ -12,7 +12,7 @@
 #include "engine/render/crowd_draw.h"
 #include "engine/render/crowd_mesh_data.h"
 #include "engine/render/frame/frame_data.h"
-#include "engine/render/frame/image_target.h"
+#include "engine/render/frame/tiled_target.h"
 #include "engine/render/gl/context.h"
 #include "engine/render/image.h"
 #include "engine/render/mesh/mesh.h"
@@ -34,6 +34,8 @@ struct RendererOptions {
   glm::ivec2 size{1280, 720};  ///< pixels of the picture
   int samples = 0;             ///< 0 or 4
   bool shadows = true;
+  int longest_tile = 4096;  ///< pixels; a picture with a longer side is drawn in tiles, unless a window shows it
+  std::optional<std::uint64_t> memory = {};  ///< bytes that pictures may take; unset: what the machine has left
 };
 
 inline constexpr std::size_t most_characters = 256;  ///< the most in one picture
@@ -48,11 +50,13 @@ inline constexpr std::size_t most_characters = 256;  ///< the most in one pictur
 ///   renderer.present();  or  renderer.read_image();
 class Renderer {
  public:
-  /// `context` must outlive the renderer.
+  /// `context` must outlive the renderer. Errors: the shaders are not there; the device or the machine's memory take no
+  /// picture of that size, and the error names the largest that memory takes.
   static Result<std::unique_ptr<Renderer>> create(gl::Context& context, const RendererOptions& options);
 
   /// Replaces the characters, 1 to most_characters; CrowdBatch::character is an index into them. Errors: those of
-  /// CrowdMesh::create, and of the shaders that morphs need; then the former ones stay.
+  /// CrowdMesh::create, and of the shaders that morphs need, and that the device has no memory for them; then the
+  /// former ones stay.
   Status load_characters(std::span<const CrowdMeshData> characters);
 
   /// Gives the meshes of the loaded characters.
@@ -86,14 +90,16 @@ class Renderer {
   /// Shows the picture in the context's window.
   void present();
 
-  /// Reads the picture, with the overlay if it was drawn.
-  Image read_image() const { return target_.read(); }
+  /// Reads the picture, with the overlay if it was drawn. The image is valid until the next one is drawn.
+  const Image& read_image() { return target_.read(); }
 
-  /// Waits until the device has drawn everything, which ends a timed frame.
-  void finish();
+  /// Waits until the device has done everything, which ends a timed frame. Errors: it failed at something since the
+  /// last call, so the picture is not whole.
+  Status finish();
 
-  void set_size(glm::ivec2 size);
-  void set_shadows(bool shadows) { shadows_ = shadows; }
+  /// Changes the size of pictures. Errors: those of create(); then it is as it was.
+  Status set_size(glm::ivec2 size);
+  void set_shadows(bool shadows) { options_.shadows = shadows; }
   glm::ivec2 size() const { return target_.size(); }
 
   /// Builds all shaders again from disk, and returns the first error. A program that fails keeps its last good build.
@@ -102,7 +108,9 @@ class Renderer {
   gl::Context& context() { return *context_; }
 
  private:
-  Renderer(gl::Context& context, const RendererOptions& options);
+  Renderer(gl::Context& context, const RendererOptions& options, TiledTarget target);
+
+  DrawCounts draw_scene(const CrowdFrame& frame);
 
   gl::Context* context_;
   ShaderLibrary shaders_;
@@ -112,12 +120,13 @@ class Renderer {
   LinePass lines_{shaders_};
   SplitPass split_{shaders_};
   std::optional<OverlayRenderer> overlay_;
-  ImageTarget target_;
+  TiledTarget target_;
+  RendererOptions options_;
   FrameData frame_data_;
   PaletteBuffer palettes_;
   FrameFences fences_;
   std::vector<CrowdMesh> meshes_;
-  bool shadows_;
+  std::optional<Error> trouble_;  // what finish() tells
 };
 
 }  // namespace throng::render

@@ -118,9 +118,9 @@ TEST_F(CrowdPicture, OfBonesIsAModeOfTheSamePass) {
 }
 
 TEST_F(CrowdPicture, SurvivesAnotherSizeAndBack) {
-  crowd().renderer().set_size({64, 400});
+  ASSERT_TRUE(crowd().renderer().set_size({64, 400}));
   EXPECT_EQ(crowd().picture().height, 400);
-  crowd().renderer().set_size({DollCrowd::width, DollCrowd::height});
+  ASSERT_TRUE(crowd().renderer().set_size({DollCrowd::width, DollCrowd::height}));
   EXPECT_EQ(difference_now().worst_block, 0.0);
 }
 

@@ -36,11 +36,12 @@ InstanceRecord record_of(std::size_t agent) {
 
 }  // namespace
 
-DollCrowd::DollCrowd(gl::Context& context, int samples) {
+DollCrowd::DollCrowd(gl::Context& context, int samples, int longest_tile) {
   RendererOptions options;
   options.data = THRONG_SOURCE_DIR;
   options.size = {width, height};
   options.samples = samples;
+  options.longest_tile = longest_tile;
   Result<std::unique_ptr<Renderer>> renderer = Renderer::create(context, options);
   if (!renderer) throw std::runtime_error(renderer.error().message);
   renderer_ = std::move(*renderer);

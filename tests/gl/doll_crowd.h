@@ -19,7 +19,7 @@ class DollCrowd {
   static constexpr int height = 180;
   static constexpr std::uint32_t now = 5'000'000;  ///< microseconds
 
-  explicit DollCrowd(gl::Context& context, int samples = 0);
+  explicit DollCrowd(gl::Context& context, int samples = 0, int longest_tile = 4096);
 
   /// Puts `count` dolls in rows before the camera, each between two poses. No two have the same pose, heading and
   /// colours.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -37,7 +38,7 @@ class SkinningReadBack {
   Renderer* renderer_;
   ShaderLibrary shaders_;
   const gl::Program& program_;
-  ImageTarget target_{{1, 1}, 0};
+  ImageTarget target_ = std::move(*ImageTarget::create({1, 1}, 0));
 };
 
 }  // namespace throng::render::test

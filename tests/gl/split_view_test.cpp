@@ -58,7 +58,7 @@ class SplitView : public testing::Test {
     Tuning tuning = show_->stage().tuning();
     tuning.inspection.split = split;
     EXPECT_TRUE(show_->apply(tuning));
-    show_->draw();
+    EXPECT_TRUE(show_->draw());
     return show_->painter().renderer().read_image();
   }
   /// Draws the same moment as `--lod off` does.

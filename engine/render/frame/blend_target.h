@@ -13,6 +13,7 @@ namespace throng::render {
 class BlendTarget {
  public:
   /// Binds the sums as colours 0 and 1, empty. Makes storage of the picture's size and samples at the first call.
+  /// If the device has none left, drawing is an error of OpenGL, which the renderer asks for once a frame.
   void bind(const ImageTarget& picture);
 
   const gl::Texture& sums() const { return sums_; }

@@ -7,13 +7,15 @@ namespace {
 
 FrameUniforms frame_uniforms(const CrowdFrame& frame) {
   const CameraView& camera = frame.camera;
+  const glm::mat4& projection = camera.projection;
   const glm::mat4 axes = glm::transpose(camera.view);
   FrameUniforms uniforms{};
   uniforms.view_projection = camera.projection * camera.view;
   uniforms.camera_position = glm::vec4(camera.position, 1.0F);
-  uniforms.ray_right = axes[0] / camera.projection[0][0];
-  uniforms.ray_up = axes[1] / camera.projection[1][1];
-  uniforms.ray_forward = -axes[2];
+  uniforms.ray_right = axes[0] / projection[0][0];
+  uniforms.ray_up = axes[1] / projection[1][1];
+  // The middle of a tile is off the axis of the camera.
+  uniforms.ray_forward = uniforms.ray_right * projection[2][0] + uniforms.ray_up * projection[2][1] - axes[2];
   uniforms.now = frame.now;
   uniforms.distance_scale = frame.distance_scale;
   return uniforms;
@@ -21,9 +23,13 @@ FrameUniforms frame_uniforms(const CrowdFrame& frame) {
 
 }  // namespace
 
-void FrameData::upload(const CrowdFrame& frame) {
+void FrameData::upload_view(const CrowdFrame& frame) {
   const FrameUniforms uniforms = frame_uniforms(frame);
   glNamedBufferSubData(uniforms_.id(), 0, sizeof(uniforms), &uniforms);
+}
+
+void FrameData::upload(const CrowdFrame& frame) {
+  upload_view(frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, frame_uniforms_binding, uniforms_.id());
   turn_ = (turn_ + 1) % instances_.size();
   instances_[turn_].upload(frame.instances);

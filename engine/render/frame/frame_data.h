@@ -51,6 +51,9 @@ class FrameData {
   /// Copies the data of a frame and binds it for every program.
   void upload(const CrowdFrame& frame);
 
+  /// Copies a frame's camera and time alone, for another view of the same instances.
+  void upload_view(const CrowdFrame& frame);
+
  private:
   static constexpr std::size_t frames_in_flight = 3;
 

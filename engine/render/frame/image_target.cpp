@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
+#include <string>
+#include <utility>
+
+#include "engine/render/gl/device_errors.h"
 
 namespace throng::render {
 namespace {
@@ -27,7 +30,27 @@ gl::Framebuffer framebuffer_on(const gl::Texture& texture) {
   return framebuffer;
 }
 
+/// Gives the first row in memory of a place that is counted from the bottom.
+int top_of(const Image& image, const PixelRect& place) { return image.height - place.corner.y - place.size.y; }
+
 }  // namespace
+
+Result<ImageTarget> ImageTarget::create(glm::ivec2 size, int samples) {
+  if (Status before = gl::take_errors("what came before a picture"); !before) return before.error();
+  ImageTarget target(size, samples);
+  if (const Status made = target.check(); !made) return made.error();
+  return target;
+}
+
+Status ImageTarget::check() const {
+  const std::string what = "a picture of " + std::to_string(size_.x) + "x" + std::to_string(size_.y) + " pixels";
+  if (Status made = gl::take_errors(what); !made) return made;
+  for (const gl::Framebuffer* framebuffer : {&scene_, &resolved_, &plain_}) {
+    if (!*framebuffer) continue;
+    if (Status complete = gl::check_complete(framebuffer->id(), what); !complete) return complete;
+  }
+  return Done{};
+}
 
 ImageTarget::ImageTarget(glm::ivec2 size, int samples)
     : size_(size),
@@ -47,8 +70,6 @@ ImageTarget::ImageTarget(glm::ivec2 size, int samples)
     scene_ = framebuffer_on(pixels_);
   }
   glNamedFramebufferRenderbuffer(scene_.id(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, scene_depth_.id());
-  assert(glCheckNamedFramebufferStatus(scene_.id(), GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
-  assert(glCheckNamedFramebufferStatus(plain_.id(), GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
 void ImageTarget::bind_scene() const {
@@ -90,17 +111,30 @@ void ImageTarget::copy_pixels(const gl::Texture& texture) const {
                      size_.y, 1);
 }
 
-Image ImageTarget::read() const {
-  Image image = Image::blank(size_.x, size_.y);
+void ImageTarget::read(Image& image, const PixelRect& place) const {
+  const int top = top_of(image, place);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, plain_.id());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  const std::size_t row = static_cast<std::size_t>(size_.x) * 4;
-  for (int y = 0; y < size_.y / 2; ++y) {
-    std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + row, image.pixel(0, size_.y - 1 - y));
+  glPixelStorei(GL_PACK_ROW_LENGTH, image.width);
+  glReadPixels(0, 0, place.size.x, place.size.y, GL_RGBA, GL_UNSIGNED_BYTE, image.pixel(place.corner.x, top));
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  const std::size_t row = static_cast<std::size_t>(place.size.x) * 4;
+  const auto row_at = [&](int y) { return image.pixel(place.corner.x, top + y); };
+  for (int y = 0; y < place.size.y / 2; ++y) {
+    std::swap_ranges(row_at(y), row_at(y) + row, row_at(place.size.y - 1 - y));
   }
-  for (std::size_t alpha = 3; alpha < image.rgba.size(); alpha += 4) image.rgba[alpha] = 255;
-  return image;
+  for (int y = 0; y < place.size.y; ++y) {
+    for (std::size_t alpha = 3; alpha < row; alpha += 4) row_at(y)[alpha] = 255;
+  }
+}
+
+void ImageTarget::write(const Image& image, const PixelRect& place) const {
+  const int top = top_of(image, place);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (int y = 0; y < place.size.y; ++y) {
+    glTextureSubImage2D(plain_view_.id(), 0, 0, place.size.y - 1 - y, place.size.x, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                        image.pixel(place.corner.x, top + y));
+  }
 }
 
 }  // namespace throng::render

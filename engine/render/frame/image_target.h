@@ -2,8 +2,10 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/render/frame/picture_tiles.h"
 #include "engine/render/gl/handles.h"
 #include "engine/render/image.h"
+#include "engine/result.h"
 
 namespace throng::render {
 
@@ -14,8 +16,8 @@ namespace throng::render {
 ///                                                    overlay --> window | Image
 class ImageTarget {
  public:
-  /// Makes a target. `samples` is 0 or 4.
-  ImageTarget(glm::ivec2 size, int samples);
+  /// Makes a target. `samples` is 0 or 4. Errors: the device has no memory for it, or cannot draw into it.
+  static Result<ImageTarget> create(glm::ivec2 size, int samples);
 
   glm::ivec2 size() const { return size_; }
   int samples() const { return samples_; }
@@ -41,9 +43,15 @@ class ImageTarget {
   /// Copies the bytes of the finished pixels into an RGBA8 texture of the same size.
   void copy_pixels(const gl::Texture& texture) const;
 
-  Image read() const;
+  /// Copies the first finished pixels to a place in an image of a larger picture. A row of both begins at the left.
+  void read(Image& image, const PixelRect& place) const;
+  /// Does the opposite: finished pixels become those of the image.
+  void write(const Image& image, const PixelRect& place) const;
 
  private:
+  ImageTarget(glm::ivec2 size, int samples);
+  Status check() const;
+
   glm::ivec2 size_;
   int samples_;
   gl::Renderbuffer scene_color_;  // only with several samples a pixel

@@ -50,11 +50,12 @@ void MessageLog::clear() {
 
 Status Context::load_functions(ProcedureSource source) {
   if (gladLoadGL(source) == 0 || GLAD_GL_VERSION_4_5 == 0) {
-    return Error{std::string(kind()) + " gives no OpenGL 4.5 core; a newer graphics driver is needed"};
+    return Error{std::string(kind()) + " gives no OpenGL 4.5 core context"};
   }
   version_ = text_of(GL_VERSION);
   renderer_ = text_of(GL_RENDERER);
   software_ = runs_on_processor(renderer_);
+  limits_ = ask_device_limits();
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(on_message, &messages_);

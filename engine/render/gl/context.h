@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "engine/render/gl/device_limits.h"
 #include "engine/result.h"
 
 struct GLFWwindow;
@@ -58,6 +59,9 @@ class Context {
   /// Says whether drawing runs on the processor, on the same cores that animate.
   bool is_software() const { return software_; }
 
+  /// Gives the largest sizes that the device takes.
+  const DeviceLimits& limits() const { return limits_; }
+
   MessageLog& messages() { return messages_; }
 
  protected:
@@ -71,6 +75,7 @@ class Context {
   std::string version_;
   std::string renderer_;
   bool software_ = false;
+  DeviceLimits limits_;
   MessageLog messages_;
 };
 
@@ -89,7 +94,8 @@ struct WindowOptions {
   bool vertical_sync = true;
 };
 
-/// Opens a window. Errors: there is no display; the error names --headless.
+/// Opens a window. Errors: there is no display, or no OpenGL 4.5 on it. Errors of all contexts say what is wrong with
+/// this one; who asked knows which others there are.
 Result<std::unique_ptr<Context>> make_window_context(const WindowOptions& options);
 
 struct EglOptions {

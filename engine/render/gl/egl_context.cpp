@@ -1,6 +1,7 @@
 #include <array>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <EGL/egl.h>
@@ -65,17 +66,17 @@ class EglContext final : public Context {
   }
 
   Status open(const EglOptions& options) {
-    egl_.library = open_library("libEGL.so.1");
-    if (!egl_.library || !egl_.find_functions()) {
-      return Error{"libEGL.so.1 is not installed; use --headless=osmesa or install libegl1"};
-    }
+    Result<SharedLibrary> library = open_library("libEGL.so.1", "libegl1");
+    if (!library) return library.error();
+    egl_.library = std::move(*library);
+    if (!egl_.find_functions()) return Error{"libEGL.so.1 lacks functions of EGL, install libegl1 again"};
     for (const EGLDeviceEXT device : devices(options.force_software)) {
       if (make_current_on(EGL_PLATFORM_DEVICE_EXT, device)) return load_functions(egl_.get_procedure);
     }
     // Mesa reads this when it loads a driver. The surfaceless platform has no other way to ask for the software driver.
     if (options.force_software) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     if (make_current_on(EGL_PLATFORM_SURFACELESS_MESA, nullptr)) return load_functions(egl_.get_procedure);
-    return Error{"EGL gives no OpenGL 4.5 core context without a window; use --headless=osmesa"};
+    return Error{"EGL gives no OpenGL 4.5 core context"};
   }
 
   const char* kind() const override { return "egl"; }

@@ -1,4 +1,5 @@
 #include <array>
+#include <utility>
 
 #include <glad/gl.h>
 // OSMesa's header needs OpenGL's types, which glad declares.
@@ -35,10 +36,11 @@ class OsMesaContext final : public Context {
   }
 
   Status open() {
-    functions_.library = open_library("libOSMesa.so.8");
-    if (!functions_.library || !functions_.find_functions()) {
-      return Error{"libOSMesa.so.8 is not installed; use --headless=egl or install libosmesa6"};
-    }
+    Result<SharedLibrary> library = open_library("libOSMesa.so.8", "libosmesa6");
+    if (!library) return library.error();
+    functions_.library = std::move(*library);
+    if (!functions_.find_functions())
+      return Error{"libOSMesa.so.8 lacks functions of OSMesa, install libosmesa6 again"};
     constexpr int attributes[][2] = {{OSMESA_FORMAT, OSMESA_RGBA},
                                      {OSMESA_PROFILE, OSMESA_CORE_PROFILE},
                                      {OSMESA_CONTEXT_MAJOR_VERSION, 4},
@@ -48,7 +50,7 @@ class OsMesaContext final : public Context {
     context_ = functions_.create_context(attributes[0], nullptr);
     if (context_ == nullptr ||
         functions_.make_current(context_, unseen_pixels_.data(), GL_UNSIGNED_BYTE, unseen_size, unseen_size) == 0) {
-      return Error{"OSMesa gives no OpenGL 4.5 core context; use --headless=egl"};
+      return Error{"OSMesa gives no OpenGL 4.5 core context"};
     }
     return load_functions(functions_.get_procedure);
   }

@@ -4,6 +4,8 @@
 
 #include <dlfcn.h>
 
+#include "engine/result.h"
+
 namespace throng::render::gl {
 
 /// Says whether drivers stay loaded. They do if leaks are reported, because memory that a driver never frees must then
@@ -22,10 +24,9 @@ struct CloseLibrary {
 using SharedLibrary = std::unique_ptr<void, CloseLibrary>;
 
 /// Opens a library. No other library sees its symbols (RTLD_LOCAL), because OSMesa exports gl* functions of its own,
-/// which must never stand in for the system's.
-inline SharedLibrary open_library(const char* name) {
-  return SharedLibrary(dlopen(name, RTLD_NOW | RTLD_LOCAL | (keeps_drivers_loaded ? RTLD_NODELETE : 0)));
-}
+/// which must never stand in for the system's. Errors: it is not installed, and the error names the `package` that has
+/// it; or it is there and cannot be loaded, and the error says why.
+Result<SharedLibrary> open_library(const char* name, const char* package);
 
 /// Sets `function` to the function of that name, or to null.
 template <typename Function>

@@ -22,13 +22,12 @@ class WindowContext final : public Context {
 
   Status open(const WindowOptions& options) {
     if (glfwInit() == GLFW_FALSE) {
-      return Error{"no display to open a window on (" + last_glfw_error() + "); use --headless to run without one"};
+      return Error{"no display to open a window on (" + last_glfw_error() + ")"};
     }
     set_hints();
     window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
     if (window_ == nullptr) {
-      return Error{"no window with OpenGL 4.5 can be opened (" + last_glfw_error() +
-                   "); use --headless to run without one"};
+      return Error{"no window with OpenGL 4.5 can be opened (" + last_glfw_error() + ")"};
     }
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(options.vertical_sync ? 1 : 0);

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/render/gl/device_limits.h"
+
 namespace throng::render {
 namespace {
 
@@ -25,8 +27,7 @@ gl::Texture create_white() {
 }
 
 Status check_size(const ImageData& image, std::size_t index) {
-  GLint limit = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  const int limit = gl::ask_device_limits().texture;
   if (image.width <= limit && image.height <= limit) return Done{};
   return Error{"image " + std::to_string(index) + " is " + std::to_string(image.width) + "x" +
                std::to_string(image.height) + "; this device takes " + std::to_string(limit) + ", scale it down"};

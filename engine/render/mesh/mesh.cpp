@@ -1,8 +1,10 @@
 #include "engine/render/mesh/mesh.h"
 
+#include <string>
 #include <utility>
 
 #include "engine/render/frame/frame_data.h"
+#include "engine/render/gl/device_limits.h"
 #include "engine/render/mesh/morph_table.h"
 #include "engine/render/mesh/packed_surface.h"
 
@@ -56,9 +58,17 @@ gl::Buffer create_packing_frames(std::vector<PackingFrameData> frames) {
   return gl::create_buffer(frames.data(), frames.size() * sizeof(PackingFrameData));
 }
 
+Status check_morphs(const CrowdMeshData& data) {
+  const std::size_t most = gl::ask_device_limits().storage_block / sizeof(MorphEntry);
+  if (data.morph_deltas.size() <= most) return Done{};
+  return Error{"the morphs of a character move " + std::to_string(data.morph_deltas.size()) +
+               " vertices; this device takes " + std::to_string(most) + ", remove morphs"};
+}
+
 }  // namespace
 
 Result<CrowdMesh> CrowdMesh::create(const CrowdMeshData& data) {
+  if (const Status fits = check_morphs(data); !fits) return fits.error();
   CrowdMesh mesh;
   Result<MaterialSet> materials = MaterialSet::create(data);
   if (!materials) return materials.error();

@@ -3,27 +3,28 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/render/gl/device_errors.h"
+#include "engine/render/gl/device_limits.h"
+
 namespace throng::render {
 namespace {
 
 constexpr GLbitfield mapping = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
 
-std::size_t storage_block_limit() {
-  GLint64 limit = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
-  return static_cast<std::size_t>(limit);
-}
-
 }  // namespace
 
 PaletteBuffer::PaletteBuffer(std::size_t first_page)
-    : next_page_bytes_(first_page), block_limit_(std::min(storage_block_limit(), largest_page_bytes)) {}
+    : next_page_bytes_(first_page), block_limit_(std::min(gl::ask_device_limits().storage_block, largest_page_bytes)) {}
 
 PalettePage PaletteBuffer::add_page() {
   const std::size_t size = std::min(next_page_bytes_, block_limit_);
   gl::Buffer buffer = gl::create_buffer(nullptr, size, mapping);
   void* memory = glMapNamedBufferRange(buffer.id(), 0, static_cast<GLsizeiptr>(size), mapping);
-  if (memory == nullptr) return {};
+  if (memory == nullptr) {
+    // The agents that stay without are told in words; the pictures of the others are whole.
+    (void)gl::take_errors("palettes");
+    return {};
+  }
   next_page_bytes_ = size * 2;
   pages_.push_back(std::move(buffer));
   return {static_cast<std::byte*>(memory), size};

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <imgui.h>
 
+#include "engine/render/gl/device_errors.h"
+
 namespace throng::render {
 namespace {
 
@@ -25,24 +27,20 @@ void upload(const gl::Buffer& buffer, const ImVector<Element>& elements) {
   glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(elements.size_in_bytes()), elements.Data, GL_STREAM_DRAW);
 }
 
-/// A clip rectangle in pixels of the framebuffer, with the origin at the bottom left.
-struct Scissor {
-  glm::ivec2 corner;
-  glm::ivec2 size;
-};
-
-Scissor scissor_of(const ImDrawCmd& command, const ImDrawData& data, glm::ivec2 target) {
+/// Gives a clip rectangle in pixels of the framebuffer.
+PixelRect scissor_of(const ImDrawCmd& command, const ImDrawData& data, glm::ivec2 picture, const PixelRect& drawn) {
   const auto pixel = [&](float x, float y) {
     const glm::vec2 scale(data.FramebufferScale.x, data.FramebufferScale.y);
     const glm::vec2 point = (glm::vec2(x, y) - glm::vec2(data.DisplayPos.x, data.DisplayPos.y)) * scale;
-    return glm::clamp(glm::ivec2(point), glm::ivec2(0), target);
+    const glm::ivec2 from_top = glm::clamp(glm::ivec2(point), glm::ivec2(0), picture);
+    return glm::clamp(glm::ivec2(from_top.x, picture.y - from_top.y) - drawn.corner, glm::ivec2(0), drawn.size);
   };
   const glm::ivec2 top_left = pixel(command.ClipRect.x, command.ClipRect.y);
   const glm::ivec2 bottom_right = pixel(command.ClipRect.z, command.ClipRect.w);
-  return {{top_left.x, target.y - bottom_right.y}, bottom_right - top_left};
+  return {{top_left.x, bottom_right.y}, {bottom_right.x - top_left.x, top_left.y - bottom_right.y}};
 }
 
-void draw_command(const ImDrawCmd& command, const Scissor& scissor) {
+void draw_command(const ImDrawCmd& command, const PixelRect& scissor) {
   if (scissor.size.x <= 0 || scissor.size.y <= 0 || command.ElemCount == 0) return;
   glScissor(scissor.corner.x, scissor.corner.y, scissor.size.x, scissor.size.y);
   glBindTextureUnit(0, texture_of(command));
@@ -52,7 +50,7 @@ void draw_command(const ImDrawCmd& command, const Scissor& scissor) {
                            reinterpret_cast<const void*>(first_byte), static_cast<GLint>(command.VtxOffset));
 }
 
-glm::ivec2 target_size(const ImDrawData& data) {
+glm::ivec2 picture_size(const ImDrawData& data) {
   return {static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x),
           static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y)};
 }
@@ -70,7 +68,7 @@ OverlayRenderer::OverlayRenderer(ShaderLibrary& shaders)
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
 }
 
-void OverlayRenderer::upload_fonts() {
+Status OverlayRenderer::upload_fonts() {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -80,10 +78,11 @@ void OverlayRenderer::upload_fonts() {
   glTextureParameteri(fonts_.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(fonts_.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   atlas.SetTexID(reinterpret_cast<void*>(static_cast<std::uintptr_t>(fonts_.id())));
+  return gl::take_errors("the letters of the overlay; ask for a smaller --ui-scale");
 }
 
-void OverlayRenderer::set_up(const ImDrawData& data, glm::ivec2 target) const {
-  glViewport(0, 0, target.x, target.y);
+void OverlayRenderer::set_up(const ImDrawData& data, int picture_height, const PixelRect& drawn) const {
+  glViewport(0, 0, drawn.size.x, drawn.size.y);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_SCISSOR_TEST);
@@ -92,16 +91,19 @@ void OverlayRenderer::set_up(const ImDrawData& data, glm::ivec2 target) const {
   glUseProgram(program_.id());
   glBindVertexArray(vertex_array_.id());
   // Maps points to clip space by a scale of x and y and an offset of both; ImGui's y points down.
-  const float scale_x = 2.0F / data.DisplaySize.x;
-  const float scale_y = -2.0F / data.DisplaySize.y;
-  glUniform4f(to_clip_location, scale_x, scale_y, -1.0F - data.DisplayPos.x * scale_x,
-              1.0F - data.DisplayPos.y * scale_y);
+  const float scale_x = 2.0F * data.FramebufferScale.x / static_cast<float>(drawn.size.x);
+  const float scale_y = -2.0F * data.FramebufferScale.y / static_cast<float>(drawn.size.y);
+  const float left = -2.0F * static_cast<float>(drawn.corner.x) / static_cast<float>(drawn.size.x) - 1.0F;
+  const float top =
+      2.0F * static_cast<float>(picture_height - drawn.corner.y) / static_cast<float>(drawn.size.y) - 1.0F;
+  glUniform4f(to_clip_location, scale_x, scale_y, left - data.DisplayPos.x * scale_x,
+              top - data.DisplayPos.y * scale_y);
 }
 
-void OverlayRenderer::draw(const ImDrawData& data) const {
-  const glm::ivec2 target = target_size(data);
-  if (target.x <= 0 || target.y <= 0) return;
-  set_up(data, target);
+void OverlayRenderer::draw(const ImDrawData& data, const PixelRect& drawn) const {
+  const glm::ivec2 picture = picture_size(data);
+  if (picture.x <= 0 || picture.y <= 0) return;
+  set_up(data, picture.y, drawn);
   for (int i = 0; i < data.CmdListsCount; ++i) {
     const ImDrawList& list = *data.CmdLists[i];
     upload(vertices_, list.VtxBuffer);
@@ -110,7 +112,7 @@ void OverlayRenderer::draw(const ImDrawData& data) const {
       if (command.UserCallback != nullptr) {
         command.UserCallback(&list, &command);
       } else {
-        draw_command(command, scissor_of(command, data, target));
+        draw_command(command, scissor_of(command, data, picture, drawn));
       }
     }
   }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-
+#include "engine/render/frame/picture_tiles.h"
 #include "engine/render/shader/shader_library.h"
 
 struct ImDrawData;
@@ -15,20 +14,22 @@ namespace throng::render {
 ///   OverlayRenderer overlay(shaders);     // sets ImGui's renderer flags
 ///   overlay.upload_fonts();               // again after adding fonts
 ///   ImGui::NewFrame(); ... ImGui::Render();
-///   overlay.draw(*ImGui::GetDrawData());
+///   overlay.draw(*ImGui::GetDrawData(), all_pixels);
 class OverlayRenderer {
  public:
   /// An ImGui context must be current. `shaders` must outlive the overlay.
   explicit OverlayRenderer(ShaderLibrary& shaders);
 
-  /// Builds the font atlas of the current ImGui context and copies it to the device.
-  void upload_fonts();
+  /// Builds the font atlas of the current ImGui context and copies it to the device. Errors: the device takes no
+  /// texture that large.
+  Status upload_fonts();
 
-  /// Draws the data. Leaves blending and scissoring off, and no program or vertex array bound.
-  void draw(const ImDrawData& data) const;
+  /// Draws the part of the data that is in these pixels of the picture, over all of the bound framebuffer. Leaves
+  /// blending and scissoring off, and no program or vertex array bound.
+  void draw(const ImDrawData& data, const PixelRect& drawn) const;
 
  private:
-  void set_up(const ImDrawData& data, glm::ivec2 target) const;
+  void set_up(const ImDrawData& data, int picture_height, const PixelRect& drawn) const;
 
   const gl::Program& program_;
   gl::Buffer vertices_;

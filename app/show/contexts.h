@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/settings/settings.h"
+#include "engine/render/gl/context.h"
+
+namespace throng::app {
+
+using MadeContext = render::Result<std::unique_ptr<render::gl::Context>>;
+
+/// Makes a context of each kind.
+struct ContextMakers {
+  std::function<MadeContext()> window, egl, osmesa;
+};
+
+/// Returns what makes the contexts that the options describe.
+ContextMakers context_makers(const DemoOptions& options);
+
+/// Opens the context that the options ask for, which is not ContextKind::none. Errors: one line that says why each that
+/// was tried does not open. It advises another only if that has just been opened, and `--headless=none` only if no
+/// picture is asked for; so whoever takes the advice is not sent on.
+MadeContext open_context(const DemoOptions& options, const ContextMakers& makers);
+
+}  // namespace throng::app

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstdint>
+
+namespace throng {
+
+/// Returns the bytes of memory that this process may still take: what the machine, its container and the limit of its
+/// address space (ulimit -v) have left, or all that there could be where nobody says.
+std::uint64_t free_memory();
+
+}  // namespace throng

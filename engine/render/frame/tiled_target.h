@@ -1,0 +1,55 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "engine/render/frame/image_target.h"
+#include "engine/render/frame/picture_tiles.h"
+#include "engine/render/image.h"
+#include "engine/result.h"
+
+namespace throng::render {
+
+/// Receives pictures of any size. One that is larger than a target may be is drawn in tiles, one after the other into
+/// the same target, and put together in memory.
+class TiledTarget {
+ public:
+  /// Makes a target for pictures of `size`. If the device has no memory for the largest tiles of `limits`, it gets
+  /// smaller ones, unless `whole`: then there is one tile, as a window needs. Errors: memory or the device take no such
+  /// picture.
+  static Result<TiledTarget> create(glm::ivec2 size, int samples, const TileLimits& limits, bool whole);
+
+  glm::ivec2 size() const { return tiles_.picture(); }
+  bool is_tiled() const { return tiles_.count() > 1; }
+
+  /// What the tiles are drawn into; the whole picture, if it is not tiled.
+  const ImageTarget& tile() const { return target_; }
+
+  /// Calls `draw` with the pixels of each tile in turn, and keeps what it drew into tile().
+  void draw_tiles(const auto& draw) {
+    for (int tile = 0; tile < tiles_.count(); ++tile) {
+      draw(tiles_.drawn(tile));
+      if (is_tiled()) target_.read(image_, tiles_.shown(tile));
+    }
+  }
+
+  /// Does the same over the finished pixels of the last picture.
+  void draw_tiles_over(const auto& draw) {
+    for (int tile = 0; tile < tiles_.count(); ++tile) {
+      if (is_tiled()) target_.write(image_, tiles_.shown(tile));
+      draw(tiles_.drawn(tile));
+      if (is_tiled()) target_.read(image_, tiles_.shown(tile));
+    }
+  }
+
+  /// Reads the last picture. The image is valid until the next one is drawn.
+  const Image& read();
+
+ private:
+  TiledTarget(ImageTarget target, const PictureTiles& tiles);
+
+  ImageTarget target_;
+  PictureTiles tiles_;
+  Image image_;  // of the whole; empty until it is needed
+};
+
+}  // namespace throng::render

@@ -13,7 +13,8 @@
 namespace throng::app {
 namespace {
 
-constexpr anim::Ticks longest_frame = 3600 * anim::ticks_per_second;
+/// Returns the longest frame that options and the clock of a window allow.
+anim::Ticks longest_frame() { return anim::to_ticks(most_frame_seconds * static_cast<double>(most_time_scale)); }
 
 glm::vec3 next_vector(NumberReader& numbers) {
   glm::vec3 vector{0.0F};
@@ -21,10 +22,7 @@ glm::vec3 next_vector(NumberReader& numbers) {
   return vector;
 }
 
-bool is_near(float metres) {
-  constexpr float farthest = 1e6F;
-  return std::abs(metres) <= farthest;
-}
+bool is_near(float metres) { return std::abs(metres) <= farthest_camera; }
 bool is_near(const glm::vec3& vector) { return is_near(vector.x) && is_near(vector.y) && is_near(vector.z); }
 
 bool is_view(const LodView& view) {
@@ -140,7 +138,7 @@ std::optional<RecordedFrame> read_frame(NumberReader& numbers) {
   frame.view.width = static_cast<int>(numbers.next<std::uint32_t>());
   frame.view.height = static_cast<int>(numbers.next<std::uint32_t>());
   frame.pose_hash = numbers.next<std::uint64_t>();
-  const bool can_be = frame.delta >= anim::Ticks{} && frame.delta <= longest_frame && is_view(frame.view);
+  const bool can_be = frame.delta >= anim::Ticks{} && frame.delta <= longest_frame() && is_view(frame.view);
   return numbers.good() && can_be ? std::optional(frame) : std::nullopt;
 }
 

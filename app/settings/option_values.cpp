@@ -27,7 +27,9 @@ std::optional<std::vector<double>> numbers_in(const std::string& text) {
 }
 
 bool can_be_a_camera(const std::vector<double>& numbers) {
+  constexpr double most = farthest_camera;  // degrees too: a float has no whole ones far beyond
   if (numbers.size() != 5 && numbers.size() != 6) return false;
+  if (std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most; })) return false;
   const bool field_of_view_fits = numbers.size() == 5 || (numbers[5] >= 1 && numbers[5] <= 170);
   return std::abs(numbers[4]) <= 90 && field_of_view_fits;
 }
@@ -66,12 +68,9 @@ ValueReader number_between(float& target, float least, float most) {
   };
 }
 
-ValueReader seconds_above_zero(std::optional<double>& target) {
+ValueReader frame_seconds(std::optional<double>& target) {
   return [&target](const std::string& text) -> Complaint {
-    const auto number = finite_number_in(text);
-    if (!number || *number <= 0) return "must be a number of seconds above 0";
-    target = number;
-    return {};
+    return read_number(text, least_frame_seconds, most_frame_seconds, target.emplace());
   };
 }
 
@@ -143,7 +142,9 @@ ValueReader camera(DemoOptions& options) {
     }
     const auto numbers = numbers_in(text);
     if (!numbers || !can_be_a_camera(*numbers)) {
-      return "must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, pitch -90 to 90, fov 1 to 170";
+      return "must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, none beyond a million, pitch -90 to "
+             "90, "
+             "fov 1 to 170";
     }
     options.camera = camera_from(*numbers);
     return {};

@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "app/files/kept_file.h"
-#include "engine/files/output_file.h"
 #include "app/settings/tuning_values.h"
 #include "engine/files/input_file.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {

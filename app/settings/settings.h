@@ -105,6 +105,13 @@ inline Tuning without_level_of_detail(Tuning tuning) {
 }
 
 /// The largest width and height of a picture; PNG files of four times as many pixels are read by few programs.
+/// The range of --dt in seconds, and the largest factor that a window's clock multiplies it by.
+inline constexpr double least_frame_seconds = 1e-6, most_frame_seconds = 3600;
+inline constexpr float most_time_scale = 4;
+
+/// The camera stands no farther from the origin on any axis, in metres.
+inline constexpr float farthest_camera = 1e6F;
+
 inline constexpr int most_picture_pixels = 32767;
 inline constexpr int most_window_pixels = 16384;  ///< the same of a window, which is one target
 

@@ -73,7 +73,7 @@ std::vector<TuningValue> crowd_values() {
       on_off({.key = "paused", .help = "The crowd stands still ({default})"}, at(&Tuning::paused)),
       number({.key = "time_scale",
               .help = "Speed of the clock in a window, {values} ({default})",
-              .most = 4,
+              .most = most_time_scale,
               .track = {.decimals = 2, .suffix = " x"}},
              at(&Tuning::time_scale)),
       on_off({.key = "placed_feet", .help = "Feet near by stand where they came down ({default})"},

@@ -5,6 +5,7 @@
 
 #include "app/character/body_parts.h"
 #include "app/character/cut_scene_models.h"
+#include "app/stage/memory_needs.h"
 #include "app/stage/moment.h"
 
 namespace throng::app {
@@ -54,6 +55,7 @@ void Stage::learn_level_of_detail() {
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                    render::PalettePageSource& pages, std::uint64_t first_frame) {
   characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
+  if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) return fits.error();
   std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
   stage->tuning_ = tuning;
   stage->frame_ = first_frame;
@@ -70,6 +72,7 @@ std::span<const CharacterSource> Stage::people() const {
 }
 
 anim::Status Stage::apply(const Tuning& tuning) {
+  if (anim::Status fits = check_memory(tuning, characters_, &tuning_); !fits) return fits;
   if (anim::Status configured = animated_->configure(tuning.system); !configured) return configured;
   const bool keeps_crowd = same_crowd(tuning, tuning_);
   tuning_ = tuning;

@@ -5,6 +5,7 @@
 #include <locale>
 #include <sstream>
 
+#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace throng::app {
@@ -65,6 +66,7 @@ void FlyCamera::update(const InputFrame& input, const FlyControls& controls, flo
   if (controls.keyboard_free) flight.move = direction(input);
   flight.speed = speed_ * hurry(input);
   camera_ = render::fly(camera_, flight, seconds);
+  camera_.position = glm::clamp(camera_.position, glm::vec3(-farthest_camera), glm::vec3(farthest_camera));
 }
 
 }  // namespace throng::app

@@ -7,6 +7,8 @@
 
 #include "app/commands/bench/case.h"
 #include "app/files/exit_status.h"
+#include "app/files/memory_check.h"
+#include "app/stage/memory_needs.h"
 
 namespace throng::app {
 namespace {
@@ -60,6 +62,15 @@ std::vector<BenchCase> bench_cases(const BenchOptions& options) {
   return cases;
 }
 
+// Measured with 100,000 agents of 62 bones, and 50,000 of 1024.
+anim::Status check_memory(const BenchOptions& options, const BenchCase& bench, const BenchCharacter& character) {
+  constexpr std::uint64_t bytes_an_agent = 8000, bytes_a_bone = 360;
+  const auto bones = static_cast<std::uint64_t>(character.character->skeleton.bone_count());
+  const std::uint64_t crowd = static_cast<std::uint64_t>(bench.agents) * (bytes_an_agent + bones * bytes_a_bone);
+  return check_memory(std::to_string(bench.agents) + " agents of " + std::to_string(bones) + " bones, and their PUs,",
+                      crowd + bytes_of_pus(bench_system_options(options, bench)), "ask for fewer");
+}
+
 std::vector<int> rounds_of_passes(int rounds, std::size_t cases) {
   const int passes = cases == 1 ? 1 : (rounds + rounds_of_a_pass - 1) / rounds_of_a_pass;
   std::vector<int> result;
@@ -80,6 +91,8 @@ std::optional<int> run_cases(const BenchOptions& options, std::vector<Json>& row
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const auto character = characters.of(options, cases[i]);
       if (!character) return end_with(exit_job_failed, character.error().message);
+      const anim::Status fits = check_memory(options, cases[i], **character);
+      if (!fits) return end_with(exit_job_failed, fits.error().message);
       auto row = run_bench_case(options, cases[i], **character,
                                 {rounds[pass], is_last, label_of(pass, rounds.size(), i, cases)}, times[i], trace);
       if (!row) return end_with(exit_usage, row.error().message);

@@ -1,0 +1,15 @@
+#include "app/files/memory_check.h"
+
+#include "engine/files/free_memory.h"
+#include "engine/files/size_text.h"
+
+namespace throng::app {
+
+anim::Status check_memory(const std::string& what, std::uint64_t needed, const std::string& remedy) {
+  const std::uint64_t left = free_memory();
+  if (needed <= left) return anim::Done{};
+  return anim::Error{what + " need " + size_text(needed) + " of memory, but " + size_text(left) + " are left; " +
+                     remedy};
+}
+
+}  // namespace throng::app

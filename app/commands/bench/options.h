@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "engine/anim/import/import.h"
 
 namespace throng::app {
 
@@ -31,6 +32,7 @@ struct BenchOptions {
   std::string json;     ///< a file, "-" for standard output, empty: lines for a person
   std::string plot;     ///< an SVG file; empty: none
   std::string trace;    ///< empty: none
+  import::ImportOptions reading{};
 };
 
 /// One combination of the lists.

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "engine/anim/import/import.h"
+
 namespace throng::app {
 
 /// The options of `throng lod`.
@@ -11,6 +13,7 @@ struct LodOptions {
   std::string json, plot;   ///< empty: not asked for; json may be `-`, standard output
   std::string export_file;  ///< for another engine
   std::string data;         ///< folder of the built-in character
+  import::ImportOptions reading{};
 };
 
 }  // namespace throng::app

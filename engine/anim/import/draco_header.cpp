@@ -80,11 +80,11 @@ DracoCounts read_draco_counts(std::span<const std::byte> bytes) {
   }
   if (!by_edges) {
     const std::uint64_t faces = head.number();
-    return {.faces = faces, .points = head.number()};
+    return {.faces = faces, .points = head.number(), .seams = 0};
   }
   head.skip(1);  // how the edges are walked
-  const std::uint64_t points = head.number();
-  return {.faces = head.number(), .points = points};
+  const std::uint64_t points = head.number(), triangles = head.number();
+  return {.faces = triangles, .points = points, .seams = head.byte()};
 }
 
 }  // namespace throng::import

@@ -10,6 +10,7 @@ namespace throng::import {
 struct DracoCounts {
   std::uint64_t faces = 0;
   std::uint64_t points = 0;  ///< those of the connectivity; seams add others
+  std::uint64_t seams = 0;   ///< tables of corners beside that of the faces
 };
 
 /// Reads the head of a Draco mesh of version 2.2, the only one that glTF allows. Throws Refusal.

@@ -170,7 +170,7 @@ class Checker {
 void check_transforms(const json& document) {
   const Place root{.outer = nullptr, .type = "document", .object = &document};
   std::ptrdiff_t index = 0;
-  for (const json& node : document.value("nodes", json::array())) {
+  for (const json& node : array_of(document, "nodes")) {
     const bool has_trs = node.contains("translation") || node.contains("rotation") || node.contains("scale");
     if (has_trs && node.contains("matrix")) {
       const Place place{.outer = &root, .type = "node", .object = &node, .index = index};

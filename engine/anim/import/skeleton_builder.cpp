@@ -10,6 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/memory/model_memory.h"
 #include "engine/anim/import/reference_frames.h"
 #include "engine/anim/import/refusal.h"
 
@@ -18,6 +19,8 @@ namespace throng::import {
 namespace {
 
 std::vector<glm::dmat4> read_inverse_binds(Document& document, const tinygltf::Skin& skin, const std::string& name) {
+  document.memory->charge(skin.joints.size() * (sizeof(glm::dmat4) + sizeof(int)), name);
+  const MemoryScope scope(*document.memory);  // of their floats
   std::vector<glm::dmat4> matrices(skin.joints.size(), glm::dmat4(1.0));
   if (skin.inverseBindMatrices < 0) return matrices;
   const auto values =
@@ -76,6 +79,7 @@ void join_groups(std::vector<int>& groups, int a, int b) {
 using NodeSet = std::vector<bool>;
 
 bool has(const NodeSet& set, int node) { return set[static_cast<std::size_t>(node)]; }
+std::size_t count(const NodeSet& set) { return static_cast<std::size_t>(std::ranges::count(set, true)); }
 
 class SkeletonBuilder {
  public:
@@ -88,6 +92,7 @@ class SkeletonBuilder {
     NodeSet attached = find_attached(joints);
     for (const int node : carried) attached[static_cast<std::size_t>(node)] = true;
     const NodeSet bone_nodes = find_bone_nodes(joints, attached);
+    document_.memory->charge(skeleton_memory(count(bone_nodes), count(attached)), "a skeleton");
     add_bones(bone_nodes);
     add_attached(attached, bone_nodes);
     check_bone_count();
@@ -187,6 +192,7 @@ class SkeletonBuilder {
   void add_skins(const std::vector<FileSkin>& skins, const std::vector<int>& group) {
     for (const int index : group) {
       const FileSkin& source = skins[static_cast<std::size_t>(index)];
+      document_.memory->charge(skin_memory(source.joints.size()), "skin " + std::to_string(source.index));
       anim::Skin skin{.skin = source.index,
                       .name = source.name,
                       .bones = {},
@@ -202,6 +208,8 @@ class SkeletonBuilder {
   void add_clips() {
     for (std::size_t index = 0; index < animations_.size(); ++index) {
       const Animation& animation = animations_[index];
+      const std::string name = label("animation", index, animation.name);
+      document_.memory->charge(clip_memory(animation.name, animation.data_keys, animation.curves), name);
       anim::Clip clip{.name = animation.name,
                       .animation = static_cast<int>(index),
                       .start = animation.start,
@@ -212,6 +220,7 @@ class SkeletonBuilder {
       for (const auto& [node, tracks] : animation.nodes) {
         const int bone = bone_of_node_[static_cast<std::size_t>(node)];
         if (bone < 0) continue;
+        document_.memory->charge(tracks.bytes() + 3 * sizeof(anim::BoneTracks), name);
         clip.tracks.push_back(
             {.bone = bone, .translation = tracks.translation, .rotation = tracks.rotation, .scale = tracks.scale});
       }

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/anim/asset/model.h"
@@ -20,6 +21,12 @@ struct NodeTracks {
   anim::Track<glm::quat> rotation;
   anim::Track<glm::vec3> scale;
 
+  anim::BoneTracks of_bone(int bone) && {
+    return {.bone = bone,
+            .translation = std::move(translation),
+            .rotation = std::move(rotation),
+            .scale = std::move(scale)};
+  }
   std::uint64_t bytes() const { return bytes_of(translation) + bytes_of(rotation) + bytes_of(scale); }
 };
 

@@ -123,13 +123,14 @@ class MappedSize {
     add(array_of(document, "scenes").size(), sizeof(Scene));
     for (const json& mesh : array_of(document, "meshes")) {
       add(1, sizeof(Mesh));
-      for (const json& primitive : mesh["primitives"])
+      for (const json& primitive : array_of(mesh, "primitives")) {
         add(1 + array_of(primitive, "targets").size(), sizeof(Primitive));
+      }
     }
     for (const json& animation : array_of(document, "animations")) {
       add(1, sizeof(tinygltf::Animation));
-      add(animation["channels"].size(), sizeof(AnimationChannel));
-      add(animation["samplers"].size(), sizeof(AnimationSampler));
+      add(array_of(animation, "channels").size(), sizeof(AnimationChannel));
+      add(array_of(animation, "samplers").size(), sizeof(AnimationSampler));
     }
   }
 
@@ -156,7 +157,7 @@ tinygltf::Model map_document(json document, MemoryAccount& memory) {
   MemoryScope scope(memory);
   const std::string text = document.dump();
   scope.keep(charge_mapping(MappedSize(document), text, memory));
-  document = {};
+  document = nullptr;
   tinygltf::TinyGLTF mapper;
   mapper.SetImageLoader(&refuse_to_load, nullptr);
   mapper.SetFsCallbacks({});
@@ -197,7 +198,7 @@ Document load_document(const std::filesystem::path& path, bool strict, MemoryAcc
   json json_document = parse_json(parts.json, document.repairs);
   if (!parts.binary) {
     memory.release(document.file.size());
-    document.file = {};
+    document.file = std::vector<std::byte>();
   }
   check_json(json_document);
   check_required_extensions(json_document, document.repairs);
@@ -220,6 +221,13 @@ Document load_document(const std::filesystem::path& path, bool strict, MemoryAcc
   document.gltf = map_document(std::move(json_document), memory);
   check_accessors(document);
   return document;
+}
+
+void Document::charge_repairs() {
+  constexpr std::uint64_t copies = 2, a_text = 3 * sizeof(std::string);  // in a vector that grows
+  for (; charged_repairs < repairs.size(); ++charged_repairs) {
+    memory->charge_for_good(copies * (repairs[charged_repairs].size() + a_text), "the list of repairs");
+  }
 }
 
 std::string label(const std::string& type, std::size_t index, const std::string& name) {

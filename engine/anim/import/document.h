@@ -49,7 +49,11 @@ struct Document {
   std::vector<bool> is_hidden;                         ///< by node: KHR_node_visibility hides it and all below
   Humanoid humanoid;
   std::vector<std::string> repairs;
+  std::size_t charged_repairs = 0;
   mutable std::size_t decoded_values = 0;  ///< numbers of all accessors so far, which the reader bounds
+
+  /// Charges `memory` with the repairs that came since. Call it where one part of a file is read many times.
+  void charge_repairs();
 };
 
 /// Reads and checks the file; `strict` as ModelFiles has it. `memory` must outlive the document. Throws Refusal.

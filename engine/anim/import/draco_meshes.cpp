@@ -151,12 +151,13 @@ class DracoDecoder {
   }
 
   void charge_triangles(Bytes bytes) {
-    constexpr std::uint64_t bytes_a_face = 56, bytes_a_face_and_seam = 28, bytes_a_point = 16;
+    constexpr std::uint64_t bytes_a_face_and_seam = 28, bytes_a_point = 16;
     const DracoCounts counts = read_draco_counts(bytes);
     if (counts.faces > bytes.size() * most_faces_a_byte || counts.points > counts.faces * 3) {
       throw Refusal(std::to_string(bytes.size()) + " bytes of Draco cannot hold " + std::to_string(counts.faces) +
                     " triangles");
     }
+    const std::uint64_t bytes_a_face = counts.by_valence ? 80 : 56;
     memory_.charge(counts.faces * (bytes_a_face + bytes_a_face_and_seam * counts.seams) + counts.points * bytes_a_point,
                    name_);
   }

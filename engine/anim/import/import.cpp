@@ -69,7 +69,7 @@ anim::ImportedFile import_checked(const std::string& path, const ImportOptions& 
   MemoryAccount memory(options.memory_limit);
   Document document = load_document(path, options.strict, memory);
   const NodeTree tree = build_node_tree(document);
-  const std::vector<Animation> animations = read_animations(document, tree);
+  std::vector<Animation> animations = read_animations(document, tree);
   std::vector<FileSkin> skins = read_skins(document, tree);
   if (skins.empty() && skin_of_nodes) skins = skin_animated_nodes(document, tree, animations);
   check_reach(document, tree, animations, skins);

@@ -138,10 +138,10 @@ nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repai
   return document;
 }
 
-const json& array_of(const json& document, const char* key) {
+const json& array_of(const json& object, const char* key) {
   static const json none = json::array();
-  const auto found = document.find(key);
-  return found == document.end() ? none : *found;
+  const auto found = object.find(key);
+  return found == object.end() ? none : *found;
 }
 
 std::string shown_name(const std::string& name) {

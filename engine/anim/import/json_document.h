@@ -41,8 +41,8 @@ nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repai
 /// that no version newer than 2.0 is needed. Throws Refusal with the object's name.
 void check_json(const nlohmann::json& document);
 
-/// Returns an array of the document, or an empty one.
-const nlohmann::json& array_of(const nlohmann::json& document, const char* key);
+/// Returns an array of an object, or an empty one.
+const nlohmann::json& array_of(const nlohmann::json& object, const char* key);
 
 /// Returns a name as far as a line shows it.
 std::string shown_name(const std::string& name);

@@ -122,7 +122,8 @@ glm::vec3 emission_of(const tinygltf::Material& source) {
 int MaterialCollector::material(int file_material) {
   const auto [found, is_new] = material_of_.try_emplace(file_material, static_cast<int>(materials_.size()));
   if (!is_new) return found->second;
-  document_.memory->charge_for_good(3 * sizeof(anim::Material), "material " + std::to_string(file_material));
+  constexpr std::uint64_t bytes = 3 * sizeof(anim::Material) + 1024;  // with its name, in a vector that grows
+  document_.memory->charge_for_good(bytes, "material " + std::to_string(file_material));
   coords_.emplace_back();
   materials_.push_back(file_material < 0 ? anim::Material{}
                                          : convert(document_.gltf.materials[static_cast<std::size_t>(file_material)]));

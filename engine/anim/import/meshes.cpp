@@ -27,6 +27,7 @@ struct Influences {
 };
 
 constexpr std::size_t bytes_an_influence = sizeof(glm::u16vec4) + sizeof(glm::vec4);  // of a vertex
+constexpr std::size_t bytes_a_morph = 3 * sizeof(anim::Morph) + 512;  // with its name, in a vector that grows
 constexpr std::size_t kept = 4;
 constexpr double sum_tolerance = 1e-2;  // 8-bit weights that were rounded one by one
 
@@ -264,7 +265,9 @@ class MeshReader {
   MorphsOfMesh morphs_of(int node) {
     MorphsOfMesh morphs{.rest_weights = morph_weights(node), .animated = {}};
     if (reads_lods_) return morphs;
-    for (const int target : animated_targets(animations_, node, morphs.rest_weights)) {
+    const std::vector<int> targets = animated_targets(animations_, node, morphs.rest_weights);
+    document_.memory->charge_for_good(targets.size() * bytes_a_morph, node_label(node));
+    for (const int target : targets) {
       const auto place = static_cast<std::size_t>(target);
       const bool rests = place < morphs.rest_weights.size();
       morphs.animated.emplace_back(target, static_cast<std::uint32_t>(morphs_.size()));
@@ -289,6 +292,7 @@ class MeshReader {
     const std::string name = label("mesh", static_cast<std::size_t>(mesh), file_mesh.name);
     for (std::size_t i = 0; i < file_mesh.primitives.size(); ++i) {
       action(file_mesh.primitives[i], name + ", primitive " + std::to_string(i));
+      document_.charge_repairs();
     }
   }
 

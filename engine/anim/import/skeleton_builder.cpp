@@ -83,7 +83,7 @@ std::size_t count(const NodeSet& set) { return static_cast<std::size_t>(std::ran
 
 class SkeletonBuilder {
  public:
-  SkeletonBuilder(const Document& document, const NodeTree& tree, const std::vector<Animation>& animations)
+  SkeletonBuilder(const Document& document, const NodeTree& tree, std::vector<Animation>& animations)
       : document_(document), tree_(tree), animations_(animations), bone_of_node_(tree.parents.size(), -1) {}
 
   BuiltSkeleton build(const std::vector<FileSkin>& skins, const std::vector<int>& group,
@@ -97,7 +97,7 @@ class SkeletonBuilder {
     add_attached(attached, bone_nodes);
     check_bone_count();
     add_skins(skins, group);
-    add_clips();
+    add_clips(joints);
     built_.skeleton.name = built_.skins.front().name;
     std::vector<int> attached_bones;
     for (const AttachedMesh& mesh : built_.attached) attached_bones.push_back(mesh.bone);
@@ -134,9 +134,7 @@ class SkeletonBuilder {
     NodeSet animated(joints.size(), false);
     for (const Animation& animation : animations_) {
       for (const auto& [node, tracks] : animation.nodes) {
-        animated[static_cast<std::size_t>(node)] = animated[static_cast<std::size_t>(node)] ||
-                                                   !tracks.translation.empty() || !tracks.rotation.empty() ||
-                                                   !tracks.scale.empty();
+        if (tracks.bytes() > 0) animated[static_cast<std::size_t>(node)] = true;
       }
     }
     NodeSet leads(joints.size(), false);
@@ -181,12 +179,12 @@ class SkeletonBuilder {
   }
 
   void check_bone_count() {
-    const std::vector<anim::Bone>& bones = built_.skeleton.bones;
-    if (bones.size() > static_cast<std::size_t>(anim::max_bones)) {
-      throw Refusal("a skeleton has " + std::to_string(bones.size()) + " bones, more than " +
-                    std::to_string(anim::max_bones) + "; split the model");
+    const int bones = built_.skeleton.bone_count();
+    if (bones > anim::max_bones) {
+      throw Refusal("a skeleton has " + std::to_string(bones) + " bones, more than " + std::to_string(anim::max_bones) +
+                    "; split the model");
     }
-    built_.skeleton.level_bone_counts = {built_.skeleton.bone_count()};
+    built_.skeleton.level_bone_counts = {bones};
   }
 
   void add_skins(const std::vector<FileSkin>& skins, const std::vector<int>& group) {
@@ -205,9 +203,10 @@ class SkeletonBuilder {
     }
   }
 
-  void add_clips() {
+  /// Takes the tracks of joints, which no other skeleton has, and copies those of nodes above.
+  void add_clips(const NodeSet& joints) {
     for (std::size_t index = 0; index < animations_.size(); ++index) {
-      const Animation& animation = animations_[index];
+      Animation& animation = animations_[index];
       const std::string name = label("animation", index, animation.name);
       document_.memory->charge(clip_memory(animation.name, animation.data_keys, animation.curves), name);
       anim::Clip clip{.name = animation.name,
@@ -217,12 +216,12 @@ class SkeletonBuilder {
                       .tracks = {},
                       .data_keys = animation.data_keys,
                       .curves = animation.curves};
-      for (const auto& [node, tracks] : animation.nodes) {
+      for (auto& [node, tracks] : animation.nodes) {
         const int bone = bone_of_node_[static_cast<std::size_t>(node)];
         if (bone < 0) continue;
-        document_.memory->charge(tracks.bytes() + 3 * sizeof(anim::BoneTracks), name);
-        clip.tracks.push_back(
-            {.bone = bone, .translation = tracks.translation, .rotation = tracks.rotation, .scale = tracks.scale});
+        const bool is_own = has(joints, node);
+        document_.memory->charge((is_own ? 0 : tracks.bytes()) + 3 * sizeof(anim::BoneTracks), name);
+        clip.tracks.push_back((is_own ? std::exchange(tracks, {}) : tracks).of_bone(bone));
       }
       std::ranges::sort(clip.tracks, {}, &anim::BoneTracks::bone);
       if (!clip.tracks.empty()) built_.clips.push_back(std::move(clip));
@@ -251,7 +250,7 @@ class SkeletonBuilder {
 
   const Document& document_;
   const NodeTree& tree_;
-  const std::vector<Animation>& animations_;
+  std::vector<Animation>& animations_;
   std::vector<int> bone_of_node_;
   int scene_bone_ = -1;
   BuiltSkeleton built_;
@@ -341,7 +340,7 @@ std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, co
   return result;
 }
 
-BuiltSkeleton build_skeleton(const Document& document, const NodeTree& tree, const std::vector<Animation>& animations,
+BuiltSkeleton build_skeleton(const Document& document, const NodeTree& tree, std::vector<Animation>& animations,
                              const std::vector<FileSkin>& skins, const std::vector<int>& group,
                              const std::vector<int>& carried) {
   return SkeletonBuilder(document, tree, animations).build(skins, group, carried);

@@ -182,13 +182,14 @@ fs::path repeated_meshopt(const TemporaryFolder& folder) {
   return write_model(folder, document);
 }
 
-fs::path repeated_draco(const TemporaryFolder& folder) {
+/// Gives the model `count` primitives of the same mesh.
+fs::path with_draco(const TemporaryFolder& folder, int count, const std::vector<char>& mesh) {
   json document = editable_document();
-  const std::size_t view = add_file(document, folder, "data.bin", draco_square(500));
+  const std::size_t view = add_file(document, folder, "data.bin", mesh);
   const auto accessor = [&](const char* type, int component) {
     return add(document, "accessors", {{"count", 1}, {"type", type}, {"componentType", component}});
   };
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < count; ++i) {
     json primitive = {{"attributes", {{"POSITION", accessor("VEC3", floats)}}}, {"indices", accessor("SCALAR", 5125)}};
     primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
     document["meshes"][0]["primitives"].push_back(primitive);
@@ -196,6 +197,10 @@ fs::path repeated_draco(const TemporaryFolder& folder) {
   document["extensionsRequired"] = {"KHR_draco_mesh_compression"};
   return write_model(folder, document);
 }
+
+fs::path repeated_draco(const TemporaryFolder& folder) { return with_draco(folder, 20, draco_square(500)); }
+
+fs::path wide_draco(const TemporaryFolder& folder) { return with_draco(folder, 1, draco_square(450, 100)); }
 
 /// Every channel of many animations plays the same keys.
 fs::path shared_keys(const TemporaryFolder& folder) {
@@ -247,9 +252,21 @@ fs::path long_name(const TemporaryFolder& folder) {
   return write_model(folder, document);
 }
 
+/// Every skin draws the mesh, of which no primitive can be drawn.
+fs::path many_sentences(const TemporaryFolder& folder) {
+  json document = editable_document();
+  document["meshes"][0]["primitives"].insert(document["meshes"][0]["primitives"].end(), 700,
+                                             {{"attributes", json::object()}});
+  for (int i = 0; i < 700; ++i) {
+    const std::size_t skin = add(document, "skins", document["skins"][0]);
+    document["scenes"][0]["nodes"].push_back(add(document, "nodes", {{"mesh", 0}, {"skin", skin}}));
+  }
+  return write_model(folder, document);
+}
+
 /// Nodes that an animation moves are bones of every skeleton below them.
 fs::path bones_of_many_skeletons(const TemporaryFolder& folder) {
-  constexpr std::size_t moved = 700, skeletons = 700;
+  constexpr std::size_t moved = 500, skeletons = 500;
   json document = editable_document();
   json& nodes = document["nodes"];
   json& animation = document["animations"][0];
@@ -269,7 +286,7 @@ fs::path bones_of_many_skeletons(const TemporaryFolder& folder) {
 /// A few characters of JSON are a node of hundreds of bytes.
 fs::path many_empty_nodes(const TemporaryFolder& folder) {
   json document = editable_document();
-  document["nodes"].insert(document["nodes"].end(), 600'000, json::object());
+  document["nodes"].insert(document["nodes"].end(), 300'000, json::object());
   return write_model(folder, document);
 }
 
@@ -294,9 +311,11 @@ const std::vector<HostileFile>& hostile_files() {
                                               {"OverlappingAccessors", overlapping_accessors, "mesh 0, primitive"},
                                               {"MeshoptThatManyViewsName", repeated_meshopt, "buffer view"},
                                               {"DracoThatManyMeshesName", repeated_draco, "mesh 0, primitive"},
+                                              {"DracoOfManyChannels", wide_draco, "mesh 0, primitive 1"},
                                               {"KeysThatManyChannelsPlay", shared_keys, "animation"},
                                               {"MorphTargetThatManyNames", shared_morph_target, "mesh 0, primitive 0"},
                                               {"NameInManySentences", long_name, ""},
+                                              {"ManySentences", many_sentences, "mesh 0, primitive"},
                                               {"BonesOfManySkeletons", bones_of_many_skeletons, "skeleton"},
                                               {"ManyEmptyNodes", many_empty_nodes, "its JSON"}};
   return files;

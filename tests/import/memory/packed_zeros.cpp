@@ -120,11 +120,14 @@ std::vector<char> meshopt_of_zeros(std::size_t count) {
   return bytes;
 }
 
-std::vector<char> draco_square(std::uint32_t side) {
+std::vector<char> draco_square(std::uint32_t side, std::int8_t channels) {
   using Corner = std::array<float, 3>;
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(static_cast<int>(side * side * 2));
   const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const std::array<std::uint8_t, 100> zeros{};
+  const int more =
+      channels > 0 ? builder.AddAttribute(draco::GeometryAttribute::GENERIC, channels, draco::DT_UINT8) : position;
   const auto corner = [](std::uint32_t x, std::uint32_t y) {
     return Corner{static_cast<float>(x), static_cast<float>(y), 0.0F};
   };
@@ -133,6 +136,11 @@ std::vector<char> draco_square(std::uint32_t side) {
     const Corner a = corner(x, y), b = corner(x + 1, y), c = corner(x, y + 1), d = corner(x + 1, y + 1);
     builder.SetAttributeValuesForFace(position, draco::FaceIndex(face * 2), a.data(), b.data(), c.data());
     builder.SetAttributeValuesForFace(position, draco::FaceIndex(face * 2 + 1), b.data(), d.data(), c.data());
+    for (const std::uint32_t each : {face * 2, face * 2 + 1}) {
+      if (more != position) {
+        builder.SetAttributeValuesForFace(more, draco::FaceIndex(each), zeros.data(), zeros.data(), zeros.data());
+      }
+    }
   }
   const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
   draco::Encoder encoder;

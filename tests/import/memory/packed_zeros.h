@@ -21,7 +21,8 @@ std::vector<char> webp_of_zeros(std::uint32_t width, std::uint32_t height);
 /// Returns `count` elements of 64 zeros each, packed by meshoptimizer.
 std::vector<char> meshopt_of_zeros(std::size_t count);
 
-/// Returns a flat square of side * side * 2 triangles, packed by Draco. Its positions have the unique id 0.
-std::vector<char> draco_square(std::uint32_t side);
+/// Returns a flat square of side * side * 2 triangles, packed by Draco. Its positions have the unique id 0. Each vertex
+/// has `channels` zeros besides, at most 100.
+std::vector<char> draco_square(std::uint32_t side, std::int8_t channels = 0);
 
 }  // namespace throng::import::testing

@@ -7,15 +7,14 @@
 namespace throng::import {
 namespace {
 
-/// Returns what libwebp holds at most beside the pixels: lossless pictures once more, with what it remembers of the
-/// rows above; of others, the alpha.
+/// Returns what libwebp holds at most beside the pixels: those of a lossless picture once more, and so the alpha of one
+/// that is not, which is packed alike; the alpha itself; some rows.
 std::uint64_t scratch_size(const WebPBitstreamFeatures& features) {
   constexpr std::uint64_t tables = 1 << 20;
   constexpr int lossy = 1;
   const std::uint64_t pixels = rgba_size(features.width, features.height) / 4;
   const std::uint64_t rows = static_cast<std::uint64_t>(features.width) * 4 * 64;
-  if (features.format == lossy) return tables + rows + (features.has_alpha != 0 ? pixels * 2 : 0);
-  return tables + rows + pixels * 4;
+  return tables + rows + (features.format == lossy && features.has_alpha == 0 ? 0 : pixels * 5);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/asset/skeleton.h"
 #include "engine/anim/import/json_document.h"
 #include "engine/anim/import/json_properties.h"
 #include "engine/anim/import/refusal.h"
@@ -180,6 +181,19 @@ void check_transforms(const json& document) {
   }
 }
 
+/// Each joint would be a bone. Their indices alone may take megabytes.
+void check_joints(const json& document) {
+  std::size_t index = 0;
+  for (const json& skin : array_of(document, "skins")) {
+    const std::size_t joints = array_of(skin, "joints").size();
+    if (joints > static_cast<std::size_t>(anim::max_bones)) {
+      throw Refusal(json_label("skin", index, skin) + ": has " + std::to_string(joints) + " joints, and " +
+                    std::to_string(anim::max_bones) + " are the most; split the model");
+    }
+    ++index;
+  }
+}
+
 /// A file of a later 2.x says by minVersion whether 2.0 is enough to read it (glTF 2.0, 5.9).
 void check_version(const json& document) {
   const std::string version = document["asset"]["version"].get<std::string>();
@@ -193,6 +207,7 @@ void check_version(const json& document) {
 void check_json(const json& document) {
   Checker(document).check_object({.outer = nullptr, .type = "document", .object = &document});
   check_transforms(document);
+  check_joints(document);
   check_version(document);
 }
 

@@ -17,6 +17,9 @@ struct HostileFile {
 
 const std::vector<HostileFile>& hostile_files();
 
+/// Writes a model with skins of 70,000 joints.
+std::filesystem::path write_skins_of_many_joints(const TemporaryFolder& folder);
+
 /// Writes a model that shows an image, called "skin", which it finds in a file of that name.
 std::filesystem::path write_with_image(const TemporaryFolder& folder, const char* name, const std::vector<char>& bytes);
 

@@ -85,6 +85,14 @@ TEST(MemoryLimit, OfTheCallerCountsImagesWhole) {
   EXPECT_THAT(import_apart(model, {.memory_limit = 64'000'000}).message, HasSubstr("of the 64.0 MB"));
 }
 
+TEST(SkinOfManyJoints, IsRefusedBeforeItIsRead) {
+  const TemporaryFolder folder;
+  const std::filesystem::path model = write_skins_of_many_joints(folder);
+  const ImportApart imported = import_apart(model);
+  EXPECT_THAT(imported.message, HasSubstr("skin 1: has 70000 joints, and 1024 are the most; split the model"));
+  EXPECT_LE(imported.peak, (64'000'000 + 4 * size_beside(model)) * times);
+}
+
 TEST(SharedImage, IsOneImageOfTheModel) {
   const TemporaryFolder folder;
   const auto shared = std::ranges::find(hostile_files(), "ImageThatManyShow", &HostileFile::name);

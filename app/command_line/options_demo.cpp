@@ -34,7 +34,9 @@ void declare_clips(OptionReader& reader, DemoOptions& options) {
 void declare_reading(OptionReader& reader, DemoOptions& options) {
   reader.value("--skin", "NAME|all", "Of files with several characters: which one, or all (the largest)",
                any_text(options.skin));
-  reader.flag("--strict", options.strict, "Refuse files that would be repaired, and links out of their folders");
+  reader.flag("--strict", options.reading.strict,
+              "Refuse files that would be repaired, and links out of their folders");
+  declare_memory_limit(reader, options.reading);
 }
 
 void declare_picture(OptionReader& reader, DemoOptions& options) {

@@ -46,11 +46,18 @@ void clips_from(OptionReader& reader, std::vector<std::string>& target) {
   reader.value("--clips-from", "FILE,...", "Files whose clips are added, retargeted where need be", file_names(target));
 }
 
-void strict(OptionReader& reader, bool& target) {
-  reader.flag("--strict", target, "Refuse a file that would be repaired, and links out of its folder");
+void reading(OptionReader& reader, import::ImportOptions& options) {
+  reader.flag("--strict", options.strict, "Refuse a file that would be repaired, and links out of its folder");
+  declare_memory_limit(reader, options);
 }
 
 }  // namespace
+
+void declare_memory_limit(OptionReader& reader, import::ImportOptions& options) {
+  reader.value("--memory-limit", "SIZE",
+               "Memory that reading a model may take, 2GB or 500MB (64 MB and 4 times the file)",
+               memory_size(options.memory_limit));
+}
 
 void declare_placement(OptionReader& reader, anim::PlacementChoice& placement) {
   using anim::GroundRule;
@@ -75,7 +82,7 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   reader.option_defaults()->group("What is posed");
   reader.model(options.model, "A glTF file (.glb or .gltf), or a pack")->required();
   clips_from(reader, options.clips_from);
-  strict(reader, options.strict);
+  reading(reader, options.reading);
   reader.value("--clip", "NAME|INDEX", "A clip of the file, or none", any_text(options.clip))->required();
   reader.value("--time", "T[,T...]", "Seconds", times_list(options.times))->required();
   Tuning tuning;
@@ -93,7 +100,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   reader.option_defaults()->group("What is inspected");
   reader.model(options.model, "A glTF file (.glb or .gltf), or a pack")->required();
   clips_from(reader, options.clips_from);
-  strict(reader, options.strict);
+  reading(reader, options.reading);
   reader.flag("--json", options.json, "As one JSON object");
   declare_placement(reader, options.placement);
   if (auto stop = reader.read(arguments)) return *stop;
@@ -107,6 +114,7 @@ ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
   reader.model(options.model, "A glTF file (.glb or .gltf), or a pack; without it, the built-in character");
   reader.value("--pixels", "N", "Height on screen for errors in pixels, 1 to 10000 (200)",
                whole_number(options.pixels, 1, 10000));
+  declare_memory_limit(reader, options.reading);
   reader.option_defaults()->group("Files");
   reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
   reader.value("--plot", "FILE.svg", "Draw them", file_that_ends_in(".svg", options.plot));
@@ -132,7 +140,7 @@ ParsedCommand parse_bake(const std::vector<std::string>& arguments) {
   reader.value("-o", "FILE.pack", "The file to write", file_that_ends_in(".pack", options.pack))->required();
   reader.parts_remover(options.remove_parts);
   clips_from(reader, options.clips_from);
-  strict(reader, options.strict);
+  reading(reader, options.reading);
   declare_placement(reader, options.placement);
   if (auto stop = reader.read(arguments)) return *stop;
   return options;
@@ -143,6 +151,7 @@ namespace {
 void declare_measured(OptionReader& reader, BenchOptions& options) {
   reader.option_defaults()->group("What is measured");
   reader.model(options.model, "A glTF file or a pack; without it, a branching skeleton is built");
+  declare_memory_limit(reader, options.reading);
   list(
       reader, "--agents", options.agents, [](const Tuning& tuning) { return tuning.agents; },
       "; of every list each, in every combination");

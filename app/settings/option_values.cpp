@@ -1,6 +1,7 @@
 #include "app/settings/option_values.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -65,6 +66,28 @@ std::vector<std::string> parts_between_commas(const std::string& text) {
 ValueReader number_between(float& target, float least, float most) {
   return [&target, least, most](const std::string& text) {
     return read_number(text, static_cast<double>(least), static_cast<double>(most), target);
+  };
+}
+
+ValueReader memory_size(std::uint64_t& target) {
+  return [&target](const std::string& text) -> Complaint {
+    constexpr std::array<std::pair<std::string_view, double>, 8> units{{{"", 1.0},
+                                                                        {"B", 1.0},
+                                                                        {"KB", 1e3},
+                                                                        {"MB", 1e6},
+                                                                        {"GB", 1e9},
+                                                                        {"KiB", 0x1p10},
+                                                                        {"MiB", 0x1p20},
+                                                                        {"GiB", 0x1p30}}};
+    constexpr double most = 1e15;
+    const std::size_t length = std::min(text.find_first_not_of("0123456789."), text.size());
+    const auto number = finite_number_in(text.substr(0, length));
+    const auto unit =
+        std::ranges::find(units, std::string_view(text).substr(length), &std::pair<std::string_view, double>::first);
+    const double bytes = number && unit != units.end() ? *number * unit->second : 0.0;
+    if (!(bytes >= 1.0 && bytes <= most)) return "must be a size, such as 500MB or 2GB";
+    target = static_cast<std::uint64_t>(bytes);
+    return {};
   };
 }
 

@@ -9,6 +9,7 @@
 #include "app/character/cast_entry.h"
 #include "app/character/roles.h"
 #include "engine/anim/agent/animation_system.h"
+#include "engine/anim/import/import.h"
 #include "engine/anim/lod/lod.h"
 #include "engine/anim/survey/placement_guess.h"
 
@@ -140,7 +141,7 @@ struct DemoOptions {
   int msaa = -1;       ///< 0 or 4; -1: as much as the device affords
   bool shadows = true;
   std::string skin;                ///< a character of each model that has several, "all" of them; empty: the largest
-  bool strict = false;             ///< models that need repair are refused
+  import::ImportOptions reading;   ///< of models: whether those that need repair are refused, and how large they are
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
   bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
   bool shadows_given = false;      ///< a software renderer draws none unless given

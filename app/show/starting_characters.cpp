@@ -53,7 +53,7 @@ bool choose_roles(const DemoOptions& options, std::span<CharacterSource> charact
 }  // namespace
 
 LoadOptions load_options(const DemoOptions& options) {
-  return {.import = {.strict = options.strict}, .placement = options.placement, .clips_from = options.clips_from};
+  return {.import = options.reading, .placement = options.placement, .clips_from = options.clips_from};
 }
 
 bool fail(StartError& error, int status, std::string message) {

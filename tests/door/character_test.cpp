@@ -58,5 +58,11 @@ TEST(DoorCharacter, SaysWhyAFileIsNone) {
   EXPECT_THAT(load("x.glb", {.scale = -1.0}).error().message, HasSubstr("LoadOptions::scale"));
 }
 
+TEST(DoorCharacter, OfAFileThatTakesMoreMemoryThanItMayIsNone) {
+  const auto file = load(THRONG_SOURCE_DIR "/assets/mannequin.glb", {.memory_limit = 1'000'000});
+  ASSERT_FALSE(file);
+  EXPECT_THAT(file.error().message, HasSubstr("mannequin.glb: the file needs "));
+}
+
 }  // namespace
 }  // namespace throng::character_test

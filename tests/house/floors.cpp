@@ -38,7 +38,7 @@ const std::vector<House>& houses() {
         {"asset"},
         {"rig"},
         {"survey"},
-        {"import/json"},
+        {"import/json", "import/memory", "import/pixels"},
         {"kernel/lanes", "import", "retarget"},
         {"kernel/keyframe", "kernel/pose", "kernel/palette"},
         {"kernel/limb", "kernel/ragdoll"},

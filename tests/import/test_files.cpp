@@ -41,7 +41,7 @@ nlohmann::json editable_document() { return read_json(data_path("features/data-u
 
 std::vector<char> editable_buffer() {
   const std::string uri = editable_document()["buffers"][0]["uri"];
-  const std::vector<std::byte> bytes = *decode_data_uri(uri);
+  const std::vector<std::byte> bytes = decode_data_uri(uri);
   const auto* from = reinterpret_cast<const char*>(bytes.data());
   return {from, from + bytes.size()};
 }

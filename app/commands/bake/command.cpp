@@ -30,7 +30,7 @@ namespace {
 anim::Status add_clips(const std::string& path, const BakeOptions& options, std::size_t characters,
                        anim::ImportedFile& file) {
   if (options.clips_from.empty()) return anim::Done{};
-  const auto clips = read_clip_files(options.clips_from, {.strict = options.strict});
+  const auto clips = read_clip_files(options.clips_from, options.reading);
   if (!clips) return clips.error();
   anim::face_forward(file);
   for (std::size_t model = 0; model < characters; ++model) {
@@ -76,7 +76,7 @@ std::string name_for(const std::string& path, const std::vector<pack::FileToPack
 }
 
 anim::Result<pack::FileToPack> bake_file(const std::string& path, const BakeOptions& options) {
-  auto file = read_model_file(path, {.strict = options.strict});
+  auto file = read_model_file(path, options.reading);
   if (!file) return file.error();
   pack::FileToPack packed{.name = {}, .file = std::move(*file), .characters = {}};
   const std::vector<std::string> names = names_of(packed.file);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/anim/import/import.h"
 #include "engine/anim/survey/placement_guess.h"
 
 namespace throng::app {
@@ -14,7 +15,7 @@ struct BakeOptions {
   bool remove_parts = false;            ///< what killed runs left beside the files to write is removed
   std::vector<std::string> clips_from;  ///< files whose clips every model plays too
   anim::PlacementChoice placement;
-  bool strict = false;  ///< what would be repaired is refused
+  import::ImportOptions reading{};
 };
 
 }  // namespace throng::app

@@ -224,13 +224,14 @@ void add_figures(Json& json, const BenchTimes& times, double agents, double bone
 
 }  // namespace
 
-anim::Result<BenchCharacter> bench_character(const std::string& model, int bones, int clips) {
+anim::Result<BenchCharacter> bench_character(const BenchOptions& options, int bones, int clips) {
+  const std::string& model = options.model;
   BenchCharacter result;
   if (model.empty()) {
     result.model = anim::synthetic_model(bones, clips);
     result.character = std::make_shared<const anim::Character>(anim::bake_character(result.model));
   } else {
-    auto source = load_character(model, model);
+    auto source = load_character(model, model, nullptr, {.import = options.reading});
     if (!source) return source.error();
     result.model = std::move(source->model);
     result.character = std::move(source->character);

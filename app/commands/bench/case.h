@@ -19,7 +19,7 @@ struct BenchCharacter {
   anim::Model model;
   std::shared_ptr<const anim::Character> character;
 };
-anim::Result<BenchCharacter> bench_character(const std::string& model, int bones, int clips);
+anim::Result<BenchCharacter> bench_character(const BenchOptions& options, int bones, int clips);
 
 /// Returns the options of the system for a case, without hashing.
 anim::SystemOptions bench_system_options(const BenchOptions& options, const BenchCase& bench);

@@ -102,7 +102,7 @@ std::string verdict(const Json& found) {
 
 anim::Result<BenchReport> sweep_grain(const BenchOptions& options) {
   const BenchCase bench = bench_cases(options).front();
-  const auto character = bench_character(options.model, bench.bones, bench.clips);
+  const auto character = bench_character(options, bench.bones, bench.clips);
   if (!character) return character.error();
   std::vector<Json> tiles, crowds;
   if (const anim::Status done = sweep_tiles(options, *character, tiles); !done) return done.error();

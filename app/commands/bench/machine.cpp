@@ -129,7 +129,7 @@ anim::Result<BenchReport> run_machine(const BenchOptions& options) {
   if (!file) return anim::Error{"--machine " + options.machine + ": no such preset: " + file.error().message};
   const auto machine = read_machine(*file);
   if (!machine) return machine.error();
-  const auto character = bench_character(options.model, options.bones.front(), options.clips.front());
+  const auto character = bench_character(options, options.bones.front(), options.clips.front());
   if (!character) return character.error();
 
   const anim::SystemOptions recorded = recorded_options(options, *machine);

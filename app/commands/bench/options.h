@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "engine/anim/import/import.h"
 
 namespace throng::app {
 
@@ -32,6 +33,7 @@ struct BenchOptions {
   std::string plot;           ///< an SVG file; empty: none
   std::string trace;          ///< empty: none
   bool remove_parts = false;  ///< what killed runs left beside the files to write is removed
+  import::ImportOptions reading{};
 };
 
 /// One combination of the lists.

@@ -23,7 +23,7 @@ class BenchCharacters {
     const auto key = options.model.empty() ? std::pair(bench.bones, bench.clips) : std::pair(0, 0);
     auto found = made_.find(key);
     if (found == made_.end()) {
-      auto made = bench_character(options.model, bench.bones, bench.clips);
+      auto made = bench_character(options, bench.bones, bench.clips);
       if (!made) return made.error();
       found = made_.emplace(key, std::move(*made)).first;
     }

@@ -188,10 +188,10 @@ std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::
 }  // namespace
 
 int run_inspect(const InspectOptions& options) {
-  auto file = read_model_file(options.model, {.strict = options.strict});
+  auto file = read_model_file(options.model, options.reading);
   if (!file) return end_with(exit_job_failed, file.error().message);
   anim::face_forward(*file);
-  const anim::Status added = add_clips_to(options.model, options.clips_from, *file, {.strict = options.strict});
+  const anim::Status added = add_clips_to(options.model, options.clips_from, *file, options.reading);
   if (!added) return end_with(exit_job_failed, added.error().message);
   const std::vector<InspectedModel> models = placed_models(*file, options.placement);
   const std::string text = options.json ? inspection_json(*file, models) : inspection_text(*file, models);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/anim/import/import.h"
 #include "engine/anim/survey/placement_guess.h"
 
 namespace throng::app {
@@ -12,8 +13,8 @@ struct InspectOptions {
   std::string model;
   std::vector<std::string> clips_from;   ///< files whose clips are added to the largest model
   anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
-  bool strict = false;                   ///< what would be repaired is refused
-  bool json = false;                     ///< one JSON object on standard output instead of tables for a person
+  import::ImportOptions reading{};
+  bool json = false;  ///< one JSON object on standard output instead of tables for a person
 };
 
 }  // namespace throng::app

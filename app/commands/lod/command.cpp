@@ -22,7 +22,7 @@ constexpr float exported_height = 720.0F;  // pixels of the picture that distanc
 anim::Result<CharacterSource> character_of(const LodOptions& options) {
   if (options.model.empty()) return load_built_in(options.data);
   const BoneLodFile kept(options.model);
-  return load_character(options.model, options.model, &kept);
+  return load_character(options.model, options.model, &kept, {.import = options.reading});
 }
 
 anim::Status write_files(const LodOptions& options, const CharacterSource& source, const LodCurve& curve) {

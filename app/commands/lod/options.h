@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "engine/anim/import/import.h"
+
 namespace throng::app {
 
 /// The options of `throng lod`.
@@ -12,6 +14,7 @@ struct LodOptions {
   std::string export_file;    ///< for another engine
   bool remove_parts = false;  ///< what killed runs left beside the files to write is removed
   std::string data;           ///< folder of the built-in character
+  import::ImportOptions reading{};
 };
 
 }  // namespace throng::app

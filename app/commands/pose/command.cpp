@@ -103,10 +103,10 @@ anim::Result<std::string> pose_json(const anim::ImportedFile& file, std::optiona
 }
 
 anim::Result<std::string> import_and_pose(const PoseOptions& options) {
-  auto file = read_model_file(options.model, {.strict = options.strict}, ModelFileUse::skins);
+  auto file = read_model_file(options.model, options.reading, ModelFileUse::skins);
   if (!file) return file.error();
   if (!options.clips_from.empty()) {
-    const anim::Status added = add_clips_to(options.model, options.clips_from, *file, {.strict = options.strict});
+    const anim::Status added = add_clips_to(options.model, options.clips_from, *file, options.reading);
     if (!added) return added.error();
   }
   const auto animation = find_animation(*file, options.clip);

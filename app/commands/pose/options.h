@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "engine/anim/import/import.h"
 
 namespace throng::app {
 
@@ -11,9 +12,9 @@ namespace throng::app {
 struct PoseOptions {
   std::string model;
   std::vector<std::string> clips_from;  ///< files whose clips are added to the largest model
-  bool strict = false;                  ///< what would be repaired is refused
-  std::string clip;                     ///< a clip's name or index, or "none" for the pose at rest
-  std::vector<double> times;            ///< seconds, at least one
+  import::ImportOptions reading{};
+  std::string clip;           ///< a clip's name or index, or "none" for the pose at rest
+  std::vector<double> times;  ///< seconds, at least one
   anim::StreamKind stream = anim::StreamKind::sampled;
   std::string json;           ///< a file, or "-" for standard output
   bool remove_parts = false;  ///< what killed runs left beside the files to write is removed

@@ -43,7 +43,8 @@ Result<LoadedFile> load_pack(const std::string& path, const LoadOptions& options
 
 #if defined(THRONG_HAS_IMPORT)
 Result<LoadedFile> load_gltf(const std::string& path, const LoadOptions& options) {
-  Result<anim::ImportedFile> file = import::import_file(path, {.strict = options.strict});
+  Result<anim::ImportedFile> file =
+      import::import_file(path, {.strict = options.strict, .memory_limit = options.memory_limit});
   if (!file) return file.error();
   anim::face_forward(*file);
   LoadedFile loaded{.characters = {}, .notes = std::move(file->repairs)};

@@ -197,6 +197,7 @@ class Reader {
       refuse("brings the file's data to more than " + std::to_string(max_decoded_values) + " numbers");
     }
     document_.decoded_values += count * width_;
+    document_.memory->charge(count * width_ * sizeof(Value), name_);
     values_.assign(count * width_, Value{});
     if (accessor_.bufferView >= 0) read_dense(count);
     if (accessor_.sparse.isSparse) read_sparse();

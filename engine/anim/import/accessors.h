@@ -44,8 +44,8 @@ struct AccessorRule {
 };
 
 /// Reads all numbers of the first `limit` elements, [element][component], converted as glTF 2.0, 3.6.2.2 and 3.11 say:
-/// normalised integers become [0, 1] or [-1, 1], sparse elements are in place, and numbers without a view are 0. Throws
-/// Refusal.
+/// normalised integers become [0, 1] or [-1, 1], sparse elements are in place, and numbers without a view are 0.
+/// Charges Document::memory. Throws Refusal.
 std::vector<float> read_floats(const Document& document, int accessor, const AccessorRule& rule,
                                std::size_t limit = SIZE_MAX);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/memory/model_memory.h"
 #include "engine/anim/import/refusal.h"
 
 namespace throng::import {
@@ -17,7 +18,8 @@ namespace {
 using anim::Interpolation;
 using anim::Track;
 
-constexpr float largest_weight = 1e4F;  // what is beyond would move a surface out of sight
+constexpr std::size_t bytes_a_channel = 512;  // beside its keys
+constexpr float largest_weight = 1e4F;        // what is beyond would move a surface out of sight
 
 /// The keys of a sampler, before their property is known.
 struct Keys {
@@ -63,29 +65,34 @@ class AnimationReader {
     if (!targets_.emplace(channel.target_node, channel.target_path).second) {
       refuse("a second channel for the " + channel.target_path + " of node " + std::to_string(channel.target_node));
     }
+    MemoryScope scope(*document_.memory);
     const auto& sampler = source_.samplers[static_cast<std::size_t>(channel.sampler)];
     const Keys keys = read_keys(sampler);
     // A single key holds at all times, so it does not say when the clip begins.
     if (keys.times.size() > 1) start_ = std::min(start_, static_cast<double>(keys.times.front()));
     animation_.duration = std::max(animation_.duration, static_cast<double>(keys.times.back()));
-    if (channel.target_path == "weights") return read_weights(channel.target_node, sampler.output, keys);
+    if (channel.target_path == "weights") return scope.keep(read_weights(channel.target_node, sampler.output, keys));
     if (tree_.transforms[static_cast<std::size_t>(channel.target_node)].has_matrix) {
       document_.repairs.push_back(channel_name_ + ": ignored, because its node has a matrix");
       return;
     }
-    read_values(channel, sampler.output, keys);
+    scope.keep(read_values(channel, sampler.output, keys));
   }
 
-  void read_values(const tinygltf::AnimationChannel& channel, int output, const Keys& keys) {
+  /// Returns the bytes that it keeps.
+  std::uint64_t read_values(const tinygltf::AnimationChannel& channel, int output, const Keys& keys) {
     NodeTracks& tracks = animation_.nodes[channel.target_node];
     if (channel.target_path == "translation") {
       tracks.translation = read_track<glm::vec3>(output, keys, TINYGLTF_TYPE_VEC3);
-    } else if (channel.target_path == "scale") {
-      tracks.scale = read_track<glm::vec3>(output, keys, TINYGLTF_TYPE_VEC3);
-    } else {
-      tracks.rotation = read_track<glm::quat>(output, keys, TINYGLTF_TYPE_VEC4);
-      mend_rotations(tracks.rotation);
+      return bytes_of(tracks.translation);
     }
+    if (channel.target_path == "scale") {
+      tracks.scale = read_track<glm::vec3>(output, keys, TINYGLTF_TYPE_VEC3);
+      return bytes_of(tracks.scale);
+    }
+    tracks.rotation = read_track<glm::quat>(output, keys, TINYGLTF_TYPE_VEC4);
+    mend_rotations(tracks.rotation);
+    return bytes_of(tracks.rotation);
   }
 
   /// Returns the number of morph targets of the node's mesh. All its primitives should have as many.
@@ -99,12 +106,13 @@ class AnimationReader {
     return count;
   }
 
-  void read_weights(int node, int output, const Keys& keys) {
+  std::uint64_t read_weights(int node, int output, const Keys& keys) {
+    document_.memory->charge(bytes_of(keys.times), channel_name_);
     WeightKeys read{
         .interpolation = keys.interpolation, .targets = target_count(node), .times = keys.times, .weights = {}};
     if (read.targets == 0) {
       document_.repairs.push_back(channel_name_ + ": weights of a node without morph targets, left out");
-      return;
+      return 0;
     }
     read.weights =
         read_floats(document_, output, {channel_name_ + ": key values", {TINYGLTF_TYPE_SCALAR}, float_or_small});
@@ -116,7 +124,8 @@ class AnimationReader {
     const auto is_sane = [](float weight) { return std::abs(weight) <= largest_weight; };  // no number is not
     if (!std::ranges::all_of(read.weights, is_sane))
       refuse("a weight of a morph target is no number, or beyond 10,000");
-    animation_.weights.emplace(node, std::move(read));
+    const WeightKeys& kept = animation_.weights.emplace(node, std::move(read)).first->second;
+    return bytes_of(kept.times) + bytes_of(kept.weights);
   }
 
   static std::size_t values_a_key(const Keys& keys) {
@@ -192,6 +201,7 @@ class AnimationReader {
   template <typename Value>
   Track<Value> read_track(int output, const Keys& keys, int type) const {
     const auto values = read_floats(document_, output, {channel_name_ + ": key values", {type}, float_or_small});
+    document_.memory->charge(bytes_of(keys.times) + bytes_of(values), channel_name_);
     Track<Value> track{.interpolation = keys.interpolation, .times = keys.times, .values = grouped<Value>(values)};
     if (track.values.size() != keys.times.size() * values_a_key(keys)) {
       refuse("has " + std::to_string(track.values.size()) + " values for " + std::to_string(keys.times.size()) +
@@ -248,11 +258,17 @@ void mark_moving(const WeightKeys& keys, std::span<const double> rest_weights, s
 }
 
 /// Returns the keys of the morphs that stand for targets of `node`, above the weights at rest.
-anim::MorphTrack morph_track(const WeightKeys& keys, int node, const std::vector<anim::Morph>& morphs) {
-  anim::MorphTrack track{.interpolation = keys.interpolation, .morphs = {}, .times = keys.times, .weights = {}};
+anim::MorphTrack morph_track(const WeightKeys& keys, int node, const std::vector<anim::Morph>& morphs,
+                             MemoryAccount& memory) {
+  const std::string node_name = "node " + std::to_string(node) + ", the weights of its morph targets";
+  anim::MorphTrack track{.interpolation = keys.interpolation, .morphs = {}, .times = {}, .weights = {}};
   for (std::size_t morph = 0; morph < morphs.size(); ++morph) {
     if (morphs[morph].node == node) track.morphs.push_back(static_cast<int>(morph));
   }
+  const std::size_t rows = keys.weights.size() / keys.targets;
+  memory.charge(bytes_of(keys.times) + rows * bytes_of(track.morphs), node_name);
+  track.times = keys.times;
+  track.weights.reserve(rows * track.morphs.size());
   for (std::size_t row = 0; row < keys.weights.size(); row += keys.targets) {
     for (const int index : track.morphs) {
       const anim::Morph& morph = morphs[static_cast<std::size_t>(index)];
@@ -293,11 +309,13 @@ std::vector<int> animated_targets(const std::vector<Animation>& animations, int 
   return targets;
 }
 
-void add_morph_tracks(const std::vector<Animation>& animations, anim::Model& model) {
+void add_morph_tracks(const std::vector<Animation>& animations, anim::Model& model, MemoryAccount& memory) {
   for (std::size_t index = 0; index < animations.size(); ++index) {
     for (const auto& [node, keys] : animations[index].weights) {
-      anim::MorphTrack track = morph_track(keys, node, model.morphs);
+      anim::MorphTrack track = morph_track(keys, node, model.morphs, memory);
       if (track.morphs.empty()) continue;
+      const Animation& source = animations[index];
+      memory.charge(clip_memory(source.name, source.data_keys, source.curves), label("animation", index, source.name));
       clip_of(animations, static_cast<int>(index), model.clips).morph_tracks.push_back(std::move(track));
     }
   }
@@ -306,6 +324,8 @@ void add_morph_tracks(const std::vector<Animation>& animations, anim::Model& mod
 std::vector<Animation> read_animations(Document& document, const NodeTree& tree) {
   std::vector<Animation> animations;
   for (std::size_t index = 0; index < document.gltf.animations.size(); ++index) {
+    const tinygltf::Animation& source = document.gltf.animations[index];
+    document.memory->charge(source.channels.size() * bytes_a_channel, label("animation", index, source.name));
     animations.push_back(AnimationReader(document, tree, index).read());
   }
   return animations;

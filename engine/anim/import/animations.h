@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/anim/asset/model.h"
 #include "engine/anim/import/document.h"
+#include "engine/anim/import/memory/model_memory.h"
 #include "engine/anim/import/node_tree.h"
 
 namespace throng::import {
@@ -17,6 +20,14 @@ struct NodeTracks {
   anim::Track<glm::vec3> translation;
   anim::Track<glm::quat> rotation;
   anim::Track<glm::vec3> scale;
+
+  anim::BoneTracks of_bone(int bone) && {
+    return {.bone = bone,
+            .translation = std::move(translation),
+            .rotation = std::move(rotation),
+            .scale = std::move(scale)};
+  }
+  std::uint64_t bytes() const { return bytes_of(translation) + bytes_of(rotation) + bytes_of(scale); }
 };
 
 /// The weights of the morph targets of a node's mesh, as the file has them.
@@ -38,8 +49,9 @@ struct Animation {
   std::vector<anim::NamedCurve> curves;       ///< by name
 };
 
-/// Reads every animation. Checks that key times ascend, are finite and match their bounds, that values are finite, that
-/// data keys are inside the animation, and that curves have one value a time. Throws Refusal; repairs go to `document`.
+/// Reads every animation, and charges Document::memory. Checks that key times ascend, are finite and match their
+/// bounds, that values are finite, that data keys are inside the animation, and that curves have one value a time.
+/// Throws Refusal; repairs go to `document`.
 std::vector<Animation> read_animations(Document& document, const NodeTree& tree);
 
 /// Returns the morph targets of a node's mesh that any of the animations gives another weight than its own, which
@@ -48,6 +60,7 @@ std::vector<int> animated_targets(const std::vector<Animation>& animations, int 
                                   std::span<const double> rest_weights);
 
 /// Gives the clips of `model` the weights of its morphs, and adds clips for animations that have nothing else for it.
-void add_morph_tracks(const std::vector<Animation>& animations, anim::Model& model);
+/// Charges `memory`.
+void add_morph_tracks(const std::vector<Animation>& animations, anim::Model& model, MemoryAccount& memory);
 
 }  // namespace throng::import

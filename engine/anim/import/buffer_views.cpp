@@ -1,10 +1,13 @@
 #include "engine/anim/import/buffer_views.h"
 
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/import/json_document.h"
 #include "engine/anim/import/meshopt_codec.h"
 #include "engine/anim/import/refusal.h"
 
@@ -24,27 +27,46 @@ Bytes require_length(Bytes bytes, const json& buffer) {
   return bytes.first(static_cast<std::size_t>(length));
 }
 
-/// Returns the bytes of every buffer. The first buffer without uri is the BIN chunk if it is the first of all. Others
-/// without uri are the fallback of compressed views, and no byte of them is read.
-std::vector<Bytes> load_buffers(const json& document, std::optional<Bytes> binary_chunk, const ModelFiles& files,
-                                std::vector<std::vector<std::byte>>& storage, std::vector<std::string>& repairs) {
-  std::vector<Bytes> buffers;
-  for (const json& buffer : document.value("buffers", json::array())) {
-    const auto uri = buffer.find("uri");
-    const std::string name = "buffer " + std::to_string(buffers.size());
-    try {
-      if (uri != buffer.end()) {
-        storage.push_back(files.read(uri->get_ref<const std::string&>(), name, repairs));
-        buffers.push_back(require_length(storage.back(), buffer));
-      } else {
-        buffers.push_back(buffers.empty() && binary_chunk ? require_length(*binary_chunk, buffer) : Bytes{});
+/// Reads the bytes of every buffer, each file once. The first buffer without uri is the BIN chunk if it is the first of
+/// all. Others without uri are the fallback of compressed views, and no byte of them is read.
+class BufferReader {
+ public:
+  BufferReader(ModelFiles& files, std::vector<std::vector<std::byte>>& storage, std::vector<std::string>& repairs,
+               MemoryAccount& memory)
+      : files_(files), storage_(storage), repairs_(repairs), memory_(memory) {}
+
+  std::vector<Bytes> read(const json& document, std::optional<Bytes> binary_chunk) {
+    std::vector<Bytes> buffers;
+    for (const json& buffer : array_of(document, "buffers")) {
+      const std::string name = "buffer " + std::to_string(buffers.size());
+      try {
+        if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
+          buffers.push_back(require_length(bytes_of(uri->get_ref<const std::string&>(), name), buffer));
+        } else {
+          buffers.push_back(buffers.empty() && binary_chunk ? require_length(*binary_chunk, buffer) : Bytes{});
+        }
+      } catch (const Refusal& refusal) {
+        throw Refusal(name + ": " + refusal.what());
       }
-    } catch (const Refusal& refusal) {
-      throw Refusal(name + ": " + refusal.what());
     }
+    return buffers;
   }
-  return buffers;
-}
+
+ private:
+  Bytes bytes_of(const std::string& uri, const std::string& name) {
+    const std::filesystem::path file = files_.find(uri, name, repairs_);
+    if (const auto known = read_.find(file); known != read_.end()) return known->second;
+    storage_.push_back(files_.read(uri, file, name, memory_));
+    if (!file.empty()) read_.emplace(file, storage_.back());
+    return storage_.back();
+  }
+
+  ModelFiles& files_;
+  std::vector<std::vector<std::byte>>& storage_;
+  std::vector<std::string>& repairs_;
+  MemoryAccount& memory_;
+  std::map<std::filesystem::path, Bytes> read_;
+};
 
 /// Returns the part of a buffer that a view, or its compressed form, names.
 Bytes slice(const json& view, const std::vector<Bytes>& buffers, const std::string& name) {
@@ -70,13 +92,14 @@ const json* find_meshopt(const json& view) {
 }
 
 std::vector<std::byte> decompress(const json& view, const json& meshopt, const std::vector<Bytes>& buffers,
-                                  const std::string& name) {
+                                  const std::string& name, MemoryAccount& memory) {
   const MeshoptView compressed{.bytes = slice(meshopt, buffers, name),
                                .count = meshopt["count"].get<std::uint64_t>(),
                                .stride = meshopt["byteStride"].get<std::uint64_t>(),
                                .mode = meshopt["mode"].get<std::string>(),
                                .filter = meshopt.value("filter", std::string("NONE"))};
   try {
+    memory.charge(decoded_meshopt_size(compressed), name);
     auto bytes = decode_meshopt(compressed);
     if (bytes.size() < view["byteLength"].get<std::uint64_t>()) throw Refusal("it holds fewer bytes than it says");
     return bytes;
@@ -96,12 +119,11 @@ void check_stride(const json& view, const std::string& name) {
 
 }  // namespace
 
-BufferViews load_buffer_views(const json& document, std::optional<Bytes> binary_chunk, const ModelFiles& files,
-                              std::vector<std::string>& repairs) {
+BufferViews load_buffer_views(const json& document, std::optional<Bytes> binary_chunk, ModelFiles& files,
+                              std::vector<std::string>& repairs, MemoryAccount& memory) {
   BufferViews result;
-  const std::vector<Bytes> buffers = load_buffers(document, binary_chunk, files, result.storage, repairs);
-  std::size_t decompressed = 0;
-  for (const json& view : document.value("bufferViews", json::array())) {
+  const std::vector<Bytes> buffers = BufferReader(files, result.storage, repairs, memory).read(document, binary_chunk);
+  for (const json& view : array_of(document, "bufferViews")) {
     const std::string name = "buffer view " + std::to_string(result.views.size());
     check_stride(view, name);
     const json* const meshopt = find_meshopt(view);
@@ -109,10 +131,8 @@ BufferViews load_buffer_views(const json& document, std::optional<Bytes> binary_
       result.views.push_back(slice(view, buffers, name));
       continue;
     }
-    result.storage.push_back(decompress(view, *meshopt, buffers, name));
+    result.storage.push_back(decompress(view, *meshopt, buffers, name, memory));
     result.views.emplace_back(result.storage.back());
-    decompressed += result.views.back().size();
-    if (decompressed > max_decompressed_size) throw Refusal(name + ": views decompress to more than 512 MiB");
   }
   return result;
 }

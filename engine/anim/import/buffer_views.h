@@ -12,9 +12,6 @@
 
 namespace throng::import {
 
-/// The most bytes that all compressed views of a file may decode to.
-inline constexpr std::size_t max_decompressed_size = std::size_t{1} << 29U;
-
 /// The bytes of every buffer view. `storage` owns those that are not part of the file itself.
 struct BufferViews {
   std::vector<std::vector<std::byte>> storage;
@@ -22,8 +19,9 @@ struct BufferViews {
 };
 
 /// Finds the buffer views of a document that passed check_json. They lie in the BIN chunk, in data URIs and in `files`,
-/// and are decompressed where EXT_meshopt_compression or KHR_meshopt_compression says so. Throws Refusal.
+/// and are decompressed where EXT_meshopt_compression or KHR_meshopt_compression says so. A file that several buffers
+/// name is read once. Charges `memory`. Throws Refusal.
 BufferViews load_buffer_views(const nlohmann::json& document, std::optional<std::span<const std::byte>> binary_chunk,
-                              const ModelFiles& files, std::vector<std::string>& repairs);
+                              ModelFiles& files, std::vector<std::string>& repairs, MemoryAccount& memory);
 
 }  // namespace throng::import

@@ -55,9 +55,13 @@ std::vector<std::byte> as_bytes(std::string_view text) {
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
-  constexpr std::string_view scheme = "data:", base64 = ";base64";
-  if (!equal_without_case(uri.substr(0, scheme.size()), scheme)) return std::nullopt;
+bool is_data_uri(std::string_view uri) {
+  constexpr std::string_view scheme = "data:";
+  return equal_without_case(uri.substr(0, scheme.size()), scheme);
+}
+
+std::vector<std::byte> decode_data_uri(std::string_view uri) {
+  constexpr std::string_view base64 = ";base64";
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) throw Refusal("its data URI holds no data; export the file again");
   const std::string_view head = uri.substr(0, comma), data = uri.substr(comma + 1);
@@ -68,6 +72,7 @@ std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
 
 std::string decode_percent(std::string_view text) {
   std::string decoded;
+  decoded.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool escape = text[i] == '%' && i + 2 < text.size();
     const int high = escape ? hex_digit(text[i + 1]) : -1;

@@ -1,7 +1,9 @@
 #include "engine/anim/import/document.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +14,7 @@
 #include "engine/anim/import/json_document.h"
 #include "engine/anim/import/json_extensions.h"
 #include "engine/anim/import/json_repairs.h"
+#include "engine/anim/import/memory/json_memory.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/source_file.h"
 
@@ -22,10 +25,15 @@ namespace {
 using nlohmann::json;
 using namespace nlohmann::literals;
 
+/// Moves the uris, because one may hold the whole image.
 std::vector<ImageSource> take_images(json& document) {
   std::vector<ImageSource> images;
-  for (const json& image : document.value("images", json::array())) {
-    images.push_back({.buffer_view = image.value("bufferView", -1), .uri = image.value("uri", std::string())});
+  if (!document.contains("images")) return images;
+  for (json& image : document["images"]) {
+    ImageSource& source = images.emplace_back();
+    source.buffer_view = image.value("bufferView", -1);
+    source.name = image.value("name", std::string());
+    if (const auto uri = image.find("uri"); uri != image.end()) source.uri = std::move(uri->get_ref<std::string&>());
   }
   document.erase("images");
   return images;
@@ -76,7 +84,7 @@ std::vector<std::vector<MeshLodNode>> take_mesh_lods(json& document) {
 /// Extras may hold anything; what is no list of names is none.
 std::vector<std::vector<std::string>> take_target_names(json& document) {
   std::vector<std::vector<std::string>> meshes;
-  for (const json& mesh : document.value("meshes", json::array())) {
+  for (const json& mesh : array_of(document, "meshes")) {
     std::vector<std::string>& names = meshes.emplace_back();
     const auto listed = mesh.find(target_names_property);
     if (listed == mesh.end() || !listed->is_array()) continue;
@@ -100,9 +108,56 @@ bool refuse_to_load(tinygltf::Image*, int, std::string*, std::string*, int, int,
   return false;
 }
 
+/// Sums up what tinygltf's form of the objects takes, and ours of the nodes.
+class MappedSize {
+ public:
+  explicit MappedSize(const json& document) {
+    using namespace tinygltf;
+    add(array_of(document, "nodes").size(), sizeof(Node) + bytes_in_a_tree);
+    add(array_of(document, "accessors").size(), sizeof(Accessor));
+    add(array_of(document, "bufferViews").size(), sizeof(BufferView));
+    add(array_of(document, "materials").size(), sizeof(Material));
+    add(array_of(document, "textures").size(), sizeof(tinygltf::Texture));
+    add(array_of(document, "samplers").size(), sizeof(Sampler));
+    add(array_of(document, "skins").size(), sizeof(Skin));
+    add(array_of(document, "scenes").size(), sizeof(Scene));
+    for (const json& mesh : array_of(document, "meshes")) {
+      add(1, sizeof(Mesh));
+      for (const json& primitive : array_of(mesh, "primitives")) {
+        add(1 + array_of(primitive, "targets").size(), sizeof(Primitive));
+      }
+    }
+    for (const json& animation : array_of(document, "animations")) {
+      add(1, sizeof(tinygltf::Animation));
+      add(array_of(animation, "channels").size(), sizeof(AnimationChannel));
+      add(array_of(animation, "samplers").size(), sizeof(AnimationSampler));
+    }
+  }
+
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  static constexpr std::size_t bytes_in_a_tree = 512;  // of a node, in NodeTree and in what finds bones
+
+  void add(std::size_t count, std::size_t size) { bytes_ += std::uint64_t{count} * size; }
+
+  std::uint64_t bytes_ = 0;
+};
+
+/// Charges what mapping takes: the text, a tree of it, and objects in vectors that grow. Returns what of it stays.
+std::uint64_t charge_mapping(const MappedSize& size, std::string_view text, MemoryAccount& memory) {
+  const std::uint64_t tree = parsed_json_memory(text), free = memory.json_allowance(text.size());
+  const std::uint64_t needed = text.size() * 3 + tree + size.bytes() * 3, kept = size.bytes() * 2;
+  memory.charge(needed - std::min(needed, free), "its JSON");
+  return kept - std::min(kept, free);
+}
+
 /// Maps JSON to tinygltf's structs and nothing else: `document` has no buffer or image left that it could open.
-tinygltf::Model map_document(const json& document) {
+tinygltf::Model map_document(json document, MemoryAccount& memory) {
+  MemoryScope scope(memory);
   const std::string text = document.dump();
+  scope.keep(charge_mapping(MappedSize(document), text, memory));
+  document = nullptr;
   tinygltf::TinyGLTF mapper;
   mapper.SetImageLoader(&refuse_to_load, nullptr);
   mapper.SetFsCallbacks({});
@@ -117,13 +172,34 @@ tinygltf::Model map_document(const json& document) {
   return model;
 }
 
+/// Charges what a tree of the text takes beyond its allowance.
+void charge_json(std::string_view text, MemoryAccount& memory) {
+  const std::uint64_t tree = parsed_json_memory(text);
+  memory.charge(tree - std::min(tree, memory.json_allowance(text.size())), "its JSON");
+}
+
+std::vector<std::byte> read_model(const std::filesystem::path& path, MemoryAccount& memory) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error) memory.add_file(size, "the file");
+  return read_file(path);
+}
+
 }  // namespace
 
-Document load_document(const std::filesystem::path& path, bool strict) {
+Document load_document(const std::filesystem::path& path, bool strict, MemoryAccount& memory) {
   Document document;
-  document.file = read_file(path);
+  document.memory = &memory;
+  document.file = read_model(path, memory);
   const FileParts parts = split_file(document.file, path);
+  const std::uint64_t before = memory.held();
+  charge_json(parts.json, memory);
+  const std::uint64_t tree = memory.held() - before;
   json json_document = parse_json(parts.json, document.repairs);
+  if (!parts.binary) {
+    memory.release(document.file.size());
+    document.file = std::vector<std::byte>();
+  }
   check_json(json_document);
   check_required_extensions(json_document, document.repairs);
   repair_json(json_document, document.repairs);
@@ -136,19 +212,27 @@ Document load_document(const std::filesystem::path& path, bool strict) {
   document.target_names = take_target_names(json_document);
   document.is_hidden = take_hidden(json_document);
   document.humanoid = read_humanoid(json_document, document.repairs);
-  document.buffer_views = load_buffer_views(json_document, parts.binary, document.files, document.repairs);
-  decode_draco_meshes(json_document, document.buffer_views, document.repairs);
+  document.buffer_views = load_buffer_views(json_document, parts.binary, document.files, document.repairs, memory);
+  decode_draco_meshes(json_document, document.buffer_views, document.repairs, memory);
   for (const char* key : {"buffers", "cameras", "extensions", "extensionsUsed", "extensionsRequired"}) {
     json_document.erase(key);
   }
-  document.gltf = map_document(json_document);
+  memory.release(tree);
+  document.gltf = map_document(std::move(json_document), memory);
   check_accessors(document);
   return document;
 }
 
+void Document::charge_repairs() {
+  constexpr std::uint64_t copies = 2, a_text = 3 * sizeof(std::string);  // in a vector that grows
+  for (; charged_repairs < repairs.size(); ++charged_repairs) {
+    memory->charge_for_good(copies * (repairs[charged_repairs].size() + a_text), "the list of repairs");
+  }
+}
+
 std::string label(const std::string& type, std::size_t index, const std::string& name) {
   const std::string text = type + " " + std::to_string(index);
-  return name.empty() ? text : text + " \"" + name + "\"";
+  return name.empty() ? text : text + " \"" + shown_name(name) + "\"";
 }
 
 }  // namespace throng::import

@@ -2,14 +2,18 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include <tiny_gltf.h>
 
 #include "engine/anim/asset/clip.h"
+#include "engine/anim/asset/model.h"
+#include "engine/anim/base/result.h"
 #include "engine/anim/import/buffer_views.h"
 #include "engine/anim/import/humanoid.h"
+#include "engine/anim/import/memory/memory_account.h"
 #include "engine/anim/import/model_files.h"
 
 namespace throng::import {
@@ -18,6 +22,7 @@ namespace throng::import {
 struct ImageSource {
   int buffer_view = -1;
   std::string uri;
+  std::string name;
 };
 
 /// A coarser mesh that replaces a node's mesh (see json_document.h).
@@ -30,25 +35,31 @@ struct MeshLodNode {
 /// would open any path. Indices between objects are in range, buffer views lie inside their buffers, and accessors lie
 /// inside their views.
 struct Document {
+  MemoryAccount* memory = nullptr;  ///< of the import; whoever adds to the document charges it
   ModelFiles files;
   tinygltf::Model gltf;
-  std::vector<std::byte> file;  ///< the bytes that `views` show, unless their storage has them
+  std::vector<std::byte> file;  ///< the bytes that `views` show, unless their storage has them; else none
   BufferViews buffer_views;
   std::vector<ImageSource> images;
-  std::vector<std::vector<anim::NamedDataKey>> data_keys;  ///< by animation, as the file has them
-  std::vector<std::vector<anim::NamedCurve>> curves;       ///< by animation, as the file has them
-  std::vector<std::vector<MeshLodNode>> mesh_lods;         ///< by node, as the file has them
-  std::vector<std::vector<std::string>> target_names;      ///< by mesh, of its morph targets; may be fewer or none
-  std::vector<bool> is_hidden;                             ///< by node: KHR_node_visibility hides it and all below
+  std::map<std::string, anim::Result<anim::Image>> decoded_images;  ///< by the place of their bytes
+  std::vector<std::vector<anim::NamedDataKey>> data_keys;           ///< by animation, as the file has them
+  std::vector<std::vector<anim::NamedCurve>> curves;                ///< by animation, as the file has them
+  std::vector<std::vector<MeshLodNode>> mesh_lods;                  ///< by node, as the file has them
+  std::vector<std::vector<std::string>> target_names;  ///< by mesh, of its morph targets; may be fewer or none
+  std::vector<bool> is_hidden;                         ///< by node: KHR_node_visibility hides it and all below
   Humanoid humanoid;
   std::vector<std::string> repairs;
+  std::size_t charged_repairs = 0;
   mutable std::size_t decoded_values = 0;  ///< numbers of all accessors so far, which the reader bounds
+
+  /// Charges `memory` with the repairs that came since. Call it where one part of a file is read many times.
+  void charge_repairs();
 };
 
-/// Reads and checks the file; `strict` as ModelFiles has it. Throws Refusal.
-Document load_document(const std::filesystem::path& path, bool strict);
+/// Reads and checks the file; `strict` as ModelFiles has it. `memory` must outlive the document. Throws Refusal.
+Document load_document(const std::filesystem::path& path, bool strict, MemoryAccount& memory);
 
-/// Returns `node 3 "Hips"`, for messages.
+/// Returns `node 3 "Hips"`, for messages; the name only as far as a line shows it.
 std::string label(const std::string& type, std::size_t index, const std::string& name);
 
 }  // namespace throng::import

@@ -12,6 +12,7 @@ namespace {
 constexpr std::string_view draco_magic = "DRACO";
 constexpr std::uint8_t triangular_mesh = 1;
 constexpr std::uint8_t edgebreaker = 1;
+constexpr std::uint8_t valence_walk = 2;
 constexpr unsigned has_metadata = 0x8000;
 constexpr int max_metadata_depth = 16;
 
@@ -80,11 +81,11 @@ DracoCounts read_draco_counts(std::span<const std::byte> bytes) {
   }
   if (!by_edges) {
     const std::uint64_t faces = head.number();
-    return {.faces = faces, .points = head.number()};
+    return {.faces = faces, .points = head.number(), .seams = 0, .by_valence = false};
   }
-  head.skip(1);  // how the edges are walked
-  const std::uint64_t points = head.number();
-  return {.faces = head.number(), .points = points};
+  const bool by_valence = head.byte() == valence_walk;
+  const std::uint64_t points = head.number(), triangles = head.number();
+  return {.faces = triangles, .points = points, .seams = head.byte(), .by_valence = by_valence};
 }
 
 }  // namespace throng::import

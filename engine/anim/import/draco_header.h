@@ -10,6 +10,8 @@ namespace throng::import {
 struct DracoCounts {
   std::uint64_t faces = 0;
   std::uint64_t points = 0;  ///< those of the connectivity; seams add others
+  std::uint64_t seams = 0;   ///< tables of corners beside that of the faces
+  bool by_valence = false;   ///< whether the walk keeps lists of the faces by the valence of their corners
 };
 
 /// Reads the head of a Draco mesh of version 2.2, the only one that glTF allows. Throws Refusal.

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <draco/compression/decode.h>
+#include <draco/compression/config/decoder_options.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/anim/import/draco_header.h"
@@ -71,24 +73,72 @@ bool convert(const draco::PointAttribute& attribute, draco::AttributeValueIndex 
   }
 }
 
-std::unique_ptr<draco::Mesh> decode(Bytes bytes) {
-  draco::DecoderBuffer buffer;
+/// Charges the account with the attributes of a mesh, which it has when its triangles are known, before they are read.
+template <typename Decoder>
+class CountingDecoder final : public Decoder {
+ public:
+  CountingDecoder(MemoryAccount& memory, const std::string& name) : memory_(memory), name_(name) {}
+
+ private:
+  bool DecodeAllAttributes() override {
+    const draco::PointCloud& cloud = *this->point_cloud();
+    for (std::int32_t i = 0; i < cloud.num_attributes(); ++i) {
+      const draco::PointAttribute& attribute = *cloud.attribute(i);
+      const std::uint64_t integers = std::uint64_t{static_cast<std::uint8_t>(attribute.num_components())} * 4;
+      const auto stride = static_cast<std::uint64_t>(attribute.byte_stride());
+      memory_.charge((integers + stride + bytes_a_place) * cloud.num_points(), name_);
+    }
+    return Decoder::DecodeAllAttributes();
+  }
+
+  static constexpr std::uint64_t bytes_a_place = 8;  // which value a point has, and the order in which they come
+
+  MemoryAccount& memory_;
+  const std::string& name_;
+};
+
+template <typename Decoder>
+draco::Status decode_by(draco::DecoderBuffer& buffer, draco::Mesh& mesh, MemoryAccount& memory,
+                        const std::string& name) {
+  CountingDecoder<Decoder> decoder(memory, name);
+  return decoder.Decode(draco::DecoderOptions(), &buffer, &mesh);
+}
+
+std::unique_ptr<draco::Mesh> decode(Bytes bytes, MemoryAccount& memory, const std::string& name) {
+  draco::DecoderBuffer buffer, head_buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  auto mesh = draco::Decoder().DecodeMeshFromBuffer(&buffer);
-  if (!mesh.ok()) throw Refusal(std::string("its Draco mesh does not decode: ") + mesh.status().error_msg());
-  return std::move(mesh).value();
+  head_buffer = buffer;
+  draco::DracoHeader head;
+  draco::Status status = draco::PointCloudDecoder::DecodeHeader(&head_buffer, &head);
+  auto mesh = std::make_unique<draco::Mesh>();
+  if (status.ok()) {
+    status = head.encoder_method == draco::MESH_EDGEBREAKER_ENCODING
+                 ? decode_by<draco::MeshEdgebreakerDecoder>(buffer, *mesh, memory, name)
+                 : decode_by<draco::MeshSequentialDecoder>(buffer, *mesh, memory, name);
+  }
+  if (!status.ok()) throw Refusal(std::string("its Draco mesh does not decode: ") + status.error_msg());
+  return mesh;
 }
 
 class DracoDecoder {
  public:
-  DracoDecoder(json& document, BufferViews& views, std::vector<std::string>& repairs)
-      : document_(document), views_(views), repairs_(repairs) {}
+  DracoDecoder(json& document, BufferViews& views, std::vector<std::string>& repairs, MemoryAccount& memory)
+      : document_(document), views_(views), repairs_(repairs), memory_(memory) {}
 
-  void decode_primitive(json& primitive, const json& compressed) {
+  void decode_primitive(json& primitive, const json& compressed, const std::string& name) {
+    MemoryScope scope(memory_);
+    kept_ = 0;
+    give_views(primitive, compressed, name);
+    scope.keep(kept_);
+  }
+
+ private:
+  void give_views(json& primitive, const json& compressed, const std::string& name) {
+    name_ = name;
     if (!primitive.contains("indices")) throw Refusal("its Draco mesh has no indices");
     const Bytes bytes = views_.views[compressed["bufferView"].get<std::size_t>()];
-    check_counts(bytes);
-    const std::unique_ptr<draco::Mesh> mesh = decode(bytes);
+    charge_triangles(bytes);
+    const std::unique_ptr<draco::Mesh> mesh = decode(bytes, memory_, name_);
     give_indices(primitive["indices"].get<std::size_t>(), *mesh);
     primitive["mode"] = triangles_mode;
     for (const auto& [semantic, id] : compressed["attributes"].items()) {
@@ -100,13 +150,16 @@ class DracoDecoder {
     }
   }
 
- private:
-  static void check_counts(Bytes bytes) {
+  void charge_triangles(Bytes bytes) {
+    constexpr std::uint64_t bytes_a_face_and_seam = 28, bytes_a_point = 16;
     const DracoCounts counts = read_draco_counts(bytes);
     if (counts.faces > bytes.size() * most_faces_a_byte || counts.points > counts.faces * 3) {
       throw Refusal(std::to_string(bytes.size()) + " bytes of Draco cannot hold " + std::to_string(counts.faces) +
                     " triangles");
     }
+    const std::uint64_t bytes_a_face = counts.by_valence ? 80 : 56;
+    memory_.charge(counts.faces * (bytes_a_face + bytes_a_face_and_seam * counts.seams) + counts.points * bytes_a_point,
+                   name_);
   }
 
   /// Makes a view of its own for an accessor, with room for `count` elements, and returns its bytes. Returns nothing
@@ -119,8 +172,8 @@ class DracoDecoder {
                          " elements, but its Draco mesh has " + std::to_string(count) + ", all taken");
       accessor["count"] = count;
     }
-    decoded_ += count * element_bytes;
-    if (decoded_ > max_decompressed_size) throw Refusal("Draco meshes decode to more than 512 MiB");
+    memory_.charge(count * element_bytes, name_);
+    kept_ += count * element_bytes;
     std::vector<std::byte>& bytes = views_.storage.emplace_back(count * element_bytes);
     accessor["bufferView"] = views_.views.size();
     accessor["byteOffset"] = 0;
@@ -162,15 +215,17 @@ class DracoDecoder {
   json& document_;
   BufferViews& views_;
   std::vector<std::string>& repairs_;
+  MemoryAccount& memory_;
   std::set<std::size_t> given_;  ///< accessors
-  std::size_t decoded_ = 0;      ///< bytes
+  std::string name_;             ///< of the primitive
+  std::uint64_t kept_ = 0;       ///< bytes of its views
 };
 
 }  // namespace
 
-void decode_draco_meshes(json& document, BufferViews& views, std::vector<std::string>& repairs) {
+void decode_draco_meshes(json& document, BufferViews& views, std::vector<std::string>& repairs, MemoryAccount& memory) {
   if (!document.contains("meshes")) return;
-  DracoDecoder decoder(document, views, repairs);
+  DracoDecoder decoder(document, views, repairs, memory);
   std::size_t mesh_index = 0;
   for (json& mesh : document["meshes"]) {
     const std::string mesh_name = json_label("mesh", mesh_index++, mesh);
@@ -181,7 +236,7 @@ void decode_draco_meshes(json& document, BufferViews& views, std::vector<std::st
       if (extensions == primitive.end() || !extensions->contains("KHR_draco_mesh_compression")) continue;
       try {
         const json compressed = (*extensions)["KHR_draco_mesh_compression"];
-        decoder.decode_primitive(primitive, compressed);
+        decoder.decode_primitive(primitive, compressed, name);
       } catch (const Refusal& refusal) {
         throw Refusal(name + ": " + refusal.what() + "; export the file again");
       }

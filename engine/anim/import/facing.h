@@ -7,6 +7,9 @@
 
 namespace throng::import {
 
+/// What add_tangents takes for each vertex, sums among it.
+inline constexpr std::size_t bytes_of_tangents = 6 * sizeof(double) + sizeof(glm::vec4);
+
 // These functions let light fall on the right side of a mesh. All of them take a mesh with its influences.
 
 /// Gives every triangle normals of its own, by copies of the vertices that it shares, which come last (glTF 2.0,

@@ -1,103 +1,83 @@
 #include "engine/anim/import/images.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <string_view>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include <webp/decode.h>
-
+#include "engine/anim/import/pixels/decode.h"
 #include "engine/anim/import/refusal.h"
-#include "engine/anim/import/source_file.h"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_NO_STDIO
-#include <stb/stb_image.h>
 
 namespace throng::import {
 
 namespace {
 
-constexpr int max_image_side = 8192;  // pixels
-constexpr std::string_view ktx2_magic = "\xABKTX 20\xBB";
+using Bytes = std::span<const std::byte>;
 
-std::string_view text_of(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-const std::uint8_t* unsigned_bytes(std::span<const std::byte> bytes) {
-  return reinterpret_cast<const std::uint8_t*>(bytes.data());
-}
-
-bool is_webp(std::string_view text) { return text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP"); }
-
-/// Throws Refusal.
-void check_sides(int width, int height) {
-  if (width <= max_image_side && height <= max_image_side) return;
-  throw Refusal("its sides exceed " + std::to_string(max_image_side) + " pixels");
-}
-
-/// Makes an image of the pixels that a decoder allocated.
-anim::Image owning_image(int width, int height, std::uint8_t* rgba, void (*free_pixels)(void*)) {
-  const std::size_t bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
-  return {.width = width,
-          .height = height,
-          .rgba = {rgba, bytes},
-          .lender = std::shared_ptr<const void>(static_cast<void*>(rgba), free_pixels)};
-}
-
-anim::Image decode_webp(std::span<const std::byte> bytes) {
-  int width = 0;
-  int height = 0;
-  if (WebPGetInfo(unsigned_bytes(bytes), bytes.size(), &width, &height) == 0)
-    throw Refusal("its WebP header is broken");
-  check_sides(width, height);
-  std::uint8_t* const pixels = WebPDecodeRGBA(unsigned_bytes(bytes), bytes.size(), &width, &height);
-  if (pixels == nullptr) throw Refusal("its WebP does not decode");
-  return owning_image(width, height, pixels, &WebPFree);
-}
-
-anim::Image decode_png_or_jpeg(std::span<const std::byte> bytes) {
-  const stbi_uc* data = unsigned_bytes(bytes);
-  const auto size = static_cast<int>(bytes.size());
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) {
-    throw Refusal("it is neither PNG nor JPEG nor WebP");
+/// Decodes within what the account allows, and charges it with the pixels.
+anim::Result<anim::Image> decode_within_account(MemoryAccount& memory, Bytes bytes, const std::string& name) {
+  const std::uint64_t free = memory.take_image_allowance(bytes.size());
+  try {
+    anim::Result<anim::Image> image = decode_image(bytes, memory.left() + free);
+    const std::uint64_t pixels = image ? image->rgba.size() : 0;
+    const std::uint64_t free_pixels = std::min(free, pixels);
+    memory.give_back_image_allowance(free - free_pixels);
+    memory.charge_for_good(pixels - free_pixels, name);
+    return image;
+  } catch (const OverBudget& over) {
+    memory.refuse(over.bytes, name, free);
   }
-  check_sides(width, height);
-  stbi_uc* const pixels = stbi_load_from_memory(data, size, &width, &height, &channels, 4);
-  if (pixels == nullptr) throw Refusal(std::string("it does not decode: ") + stbi_failure_reason());
-  return owning_image(width, height, pixels, &stbi_image_free);
 }
 
-std::vector<std::byte> read_image_bytes(Document& document, int image) {
+anim::Image image_of(const anim::Result<anim::Image>& decoded) {
+  if (!decoded) throw Refusal(decoded.error().message);
+  return *decoded;
+}
+
+/// The bytes of an image, and what stands for them: the same for images that have the same.
+struct EncodedImage {
+  std::string place;
+  std::filesystem::path file;  ///< where they are read; none for a data URI
+  Bytes bytes;                 ///< none where they are still in a file or in a uri
+};
+
+EncodedImage find_encoded(Document& document, int image, const std::string& name) {
   const ImageSource& source = document.images[static_cast<std::size_t>(image)];
   if (source.buffer_view >= 0) {
-    const auto bytes = document.buffer_views.views[static_cast<std::size_t>(source.buffer_view)];
-    return {bytes.begin(), bytes.end()};
+    const Bytes bytes = document.buffer_views.views[static_cast<std::size_t>(source.buffer_view)];
+    const auto address = reinterpret_cast<std::uintptr_t>(bytes.data());
+    return {.place = "at " + std::to_string(address) + " " + std::to_string(bytes.size()), .file = {}, .bytes = bytes};
   }
-  return document.files.read(source.uri, image_label(document, image), document.repairs);
+  const std::filesystem::path file = document.files.find(source.uri, name, document.repairs);
+  return {.place = file.empty() ? "image " + std::to_string(image) : file.string(), .file = file, .bytes = {}};
 }
 
 }  // namespace
 
-anim::Image decode_image(std::span<const std::byte> bytes) {
-  const std::string_view text = text_of(bytes);
-  if (text.starts_with(ktx2_magic)) throw Refusal("it is KTX2, which is not decoded; add a PNG or JPEG to its texture");
-  return is_webp(text) ? decode_webp(bytes) : decode_png_or_jpeg(bytes);
+anim::Image read_image(Document& document, int image) {
+  const std::string name = image_label(document, image);
+  const EncodedImage encoded = find_encoded(document, image, name);
+  const auto known = document.decoded_images.find(encoded.place);
+  if (known != document.decoded_images.end()) return image_of(known->second);
+  std::vector<std::byte> read;
+  Bytes bytes = encoded.bytes;
+  const MemoryScope scope(*document.memory);
+  if (bytes.empty()) {
+    const std::string& uri = document.images[static_cast<std::size_t>(image)].uri;
+    read = document.files.read(uri, encoded.file, name, *document.memory);
+    bytes = read;
+  }
+  auto decoded = decode_within_account(*document.memory, bytes, name);
+  return image_of(document.decoded_images.emplace(encoded.place, std::move(decoded)).first->second);
 }
 
-anim::Image read_image(Document& document, int image) { return decode_image(read_image_bytes(document, image)); }
-
 std::string image_label(const Document& document, int image) {
+  const ImageSource& source = document.images[static_cast<std::size_t>(image)];
   constexpr std::size_t longest = 200;  // characters; a data URI holds the whole image
-  const std::string& uri = document.images[static_cast<std::size_t>(image)].uri;
-  return label("image", static_cast<std::size_t>(image), uri.size() > longest ? std::string() : uri);
+  const bool is_short = source.uri.size() <= longest;
+  return label("image", static_cast<std::size_t>(image), source.name.empty() && is_short ? source.uri : source.name);
 }
 
 }  // namespace throng::import

@@ -1,19 +1,14 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "engine/anim/asset/model.h"
 #include "engine/anim/import/document.h"
 
 namespace throng::import {
 
-/// Decodes an image by what its bytes are, PNG, JPEG or WebP, whatever its name says. Throws Refusal.
-anim::Image decode_image(std::span<const std::byte> bytes);
-
-/// Reads and decodes an image of the file, and adds to Document::repairs how its uri was understood. Throws Refusal.
+/// Returns an image of the file, decoded, and adds to Document::repairs how its uri was understood. Images that lie in
+/// the same file or in the same bytes are decoded once, and share their pixels. Throws Refusal.
 anim::Image read_image(Document& document, int image);
 
 /// Returns `image 3 "skin.png"`, for messages.

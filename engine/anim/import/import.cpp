@@ -14,6 +14,7 @@
 #include "engine/anim/import/carried_meshes.h"
 #include "engine/anim/import/document.h"
 #include "engine/anim/import/materials.h"
+#include "engine/anim/import/memory/memory_account.h"
 #include "engine/anim/import/meshes.h"
 #include "engine/anim/import/node_tree.h"
 #include "engine/anim/import/reach.h"
@@ -45,7 +46,7 @@ anim::Model build_model(Document& document, const NodeTree& tree, const std::vec
   model.faces_backwards = document.humanoid.faces_backwards;
   model.materials = materials.take_materials();
   model.images = materials.take_images();
-  add_morph_tracks(animations, model);
+  add_morph_tracks(animations, model, *document.memory);
   if (std::string left_out = anim::limit_morphs(model); !left_out.empty()) document.repairs.push_back(left_out);
   anim::reorder_bones(model, anim::order_bones(parents_of(model.skeleton), anim::bone_importance(model)));
   return model;
@@ -65,9 +66,10 @@ std::size_t vertex_count(const anim::Model& model) {
 }
 
 anim::ImportedFile import_checked(const std::string& path, const ImportOptions& options, bool skin_of_nodes) {
-  Document document = load_document(path, options.strict);
+  MemoryAccount memory(options.memory_limit);
+  Document document = load_document(path, options.strict, memory);
   const NodeTree tree = build_node_tree(document);
-  const std::vector<Animation> animations = read_animations(document, tree);
+  std::vector<Animation> animations = read_animations(document, tree);
   std::vector<FileSkin> skins = read_skins(document, tree);
   if (skins.empty() && skin_of_nodes) skins = skin_animated_nodes(document, tree, animations);
   check_reach(document, tree, animations, skins);
@@ -99,6 +101,8 @@ anim::Result<anim::ImportedFile> import_or_refuse(const std::string& path, const
   try {
     return import_checked(path, options, skin_of_nodes);
   } catch (const Refusal& refusal) {
+    return error_of(path, refusal.what());
+  } catch (const MemoryRefusal& refusal) {
     return error_of(path, refusal.what());
   } catch (const std::bad_alloc&) {
     return error_of(path, "there is not enough memory to import it; close other programs or split the model");

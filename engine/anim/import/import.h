@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "engine/anim/asset/model.h"
@@ -9,13 +10,15 @@ namespace throng::import {
 
 struct ImportOptions {
   bool strict = false;  ///< refuses what would be repaired or left out, and links that lead out of the model's folder
+  std::uint64_t memory_limit = 0;  ///< bytes that it may hold at a time; 0: as memory/memory_account.h says
 };
 
 /// Reads a .glb or .gltf (glTF 2.0) and checks everything before it is used. The error is one sentence with the file,
 /// the object and what to do.
 /// Reads files only below the model's own folder, and where symbolic links in it lead.
 /// Names and messages are plain text (plain_text.h), whatever the file holds.
-/// Never throws, crashes or hangs on any input. The size of the files bounds the memory.
+/// Never throws, crashes or hangs on any input. The size of the files bounds the memory: what would hold more than 64
+/// MB and four times the files is refused before it is taken (memory/README.md).
 anim::Result<anim::ImportedFile> import_file(const std::string& path, const ImportOptions& options = {});
 
 /// Does the same, but accepts a file without skins, which has animations and no models.

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/anim/asset/skeleton.h"
 #include "engine/anim/import/json_document.h"
 #include "engine/anim/import/json_properties.h"
 #include "engine/anim/import/refusal.h"
@@ -170,11 +171,24 @@ class Checker {
 void check_transforms(const json& document) {
   const Place root{.outer = nullptr, .type = "document", .object = &document};
   std::ptrdiff_t index = 0;
-  for (const json& node : document.value("nodes", json::array())) {
+  for (const json& node : array_of(document, "nodes")) {
     const bool has_trs = node.contains("translation") || node.contains("rotation") || node.contains("scale");
     if (has_trs && node.contains("matrix")) {
       const Place place{.outer = &root, .type = "node", .object = &node, .index = index};
       refuse_property(place, "matrix", "stands beside a translation, rotation or scale");
+    }
+    ++index;
+  }
+}
+
+/// Each joint would be a bone. Their indices alone may take megabytes.
+void check_joints(const json& document) {
+  std::size_t index = 0;
+  for (const json& skin : array_of(document, "skins")) {
+    const std::size_t joints = array_of(skin, "joints").size();
+    if (joints > static_cast<std::size_t>(anim::max_bones)) {
+      throw Refusal(json_label("skin", index, skin) + ": has " + std::to_string(joints) + " joints, and " +
+                    std::to_string(anim::max_bones) + " are the most; split the model");
     }
     ++index;
   }
@@ -193,6 +207,7 @@ void check_version(const json& document) {
 void check_json(const json& document) {
   Checker(document).check_object({.outer = nullptr, .type = "document", .object = &document});
   check_transforms(document);
+  check_joints(document);
   check_version(document);
 }
 

@@ -83,6 +83,16 @@ json parse_text(std::string_view text, std::vector<std::string>& repairs) {
   return std::move(*document);
 }
 
+/// Many objects are made of one, and each has its name. Nobody reads so long a name.
+void shorten_name(std::string& name) {
+  constexpr std::size_t longest = 1024;  // bytes
+  if (name.size() <= longest) return;
+  std::size_t size = longest;
+  while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xC0U) == 0x80U) --size;  // inside a letter
+  name.resize(size);
+  name.shrink_to_fit();
+}
+
 void simplify(json& value) {
   constexpr double largest_exact = 9007199254740992.0;  // 2^53
   if (value.is_number_float()) {
@@ -94,6 +104,7 @@ void simplify(json& value) {
     value.erase("extras");
     keep_read_extensions(value);
     if (const auto name = value.find("name"); name != value.end() && name->is_string()) {
+      shorten_name(name->get_ref<std::string&>());
       *name = anim::plain_text(name->get_ref<const std::string&>());
     }
   }
@@ -118,12 +129,23 @@ nlohmann::json parse_json(std::string_view text, std::vector<std::string>& repai
   return document;
 }
 
+const json& array_of(const json& object, const char* key) {
+  static const json none = json::array();
+  const auto found = object.find(key);
+  return found == object.end() ? none : *found;
+}
+
+std::string shown_name(const std::string& name) {
+  constexpr std::size_t longest = 120;  // bytes; messages repeat a name many times
+  return name.size() <= longest ? name : name.substr(0, longest) + "...";
+}
+
 std::string json_label(const std::string& type, std::size_t index, const nlohmann::json& object) {
   std::string text = type + " " + std::to_string(index);
   if (!object.is_object()) return text;
   const auto name = object.find("name");
   if (name == object.end() || !name->is_string() || name->get_ref<const std::string&>().empty()) return text;
-  return text.append(" \"").append(name->get_ref<const std::string&>()).append("\"");
+  return text.append(" \"").append(shown_name(name->get_ref<const std::string&>())).append("\"");
 }
 
 }  // namespace throng::import

@@ -122,6 +122,8 @@ glm::vec3 emission_of(const tinygltf::Material& source) {
 int MaterialCollector::material(int file_material) {
   const auto [found, is_new] = material_of_.try_emplace(file_material, static_cast<int>(materials_.size()));
   if (!is_new) return found->second;
+  constexpr std::uint64_t bytes = 3 * sizeof(anim::Material) + 1024;  // with its name, in a vector that grows
+  document_.memory->charge_for_good(bytes, "material " + std::to_string(file_material));
   coords_.emplace_back();
   materials_.push_back(file_material < 0 ? anim::Material{}
                                          : convert(document_.gltf.materials[static_cast<std::size_t>(file_material)]));
@@ -223,8 +225,10 @@ int MaterialCollector::image(int file_image) {
   const auto [found, is_new] = image_of_.try_emplace(file_image, -1);
   if (!is_new) return found->second;
   try {
-    images_.push_back(read_image(document_, file_image));
-    found->second = static_cast<int>(images_.size()) - 1;
+    const anim::Image read = read_image(document_, file_image);
+    const auto same = std::ranges::find(images_, read.rgba.data(), [](const anim::Image& i) { return i.rgba.data(); });
+    found->second = static_cast<int>(same - images_.begin());
+    if (same == images_.end()) images_.push_back(read);
   } catch (const Refusal& refusal) {
     document_.repairs.push_back(image_label(document_, file_image) + ": left out, because " + refusal.what());
   }

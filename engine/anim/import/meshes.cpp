@@ -11,6 +11,7 @@
 #include "engine/anim/asset/reference_pose.h"
 #include "engine/anim/import/accessors.h"
 #include "engine/anim/import/facing.h"
+#include "engine/anim/import/memory/model_memory.h"
 #include "engine/anim/import/reference_frames.h"
 #include "engine/anim/import/refusal.h"
 #include "engine/anim/import/surface.h"
@@ -25,6 +26,8 @@ struct Influences {
   std::vector<glm::vec4> weights;
 };
 
+constexpr std::size_t bytes_an_influence = sizeof(glm::u16vec4) + sizeof(glm::vec4);  // of a vertex
+constexpr std::size_t bytes_a_morph = 3 * sizeof(anim::Morph) + 512;  // with its name, in a vector that grows
 constexpr std::size_t kept = 4;
 constexpr double sum_tolerance = 1e-2;  // 8-bit weights that were rounded one by one
 
@@ -132,6 +135,7 @@ Influences read_influences(Document& document, const tinygltf::Primitive& primit
                            std::size_t vertex_count, const std::string& name) {
   const Sets sets = read_sets(document, primitive, name);
   check_sets(sets, skin, vertex_count, name);
+  document.memory->charge(vertex_count * bytes_an_influence, name);
   Influences result{.palette_entries = std::vector<glm::u16vec4>(vertex_count),
                     .weights = std::vector<glm::vec4>(vertex_count)};
   VertexBinder binder(sets, skin);
@@ -223,9 +227,10 @@ class MeshReader {
         document_.repairs.push_back(name + ": has a skin, but no JOINTS_0 and WEIGHTS_0, left out");
         return;
       }
+      MemoryScope scope(*document_.memory);
       anim::SkinnedMesh result = read_surface(document_, primitive, morphs, skin->bind_to_model, materials_, name);
       Influences influences = read_influences(document_, primitive, *skin, result.positions.size(), name);
-      add(std::move(result), std::move(influences), mesh);
+      scope.keep(add(std::move(result), std::move(influences), mesh, name));
     });
     return true;
   }
@@ -241,9 +246,11 @@ class MeshReader {
     const int entry = plain_palette_entry(built_.skeleton, attached.bone);
     const MorphsOfMesh morphs = morphs_of(attached.node);
     for_each_primitive(source(attached.node).mesh, [&](const tinygltf::Primitive& primitive, const std::string& name) {
+      MemoryScope scope(*document_.memory);
       anim::SkinnedMesh result = read_surface(document_, primitive, morphs, to_palette, materials_, name);
+      document_.memory->charge(result.positions.size() * bytes_an_influence, name);
       Influences influences = rigid_influences(entry, result.positions.size());
-      add(std::move(result), std::move(influences), source(attached.node).mesh);
+      scope.keep(add(std::move(result), std::move(influences), source(attached.node).mesh, name));
     });
   }
 
@@ -258,7 +265,9 @@ class MeshReader {
   MorphsOfMesh morphs_of(int node) {
     MorphsOfMesh morphs{.rest_weights = morph_weights(node), .animated = {}};
     if (reads_lods_) return morphs;
-    for (const int target : animated_targets(animations_, node, morphs.rest_weights)) {
+    const std::vector<int> targets = animated_targets(animations_, node, morphs.rest_weights);
+    document_.memory->charge_for_good(targets.size() * bytes_a_morph, node_label(node));
+    for (const int target : targets) {
       const auto place = static_cast<std::size_t>(target);
       const bool rests = place < morphs.rest_weights.size();
       morphs.animated.emplace_back(target, static_cast<std::uint32_t>(morphs_.size()));
@@ -283,18 +292,27 @@ class MeshReader {
     const std::string name = label("mesh", static_cast<std::size_t>(mesh), file_mesh.name);
     for (std::size_t i = 0; i < file_mesh.primitives.size(); ++i) {
       action(file_mesh.primitives[i], name + ", primitive " + std::to_string(i));
+      document_.charge_repairs();
     }
   }
 
-  void add(anim::SkinnedMesh result, Influences influences, int mesh) {
-    if (result.indices.empty()) return;
+  /// Returns what it keeps.
+  std::uint64_t add(anim::SkinnedMesh result, Influences influences, int mesh, const std::string& name) {
+    if (result.indices.empty()) return 0;
     result.name = document_.gltf.meshes[static_cast<std::size_t>(mesh)].name;
     result.palette_entries = std::move(influences.palette_entries);
     result.weights = std::move(influences.weights);
-    if (result.normals.empty()) shade_flat(result);
+    if (result.normals.empty()) {
+      document_.memory->charge(flat_mesh_memory(result), name);
+      shade_flat(result);
+    }
     turn_mirrored_triangles(result, mirrored_entries_);
-    if (result.tangents.empty()) add_tangents(result, materials_.at(result.material));
+    if (result.tangents.empty()) {
+      document_.memory->charge(result.positions.size() * bytes_of_tangents, name);
+      add_tangents(result, materials_.at(result.material));
+    }
     meshes_.push_back(std::move(result));
+    return bytes_of(meshes_.back());
   }
 
   Document& document_;

@@ -73,10 +73,14 @@ int decode_elements(const MeshoptView& view, std::vector<std::byte>& elements) {
 
 }  // namespace
 
-std::vector<std::byte> decode_meshopt(const MeshoptView& view) {
+std::uint64_t decoded_meshopt_size(const MeshoptView& view) {
   check_element(view);
   check_count(view);
-  std::vector<std::byte> elements(static_cast<std::size_t>(view.count * view.stride));
+  return view.count * view.stride;
+}
+
+std::vector<std::byte> decode_meshopt(const MeshoptView& view) {
+  std::vector<std::byte> elements(static_cast<std::size_t>(decoded_meshopt_size(view)));
   if (decode_elements(view, elements) != 0) throw Refusal("its bytes do not decode");
   apply_filter(view, elements);
   return elements;

@@ -17,8 +17,10 @@ struct MeshoptView {
   std::string filter;        ///< NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL, COLOR
 };
 
-/// Decodes count * stride bytes. Before it allocates, it checks that the bytes can hold so many elements. Throws
-/// Refusal.
+/// Returns the size of the bytes that a view decodes to. Checks that its own bytes can hold so many. Throws Refusal.
+std::uint64_t decoded_meshopt_size(const MeshoptView& view);
+
+/// Decodes count * stride bytes, after the same check. Throws Refusal.
 std::vector<std::byte> decode_meshopt(const MeshoptView& view);
 
 }  // namespace throng::import

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -146,7 +147,7 @@ struct Found {
 };
 
 /// Finds the file that a uri names by one of its readings.
-std::optional<Found> find(const std::vector<fs::path>& folders, const std::vector<Reading>& readings) {
+std::optional<Found> find_by_reading(const std::vector<fs::path>& folders, const std::vector<Reading>& readings) {
   for (const Reading& reading : readings) {
     for (const fs::path& folder : folders) {
       const fs::path file = folder / reading.name;
@@ -190,19 +191,38 @@ ModelFiles::ModelFiles(const fs::path& model, bool strict) : strict_(strict) {
   if (!error) folders_.push_back(target.parent_path());
 }
 
-std::vector<std::byte> ModelFiles::read(std::string_view uri, const std::string& object,
-                                        std::vector<std::string>& repairs) const {
-  if (auto data = decode_data_uri(uri)) return std::move(*data);
+fs::path ModelFiles::find(std::string_view uri, const std::string& object, std::vector<std::string>& repairs) const {
+  if (is_data_uri(uri)) return {};
   check_uri(uri);
   std::vector<Reading> readings = readings_of(uri);
   for (const Reading& reading : readings) check_name(reading.name, in_quotes(uri));
-  const auto found = find(folders_, readings);
+  const auto found = find_by_reading(folders_, readings);
   if (!found) refuse_missing(folders_, readings.front().name);
   if (strict_ && leaves(found->folder, found->file)) {
     throw Refusal("its uri " + in_quotes(uri) + " leaves the model's folder by a link; copy the file there");
   }
   if (!found->oddity.empty()) repairs.push_back(object + ": its uri " + in_quotes(uri) + " " + found->oddity);
-  return read_file(found->file);
+  std::error_code error;
+  const fs::path file = fs::canonical(found->file, error);
+  return error ? found->file : file;
+}
+
+std::vector<std::byte> ModelFiles::read(std::string_view uri, const fs::path& file, const std::string& object,
+                                        MemoryAccount& memory) {
+  if (file.empty()) {
+    memory.charge(uri.size() * 2, object);
+    std::vector<std::byte> bytes = decode_data_uri(uri);
+    memory.release(uri.size() * 2 - bytes.size());
+    return bytes;
+  }
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (!error && counted_.insert(file).second) {
+    memory.add_file(size, object);
+  } else if (!error) {
+    memory.charge(size, object);
+  }
+  return read_file(file);
 }
 
 }  // namespace throng::import

@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/anim/import/memory/memory_account.h"
 
 namespace throng::import {
 
@@ -19,12 +22,18 @@ class ModelFiles {
   /// `strict` takes a uri by its letter alone, and follows no link out of the folder.
   explicit ModelFiles(const std::filesystem::path& model = {}, bool strict = false);
 
-  /// Returns the bytes of a data URI or of a file. Where no file has the name that the uri says, one is found whose
-  /// name differs by escapes, backslashes, a query or the case of letters; `repairs` says so of `object`, which names
-  /// it. Throws Refusal, with the name of the file that is missing.
-  std::vector<std::byte> read(std::string_view uri, const std::string& object, std::vector<std::string>& repairs) const;
+  /// Returns the file that a uri names, always by the same path, or none for a data URI. Where no file has the name
+  /// that the uri says, one is found whose name differs by escapes, backslashes, a query or the case of letters;
+  /// `repairs` says so of `object`, which names it. Throws Refusal, with the name of the file that is missing.
+  std::filesystem::path find(std::string_view uri, const std::string& object, std::vector<std::string>& repairs) const;
+
+  /// Returns the bytes of a file that was found, or of the data URI if there is none, and charges `memory` with them.
+  /// Throws Refusal.
+  std::vector<std::byte> read(std::string_view uri, const std::filesystem::path& file, const std::string& object,
+                              MemoryAccount& memory);
 
  private:
+  std::set<std::filesystem::path> counted_;  // those whose size the account knows
   std::vector<std::filesystem::path> folders_;
   bool strict_;
 };

@@ -10,6 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/memory/model_memory.h"
 #include "engine/anim/import/reference_frames.h"
 #include "engine/anim/import/refusal.h"
 
@@ -18,6 +19,8 @@ namespace throng::import {
 namespace {
 
 std::vector<glm::dmat4> read_inverse_binds(Document& document, const tinygltf::Skin& skin, const std::string& name) {
+  document.memory->charge(skin.joints.size() * (sizeof(glm::dmat4) + sizeof(int)), name);
+  const MemoryScope scope(*document.memory);  // of their floats
   std::vector<glm::dmat4> matrices(skin.joints.size(), glm::dmat4(1.0));
   if (skin.inverseBindMatrices < 0) return matrices;
   const auto values =
@@ -76,10 +79,11 @@ void join_groups(std::vector<int>& groups, int a, int b) {
 using NodeSet = std::vector<bool>;
 
 bool has(const NodeSet& set, int node) { return set[static_cast<std::size_t>(node)]; }
+std::size_t count(const NodeSet& set) { return static_cast<std::size_t>(std::ranges::count(set, true)); }
 
 class SkeletonBuilder {
  public:
-  SkeletonBuilder(const Document& document, const NodeTree& tree, const std::vector<Animation>& animations)
+  SkeletonBuilder(const Document& document, const NodeTree& tree, std::vector<Animation>& animations)
       : document_(document), tree_(tree), animations_(animations), bone_of_node_(tree.parents.size(), -1) {}
 
   BuiltSkeleton build(const std::vector<FileSkin>& skins, const std::vector<int>& group,
@@ -88,11 +92,12 @@ class SkeletonBuilder {
     NodeSet attached = find_attached(joints);
     for (const int node : carried) attached[static_cast<std::size_t>(node)] = true;
     const NodeSet bone_nodes = find_bone_nodes(joints, attached);
+    document_.memory->charge(skeleton_memory(count(bone_nodes), count(attached)), "a skeleton");
     add_bones(bone_nodes);
     add_attached(attached, bone_nodes);
     check_bone_count();
     add_skins(skins, group);
-    add_clips();
+    add_clips(joints);
     built_.skeleton.name = built_.skins.front().name;
     std::vector<int> attached_bones;
     for (const AttachedMesh& mesh : built_.attached) attached_bones.push_back(mesh.bone);
@@ -129,9 +134,7 @@ class SkeletonBuilder {
     NodeSet animated(joints.size(), false);
     for (const Animation& animation : animations_) {
       for (const auto& [node, tracks] : animation.nodes) {
-        animated[static_cast<std::size_t>(node)] = animated[static_cast<std::size_t>(node)] ||
-                                                   !tracks.translation.empty() || !tracks.rotation.empty() ||
-                                                   !tracks.scale.empty();
+        if (tracks.bytes() > 0) animated[static_cast<std::size_t>(node)] = true;
       }
     }
     NodeSet leads(joints.size(), false);
@@ -176,17 +179,18 @@ class SkeletonBuilder {
   }
 
   void check_bone_count() {
-    const std::vector<anim::Bone>& bones = built_.skeleton.bones;
-    if (bones.size() > static_cast<std::size_t>(anim::max_bones)) {
-      throw Refusal("a skeleton has " + std::to_string(bones.size()) + " bones, more than " +
-                    std::to_string(anim::max_bones) + "; split the model");
+    const int bones = built_.skeleton.bone_count();
+    if (bones > anim::max_bones) {
+      throw Refusal("a skeleton has " + std::to_string(bones) + " bones, more than " + std::to_string(anim::max_bones) +
+                    "; split the model");
     }
-    built_.skeleton.level_bone_counts = {built_.skeleton.bone_count()};
+    built_.skeleton.level_bone_counts = {bones};
   }
 
   void add_skins(const std::vector<FileSkin>& skins, const std::vector<int>& group) {
     for (const int index : group) {
       const FileSkin& source = skins[static_cast<std::size_t>(index)];
+      document_.memory->charge(skin_memory(source.joints.size()), "skin " + std::to_string(source.index));
       anim::Skin skin{.skin = source.index,
                       .name = source.name,
                       .bones = {},
@@ -199,9 +203,12 @@ class SkeletonBuilder {
     }
   }
 
-  void add_clips() {
+  /// Takes the tracks of joints, which no other skeleton has, and copies those of nodes above.
+  void add_clips(const NodeSet& joints) {
     for (std::size_t index = 0; index < animations_.size(); ++index) {
-      const Animation& animation = animations_[index];
+      Animation& animation = animations_[index];
+      const std::string name = label("animation", index, animation.name);
+      document_.memory->charge(clip_memory(animation.name, animation.data_keys, animation.curves), name);
       anim::Clip clip{.name = animation.name,
                       .animation = static_cast<int>(index),
                       .start = animation.start,
@@ -209,11 +216,12 @@ class SkeletonBuilder {
                       .tracks = {},
                       .data_keys = animation.data_keys,
                       .curves = animation.curves};
-      for (const auto& [node, tracks] : animation.nodes) {
+      for (auto& [node, tracks] : animation.nodes) {
         const int bone = bone_of_node_[static_cast<std::size_t>(node)];
         if (bone < 0) continue;
-        clip.tracks.push_back(
-            {.bone = bone, .translation = tracks.translation, .rotation = tracks.rotation, .scale = tracks.scale});
+        const bool is_own = has(joints, node);
+        document_.memory->charge((is_own ? 0 : tracks.bytes()) + 3 * sizeof(anim::BoneTracks), name);
+        clip.tracks.push_back((is_own ? std::exchange(tracks, {}) : tracks).of_bone(bone));
       }
       std::ranges::sort(clip.tracks, {}, &anim::BoneTracks::bone);
       if (!clip.tracks.empty()) built_.clips.push_back(std::move(clip));
@@ -242,7 +250,7 @@ class SkeletonBuilder {
 
   const Document& document_;
   const NodeTree& tree_;
-  const std::vector<Animation>& animations_;
+  std::vector<Animation>& animations_;
   std::vector<int> bone_of_node_;
   int scene_bone_ = -1;
   BuiltSkeleton built_;
@@ -332,7 +340,7 @@ std::vector<std::vector<int>> group_skins(const std::vector<FileSkin>& skins, co
   return result;
 }
 
-BuiltSkeleton build_skeleton(const Document& document, const NodeTree& tree, const std::vector<Animation>& animations,
+BuiltSkeleton build_skeleton(const Document& document, const NodeTree& tree, std::vector<Animation>& animations,
                              const std::vector<FileSkin>& skins, const std::vector<int>& group,
                              const std::vector<int>& carried) {
   return SkeletonBuilder(document, tree, animations).build(skins, group, carried);

@@ -14,6 +14,7 @@
 #include <glm/matrix.hpp>
 
 #include "engine/anim/import/accessors.h"
+#include "engine/anim/import/memory/model_memory.h"
 #include "engine/anim/import/refusal.h"
 
 namespace throng::import {
@@ -25,6 +26,7 @@ using Indices = std::vector<std::uint32_t>;
 Indices read_indices(const Document& document, const tinygltf::Primitive& primitive, std::size_t vertex_count,
                      const std::string& name) {
   if (primitive.indices < 0) {
+    document.memory->charge(vertex_count * sizeof(std::uint32_t), name);
     Indices indices(vertex_count);
     std::iota(indices.begin(), indices.end(), 0U);
     return indices;
@@ -39,6 +41,7 @@ Indices read_indices(const Document& document, const tinygltf::Primitive& primit
 
 Indices unroll(const Indices& corners, bool is_fan) {
   Indices triangles;
+  triangles.reserve(corners.size() * 3);
   for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
     const bool odd = i % 2 == 1 && !is_fan;
     triangles.push_back(is_fan ? corners[0] : corners[i]);
@@ -59,6 +62,7 @@ Indices read_triangles(Document& document, const tinygltf::Primitive& primitive,
     return {};
   }
   Indices indices = read_indices(document, primitive, vertex_count, name);
+  document.memory->charge(bytes_of(indices) * 3, name);  // triangles of a strip or fan
   if (mode != TINYGLTF_MODE_TRIANGLES) return unroll(indices, mode == TINYGLTF_MODE_TRIANGLE_FAN);
   if (indices.size() % 3 != 0) {
     document.repairs.push_back(name + ": its last triangle is not whole, left out");
@@ -129,8 +133,12 @@ class SurfaceReader {
                                         int type, Components components, bool raw) const {
     const auto found = attributes.find(attribute);
     if (found == attributes.end()) return {};
-    auto values =
-        grouped<Vector>(read_floats(document_, found->second, {name_ + ": " + attribute, {type}, components, raw}));
+    MemoryScope scope(*document_.memory);
+    const std::vector<float> numbers =
+        read_floats(document_, found->second, {name_ + ": " + attribute, {type}, components, raw});
+    document_.memory->charge(bytes_of(numbers), name_);
+    scope.keep(bytes_of(numbers));
+    auto values = grouped<Vector>(numbers);
     if (!mesh_.positions.empty() && values.size() != mesh_.positions.size()) {
       refuse(name_, "has another number of " + attribute + " than of POSITION");
     }
@@ -151,6 +159,7 @@ class SurfaceReader {
           std::ranges::find(morphs.animated, static_cast<int>(target), [](const auto& m) { return m.first; });
       const bool moves = morph != morphs.animated.end();
       if (weight == 0.0F && !moves) continue;
+      MemoryScope scope(*document_.memory);
       const auto& attributes = primitive_.targets[target];
       const auto offsets =
           read_attribute_of<glm::vec3>(attributes, "POSITION", TINYGLTF_TYPE_VEC3, float_or_small, true);
@@ -160,7 +169,7 @@ class SurfaceReader {
       }
       add_scaled(mesh_.positions, offsets, weight);
       turned |= weight != 0.0F && add_scaled(mesh_.normals, turns, weight);
-      if (moves) keep_deltas(morph->second, offsets, turns);
+      if (moves) scope.keep(keep_deltas(morph->second, offsets, turns));
     }
     report_bad_deltas();
     if (turned) make_unit_normals();
@@ -177,12 +186,17 @@ class SurfaceReader {
     }
   }
 
-  /// Keeps what a target does to those vertices that it moves. Most targets move few.
-  void keep_deltas(std::uint32_t morph, const std::vector<glm::vec3>& offsets, const std::vector<glm::vec3>& turns) {
+  /// Keeps what a target does to those vertices that it moves. Most targets move few. Returns what they take in a
+  /// vector that grows.
+  std::uint64_t keep_deltas(std::uint32_t morph, const std::vector<glm::vec3>& offsets,
+                            const std::vector<glm::vec3>& turns) {
     constexpr float least_offset = 1e-4F;  // of the largest
     constexpr float least_turn = 1e-3F;
     float largest = 0.0F;
     for (const glm::vec3& offset : offsets) largest = std::max(largest, glm::length(offset));
+    constexpr std::uint64_t taken = 3 * sizeof(anim::MorphDelta);
+    document_.memory->charge(mesh_.positions.size() * taken, name_);
+    const std::size_t before = mesh_.morph_deltas.size();
     for (std::uint32_t vertex = 0; vertex < mesh_.positions.size(); ++vertex) {
       const glm::vec3 offset = offsets.empty() ? glm::vec3(0.0F) : offsets[vertex];
       const glm::vec3 turn = turns.empty() ? glm::vec3(0.0F) : turns[vertex];
@@ -193,6 +207,7 @@ class SurfaceReader {
         mesh_.morph_deltas.push_back({.vertex = vertex, .morph = morph, .position = offset, .normal = turn});
       }
     }
+    return (mesh_.morph_deltas.size() - before) * taken;
   }
 
   void report_bad_deltas() {
@@ -254,9 +269,10 @@ class SurfaceReader {
       mesh_.colors = read_attribute<glm::vec4>("COLOR_0", TINYGLTF_TYPE_VEC4, float_or_unsigned);
       return;
     }
-    for (const glm::vec3& color : read_attribute<glm::vec3>("COLOR_0", TINYGLTF_TYPE_VEC3, float_or_unsigned)) {
-      mesh_.colors.emplace_back(color, 1.0F);
-    }
+    const auto colors = read_attribute<glm::vec3>("COLOR_0", TINYGLTF_TYPE_VEC3, float_or_unsigned);
+    document_.memory->charge(colors.size() * sizeof(glm::vec4), name_);
+    mesh_.colors.reserve(colors.size());
+    for (const glm::vec3& color : colors) mesh_.colors.emplace_back(color, 1.0F);
   }
 
   void read_regions() {
@@ -306,6 +322,7 @@ class SurfaceReader {
   void mend_normals() {
     const auto is_unit = [](const glm::vec3& normal) { return std::abs(glm::length(normal) - 1.0F) < 1e-3F; };
     if (std::ranges::all_of(mesh_.normals, is_unit)) return;
+    document_.memory->charge(mesh_.positions.size() * (sizeof(glm::dvec3) + sizeof(glm::vec3)), name_);
     const auto computed = compute_normals(mesh_.positions, mesh_.indices);
     std::size_t mended = 0;
     for (std::size_t vertex = 0; vertex < computed.size(); ++vertex) {

@@ -74,6 +74,18 @@ TEST_F(CommandLine, RefusesNoiseNamedGlb) {
   expect_refusal({"inspect", file}, 1, "noise.glb");
 }
 
+TEST_F(CommandLine, RefusesAModelThatTakesMoreMemoryThanItMay) {
+  const std::string file = THRONG_SOURCE_DIR "/assets/mannequin.glb";
+  const std::string what = "mannequin.glb: the file needs ";
+  expect_refusal({file, "--headless=none", "--memory-limit", "1MB"}, 1, what);
+  expect_refusal({"inspect", file, "--memory-limit", "1MB"}, 1, what);
+  expect_refusal({"lod", file, "--memory-limit", "1MB"}, 1, what);
+  expect_refusal({"bench", file, "--memory-limit", "1MB"}, 1, what);
+  expect_refusal({"bake", file, "--memory-limit", "1MB", "-o", (folder_ / "a.pack").string()}, 1, what);
+  expect_refusal({"pose", file, "--clip", "0", "--time", "0", "--json", "-", "--memory-limit", "1MB"}, 1, what);
+  EXPECT_TRUE(is_empty());
+}
+
 TEST_F(CommandLine, WritesNothingWhenTheModelIsRefused) {
   expect_refusal({"absent.glb", "--headless=none", "--stats", (folder_ / "a.json").string()}, 1, "absent.glb");
   expect_refusal({"pose", "absent.glb", "--clip", "0", "--time", "0", "--json", (folder_ / "b.json").string()}, 1,

@@ -89,6 +89,23 @@ TEST(DemoOptions, SayInWhatSizeAndWhereModelsStand) {
   EXPECT_EQ(demo("").placement, anim::PlacementChoice{});
 }
 
+TEST(DemoOptions, SayHowMuchMemoryReadingTakes) {
+  EXPECT_EQ(demo("").reading.memory_limit, 0U) << "as the import says";
+  EXPECT_EQ(demo("--memory-limit 2GB").reading.memory_limit, 2'000'000'000U);
+  EXPECT_EQ(demo("--memory-limit 1.5MB").reading.memory_limit, 1'500'000U);
+  EXPECT_EQ(demo("--memory-limit 64MiB").reading.memory_limit, 64U << 20U);
+  EXPECT_EQ(demo("--memory-limit 4096").reading.memory_limit, 4096U);
+}
+
+TEST(EveryCommandThatReadsModels, TakesALimitOfMemory) {
+  const std::string limit = " --memory-limit 1KB";
+  EXPECT_EQ(accepted<InspectOptions>("inspect a.glb" + limit).reading.memory_limit, 1000U);
+  EXPECT_EQ(accepted<BakeOptions>("bake a.glb -o a.pack" + limit).reading.memory_limit, 1000U);
+  EXPECT_EQ(accepted<LodOptions>("lod a.glb" + limit).reading.memory_limit, 1000U);
+  EXPECT_EQ(accepted<BenchOptions>("bench a.glb" + limit).reading.memory_limit, 1000U);
+  EXPECT_EQ(accepted<PoseOptions>("pose a.glb --clip 0 --time 0 --json -" + limit).reading.memory_limit, 1000U);
+}
+
 TEST(DemoOptions, TuneTheCrowd) {
   const Tuning tuning =
       demo(

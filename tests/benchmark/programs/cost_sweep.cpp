@@ -77,7 +77,7 @@ struct ShapedCrowd {
 std::unique_ptr<ShapedCrowd> make_crowd(const BenchOptions& options, const Shape& shape) {
   auto crowd = std::make_unique<ShapedCrowd>();
   crowd->shape = shape;
-  auto character = bench_character("", shape.bones, 3);
+  auto character = bench_character({}, shape.bones, 3);
   if (!character) return nullptr;
   crowd->character = std::move(*character);
   anim::SystemOptions system = bench_system_options(options, {.pus = 1});
@@ -109,7 +109,7 @@ std::unique_ptr<ShapedCrowd> make_crowd(const BenchOptions& options, const Shape
 
 /// Waking all PUs for nothing, after a pause as there is between frames, nanoseconds.
 double wake_up_time(const BenchOptions& options) {
-  auto character = bench_character("", 1, 1);
+  auto character = bench_character({}, 1, 1);
   auto system =
       anim::AnimationSystem::create(character->character, bench_system_options(options, {.pus = options.pus.front()}));
   if (!system) return 0;

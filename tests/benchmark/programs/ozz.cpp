@@ -18,7 +18,7 @@ namespace throng::app {
 namespace {
 
 anim::Result<Json> row_of(const BenchOptions& options, const BenchCase& bench) {
-  const auto whom = bench_character(options.model, bench.bones, bench.clips);
+  const auto whom = bench_character(options, bench.bones, bench.clips);
   if (!whom) return whom.error();
   const anim::Character& character = *whom->character;
   const std::vector<BenchAgent> agents = bench_agents(character, bench.agents);

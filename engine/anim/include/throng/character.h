@@ -108,6 +108,8 @@ struct LoadOptions {
   double scale = 0.0;        ///< metres a unit of the file; 0: as the file's figure tells
   bool strict = false;       ///< refuses what would be repaired
   bool keep_meshes = false;  ///< keeps the surface, for Character::mesh
+  /// Bytes that reading a glTF file may hold at a time; 0: 64 MB and four times its files, and more for its images.
+  std::uint64_t memory_limit = 0;
 };
 
 /// The characters of a file. `notes` says in sentences what was repaired and how the model was placed.

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace throng::import {
+
+// What an import may hold where its caller says nothing.
+inline constexpr std::uint64_t basic_memory = 64'000'000;  ///< bytes, however small the file is
+inline constexpr std::uint64_t memory_a_file_byte = 4;     ///< for each byte of the file and of those that it names
+
+// Images and JSON are packed far more densely than all else. What they take up to here does not count; a JPEG of 4096
+// pixels squared takes 67 MB, and often has less than one.
+inline constexpr std::uint64_t free_memory_an_image_byte = 128;
+inline constexpr std::uint64_t most_free_image_memory = 1'000'000'000;  ///< bytes, all images together
+inline constexpr std::uint64_t free_memory_a_json_byte = 32;
+inline constexpr std::uint64_t most_free_json_memory = 256'000'000;  ///< bytes
+
+/// Says that an import would hold more memory than it may. It is no Refusal, so that nobody mends the object and goes
+/// on.
+class MemoryRefusal : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Counts the bytes that one import holds. Whoever takes memory that a file can ask for says so here first.
+class MemoryAccount {
+ public:
+  /// `limit` is in bytes. 0 stands for basic_memory and what the files allow, and then images and JSON count as above.
+  explicit MemoryAccount(std::uint64_t limit = 0);
+
+  /// Counts the bytes of a file, which may allow more. Call it once a file, before it is read. Throws MemoryRefusal.
+  void add_file(std::uint64_t size, const std::string& name);
+
+  /// Counts bytes that `object` takes. Throws MemoryRefusal where there are not as many left.
+  void charge(std::uint64_t bytes, const std::string& object);
+  void release(std::uint64_t bytes) { held_ -= bytes; }
+
+  /// Counts bytes that stay to the end, whatever scope is open. Throws MemoryRefusal likewise.
+  void charge_for_good(std::uint64_t bytes, const std::string& object);
+
+  /// Takes what the `encoded` bytes of an image may take without being counted, and returns it.
+  std::uint64_t take_image_allowance(std::uint64_t encoded);
+  void give_back_image_allowance(std::uint64_t bytes) { free_image_memory_ += bytes; }
+
+  /// Returns what JSON of so many bytes may take without being counted.
+  std::uint64_t json_allowance(std::uint64_t text) const;
+
+  std::uint64_t held() const { return held_; }  ///< without what was charged for good
+  std::uint64_t left() const { return held_ + for_good_ < limit_ ? limit_ - held_ - for_good_ : 0; }
+
+  /// Refuses an object that needs so many bytes, and may take `free` more than are left.
+  [[noreturn]] void refuse(std::uint64_t bytes, const std::string& object, std::uint64_t free = 0) const;
+
+ private:
+  bool is_given_;
+  std::uint64_t limit_;
+  std::uint64_t held_ = 0, for_good_ = 0;
+  std::uint64_t free_image_memory_;
+};
+
+/// Gives back what is charged while it lives, but for what is kept.
+class MemoryScope {
+ public:
+  explicit MemoryScope(MemoryAccount& account) : account_(account), rest_(account.held()) {}
+  MemoryScope(const MemoryScope&) = delete;
+  MemoryScope& operator=(const MemoryScope&) = delete;
+  ~MemoryScope() {
+    if (account_.held() > rest_) account_.release(account_.held() - rest_);
+  }
+
+  /// Keeps so many of the bytes that were charged.
+  void keep(std::uint64_t bytes) { rest_ += bytes; }
+
+ private:
+  MemoryAccount& account_;
+  std::uint64_t rest_;  // what stays held
+};
+
+}  // namespace throng::import

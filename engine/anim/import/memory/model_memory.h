@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/anim/asset/model.h"
+
+// What the parts of a model take.
+
+namespace throng::import {
+
+template <typename Value>
+std::uint64_t bytes_of(const std::vector<Value>& values) {
+  return std::uint64_t{values.size()} * sizeof(Value);
+}
+
+template <typename Value>
+std::uint64_t bytes_of(const anim::Track<Value>& track) {
+  return bytes_of(track.times) + bytes_of(track.values);
+}
+
+std::uint64_t bytes_of(const anim::SkinnedMesh& mesh);
+
+// Both twice, because import tries whether a skeleton is rigid with a copy of it.
+/// Returns what a skeleton takes in vectors that grow; `meshes` are those without skin that it carries.
+std::uint64_t skeleton_memory(std::uint64_t bones, std::uint64_t meshes);
+/// Returns what a skin takes, with its entries of the palette.
+std::uint64_t skin_memory(std::uint64_t joints);
+
+/// Returns what a clip takes beside its tracks.
+std::uint64_t clip_memory(const std::string& name, const std::vector<anim::NamedDataKey>& data_keys,
+                          const std::vector<anim::NamedCurve>& curves);
+
+/// Returns what a mesh without normals may take once each of its corners has a vertex of its own, with what is needed
+/// on the way.
+std::uint64_t flat_mesh_memory(const anim::SkinnedMesh& mesh);
+
+}  // namespace throng::import

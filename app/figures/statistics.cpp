@@ -1,8 +1,8 @@
 #include "app/figures/statistics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "engine/files/output_file.h"
 #include "engine/anim/import/json/json.h"
@@ -10,15 +10,12 @@
 namespace throng::app {
 namespace {
 
-double nearest_rank(std::vector<double> values, double part) {
-  if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::size_t>(std::lround(part * static_cast<double>(values.size() - 1)));
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(rank));
-  return values[rank];
-}
-
 double mean(std::uint64_t sum, std::uint64_t count) {
   return count == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(count);
+}
+
+Json median_or_null(const SampleCounts& samples) {
+  return samples.empty() ? Json(nullptr) : Json(samples.quantile(0.5));
 }
 
 Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
@@ -113,7 +110,6 @@ void add_events(Json& json, const std::optional<EventSums>& sums) {
 }  // namespace
 
 double median(std::vector<double> values) { return nearest_rank(std::move(values), 0.5); }
-double percentile_99(std::vector<double> values) { return nearest_rank(std::move(values), 0.99); }
 
 std::string hex_string(std::uint64_t bits) {
   char text[17];
@@ -147,10 +143,12 @@ anim::Status Statistics::write(const std::string& path, const Stage& stage, cons
   json["frames"] = frames_;
   add_scheduling(json, stage);
   json["spawn_ms"] = spawn_ms_;
-  json["update_ms_median"] = median(update_ms_);
-  json["update_ms_p99"] = percentile_99(update_ms_);
-  json["frame_ms_median"] = frame_ms_.empty() ? Json(nullptr) : Json(median(frame_ms_));
-  json["overlay_ms_median"] = overlay_ms_.empty() ? Json(nullptr) : Json(median(overlay_ms_));
+  json["update_ms_median"] = update_ms_.quantile(0.5);
+  json["update_ms_p99"] = update_ms_.quantile(0.99);
+  json["update_ms_mean"] = update_ms_.mean();
+  json["update_ms_max"] = update_ms_.most();
+  json["frame_ms_median"] = median_or_null(frame_ms_);
+  json["overlay_ms_median"] = median_or_null(overlay_ms_);
   json["draw_calls"] = draw_calls_;
   json["triangles"] = triangles_;
   json["palette_format"] = palette_format(stage);

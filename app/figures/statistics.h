@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/figures/lod_sums.h"
+#include "app/figures/sample_counts.h"
 #include "app/stage/stage.h"
 #include "engine/anim/base/result.h"
 
@@ -16,15 +17,16 @@ struct DrawnBy {
   std::string gl_version, gl_renderer;  ///< empty without GL
 };
 
-/// Collects a run's figures and writes them as one flat JSON object (app/command_line/README.md).
+/// Collects a run's figures and writes them as one flat JSON object (app/command_line/README.md). It does not grow with
+/// the run.
 class Statistics {
  public:
   /// Takes the time that making the crowd took: places, agents, clips, blocks.
   void set_spawn(double milliseconds) { spawn_ms_ = milliseconds; }
-  void add_update(double milliseconds) { update_ms_.push_back(milliseconds); }
-  void add_drawn_frame(double milliseconds) { frame_ms_.push_back(milliseconds); }
+  void add_update(double milliseconds) { update_ms_.add(milliseconds); }
+  void add_drawn_frame(double milliseconds) { frame_ms_.add(milliseconds); }
   /// Takes the time that laying out the overlay took.
-  void add_overlay(double milliseconds) { overlay_ms_.push_back(milliseconds); }
+  void add_overlay(double milliseconds) { overlay_ms_.add(milliseconds); }
   void set_draw(std::uint32_t draw_calls, std::uint64_t triangles);
   /// Takes the figures of an update; call it after each.
   void add_report(const Stage& stage);
@@ -32,7 +34,7 @@ class Statistics {
   anim::Status write(const std::string& path, const Stage& stage, const DrawnBy& drawn_by) const;
 
  private:
-  std::vector<double> update_ms_, frame_ms_, overlay_ms_;
+  SampleCounts update_ms_, frame_ms_, overlay_ms_;
   double spawn_ms_ = 0;
   std::uint32_t draw_calls_ = 0;
   std::uint64_t triangles_ = 0;
@@ -42,9 +44,8 @@ class Statistics {
   LodSums lod_;
 };
 
-/// Returns the median of `values`, and the value that 99% of them do not exceed; 0 where there are none.
+/// Returns the median of `values`; 0 where there are none.
 double median(std::vector<double> values);
-double percentile_99(std::vector<double> values);
 
 /// Returns 16 hexadecimal digits.
 std::string hex_string(std::uint64_t bits);

@@ -12,6 +12,7 @@
 #include "app/files/byte_hash.h"
 #include "app/settings/settings.h"
 #include "engine/anim/base/hash.h"
+#include "engine/anim/base/plain_text.h"
 #include "engine/anim/import/json/json_object.h"
 
 namespace throng::app {
@@ -48,6 +49,27 @@ Json to_json(const anim::PlacementChoice& placement) {
       {placement.scale.value_or(0.0), static_cast<int>(placement.up), static_cast<int>(placement.ground)});
 }
 
+/// Returns the name of a file as a text, or as a list of its bytes where they are no UTF-8, which JSON demands.
+Json name_json(const std::string& file) {
+  if (anim::is_utf8(file)) return file;
+  Json bytes = Json::array();
+  for (const char byte : file) bytes.push_back(static_cast<int>(static_cast<unsigned char>(byte)));
+  return bytes;
+}
+
+bool read_name(const Json& json, std::string& file) {
+  constexpr int most_byte = 255;
+  if (json.is<std::string>()) {
+    file = json.get<std::string>();
+  } else if (json.are_whole(1, most_byte)) {
+    file.clear();
+    for (const Json& byte : json.elements()) file += static_cast<char>(byte.get<int>());
+  } else {
+    return false;
+  }
+  return file.find('\0') == std::string::npos;
+}
+
 void read_placement(const JsonObject& character, anim::PlacementChoice& placement) {
   constexpr int last_axis = static_cast<int>(anim::UpAxis::minus_z),
                 last_rule = static_cast<int>(anim::GroundRule::feet);
@@ -71,7 +93,7 @@ void read_roles(const JsonObject& character, RoleClips& roles) {
 RecordedCharacter read_character(const JsonObject& json) {
   RecordedCharacter character;
   json.need({"file", "fingerprint", "roles", "bones", "level_counts"});
-  json.text("file", character.file);
+  if (!read_name(json["file"], character.file)) json.wrong("file", "the name of a file");
   json.text("fingerprint", character.fingerprint);
   read_roles(json, character.roles);
   json.texts("bones", character.bones);
@@ -79,9 +101,10 @@ RecordedCharacter read_character(const JsonObject& json) {
   if (json.has("placement")) read_placement(json, character.placement);
   json.number("share", character.share);
   if (!is_share(character.share)) json.wrong("share", "a share of the crowd");
-  json.texts("clip_files", character.clip_files);
+  for (const Json& file : json.elements("clip_files")) {
+    if (!read_name(file, character.clip_files.emplace_back())) json.wrong("clip_files", "names of files");
+  }
   if (json.has("rig") && !(character.rig = recorded_rig(json["rig"]))) json.wrong("rig", "parts of the body and bones");
-  if (character.file.find('\0') != std::string::npos) json.wrong("file", "the name of a file");
   return character;
 }
 
@@ -157,14 +180,16 @@ std::vector<CastEntry> entries_of(std::span<const RecordedCharacter> characters)
 Json to_json(std::span<const RecordedCharacter> characters) {
   Json json = Json::array();
   for (const RecordedCharacter& character : characters) {
-    Json each = {{"file", character.file},
+    Json clip_files = Json::array();
+    for (const std::string& file : character.clip_files) clip_files.push_back(name_json(file));
+    Json each = {{"file", name_json(character.file)},
                  {"fingerprint", character.fingerprint},
                  {"roles", character.roles},
                  {"bones", character.bones},
                  {"level_counts", character.level_counts},
                  {"placement", to_json(character.placement)},
                  {"share", character.share},
-                 {"clip_files", character.clip_files}};
+                 {"clip_files", std::move(clip_files)}};
     if (character.rig) each["rig"] = rig_json(*character.rig);
     json.push_back(std::move(each));
   }

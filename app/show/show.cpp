@@ -7,6 +7,7 @@
 #include "app/character/files.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
+#include "app/stage/memory_needs.h"
 #include "app/view/camera_path.h"
 #include "app/view/fly_camera.h"
 #include "app/view/scenes.h"
@@ -44,6 +45,9 @@ std::unique_ptr<Show> Show::create(const DemoOptions& options, StartError& error
 bool Show::open_stage(std::vector<CharacterSource> characters, const DemoOptions& options, StartError& error) {
   Tuning tuning = options.tuning;
   if (painter_->spared().agents > 0) tuning.agents = painter_->spared().agents;
+  if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) {
+    return fail(error, exit_job_failed, fits.error().message);
+  }
   const auto start = RunFigures::Clock::now();
   auto stage = Stage::create(std::move(characters), tuning, painter_->palette_pages());
   figures_.set_spawn(milliseconds_since(start));

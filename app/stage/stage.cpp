@@ -55,7 +55,6 @@ void Stage::learn_level_of_detail() {
 anim::Result<std::unique_ptr<Stage>> Stage::create(std::vector<CharacterSource> characters, const Tuning& tuning,
                                                    render::PalettePageSource& pages, std::uint64_t first_frame) {
   characters.push_back(balloon(app::common_roles(roles_of(characters)).size()));
-  if (const anim::Status fits = check_memory(tuning, characters, nullptr); !fits) return fits.error();
   std::unique_ptr<Stage> stage(new Stage(std::move(characters), pages));
   stage->tuning_ = tuning;
   stage->frame_ = first_frame;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <span>
 
 #include "engine/anim/asset/reference_pose.h"
@@ -18,6 +19,11 @@ constexpr float camera_distance = 16.0F;
 bool complain(const std::string& message) {
   std::fprintf(stderr, "throng_character_sheet: %s\n", message.c_str());
   return false;
+}
+
+/// The sheet is a tool of ours: it ends where the device fails.
+void need(const Status& status) {
+  if (!status) std::exit(complain(status.error().message) ? 0 : 1);
 }
 
 render::CameraView view_of(const Shot& shot) {
@@ -111,7 +117,7 @@ render::InstanceRecord Studio::record_of(const Figure& figure) {
 }
 
 render::Image Studio::take(const Shot& shot, const std::vector<Figure>& figures) {
-  renderer_->set_size({shot.width, shot.height});
+  need(renderer_->set_size({shot.width, shot.height}));
   renderer_->set_shadows(shot.shadows);
   renderer_->reset_palette_pages();
   slots_ = std::make_unique<render::PaletteSlots>(renderer_->palette_pages(),

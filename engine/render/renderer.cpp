@@ -31,8 +31,9 @@ Result<TiledTarget> create_target(const gl::Context& context, const RendererOpti
   const bool whole = context.window() != nullptr;
   const TileLimits limits{.longest = whole ? device.target : glm::min(device.target, glm::ivec2(options.longest_tile)),
                           .memory = options.memory ? *options.memory : free_memory(),
-                          .bytes_a_pixel = context.is_software() ? bytes_a_pixel(options.samples) : 0};
-  return TiledTarget::create(options.size, options.samples, limits, whole);
+                          .bytes_a_pixel = context.is_software() ? bytes_a_pixel(options.samples) : 0,
+                          .whole = whole};
+  return TiledTarget::create(options.size, options.samples, limits);
 }
 
 CrowdFrame part_of(const CrowdFrame& frame, glm::ivec2 picture, const PixelRect& drawn) {

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -70,13 +71,17 @@ void send_once_ready(pid_t child, const ProgramTreatment& treatment) {
 
 /// Becomes the program. It runs in the child, which shares nothing with a thread of ours.
 [[noreturn]] void become_program(const std::vector<char*>& arguments, const std::vector<char*>& environment, int output,
-                                 int errors, const std::vector<std::size_t>& cores) {
+                                 int errors, const ProgramTreatment& treatment) {
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
-  if (!cores.empty()) {
+  if (treatment.address_space != 0) {
+    const rlimit limit{treatment.address_space, treatment.address_space};
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  if (!treatment.cores.empty()) {
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
-    for (const std::size_t core : cores) CPU_SET(core, &allowed);
+    for (const std::size_t core : treatment.cores) CPU_SET(core, &allowed);
     sched_setaffinity(0, sizeof(allowed), &allowed);
   }
   execve(THRONG_PROGRAM, arguments.data(), environment.data());
@@ -97,8 +102,7 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const ProgramT
   const int other = treatment.output.empty() ? -1 : open(treatment.output.c_str(), O_WRONLY | O_CLOEXEC);
   const pid_t child = fork();
   if (child == 0) {
-    become_program(pointers, environment, other >= 0 ? other : output.descriptor(), errors.descriptor(),
-                   treatment.cores);
+    become_program(pointers, environment, other >= 0 ? other : output.descriptor(), errors.descriptor(), treatment);
   }
   if (other >= 0) close(other);
   if (treatment.signal != 0) send_once_ready(child, treatment);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,11 @@ struct ProgramRun {
 
 /// What is done to the program while it runs.
 struct ProgramTreatment {
-  std::string output = {};         ///< a file in place of the one that ProgramRun::output is read from
-  int signal = 0;                  ///< 0: none
-  std::string once_there_is = {};  ///< the signal is sent then; PID stands for the program's number
-  std::vector<std::size_t> cores = {};     ///< those that it may run on; empty: all
+  std::string output = {};              ///< a file in place of the one that ProgramRun::output is read from
+  int signal = 0;                       ///< 0: none
+  std::string once_there_is = {};       ///< the signal is sent then; PID stands for the program's number
+  std::uint64_t address_space = 0;      ///< bytes; 0: no limit
+  std::vector<std::size_t> cores = {};  ///< those that it may run on; empty: all
 };
 
 /// Runs `throng` without a display, with `arguments`, and waits for its end. ctest limits the time.

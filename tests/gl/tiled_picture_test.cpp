@@ -174,7 +174,7 @@ TEST_F(TiledDolls, ThatAreSeenThroughAreTheWholeOnes) {
 
 TEST_F(TiledDolls, AreDrawnInSmallerTilesWhereTheDeviceRefusesLarge) {
   const TileLimits limits{.longest = context().limits().target * 2, .memory = std::uint64_t{1} << 40U};
-  const auto target = TiledTarget::create({context().limits().target.x + 2, 4}, 0, limits, false);
+  const auto target = TiledTarget::create({context().limits().target.x + 2, 4}, 0, limits);
   ASSERT_TRUE(target) << target.error().message;
   EXPECT_TRUE(target->is_tiled());
   context().messages().clear();
@@ -182,8 +182,8 @@ TEST_F(TiledDolls, AreDrawnInSmallerTilesWhereTheDeviceRefusesLarge) {
 
 TEST_F(TiledDolls, AreRefusedWholeWhereTheDeviceTakesNoSuchPicture) {
   const glm::ivec2 size = context().limits().target + glm::ivec2(1);
-  const TileLimits limits{.longest = context().limits().target, .memory = std::uint64_t{1} << 40U};
-  const auto target = TiledTarget::create(size, 4, limits, true);
+  const TileLimits limits{.longest = context().limits().target, .memory = std::uint64_t{1} << 40U, .whole = true};
+  const auto target = TiledTarget::create(size, 4, limits);
   ASSERT_FALSE(target);
   EXPECT_NE(target.error().message.find("is larger than the graphics device takes"), std::string::npos);
 }

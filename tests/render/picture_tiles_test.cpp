@@ -70,6 +70,11 @@ TEST(PlannedTiles, GetSmallerUntilMemoryHoldsThem) {
   EXPECT_EQ(plan_tiles({12000, 12000}, scarce)->tile_size(), glm::ivec2(2000, 2000));
 }
 
+TEST(PlannedTiles, OfAPictureOfOneColumnGetShorterOnly) {
+  const TileLimits limits{.longest = {4096, 4096}, .memory = 60'000, .bytes_a_pixel = 100};
+  EXPECT_EQ(plan_tiles({1, 4000}, limits)->tile_size(), glm::ivec2(1, 250));
+}
+
 TEST(PlannedTiles, OnADeviceWithMemoryOfItsOwnAreAsLargeAsItTakes) {
   const TileLimits limits{.longest = {8192, 4096}, .memory = gigabyte};
   EXPECT_EQ(plan_tiles({12000, 12000}, limits)->tile_size(), glm::ivec2(6000, 4000));
@@ -84,6 +89,13 @@ TEST(PlannedTiles, OfAPictureThatMemoryDoesNotHoldAreRefusedWithTheLargestThatIt
                                  "largest of its shape is 157"),
       0U)
       << tiles.error().message;
+}
+
+TEST(PlannedTiles, OfAWindowAreOneOrRefused) {
+  TileLimits limits{.longest = {4096, 4096}, .memory = 2 * gigabyte, .bytes_a_pixel = 30, .whole = true};
+  EXPECT_EQ(plan_tiles({7680, 4320}, limits)->count(), 1);
+  limits.memory = gigabyte;
+  EXPECT_FALSE(plan_tiles({7680, 4320}, limits));
 }
 
 TEST(PlannedTiles, OfTheLargestThatIsNamedAreMade) {

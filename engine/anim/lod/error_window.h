@@ -53,7 +53,7 @@ class ErrorCounts {
   static constexpr int steps_an_octave = 32;
   static constexpr std::size_t step_count = (most_exponent - least_exponent) * steps_an_octave + 1;
 
-  std::array<std::uint32_t, step_count> counts_{};
+  std::array<std::uint64_t, step_count> counts_{};  // a crowd adds 2^32 samples in two hours
   std::uint64_t total_ = 0;
 };
 

@@ -38,10 +38,12 @@ std::string gigabytes(std::uint64_t bytes) {
 
 /// Finds tiles as large as fit, from the longest sides on.
 PictureTiles tiles_that_fit(glm::ivec2 picture, const TileLimits& limits) {
+  if (limits.whole) return {picture, glm::max(picture, glm::ivec2(2))};
   PictureTiles tiles(picture, limits.longest);
   glm::ivec2 longest = tiles.tile_size();
   while (bytes_for(tiles, limits) > limits.memory && std::max(longest.x, longest.y) > shortest_side) {
     longest = glm::max(longest / 2, glm::min(longest, glm::ivec2(shortest_side)));
+    longest = glm::max(longest, glm::ivec2(2));
     tiles = PictureTiles(picture, longest);
   }
   return tiles;

@@ -50,6 +50,7 @@ struct TileLimits {
   glm::ivec2 longest{0};            ///< pixels of the sides of a tile
   std::uint64_t memory = 0;         ///< bytes that the machine has left
   std::uint64_t bytes_a_pixel = 0;  ///< of a tile, in the machine's memory; 0: it is in the device's own
+  bool whole = false;               ///< there is one tile, as a window needs, however long its sides are
 };
 
 /// Cuts a picture into tiles that fit into memory beside it. Errors: the picture does not fit; the error names the

@@ -23,13 +23,8 @@ TiledTarget::TiledTarget(ImageTarget target, const PictureTiles& tiles) : target
   if (is_tiled()) image_ = Image::blank(size().x, size().y);
 }
 
-Result<TiledTarget> TiledTarget::create(glm::ivec2 size, int samples, const TileLimits& limits, bool whole) {
-  if (whole) {
-    if (size.x > limits.longest.x || size.y > limits.longest.y) return too_large(size, limits.longest);
-    Result<ImageTarget> target = ImageTarget::create(size, samples);
-    if (!target) return target.error();
-    return TiledTarget(std::move(*target), PictureTiles(size, glm::max(size, glm::ivec2(2))));
-  }
+Result<TiledTarget> TiledTarget::create(glm::ivec2 size, int samples, const TileLimits& limits) {
+  if (limits.whole && (size.x > limits.longest.x || size.y > limits.longest.y)) return too_large(size, limits.longest);
   TileLimits tried = limits;
   while (true) {
     const Result<PictureTiles> tiles = plan_tiles(size, tried);
@@ -37,7 +32,7 @@ Result<TiledTarget> TiledTarget::create(glm::ivec2 size, int samples, const Tile
     Result<ImageTarget> target = ImageTarget::create(tiles->tile_size(), samples);
     if (target) return TiledTarget(std::move(*target), *tiles);
     const glm::ivec2 tile = tiles->tile_size();
-    if (std::max(tile.x, tile.y) <= shortest_tile) return target.error();
+    if (limits.whole || std::max(tile.x, tile.y) <= shortest_tile) return target.error();
     tried.longest = glm::max(glm::min(tile, tried.longest) / 2, glm::ivec2(2));
   }
 }

@@ -14,9 +14,8 @@ namespace throng::render {
 class TiledTarget {
  public:
   /// Makes a target for pictures of `size`. If the device has no memory for the largest tiles of `limits`, it gets
-  /// smaller ones, unless `whole`: then there is one tile, as a window needs. Errors: memory or the device take no such
-  /// picture.
-  static Result<TiledTarget> create(glm::ivec2 size, int samples, const TileLimits& limits, bool whole);
+  /// smaller ones, unless there may be only one. Errors: memory or the device take no such picture.
+  static Result<TiledTarget> create(glm::ivec2 size, int samples, const TileLimits& limits);
 
   glm::ivec2 size() const { return tiles_.picture(); }
   bool is_tiled() const { return tiles_.count() > 1; }

@@ -5,6 +5,8 @@
 
 #include <glad/gl.h>
 
+#include "engine/render/gl/device_errors.h"
+
 namespace throng::render::gl {
 namespace {
 
@@ -56,6 +58,7 @@ Status Context::load_functions(ProcedureSource source) {
   renderer_ = text_of(GL_RENDERER);
   software_ = runs_on_processor(renderer_);
   limits_ = ask_device_limits();
+  (void)take_errors("what the driver did before us");
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(on_message, &messages_);

@@ -50,10 +50,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"HugeSize", "--size 32768x1", "--size 32768x1: must be WIDTHxHEIGHT in pixels, each 1 to 32767"},
         Refused{"SizeWithATail", "--size 1x1x1", "--size 1x1x1: must be WIDTHxHEIGHT in pixels, each 1 to 32767"},
         Refused{"NoFrames", "--frames 0", "--frames 0: must be a whole number, 1 or more"},
-        Refused{"NoStep", "--dt 0", "--dt 0: must be a number of seconds above 0"},
-        Refused{"NegativeStep", "--dt -1", "--dt -1: must be a number of seconds above 0"},
-        Refused{"EndlessStep", "--dt inf", "--dt inf: must be a number of seconds above 0"},
-        Refused{"UndefinedStep", "--dt nan", "--dt nan: must be a number of seconds above 0"},
+        Refused{"NoStep", "--dt 0", "--dt 0: must be a number, 1e-06 to 3600"},
+        Refused{"NegativeStep", "--dt -1", "--dt -1: must be a number, 1e-06 to 3600"},
+        Refused{"EndlessStep", "--dt inf", "--dt inf: must be a number, 1e-06 to 3600"},
+        Refused{"UndefinedStep", "--dt nan", "--dt nan: must be a number, 1e-06 to 3600"},
         Refused{"OddTile", "--tile 3", "--tile 3: must be 1, 2, 4, 8 or 16"},
         Refused{"NoLocalStore", "--local-store 0", "--local-store 0: must be auto or 1 to 65536 KiB"},
         Refused{"LocalStoreInWords", "--local-store big", "--local-store big: must be auto or 1 to 65536 KiB"},
@@ -120,7 +120,8 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 constexpr const char* camera_rule =
-    ": must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, pitch -90 to 90, fov 1 to 170";
+    ": must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, none beyond a million, pitch -90 to 90, fov "
+    "1 to 170";
 
 INSTANTIATE_TEST_SUITE_P(
     Camera, Refusal,

@@ -1,5 +1,7 @@
 // What must never happen to a person: a crash, a hang, a lost file, a silent end. Each test runs the real program.
+#include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -136,6 +138,49 @@ TEST_F(Faults, AKilledRunLeavesOldFilesAndAPartThatTheNextRunNames) {
               AllOf(StartsWith("throng: " + at("run.rec.")), EndsWith("--remove-parts removes it\n")));
   EXPECT_THAT(run({"--record", at("run.rec"), "--remove-parts"}).errors, HasSubstr(" is removed"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Faults, WhatIsRecordedCanBeReplayed) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--dt", "3600"}, {"--dt", "1e-6"}, {"--camera", "1e6,1e6,-1e6,0,0"}}) {
+    std::vector<std::string> recorded = arguments;
+    recorded.insert(recorded.end(), {"--record", at("run.rec")});
+    ASSERT_EQ(run(recorded).exit_status, 0) << arguments.back();
+    const ProgramRun replayed = run_program({"--headless=none", "--replay", at("run.rec")});
+    EXPECT_EQ(replayed.exit_status, 0) << arguments.back() << replayed.errors;
+  }
+  EXPECT_EQ(run({"--dt", "3601"}).exit_status, 2);
+  EXPECT_EQ(run({"--dt", "1e-300"}).exit_status, 2);
+  EXPECT_EQ(run({"--camera", "2e6,0,0,0,0"}).exit_status, 2);
+}
+
+TEST_F(Faults, AModelWhoseNameIsNoUtf8IsRecordedAndReplayed) {
+  const std::string odd = at("walker\xff.glb");
+  fs::rename(model(), odd);
+  ASSERT_EQ(run({odd, "--record", at("run.rec")}).exit_status, 0);
+  const ProgramRun replayed = run_program({"--headless=none", "--replay", at("run.rec")});
+  EXPECT_EQ(replayed.exit_status, 0) << replayed.errors;
+}
+
+TEST_F(Faults, MemoryThatIsNotThereIsRefusedBeforeItIsTaken) {
+  const ProgramRun units = run_program({"--headless=none", "--frames", "2", "--pus", "256", "--local-store", "65536"},
+                                       {.address_space = std::uint64_t{4} << 30U});
+  EXPECT_EQ(units.exit_status, 1);
+  EXPECT_THAT(units.errors, AllOf(StartsWith("throng: 256 PUs with local stores of 64.0 MiB need 32.0 GiB of memory"),
+                                  EndsWith("; ask for fewer --pus or a smaller --local-store\n")));
+  const ProgramRun agents = run_program({"bench", "--agents", "100000", "--bones", "1024", "--frames", "1"},
+                                        {.address_space = std::uint64_t{4} << 30U});
+  EXPECT_EQ(agents.exit_status, 1);
+  EXPECT_THAT(agents.errors, StartsWith("throng: 100000 agents of 1024 bones, and their PUs, need "));
+}
+
+TEST_F(Faults, NoMemoryLeftIsOneLine) {
+  for (const std::uint64_t mebibytes : {60U, 80U, 100U, 150U, 200U, 300U}) {
+    const ProgramRun small = run_program({"--headless=none", "--frames", "2", "--pus", "2", "--agents", "20000"},
+                                         {.address_space = mebibytes << 20U});
+    EXPECT_THAT(small.exit_status, testing::AnyOf(0, 1)) << mebibytes << small.errors;
+    EXPECT_EQ(std::ranges::count(small.errors, '\n'), small.exit_status) << mebibytes << small.errors;
+  }
 }
 
 TEST_F(Faults, CoresThatItMayNotUseAreNotUsed) {

@@ -11,11 +11,11 @@
 #include "app/demo/window_loop.h"
 #include "app/files/data_folder.h"
 #include "app/files/exit_status.h"
-#include "engine/files/output_file.h"
 #include "app/overlay/overlay.h"
 #include "app/show/replay.h"
 #include "app/show/show.h"
 #include "app/view/fly_camera.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {

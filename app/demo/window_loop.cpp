@@ -8,12 +8,12 @@
 #include "app/demo/stop_signals.h"
 #include "app/demo/window_input.h"
 #include "app/files/data_folder.h"
-#include "engine/files/output_file.h"
 #include "app/overlay/overlay.h"
 #include "app/report/tuning_sweep.h"
 #include "app/settings/preset.h"
 #include "app/show/kept_choices.h"
 #include "app/view/fly_camera.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {

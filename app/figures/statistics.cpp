@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "engine/files/output_file.h"
 #include "engine/anim/import/json/json.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {

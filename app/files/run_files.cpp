@@ -4,10 +4,10 @@
 #include <string_view>
 #include <system_error>
 
-#include "engine/files/output_file.h"
 #include "engine/anim/import/data_uri.h"
 #include "engine/anim/import/json/json.h"
 #include "engine/files/input_file.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {

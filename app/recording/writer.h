@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/files/byte_hash.h"
-#include "engine/files/output_file.h"
 #include "app/recording/recording.h"
 #include "engine/anim/base/result.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 

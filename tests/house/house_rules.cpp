@@ -221,7 +221,8 @@ Findings maths_in_main(const Tree& tree) {
   Findings findings =
       findings_among(includes_of(tree, "app/main.cpp"), "main parses and dispatches", [](const Include& include) {
         const bool standard = include.target.find('/') == std::string::npos;
-        return include.target == "cmath" || !(standard || include.target.starts_with("app/") || include.target.starts_with("engine/files/"));
+        return include.target == "cmath" ||
+               !(standard || include.target.starts_with("app/") || include.target.starts_with("engine/files/"));
       });
   for (const SourceFile& file : tree) {
     for (std::size_t i = 0; file.path == "app/main.cpp" && i < file.lines.size(); ++i) {

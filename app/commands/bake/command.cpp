@@ -16,10 +16,10 @@
 #include "app/figures/notices.h"
 #include "app/files/exit_status.h"
 #include "app/files/joined.h"
-#include "engine/files/output_file.h"
 #include "engine/anim/asset/placement.h"
 #include "engine/anim/base/plain_text.h"
 #include "engine/anim/pack/pack.h"
+#include "engine/files/output_file.h"
 #include "engine/files/size_text.h"
 #include "engine/render/mesh/packed_surface.h"
 

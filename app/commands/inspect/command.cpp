@@ -11,13 +11,13 @@
 #include "app/character/model_file.h"
 #include "app/commands/inspect/report.h"
 #include "app/files/exit_status.h"
-#include "engine/files/output_file.h"
 #include "app/files/joined.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/import/json/json.h"
 #include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/placement_guess.h"
+#include "engine/files/output_file.h"
 
 namespace throng::app {
 namespace {

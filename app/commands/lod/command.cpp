@@ -9,8 +9,8 @@
 #include "app/character/files.h"
 #include "app/commands/lod/curve.h"
 #include "app/files/exit_status.h"
-#include "engine/files/output_file.h"
 #include "app/stage/stage.h"
+#include "engine/files/output_file.h"
 #include "engine/render/camera.h"
 #include "engine/render/mesh/packed_surface.h"
 

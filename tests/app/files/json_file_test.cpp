@@ -33,7 +33,8 @@ TEST(JsonFile, ChecksTheVersionAndTheKeysOfATable) {
   };
   EXPECT_EQ(complaint(R"({"counts": 1, "version": 2})"), "");
   EXPECT_EQ(complaint("[]"), "f: it must be an object");
-  EXPECT_EQ(complaint(R"({"version": 2, "count": 1})"), R"(f: it has an unknown key "count"; it knows version, names, counts)");
+  EXPECT_EQ(complaint(R"({"version": 2, "count": 1})"),
+            R"(f: it has an unknown key "count"; it knows version, names, counts)");
   EXPECT_EQ(complaint(R"({"version": "2"})"), "f: \"version\" must be 2");
 }
 

@@ -10,9 +10,7 @@ constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return b > most - a ? most : a + b; }
 
-std::uint64_t product(std::uint64_t a, std::uint64_t b) {
-  return a != 0 && b > most / a ? most : a * b;
-}
+std::uint64_t product(std::uint64_t a, std::uint64_t b) { return a != 0 && b > most / a ? most : a * b; }
 
 /// Returns 268.4 MB, or 900 bytes.
 std::string told(std::uint64_t bytes) {

@@ -105,7 +105,8 @@ TEST(MachineFile, IsRefusedInALineThatNamesTheKey) {
   EXPECT_THAT(refusal_of("{\"name\": \"a\", " + rest), HasSubstr("\"local_store_kib\" is missing"));
   EXPECT_THAT(refusal_of(R"({"name": 3, "local_store_kib": 16, )" + rest), HasSubstr("\"name\" must be a text"));
   EXPECT_THAT(refusal_of(R"({"name": "a", "local_store_kib": 1.5, )" + rest), HasSubstr("whole number"));
-  EXPECT_THAT(refusal_of(R"({"name": "a", "local_store_kib": -1, )" + rest), HasSubstr("must be a whole number, 1 to 65536"));
+  EXPECT_THAT(refusal_of(R"({"name": "a", "local_store_kib": -1, )" + rest),
+              HasSubstr("must be a whole number, 1 to 65536"));
   EXPECT_THAT(refusal_of(R"({"name": "a", "cores": 3, "local_store_kib": 16, )" + rest),
               HasSubstr("unknown key \"cores\""));
   EXPECT_THAT(

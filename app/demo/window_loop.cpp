@@ -307,8 +307,8 @@ class WindowLoop {
 
   void write_ui_map() {
     if (options_.ui_map.empty()) return;
-    const anim::Status written =
-        write_whole_file(options_.ui_map, to_json(overlay_.ui_map(), tuning_, reporter_.report()));
+    const anim::Status written = write_whole_file(
+        options_.ui_map, to_json(overlay_.ui_map(), tuning_, reporter_.report()), OutputFile::Sync::system);
     if (!written) notice_ = written.error().message;
   }
 

@@ -164,20 +164,20 @@ Status OutputFile::flush() {
 }
 
 Status OutputFile::write(std::string_view contents) {
+  if (!state_) return state_;
   pending_ += contents;
   return pending_.size() < most_pending ? state_ : flush();
 }
 
-Status OutputFile::commit() {
+Status OutputFile::commit(Sync sync) {
   if (Status flushed = flush(); !flushed) return flushed;
-  if (!part_.empty() && fsync(descriptor_) != 0) return fail(errno);
-  if (close(std::exchange(descriptor_, -1)) != 0) return fail(errno);
-  if (!part_.empty() && rename(part_.c_str(), file_.c_str()) != 0) {
-    const int error = errno;
-    if (unfinished_ == Unfinished::removed) unlink(part_.c_str());
-    return fail(error);
-  }
-  return Done{};
+  const bool is_part = !part_.empty();
+  if (is_part && sync == Sync::disk && fsync(descriptor_) != 0 && errno != EINVAL) return fail(errno);
+  const bool closed = close(std::exchange(descriptor_, -1)) == 0;
+  if (closed && (!is_part || rename(part_.c_str(), file_.c_str()) == 0)) return Done{};
+  const int error = errno;
+  if (is_part && unfinished_ == Unfinished::removed) unlink(part_.c_str());
+  return fail(error);
 }
 
 bool is_device_or_pipe(const fs::path& file) {
@@ -186,11 +186,11 @@ bool is_device_or_pipe(const fs::path& file) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-Status write_whole_file(const fs::path& file, std::string_view contents) {
+Status write_whole_file(const fs::path& file, std::string_view contents, OutputFile::Sync sync) {
   auto output = OutputFile::create(file, OutputFile::Unfinished::removed, contents.size());
   if (!output) return output.error();
   if (Status written = output->write(contents); !written) return written;
-  return output->commit();
+  return output->commit(sync);
 }
 
 Status write_output(const std::string& file, std::string_view contents) {

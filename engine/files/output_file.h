@@ -18,6 +18,7 @@ namespace throng {
 class OutputFile {
  public:
   enum class Unfinished { removed, kept };  ///< what becomes of the part without commit()
+  enum class Sync { disk, system };         ///< whether commit() waits until the disk has the file
 
   /// Begins a file. `expected` is the count of its bytes where it is known: a full disk is said with what is missing.
   static Result<OutputFile> create(const std::filesystem::path& file, Unfinished unfinished = Unfinished::removed,
@@ -28,8 +29,8 @@ class OutputFile {
 
   /// Writes more of the file. After the first error, nothing more is written, and each call returns that error.
   Status write(std::string_view contents);
-  /// Writes what is left to the disk, and gives the file its name.
-  Status commit();
+  /// Writes what is left, and gives the file its name.
+  Status commit(Sync sync = Sync::disk);
   const std::filesystem::path& file() const { return file_; }
   const std::filesystem::path& part() const { return part_; }  ///< empty for a device or a pipe
 
@@ -52,7 +53,8 @@ class OutputFile {
 bool is_device_or_pipe(const std::filesystem::path& file);
 
 /// Writes all of a file. A file of which a part could not be written is as it was.
-Status write_whole_file(const std::filesystem::path& file, std::string_view contents);
+Status write_whole_file(const std::filesystem::path& file, std::string_view contents,
+                        OutputFile::Sync sync = OutputFile::Sync::disk);
 
 /// Does the same; `-` means standard output.
 Status write_output(const std::string& file, std::string_view contents);

@@ -58,14 +58,16 @@ int wait_for(pid_t child) {
 }
 
 void send_once_ready(pid_t child, const ProgramTreatment& treatment) {
-  std::string file = treatment.once_there_is;
+  std::string file = treatment.once_written;
   if (const std::size_t at = file.find("PID"); at != std::string::npos) file.replace(at, 3, std::to_string(child));
   const auto has_ended = [&] {
     siginfo_t ended{};
     waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
     return ended.si_pid == child;
   };
-  while (!file.empty() && !std::filesystem::exists(file) && !has_ended()) usleep(1000);
+  std::error_code error;
+  const auto has_bytes = [&] { return std::filesystem::file_size(file, error) > 0 && !error; };
+  while (!file.empty() && !has_bytes() && !has_ended()) usleep(1000);
   kill(child, treatment.signal);
 }
 

@@ -18,7 +18,7 @@ struct ProgramRun {
 struct ProgramTreatment {
   std::string output = {};              ///< a file in place of the one that ProgramRun::output is read from
   int signal = 0;                       ///< 0: none
-  std::string once_there_is = {};       ///< the signal is sent then; PID stands for the program's number
+  std::string once_written = {};        ///< the signal is sent when this file has bytes; PID: the program's number
   std::uint64_t address_space = 0;      ///< bytes; 0: no limit
   std::vector<std::size_t> cores = {};  ///< those that it may run on; empty: all
 };

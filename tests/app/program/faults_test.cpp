@@ -118,7 +118,7 @@ TEST_F(Faults, ASignalEndsARunWithAllThatItHas) {
     const ProgramRun run =
         run_program({"--headless=none", "--agents", "10", "--pus", "1", "--frames", "1000000000", "--stats",
                      at("stats.json"), "--record", at("run.rec"), "--trace", at("trace.json")},
-                    {.signal = signal, .once_there_is = at("run.rec") + ".PID.part"});
+                    {.signal = signal, .once_written = at("run.rec") + ".PID.part"});
     EXPECT_EQ(run.exit_status, 128 + signal) << run.errors;
     for (const char* const file : {"stats.json", "run.rec", "trace.json"}) EXPECT_TRUE(fs::exists(at(file))) << file;
     EXPECT_EQ(run_program({"--replay", at("run.rec"), "--headless=none"}).exit_status, 0) << "it is whole";
@@ -130,7 +130,7 @@ TEST_F(Faults, AKilledRunLeavesOldFilesAndAPartThatTheNextRunNames) {
   std::ofstream(at("run.rec")) << "old";
   const ProgramRun killed = run_program(
       {"--headless=none", "--agents", "10", "--pus", "1", "--frames", "1000000000", "--record", at("run.rec")},
-      {.signal = SIGKILL, .once_there_is = at("run.rec") + ".PID.part"});
+      {.signal = SIGKILL, .once_written = at("run.rec") + ".PID.part"});
   EXPECT_EQ(killed.exit_status, 128 + SIGKILL);
   EXPECT_EQ(read(at("run.rec")), "old");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);

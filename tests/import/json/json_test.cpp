@@ -102,6 +102,12 @@ TEST(Json, RefusesWhatIsNestedTooDeepOrTooLong) {
   EXPECT_EQ(refusal_of(nested(most_json_depth)), "(taken)");
   EXPECT_EQ(refusal_of(nested(most_json_depth + 1)), "is nested deeper than 64 levels");
   EXPECT_EQ(refusal_of(std::string(1'000'000, '[')), "is nested deeper than 64 levels");
+  std::string wide = "[0";
+  for (std::size_t value = 0; value < most_json_values; ++value) wide += ",0";
+  EXPECT_EQ(refusal_of(wide + "]"), "has more than 1048576 values");
+  std::string members = "{";
+  for (std::size_t key = 0; key <= most_json_members; ++key) members += '"' + std::to_string(key) + "\":0,";
+  EXPECT_EQ(refusal_of(members + "\"\":0}"), "has an object of more than 1000 members");
   EXPECT_EQ(refusal_of(std::string(most_json_bytes + 1, ' ')), "is longer than 16777216 bytes");
 }
 

@@ -36,6 +36,12 @@ TEST(JpegTables, WithMoreCodesThanThereAreBytesAreRefused) {
   EXPECT_EQ(image.error().message, "a Huffman table of its JPEG has more than 256 codes");
 }
 
+TEST(JpegTables, AreFoundBehindBytesThatFill) {
+  std::vector<char> jpeg = with_longest_codes(small_jpeg(), 255);
+  jpeg.insert(jpeg.begin(), '\xFF');
+  EXPECT_FALSE(jpeg_tables_fit(std::as_bytes(std::span(jpeg))));
+}
+
 TEST(JpegTables, OfBytesThatAreNoJpegFit) {
   const std::vector<char> text{'F', 'o', 'x'};
   EXPECT_TRUE(jpeg_tables_fit(std::as_bytes(std::span(text))));

@@ -38,8 +38,8 @@ bool has_length(unsigned marker) {
 
 bool jpeg_tables_fit(std::span<const std::byte> all) {
   const Reader bytes(all);
-  if (bytes.at(0) != fill || bytes.at(1) != 0xD8) return true;
-  for (std::size_t at = 2; at + 1 < bytes.size();) {
+  if (bytes.at(0) != fill) return true;
+  for (std::size_t at = 0; at + 1 < bytes.size();) {
     const unsigned marker = bytes.at(at + 1);
     if (bytes.at(at) != fill || marker == fill) {
       ++at;  // pixels, or bytes that fill

@@ -18,7 +18,7 @@ std::vector<char> small_jpeg() { return read_bytes(data_path("fuzz/image/colour.
 /// Lets the first Huffman table say that it has this many codes of 16 bits, the longest.
 std::vector<char> with_longest_codes(std::vector<char> jpeg, unsigned char codes) {
   constexpr std::array<char, 2> tables{'\xFF', '\xC4'};
-  const auto at = std::ranges::search(jpeg, tables).begin();
+  const auto at = std::search(jpeg.begin(), jpeg.end(), tables.begin(), tables.end());
   at[20] = static_cast<char>(codes);  // marker, length and number of the table, then a count for each length
   return jpeg;
 }

@@ -44,7 +44,7 @@ Vector read_vector(const tinygltf::Value& object, const char* name, Vector fallb
   const tinygltf::Value* numbers = find_member(object, name);
   if (numbers == nullptr) return fallback;
   for (glm::length_t i = 0; i < Vector::length(); ++i) {
-    fallback[i] = static_cast<float>(numbers->Get(static_cast<std::size_t>(i)).GetNumberAsDouble());
+    fallback[i] = static_cast<float>(numbers->Get(static_cast<int>(i)).GetNumberAsDouble());
   }
   return fallback;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/anim/import/pixels/decode.h"
+#include "engine/anim/import/pixels/jpeg_tables.h"
 
 namespace throng::import {
 namespace {
@@ -96,6 +97,7 @@ std::uint64_t most_memory(int width, int height, std::size_t encoded) {
 }  // namespace
 
 anim::Result<anim::Image> decode_png_or_jpeg(std::span<const std::byte> bytes, std::uint64_t budget) {
+  if (!jpeg_tables_fit(bytes)) return anim::Error{"a Huffman table of its JPEG has more than 256 codes"};
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;

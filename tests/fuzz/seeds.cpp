@@ -1,0 +1,102 @@
+// Makes the inputs that fuzzing begins with, of files that our code writes: throng_fuzz_seeds FOLDER writes
+// FOLDER/TARGET/...
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/character/bone_lod.h"
+#include "app/character/role_table.h"
+#include "app/recording/writer.h"
+#include "app/settings/preset.h"
+#include "engine/anim/asset/synthetic_model.h"
+#include "engine/anim/pack/pack.h"
+#include "engine/files/output_file.h"
+
+namespace throng::fuzz {
+namespace {
+
+anim::Status write_pack_of(const std::filesystem::path& file, int bones, int clips) {
+  pack::FileToPack packed;
+  packed.name = "crowd";
+  packed.file.file = "crowd.glb";
+  packed.file.models = {anim::synthetic_model(bones, clips, 1, 4)};
+  pack::CharacterToPack& character = packed.characters.emplace_back();
+  character.name = "only";
+  character.character = std::make_shared<const anim::Character>(anim::bake_character(packed.file.models[0]));
+  character.surface = {std::byte{1}};
+  const std::vector<std::byte> bytes = pack::write_pack({&packed, 1});
+  return write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+app::RecordedCharacter person() {
+  return {.file = "person.glb",
+          .fingerprint = "0123456789abcdef",
+          .roles = app::no_clips(),
+          .bones = {"hips", "head"},
+          .level_counts = {2, 1},
+          .rig = std::vector<app::RigChoice>{{anim::BodyRole::left_foot, "ankle"}}};
+}
+
+/// Writes a recording with one of everything.
+anim::Status write_recording(const std::filesystem::path& file) {
+  const app::RecordingHeader header{.characters = {person()}, .tuning = {}, .width = 640, .height = 360};
+  const app::RecordedFrame frame{
+      .delta = anim::Ticks{10}, .view = {.camera = {}, .width = 640, .height = 360}, .pose_hash = 77};
+  auto created = app::RecordingWriter::create(file, header);
+  if (!created) return created.error();
+  app::RecordingWriter& writer = **created;
+  writer.add(frame, std::vector<std::uint64_t>{1, 2, 3});
+  app::Tuning tuning;
+  tuning.agents = 2;
+  writer.add(tuning);
+  writer.add(app::RecordedSelection{1});
+  writer.add(app::RecordedPush{.agent = 1, .direction = {0.25F, 0.0F, -1.0F}});
+  writer.add(app::RecordedRoles{});
+  writer.add(app::RecordedHold{.agent = 2, .seconds = 0.75F});
+  writer.add(app::RecordedRewind{});
+  writer.add(app::RecordedBoneOrder{.character = 0, .choice = {.bones = {1, 0}, .level_counts = {2, 1}}});
+  writer.add(app::RecordedRig{.character = 0, .choices = *person().rig});
+  writer.add(app::RecordedShare{.character = 0, .share = 0.5});
+  writer.add(app::RecordedCharacters{{person(), person()}});
+  writer.add(frame, std::vector<std::uint64_t>{1, ~0ULL});
+  return writer.finish();
+}
+
+/// Writes what a person keeps: tuned values, roles and parts of the body, an order of bones.
+anim::Status write_kept(const std::filesystem::path& folder) {
+  if (anim::Status written = app::write_preset(folder / "preset" / "every-key.json", app::Preset{}); !written) {
+    return written;
+  }
+  const std::vector<app::RoleChoice> clips{{app::Role::walk, "clip_1"}, {app::Role::cheer, app::no_clip_name}};
+  const anim::Skeleton skeleton = anim::synthetic_model(5, 1).skeleton;
+  const app::RoleFile roles(folder / "roles" / "model");
+  if (auto written = roles.write(clips); !written) return written.error();
+  const std::vector<app::RigChoice> rig{{anim::BodyRole::hips, skeleton.bones[0].name}};
+  if (auto written = roles.write_rig(rig); !written) return written.error();
+  const auto order = app::BoneLodFile(folder / "bone_order" / "model").write(skeleton);
+  return order ? anim::Status(anim::Done{}) : order.error();
+}
+
+anim::Status write_all(const std::filesystem::path& folder) {
+  for (const char* const target : {"pack", "recording", "preset", "roles", "bone_order"}) {
+    std::filesystem::create_directories(folder / target);
+  }
+  if (anim::Status written = write_pack_of(folder / "pack" / "small.pack", 3, 1); !written) return written;
+  if (anim::Status written = write_pack_of(folder / "pack" / "two-clips.pack", 7, 2); !written) return written;
+  if (anim::Status written = write_recording(folder / "recording" / "everything.rec"); !written) return written;
+  return write_kept(folder);
+}
+
+}  // namespace
+}  // namespace throng::fuzz
+
+int main(int count, char** arguments) {
+  const throng::anim::Status written = throng::fuzz::write_all(count == 2 ? arguments[1] : ".");
+  if (!written) std::cerr << written.error().message << '\n';
+  return written ? EXIT_SUCCESS : EXIT_FAILURE;
+}

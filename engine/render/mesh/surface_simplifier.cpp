@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -40,7 +41,8 @@ SurfaceSimplifier::SurfaceSimplifier(const SkinnedSurfaceView& surface) : surfac
 
 void SurfaceSimplifier::join_vertices_into_points() {
   std::map<std::tuple<float, float, float>, std::uint32_t> point_at;
-  glm::dvec3 low(INFINITY), high(-INFINITY);
+  constexpr double far = std::numeric_limits<double>::infinity();
+  glm::dvec3 low(far), high(-far);
   for (std::uint32_t vertex = 0; vertex < surface_.influences.size(); ++vertex) {
     const float* p = &surface_.positions[vertex * 3UL];
     const auto [found, is_new] = point_at.try_emplace({p[0], p[1], p[2]}, static_cast<std::uint32_t>(points_.size()));

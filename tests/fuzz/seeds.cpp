@@ -24,7 +24,7 @@ anim::Status write_pack_of(const std::filesystem::path& file, int bones, int cli
   pack::FileToPack packed;
   packed.name = "crowd";
   packed.file.file = "crowd.glb";
-  packed.file.models = {anim::synthetic_model(bones, clips, 1, 4)};
+  packed.file.models = {anim::synthetic_model(bones, clips, 1, 8)};
   pack::CharacterToPack& character = packed.characters.emplace_back();
   character.name = "only";
   character.character = std::make_shared<const anim::Character>(anim::bake_character(packed.file.models[0]));

@@ -60,7 +60,7 @@ std::vector<std::byte> join_sections(std::span<const SectionBytes> sections, std
     end = block_after(end + section.bytes.size());
   }
   std::vector<std::byte> pack(end);
-  std::memcpy(pack.data() + sizeof(PackHeader), table.data(), table.size() * sizeof(Section));
+  std::ranges::copy(std::as_bytes(std::span(table)), pack.begin() + sizeof(PackHeader));
   for (std::size_t i = 0; i < table.size(); ++i) {
     std::ranges::copy(sections[i].bytes, pack.begin() + static_cast<std::ptrdiff_t>(table[i].offset));
   }

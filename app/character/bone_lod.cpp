@@ -58,9 +58,9 @@ anim::Status check_levels(std::span<const int> counts, int bones) {
 
 anim::Result<BoneLodChoice> choice_in(const Json& table, const anim::Skeleton& skeleton, const JsonFile& file) {
   const std::initializer_list<std::string_view> keys = {"version", "bones", "level_counts"};
-  if (const anim::Status known = file.check_table(table, version, keys); !known) return known.error();
   std::optional<std::string> complaint;
   const JsonObject reader("", table, keys, complaint);
+  reader.version(version);
   reader.need(keys);
   std::vector<std::string> names;
   reader.texts("bones", names);

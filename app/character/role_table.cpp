@@ -5,6 +5,7 @@
 
 #include "app/files/json_file.h"
 #include "app/files/nearest_names.h"
+#include "engine/anim/import/json/json_object.h"
 
 namespace throng::app {
 namespace {
@@ -64,8 +65,9 @@ anim::Result<std::vector<Choice>> RoleFile::read_key(const char* key, const Pars
   const JsonFile file(found, remedies);
   const auto table = file.read();
   if (!table) return table.error();
-  const anim::Status checked = file.check_table(*table, role_table_version, {"version", "clips", "rig"});
-  if (!checked) return checked.error();
+  std::optional<std::string> complaint;
+  JsonObject("", *table, {"version", "clips", "rig"}, complaint).version(role_table_version);
+  if (complaint) return file.wrong(*complaint);
   return table->contains(key) ? parse((*table)[key], file) : std::vector<Choice>();
 }
 

@@ -1,9 +1,7 @@
 #include "app/files/json_file.h"
 
-#include <optional>
 #include <utility>
 
-#include "engine/anim/import/json/json_object.h"
 #include "engine/files/input_file.h"
 
 namespace throng::app {
@@ -20,14 +18,6 @@ anim::Result<Json> JsonFile::read() const {
 
 anim::Error JsonFile::wrong(const std::string& what) const {
   return {file_.string() + ": " + what + std::string(remedies_.wrong)};
-}
-
-anim::Status JsonFile::check_table(const Json& table, int version, std::initializer_list<std::string_view> keys) const {
-  std::optional<std::string> complaint;
-  const JsonObject reader("", table, keys, complaint);
-  const Json& found = table["version"];
-  if (!found.is_number() || found.get<double>() != version) reader.wrong("version", std::to_string(version));
-  return complaint ? anim::Status(wrong(*complaint)) : anim::Done{};
 }
 
 }  // namespace throng::app

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -21,8 +20,6 @@ class JsonFile {
 
   anim::Result<Json> read() const;
   anim::Error wrong(const std::string& what) const;
-  /// Checks that `table` is an object that has this "version" and no members but those of `keys`, "version" among them.
-  anim::Status check_table(const Json& table, int version, std::initializer_list<std::string_view> keys) const;
 
  private:
   std::filesystem::path file_;

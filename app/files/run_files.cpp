@@ -4,8 +4,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "engine/anim/import/data_uri.h"
 #include "engine/anim/import/json/json.h"
+#include "engine/anim/import/model_files.h"
+#include "engine/anim/import/refusal.h"
 #include "engine/files/input_file.h"
 #include "engine/files/output_file.h"
 
@@ -38,11 +39,13 @@ std::vector<fs::path> files_named_by(const fs::path& model) {
   const auto text = read_text(model, "a .gltf", most_json_bytes);
   const auto json = text ? parse_json(*text) : text.error();
   if (!json) return files;
+  const import::ModelFiles beside(model);
+  std::vector<std::string> repairs;
   for (const char* const kind : {"buffers", "images"}) {
     for (const Json& each : (*json)[kind].elements()) {
-      const std::string uri = each.value("uri", std::string());
-      if (!uri.empty() && !uri.starts_with("data:")) {
-        files.push_back(model.parent_path() / import::decode_percent(uri));
+      try {
+        files.push_back(beside.find(each.value("uri", std::string()), kind, repairs));
+      } catch (const import::Refusal&) {  // there is no such file
       }
     }
   }

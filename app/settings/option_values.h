@@ -59,7 +59,7 @@ ValueReader scale_above_zero(std::optional<double>& target);
 /// Reads a number above 0. A complaint names the `unit`: "pixels".
 ValueReader number_above_zero(float& target, std::string unit);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative
-ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to 16,384
+ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to most_picture_pixels
 ValueReader camera(DemoOptions& options);             ///< a name, or x,y,z,yaw,pitch[,fov]
 ValueReader any_text(std::string& target);
 ValueReader existing_folder(std::string& target);

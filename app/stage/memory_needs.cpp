@@ -12,7 +12,7 @@
 namespace throng::app {
 namespace {
 
-/// What an agent takes beside its palette: blocks, places, figures. Measured with 100,000 agents.
+/// An agent takes so much for its blocks, its place and its figures. A run of 100,000 agents was measured.
 constexpr std::uint64_t bytes_an_agent = 3000;
 
 std::uint64_t bytes_of_crowd(int agents, std::span<const CharacterSource> characters) {

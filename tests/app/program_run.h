@@ -14,7 +14,7 @@ struct ProgramRun {
   std::string errors;
 };
 
-/// What is done to the program while it runs.
+/// Says how the program is run, and what is done to it meanwhile.
 struct ProgramTreatment {
   std::string output = {};              ///< a file in place of the one that ProgramRun::output is read from
   int signal = 0;                       ///< 0: none

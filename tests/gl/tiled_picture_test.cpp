@@ -136,7 +136,7 @@ TEST(TiledPicture, IsRefusedBeforeTheWorkWhereMemoryDoesNotHoldIt) {
   EXPECT_EQ(run_demo(options), 1);
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr("a picture of 4000x4000 pixels takes"));
-  EXPECT_THAT(said, HasSubstr("0.1 GB are left; the largest of its shape is 32"));
+  EXPECT_THAT(said, HasSubstr("47.7 MiB are left; the largest of its shape is 32"));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
   EXPECT_FALSE(std::filesystem::exists(options.screenshot));
 }

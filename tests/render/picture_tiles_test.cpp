@@ -85,7 +85,7 @@ TEST(PlannedTiles, OfAPictureThatMemoryDoesNotHoldAreRefusedWithTheLargestThatIt
   const Result<PictureTiles> tiles = plan_tiles({20000, 20000}, limits);
   ASSERT_FALSE(tiles);
   EXPECT_EQ(
-      tiles.error().message.find("a picture of 20000x20000 pixels takes 1.6 GB of memory, and 1.0 GB are left; the "
+      tiles.error().message.find("a picture of 20000x20000 pixels takes 1.5 GiB of memory, and 954 MiB are left; the "
                                  "largest of its shape is 157"),
       0U)
       << tiles.error().message;

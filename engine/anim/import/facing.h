@@ -7,7 +7,7 @@
 
 namespace throng::import {
 
-/// What add_tangents takes for each vertex, sums among it.
+/// add_tangents() takes so many bytes for each vertex, with the sums that it needs on the way.
 inline constexpr std::size_t bytes_of_tangents = 6 * sizeof(double) + sizeof(glm::vec4);
 
 // These functions let light fall on the right side of a mesh. All of them take a mesh with its influences.

@@ -88,8 +88,8 @@ FileParts split_file(std::span<const std::byte> bytes, const std::filesystem::pa
   return {.json = as_text(bytes), .binary = std::nullopt};
 }
 
-std::vector<std::byte> read_file(const std::filesystem::path& path, std::string_view wanted, std::size_t most) {
-  auto bytes = throng::read_file(path, wanted, most);
+std::vector<std::byte> read_file(const std::filesystem::path& path) {
+  auto bytes = throng::read_file(path, "a .glb or .gltf", max_file_size);
   if (!bytes) throw Refusal(bytes.error().message);
   return std::move(*bytes);
 }

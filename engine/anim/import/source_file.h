@@ -22,8 +22,7 @@ FileParts split_file(std::span<const std::byte> bytes, const std::filesystem::pa
 /// The largest file that is read, in bytes.
 inline constexpr std::size_t max_file_size = std::size_t{1} << 30U;
 
-/// Returns all bytes of a regular file. `wanted` says what the file should be. Throws Refusal.
-std::vector<std::byte> read_file(const std::filesystem::path& path, std::string_view wanted = "a .glb or .gltf",
-                                 std::size_t most = max_file_size);
+/// Returns all bytes of a model's file, or of one that it names. Throws Refusal.
+std::vector<std::byte> read_file(const std::filesystem::path& path);
 
 }  // namespace throng::import

@@ -43,7 +43,7 @@ Result<ImageTarget> ImageTarget::create(glm::ivec2 size, int samples) {
 }
 
 Status ImageTarget::check() const {
-  const std::string what = "a picture of " + std::to_string(size_.x) + "x" + std::to_string(size_.y) + " pixels";
+  const std::string what = "a picture of " + size_name(size_) + " pixels";
   if (Status made = gl::take_errors(what); !made) return made;
   for (const gl::Framebuffer* framebuffer : {&scene_, &resolved_, &plain_}) {
     if (!*framebuffer) continue;

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
+
+#include "engine/files/size_text.h"
 
 namespace throng::render {
 namespace {
@@ -26,14 +27,6 @@ std::uint64_t pixels_of(glm::ivec2 size) {
 
 std::uint64_t bytes_for(const PictureTiles& tiles, const TileLimits& limits) {
   return pixels_of(tiles.picture()) * bytes_a_finished_pixel + pixels_of(tiles.tile_size()) * limits.bytes_a_pixel;
-}
-
-std::string text_of(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
-
-std::string gigabytes(std::uint64_t bytes) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f GB", static_cast<double>(bytes) * 1e-9);
-  return text;
 }
 
 /// Finds tiles as large as fit, from the longest sides on.
@@ -102,13 +95,15 @@ SplitView part_of(const SplitView& split, glm::ivec2 picture, const PixelRect& d
   return part;
 }
 
+std::string size_name(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+
 Result<PictureTiles> plan_tiles(glm::ivec2 picture, const TileLimits& limits) {
   const PictureTiles tiles = tiles_that_fit(picture, limits);
   const std::uint64_t bytes = bytes_for(tiles, limits);
   if (bytes <= limits.memory) return tiles;
-  return Error{"a picture of " + text_of(picture) + " pixels takes " + gigabytes(bytes) + " of memory, and " +
-               gigabytes(limits.memory) + " are left; the largest of its shape is " +
-               text_of(largest_that_fits(picture, limits))};
+  return Error{"a picture of " + size_name(picture) + " pixels takes " + size_text(bytes) + " of memory, and " +
+               size_text(limits.memory) + " are left; the largest of its shape is " +
+               size_name(largest_that_fits(picture, limits))};
 }
 
 }  // namespace throng::render

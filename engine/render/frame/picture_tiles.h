@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include <glm/vec2.hpp>
 
@@ -44,6 +45,9 @@ CameraView part_of(const CameraView& view, glm::ivec2 picture, const PixelRect& 
 
 /// Gives the split view whose picture is that part of a split picture.
 SplitView part_of(const SplitView& split, glm::ivec2 picture, const PixelRect& drawn);
+
+/// Returns "1280x720".
+std::string size_name(glm::ivec2 size);
 
 /// Says what a picture may take.
 struct TileLimits {

@@ -1,7 +1,6 @@
 #include "engine/render/frame/tiled_target.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -12,9 +11,8 @@ namespace {
 constexpr int shortest_tile = 64;  // pixels; a device that refuses such a small one refuses all
 
 Error too_large(glm::ivec2 size, glm::ivec2 longest) {
-  const auto text_of = [](glm::ivec2 pixels) { return std::to_string(pixels.x) + "x" + std::to_string(pixels.y); };
-  return Error{"a picture of " + text_of(size) +
-               " pixels is larger than the graphics device takes: " + text_of(longest)};
+  return Error{"a picture of " + size_name(size) +
+               " pixels is larger than the graphics device takes: " + size_name(longest)};
 }
 
 }  // namespace

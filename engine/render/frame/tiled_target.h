@@ -20,7 +20,7 @@ class TiledTarget {
   glm::ivec2 size() const { return tiles_.picture(); }
   bool is_tiled() const { return tiles_.count() > 1; }
 
-  /// What the tiles are drawn into; the whole picture, if it is not tiled.
+  /// Returns the target that each tile is drawn into. It holds the whole picture if that is not tiled.
   const ImageTarget& tile() const { return target_; }
 
   /// Calls `draw` with the pixels of each tile in turn, and keeps what it drew into tile().

@@ -11,8 +11,6 @@
 namespace throng::app::json_file_test {
 namespace {
 
-using testing::HasSubstr;
-
 TEST(JsonFile, BeginsComplaintsWithItsNameAndEndsThemWithARemedy) {
   const std::string path = test::path_of_this_test().concat(".json");
   const JsonFile file(path, {.unread = "; look", .malformed = "; mend", .wrong = "; change"});
@@ -23,19 +21,6 @@ TEST(JsonFile, BeginsComplaintsWithItsNameAndEndsThemWithARemedy) {
   EXPECT_EQ(*file.read(), Json::array({7}));
   std::filesystem::remove(path);
   EXPECT_EQ(file.wrong("has a hole").message, path + ": has a hole; change");
-}
-
-TEST(JsonFile, ChecksTheVersionAndTheKeysOfATable) {
-  const JsonFile file("f");
-  const auto complaint = [&](std::string_view text) {
-    const anim::Status checked = file.check_table(*parse_json(text), 2, {"version", "names", "counts"});
-    return checked ? "" : checked.error().message;
-  };
-  EXPECT_EQ(complaint(R"({"counts": 1, "version": 2})"), "");
-  EXPECT_EQ(complaint("[]"), "f: it must be an object");
-  EXPECT_EQ(complaint(R"({"version": 2, "count": 1})"),
-            R"(f: it has an unknown key "count"; it knows version, names, counts)");
-  EXPECT_EQ(complaint(R"({"version": "2"})"), "f: \"version\" must be 2");
 }
 
 }  // namespace

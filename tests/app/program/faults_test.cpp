@@ -1,4 +1,4 @@
-// What must never happen to a person: a crash, a hang, a lost file, a silent end. Each test runs the real program.
+// These tests run the real program. It must never crash, hang, lose a file, or end without a word.
 #include <algorithm>
 #include <csignal>
 #include <cstdint>

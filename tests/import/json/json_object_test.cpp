@@ -60,5 +60,19 @@ TEST_F(JsonObjects, KeepTheirValuesAndTheFirstComplaintWhereSomethingIsWrong) {
   EXPECT_EQ(speed_, 1);
 }
 
+TEST(JsonTables, HaveTheVersionThatIsRead) {
+  const auto complaint = [](std::string_view text) {
+    const Json json = *parse_json(text);
+    std::optional<std::string> first;
+    JsonObject("", json, {"version", "names"}, first).version(2);
+    return first.value_or("");
+  };
+  EXPECT_EQ(complaint(R"({"names": 1, "version": 2})"), "");
+  EXPECT_EQ(complaint("[]"), "it must be an object");
+  EXPECT_EQ(complaint(R"({"version": 2, "count": 1})"), "it has an unknown key \"count\"; it knows version, names");
+  EXPECT_EQ(complaint(R"({"version": "2"})"), "\"version\" must be 2");
+  EXPECT_EQ(complaint("{}"), "\"version\" must be 2");
+}
+
 }  // namespace
 }  // namespace throng::json_object_test

@@ -20,6 +20,11 @@ JsonObject::JsonObject(std::string name, const Json& object, std::initializer_li
       (name_.empty() ? "it" : name_) + " has an unknown key " + anim::in_quotes(other->key) + "; it knows " + known;
 }
 
+void JsonObject::version(int wanted) const {
+  const Json& found = (*this)["version"];
+  if (!found.is_number() || found.get<double>() != wanted) wrong("version", std::to_string(wanted));
+}
+
 void JsonObject::need(std::initializer_list<std::string_view> keys) const {
   for (const std::string_view key : keys) {
     if (!has(key)) complain('"' + std::string(key) + "\" is missing");

@@ -26,6 +26,8 @@ class JsonObject {
   bool has(std::string_view key) const { return object_->contains(key); }
   const Json& operator[](std::string_view key) const { return (*object_)[key]; }
 
+  /// Complains where "version" is missing or another number.
+  void version(int wanted) const;
   /// Complains about the first of these keys that is missing.
   void need(std::initializer_list<std::string_view> keys) const;
   void text(std::string_view key, std::string& value) const { read(key, value, "a text"); }

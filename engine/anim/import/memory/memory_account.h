@@ -6,7 +6,7 @@
 
 namespace throng::import {
 
-// What an import may hold where its caller says nothing.
+// An import may hold this much if its caller sets no limit.
 inline constexpr std::uint64_t basic_memory = 64'000'000;  ///< bytes, however small the file is
 inline constexpr std::uint64_t memory_a_file_byte = 4;     ///< for each byte of the file and of those that it names
 

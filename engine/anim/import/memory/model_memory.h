@@ -6,7 +6,7 @@
 
 #include "engine/anim/asset/model.h"
 
-// What the parts of a model take.
+// These functions return how many bytes of memory the parts of a model take.
 
 namespace throng::import {
 
@@ -22,7 +22,7 @@ std::uint64_t bytes_of(const anim::Track<Value>& track) {
 
 std::uint64_t bytes_of(const anim::SkinnedMesh& mesh);
 
-// Both twice, because import tries whether a skeleton is rigid with a copy of it.
+// The next two return twice as much, because import copies a skeleton to try whether it is rigid.
 /// Returns what a skeleton takes in vectors that grow; `meshes` are those without skin that it carries.
 std::uint64_t skeleton_memory(std::uint64_t bones, std::uint64_t meshes);
 /// Returns what a skin takes, with its entries of the palette.

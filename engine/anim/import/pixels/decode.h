@@ -19,7 +19,7 @@ struct OverBudget {
 /// of a sentence: "its WebP does not decode". Throws OverBudget.
 anim::Result<anim::Image> decode_image(std::span<const std::byte> bytes, std::uint64_t budget);
 
-// What it chooses from.
+// decode_image() calls one of these.
 anim::Result<anim::Image> decode_png_or_jpeg(std::span<const std::byte> bytes, std::uint64_t budget);
 anim::Result<anim::Image> decode_webp(std::span<const std::byte> bytes, std::uint64_t budget);
 

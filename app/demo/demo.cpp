@@ -48,24 +48,30 @@ anim::Status draw_overlay(Show& show, const DemoOptions& options) {
   return write_whole_file(options.ui_map, to_json(overlay.ui_map(), tuning, reporter.report()));
 }
 
-int write_results(Show& show, const DemoOptions& options) {
-  if (!options.screenshot.empty()) {
-    render::Renderer& renderer = show.painter().renderer();
-    const render::Image& image = renderer.read_image();
-    const anim::Status read = renderer.finish();
-    const anim::Status written = read ? render::write_png(image, options.screenshot) : read;
-    if (!written) return end_with(exit_job_failed, written.error().message);
-  }
+anim::Status write_screenshot(Show& show, const std::string& file) {
+  render::Renderer& renderer = show.painter().renderer();
+  const render::Image& image = renderer.read_image();
+  if (anim::Status read = renderer.finish(); !read) return read;
+  return render::write_png(image, file);
+}
+
+bool tell(const anim::Status& outcome) {
+  if (!outcome) end_with(exit_job_failed, outcome.error().message);
+  return static_cast<bool>(outcome);
+}
+
+/// Writes each file, whatever becomes of the others, and tells of each that could not be written. Returns whether all
+/// could.
+bool write_results(Show& show, const DemoOptions& options) {
+  bool all = true;
+  if (!options.screenshot.empty()) all &= tell(write_screenshot(show, options.screenshot));
   if (!options.stats.empty()) {
-    const anim::Status written =
-        show.figures().statistics().write(options.stats, show.stage(), show.painter().drawn_by());
-    if (!written) return end_with(exit_job_failed, written.error().message);
+    all &= tell(show.figures().statistics().write(options.stats, show.stage(), show.painter().drawn_by()));
   }
   if (show.figures().timeline()) {
-    const anim::Status written = write_whole_file(options.trace, show.figures().timeline()->to_json());
-    if (!written) return end_with(exit_job_failed, written.error().message);
+    all &= tell(write_whole_file(options.trace, show.figures().timeline()->to_json()));
   }
-  return exit_done;
+  return all;
 }
 
 // A full disk is said when it happens, not hours later.
@@ -138,16 +144,10 @@ int run_show(const DemoOptions& options, Replay* replay) {
   StartError error;
   const std::unique_ptr<Show> show = Show::create(options, error);
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
-  const anim::Status run = run_and_record(*show, options, replay);
-  const anim::Status recorded = show->stop_recording();
-  if (!run) return end_with(exit_job_failed, run.error().message);
-  const int written = write_results(*show, options);
-  if (written != exit_done) return written;
-  if (!recorded) return end_with(exit_job_failed, recorded.error().message);
-  if (replay != nullptr) {
-    const anim::Status said = say_what_was_repeated(*replay, options);
-    if (!said) return end_with(exit_job_failed, said.error().message);
-  }
+  const bool ran = tell(run_and_record(*show, options, replay));
+  const bool recorded = tell(show->stop_recording());
+  if (!ran || !write_results(*show, options) || !recorded) return exit_job_failed;
+  if (replay != nullptr && !tell(say_what_was_repeated(*replay, options))) return exit_job_failed;
   if (options.context != ContextKind::window) say_on_stderr(show->notice);
   return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop());
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/show/driver_needs.h"
+
 namespace throng::app {
 namespace {
 
@@ -47,6 +49,10 @@ ContextMakers context_makers(const DemoOptions& options) {
 }
 
 MadeContext open_context(const DemoOptions& options, const ContextMakers& makers) {
+  if (const anim::Status fits = check_room_to_draw(); !fits) {
+    return render::Error{fits.error().message + last_resort(options)};
+  }
+  spare_driver_threads();
   const auto refuse_unless = [&](const Maker& make, const std::vector<Alternative>& alternatives) {
     return open_or_refuse(make, alternatives, options);
   };

@@ -16,6 +16,8 @@
 namespace throng {
 namespace {
 
+constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
+
 /// Reads the number that follows `name` in a file of the system; nothing where there is none, or no limit: "max".
 std::optional<std::uint64_t> number_in(const char* file, std::string_view name = "") {
   constexpr std::size_t most_bytes = 1U << 16U;
@@ -56,9 +58,10 @@ std::optional<std::uint64_t> of_address_space() {
 }  // namespace
 
 std::uint64_t free_memory() {
-  constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
   return std::min({in_bytes(number_in("/proc/meminfo", "MemAvailable:")).value_or(unknown),
-                   of_container().value_or(unknown), of_address_space().value_or(unknown)});
+                   of_container().value_or(unknown), free_address_space()});
 }
+
+std::uint64_t free_address_space() { return of_address_space().value_or(unknown); }
 
 }  // namespace throng

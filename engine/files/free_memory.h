@@ -8,4 +8,8 @@ namespace throng {
 /// address space (ulimit -v) have left, or all that there could be where nobody says.
 std::uint64_t free_memory();
 
+/// Returns the bytes of address space that this process may still reserve (ulimit -v), or all that there could be where
+/// there is no limit. Reserved memory that nobody touches counts here alone.
+std::uint64_t free_address_space();
+
 }  // namespace throng

@@ -41,8 +41,9 @@ class Capture {
   int descriptor_;
 };
 
-std::vector<char*> environment_without_display() {
+std::vector<char*> environment_without_display(std::vector<std::string>& more) {
   std::vector<char*> variables;
+  for (std::string& variable : more) variables.push_back(variable.data());
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string_view text = *variable;
     if (!text.starts_with("DISPLAY=") && !text.starts_with("WAYLAND_DISPLAY=")) variables.push_back(*variable);
@@ -86,19 +87,21 @@ void send_once_ready(pid_t child, const ProgramTreatment& treatment) {
     for (const std::size_t core : treatment.cores) CPU_SET(core, &allowed);
     sched_setaffinity(0, sizeof(allowed), &allowed);
   }
-  execve(THRONG_PROGRAM, arguments.data(), environment.data());
+  if (treatment.seconds != 0) alarm(treatment.seconds);
+  execve(arguments.front(), arguments.data(), environment.data());
   _exit(127);
 }
 
 }  // namespace
 
 ProgramRun run_program(const std::vector<std::string>& arguments, const ProgramTreatment& treatment) {
-  std::vector<std::string> words{THRONG_PROGRAM};
+  std::vector<std::string> words{treatment.program.empty() ? THRONG_PROGRAM : treatment.program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  const std::vector<char*> environment = environment_without_display();
+  std::vector<std::string> more = treatment.environment;
+  const std::vector<char*> environment = environment_without_display(more);
   const Capture output;
   const Capture errors;
   const int other = treatment.output.empty() ? -1 : open(treatment.output.c_str(), O_WRONLY | O_CLOEXEC);
@@ -109,7 +112,7 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const ProgramT
   if (other >= 0) close(other);
   if (treatment.signal != 0) send_once_ready(child, treatment);
   const int exit_status = wait_for(child);
-  EXPECT_NE(exit_status, 127) << THRONG_PROGRAM << " cannot be run";
+  EXPECT_NE(exit_status, 127) << words.front() << " cannot be run";
   return {exit_status, output.text(), errors.text()};
 }
 

@@ -21,6 +21,9 @@ struct ProgramTreatment {
   std::string once_written = {};        ///< the signal is sent when this file has bytes; PID: the program's number
   std::uint64_t address_space = 0;      ///< bytes; 0: no limit
   std::vector<std::size_t> cores = {};  ///< those that it may run on; empty: all
+  unsigned seconds = 0;                 ///< after these SIGALRM ends it; 0: no limit
+  std::string program = {};             ///< one in place of `throng`
+  std::vector<std::string> environment = {};  ///< "NAME=VALUE", beside what this process has
 };
 
 /// Runs `throng` without a display, with `arguments`, and waits for its end. ctest limits the time.

@@ -1,7 +1,7 @@
 #include "engine/render/gl/context.h"
 
 #include <algorithm>
-#include <utility>
+#include <new>
 
 #include <glad/gl.h>
 
@@ -22,16 +22,19 @@ bool runs_on_processor(const std::string& renderer) {
 
 void on_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void* log) {
   if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
-  const std::string message(text, static_cast<std::size_t>(length));
-  const_cast<MessageLog*>(static_cast<const MessageLog*>(log))->add(message);
+  const_cast<MessageLog*>(static_cast<const MessageLog*>(log))->add({text, static_cast<std::size_t>(length)});
 }
 
 }  // namespace
 
-void MessageLog::add(std::string message) {
+void MessageLog::add(std::string_view message) noexcept {
   const std::lock_guard lock(mutex_);
   ++count_;
-  if (messages_.size() < kept_messages) messages_.push_back(std::move(message));
+  try {
+    if (messages_.size() < kept_messages) messages_.emplace_back(message);
+  } catch (const std::bad_alloc&) {
+    return;  // it is counted, and the driver that calls holds locks of its own
+  }
 }
 
 std::vector<std::string> MessageLog::messages() const {

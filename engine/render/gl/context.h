@@ -3,6 +3,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -15,13 +16,14 @@ struct GLFWwindow;
 namespace throng::render::gl {
 
 /// Collects the driver's messages in order (KHR_debug, severities above notification). A test fails if there is one.
-/// The driver may call from any thread.
+/// The driver may call from any thread, in the middle of its work: nothing is thrown, and where there is no memory a
+/// message is only counted.
 class MessageLog {
  public:
   /// The number of messages that are kept; more are only counted.
   static constexpr std::size_t kept_messages = 64;
 
-  void add(std::string message);
+  void add(std::string_view message) noexcept;
   std::vector<std::string> messages() const;
   std::size_t count() const;
   void clear();

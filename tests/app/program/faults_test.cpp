@@ -183,6 +183,24 @@ TEST_F(Faults, NoMemoryLeftIsOneLine) {
   }
 }
 
+TEST_F(Faults, DriversGetTheMemoryThatTheyNeedOrAreNotOpened) {
+  for (const std::uint64_t mebibytes : {150U, 300U, 375U, 550U, 900U}) {
+    const ProgramRun picture =
+        run_program({"--headless", "--agents", "2", "--frames", "1", "--screenshot", at("picture.png")},
+                    {.address_space = mebibytes << 20U});
+    EXPECT_EQ(picture.exit_status, 1) << mebibytes;
+    EXPECT_THAT(picture.errors,
+                AllOf(StartsWith("throng: drawing needs "), EndsWith(" are left; raise the limit (ulimit -v)\n")));
+  }
+}
+
+TEST_F(Faults, AFileThatIsLostTakesNoOtherWithIt) {
+  const ProgramRun full = run({"--stats", "/dev/full", "--trace", at("trace.json"), "--record", at("run.rec")});
+  expect_one_line(full, 1, "/dev/full: cannot be written: No space left on device");
+  EXPECT_TRUE(fs::exists(at("trace.json")));
+  EXPECT_TRUE(fs::exists(at("run.rec")));
+}
+
 TEST_F(Faults, CoresThatItMayNotUseAreNotUsed) {
   const auto pus = [&](std::vector<std::size_t> cores) {
     const ProgramRun pinned =

@@ -126,6 +126,15 @@ anim::Status run_and_record(Show& show, const DemoOptions& options, Replay* repl
   return window ? run_window(show, options, replay) : run_headless(show, options, replay);
 }
 
+/// Runs it, and makes an error of an exception, so that what the run has written so far is kept.
+anim::Status run_in_words(Show& show, const DemoOptions& options, Replay* replay) {
+  try {
+    return run_and_record(show, options, replay);
+  } catch (...) {
+    return anim::Error{std::string(sentence_of_failure())};
+  }
+}
+
 // Beside JSON on standard output, on standard error.
 anim::Status say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
   if (options.stats != "-") return print(replay.summary() + "\n");
@@ -144,7 +153,7 @@ int run_show(const DemoOptions& options, Replay* replay) {
   StartError error;
   const std::unique_ptr<Show> show = Show::create(options, error);
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
-  const bool ran = tell(run_and_record(*show, options, replay));
+  const bool ran = tell(run_in_words(*show, options, replay));
   const bool recorded = tell(show->stop_recording());
   if (!ran || !write_results(*show, options) || !recorded) return exit_job_failed;
   if (replay != nullptr && !tell(say_what_was_repeated(*replay, options))) return exit_job_failed;

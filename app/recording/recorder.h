@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include "app/recording/writer.h"
@@ -33,7 +34,11 @@ class Recorder {
   template <typename... Item>
   void add(const Item&... item) {
     if (writer_ == nullptr) return;
-    writer_->add(item...);
+    try {
+      writer_->add(item...);
+    } catch (const std::bad_alloc&) {
+      writer_->give_up("the machine has no memory left");  // an item that is half there must not become a whole file
+    }
     if (writer_->fails()) outcome_ = std::exchange(writer_, nullptr)->finish();
   }
 

@@ -54,7 +54,15 @@ void PuThreads::run(int count, Job job) {
   running_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
+  // If memory runs out here, the others still work on what would be taken away.
+  struct AllDone {
+    ~AllDone() { threads.wait_for_all(); }
+    const PuThreads& threads;
+  } const all_done{*this};
   job.run(job.context, 0);
+}
+
+void PuThreads::wait_for_all() const {
   for (int left = running_.load(std::memory_order_acquire); left != 0;
        left = running_.load(std::memory_order_acquire)) {
     wait_while(running_, left);

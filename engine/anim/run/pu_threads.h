@@ -19,7 +19,8 @@ class PuThreads final : public Executor {
   PuThreads(const PuThreads&) = delete;
   PuThreads& operator=(const PuThreads&) = delete;
 
-  /// Runs job i on PU i. `count` is at most the number of PUs.
+  /// Runs job i on PU i. `count` is at most the number of PUs. A job that throws on the calling thread, for want of
+  /// memory, is passed on once the others have ended; one that throws elsewhere ends the program.
   void run(int count, Job job) override;
   /// Returns how many PUs there are: fewer than asked for where the system had no more threads.
   int pus() const { return static_cast<int>(threads_.size()) + 1; }
@@ -27,6 +28,7 @@ class PuThreads final : public Executor {
  private:
   bool start(int pu);
   void work(int pu);
+  void wait_for_all() const;
   template <typename Value>
   void wait_while(const std::atomic<Value>& value, Value is) const;
 

@@ -1,4 +1,8 @@
 // Who runs the jobs of the PUs: our own threads, or a host's job system.
+#include <atomic>
+#include <chrono>
+#include <new>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +13,18 @@
 
 namespace throng::anim::executors_test {
 namespace {
+
+TEST(Executors, PuThreadsThatRunOutOfMemoryHaveNoJobLeftAtWork) {
+  PuThreads threads(2);
+  std::atomic<bool> ended = false;
+  const auto job = [](void* ended_of_the_other, int index) {
+    if (index == 0) throw std::bad_alloc();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    *static_cast<std::atomic<bool>*>(ended_of_the_other) = true;
+  };
+  EXPECT_THROW(threads.run(2, {job, &ended}), std::bad_alloc);
+  EXPECT_TRUE(ended);
+}
 
 TEST(Executors, PuThreadsRunEachJobOnce) {
   PuThreads threads(4);

@@ -23,7 +23,7 @@ class Recorder {
   }
   /// Finishes the file. Errors: it could not be written, now or before. Without a file there is no error.
   anim::Status stop() {
-    if (writer_ != nullptr) outcome_ = std::exchange(writer_, nullptr)->finish();
+    if (writer_ != nullptr) finish();
     return std::exchange(outcome_, anim::Done{});
   }
   bool is_recording() const { return writer_ != nullptr; }
@@ -34,15 +34,28 @@ class Recorder {
   template <typename... Item>
   void add(const Item&... item) {
     if (writer_ == nullptr) return;
-    try {
-      writer_->add(item...);
-    } catch (const std::bad_alloc&) {
-      writer_->give_up("the machine has no memory left");  // an item that is half there must not become a whole file
-    }
-    if (writer_->fails()) outcome_ = std::exchange(writer_, nullptr)->finish();
+    has_memory_to([&] { writer_->add(item...); });
+    if (writer_->fails()) finish();
   }
 
  private:
+  /// Writes. Returns whether there was memory for it: an item that is half there must not become a whole file.
+  template <typename Write>
+  bool has_memory_to(const Write& write) {
+    try {
+      write();
+      return true;
+    } catch (const std::bad_alloc&) {
+      writer_->give_up("the machine has no memory left");
+      return false;
+    }
+  }
+
+  void finish() {
+    if (!has_memory_to([this] { outcome_ = writer_->finish(); })) outcome_ = writer_->finish();
+    writer_.reset();
+  }
+
   std::unique_ptr<RecordingWriter> writer_;
   anim::Status outcome_ = anim::Done{};
 };

@@ -133,7 +133,9 @@ anim::Status RecordingWriter::finish() {
   append_number(checksum, written_.value());
   if (state_) state_ = file_.write(checksum);
   if (state_) state_ = file_.commit();
-  if (state_ || file_.part().empty()) return state_;
+  std::error_code error;
+  const bool has_part = !file_.part().empty() && std::filesystem::file_size(file_.part(), error) > 0 && !error;
+  if (state_ || !has_part) return state_;
   return anim::Error{state_.error().message + "; the frames before are in " + file_.part().string()};
 }
 

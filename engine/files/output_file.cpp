@@ -111,7 +111,9 @@ OutputFile::~OutputFile() {
   if (descriptor_ < 0) return;
   if (unfinished_ == Unfinished::kept) static_cast<void>(flush());
   close(descriptor_);
-  if (unfinished_ == Unfinished::removed && !part_.empty()) unlink(part_.c_str());
+  std::error_code error;
+  if (part_.empty() || (unfinished_ == Unfinished::kept && fs::file_size(part_, error) > 0)) return;
+  unlink(part_.c_str());
 }
 
 Result<OutputFile> OutputFile::create(const fs::path& file, Unfinished unfinished, std::uint64_t expected) {

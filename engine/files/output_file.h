@@ -17,7 +17,7 @@ namespace throng {
 /// straight. Errors are sentences that begin with the file's name.
 class OutputFile {
  public:
-  enum class Unfinished { removed, kept };  ///< what becomes of the part without commit()
+  enum class Unfinished { removed, kept };  ///< what becomes of a part without commit(); an empty one goes
   enum class Sync { disk, system };         ///< whether commit() waits until the disk has the file
 
   /// Begins a file. `expected` is the count of its bytes where it is known: a full disk is said with what is missing.

@@ -83,10 +83,19 @@ bool Soak::is_warm(int round) const {
   return std::chrono::duration<double>(Clock::now() - begin_).count() > 60 * options_.minutes * 0.2;
 }
 
+Fault Soak::run_round(const RoundPlace& place) {
+  const std::uint64_t kind = place.seed % 8;
+  if (kind < 3) return programs_.run(place);
+  ShowRounds& shows = kind < 6 ? shows_ : drawn_shows_;
+  Fault fault = shows.run(place);
+  if (!fault) shows.measure(growth_);
+  return fault;
+}
+
 Fault Soak::run_round(std::uint64_t seed) {
   const RoundPlace place{seed, folder_ / "round"};
   fs::create_directories(place.folder);
-  Fault fault = programs_.run(place);
+  Fault fault = run_round(place);
   if (!fault) fs::remove_all(place.folder);
   return fault;
 }
@@ -112,7 +121,8 @@ bool Soak::run() {
 
 void Soak::print_table(int rounds) const {
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-  std::printf("\n%d rounds in %.0f s\n%s%s", rounds, seconds, programs_.table().c_str(), growth_.table().c_str());
+  std::printf("\n%d rounds in %.0f s\n%s%s%s%s", rounds, seconds, programs_.table().c_str(), shows_.table().c_str(),
+              drawn_shows_.table().c_str(), growth_.table().c_str());
 }
 
 }  // namespace throng::soak

@@ -11,6 +11,7 @@
 #include "tests/soak/growth.h"
 #include "tests/soak/program_rounds.h"
 #include "tests/soak/round.h"
+#include "tests/soak/show_rounds.h"
 
 namespace throng::soak {
 
@@ -43,12 +44,14 @@ class Soak {
   bool is_over(int round) const;
   bool is_warm(int round) const;
   Fault run_round(std::uint64_t seed);
+  Fault run_round(const RoundPlace& place);
   void print_table(int rounds) const;
 
   SoakOptions options_;
   std::filesystem::path folder_;
   Models models_;
   ProgramRounds programs_{models_};
+  ShowRounds shows_{models_, app::ContextKind::none}, drawn_shows_{models_, app::ContextKind::egl};
   Growth growth_;
   Clock::time_point begin_ = Clock::now();
 };

@@ -28,6 +28,8 @@ class HeapPageSource final : public PalettePageSource {
  public:
   explicit HeapPageSource(std::size_t page_bytes) : page_bytes_(page_bytes) {}
   PalettePage add_page() override;
+  /// Gives the memory of a page that was given.
+  const std::byte* memory(std::size_t page) const { return pages_[page][0].bytes; }
 
  private:
   struct alignas(palette_line_bytes) Line {

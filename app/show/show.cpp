@@ -105,6 +105,7 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame());
   if (!stage) return stage.error();
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
+  if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
   painter_->reset_palette_pages();  // the new stage has asked for none yet
   stage_ = std::move(*stage);
   left_out_.clear();

@@ -86,6 +86,12 @@ bool Soak::is_warm(int round) const {
 Fault Soak::run_round(const RoundPlace& place) {
   const std::uint64_t kind = place.seed % 8;
   if (kind < 3) return programs_.run(place);
+  if (kind == 7 && !options_.headless) {
+    if (!windows_) windows_.emplace(models_, folder_ / "window");
+    Fault fault = windows_->run(place);
+    if (!fault) windows_->measure(growth_);
+    return fault;
+  }
   ShowRounds& shows = kind < 6 ? shows_ : drawn_shows_;
   Fault fault = shows.run(place);
   if (!fault) shows.measure(growth_);
@@ -112,6 +118,7 @@ bool Soak::run() {
     fault = run_round(seed);
     if (!fault) fault = growth_.grown();
   }
+  if (windows_ && !fault) fault = windows_->close();
   print_table(round);
   if (fault)
     std::fprintf(stderr, "throng_soak: round %llu: %s\n", static_cast<unsigned long long>(seed_of(round - 1)),
@@ -121,8 +128,11 @@ bool Soak::run() {
 
 void Soak::print_table(int rounds) const {
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-  std::printf("\n%d rounds in %.0f s\n%s%s%s%s", rounds, seconds, programs_.table().c_str(), shows_.table().c_str(),
-              drawn_shows_.table().c_str(), growth_.table().c_str());
+  std::printf("\n%d rounds in %.0f s\n", rounds, seconds);
+  for (const std::string& part : {programs_.table(), shows_.table(), drawn_shows_.table(),
+                                  windows_ ? windows_->table() : std::string(), growth_.table()}) {
+    std::printf("%s", part.c_str());
+  }
 }
 
 }  // namespace throng::soak

@@ -12,6 +12,7 @@
 #include "tests/soak/program_rounds.h"
 #include "tests/soak/round.h"
 #include "tests/soak/show_rounds.h"
+#include "tests/soak/window_rounds.h"
 
 namespace throng::soak {
 
@@ -52,6 +53,7 @@ class Soak {
   Models models_;
   ProgramRounds programs_{models_};
   ShowRounds shows_{models_, app::ContextKind::none}, drawn_shows_{models_, app::ContextKind::egl};
+  std::optional<WindowRounds> windows_;  // none before the first round with one
   Growth growth_;
   Clock::time_point begin_ = Clock::now();
 };

@@ -94,6 +94,20 @@ TEST_F(Replays, NameTheFirstFrameAndAgentThatDiffer) {
                                       "in all, 1 of 4 agents"));
 }
 
+// A replay whose command line names other roles begins with characters made anew.
+TEST_F(Replays, SumUpTheEventsThatTheRecordedRunSummedUp) {
+  const auto recorded = show_of(demo("--agents 5 --events --clips run=none"));
+  record(*recorded, 60, [](Show&, int) {});
+  const auto replay = Replay::open(file_);
+  ASSERT_TRUE(replay);
+  const auto show = show_of((*replay)->options(demo("--events --replay " + file_.string())));
+  ASSERT_TRUE((*replay)->begin(*show));
+  while (*(*replay)->step(*show)) continue;
+  const auto& sums = show->stage().animated().event_sums();
+  ASSERT_TRUE(sums.has_value());
+  EXPECT_EQ(sums->place_hash(), recorded->stage().animated().event_sums()->place_hash());
+}
+
 TEST_F(Replays, RefuseAnotherCharacter) {
   record(*show_of(demo("--agents 2")), 1, act);
   EXPECT_THAT(repeated(THRONG_SOURCE_DIR "/tests/data/features/linear-trs.glb"), HasSubstr("is not the character"));

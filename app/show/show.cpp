@@ -172,8 +172,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   stage_->pose(view.camera, view.width, view.height, step, completed);
   const double milliseconds = milliseconds_since(start);
   if (recorder_.is_recording()) {
-    const auto& figures = stage_->system().figures();
-    recorder_.add(RecordedFrame{step, view, figures.pose_hash()}, figures.agent_hashes());
+    recorder_.add(RecordedFrame{step, view, stage_->system().figures().pose_hash()}, stage_->animated().agent_hashes());
   }
   if (keeps_moments_ && !stage_->tuning().paused) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();

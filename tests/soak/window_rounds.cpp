@@ -182,7 +182,7 @@ Fault WindowRounds::rest() {
     const auto found = window_->wait_for(has);
     return found && window_->drag((*found)["widgets"][name], 0.5);
   };
-  if (!window_->drop(models_.built_in) || !widget("tab:Presets") || !widget("Load rest"))
+  if (!widget("tab:Presets") || !widget("Load rest") || !window_->drop(models_.built_in))
     return gone("as it came to rest");
   const auto rests = window_->wait_for([&](const Json& now) {
     return now["report"]["agents"] == rest_agents && now["report"]["characters"] == Json::array({models_.built_in});

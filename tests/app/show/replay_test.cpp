@@ -68,6 +68,14 @@ TEST_F(Replays, BeginWhereARecordingBeganInTheMiddleOfARun) {
   EXPECT_EQ(repeated(""), file_.string() + ": all 20 frames are equal, the last of 20 agents");
 }
 
+TEST_F(Replays, BeginWhereARecordingBeganWithFewerPeopleThanBefore) {
+  const auto show = show_of(demo("--agents 50"));
+  show->animate(sixtieth);
+  change(*show, [](Tuning& tuning) { tuning.agents = 20; });
+  record(*show, 20, act);
+  EXPECT_EQ(repeated(""), file_.string() + ": all 20 frames are equal, the last of 20 agents");
+}
+
 // Frames of another length, agents and orders of bones: nothing that level of detail has learnt of them stays.
 TEST_F(Replays, KnowNothingOfWhatWasBeforeTheRecordingBegan) {
   const auto show = show_of(demo("--agents 150"));

@@ -13,6 +13,13 @@ struct ProcessFigures {
   int threads = 0;
 };
 
+/// Says whether memory tells of our own code: sanitizers keep what was freed.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool memory_tells = false;
+#else
+inline constexpr bool memory_tells = true;
+#endif
+
 /// Returns the figures of a process of ours; zeros once it has ended.
 ProcessFigures figures_of(pid_t process);
 

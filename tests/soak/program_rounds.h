@@ -29,6 +29,9 @@ class ProgramRounds {
   /// Runs the program. A fault is a crash, a hang, other words than one line of refusal, or a refusal where
   /// `must_work`.
   Fault run(const std::vector<std::string>& words, const RoundPlace& place, ProgramRun& run, bool must_work);
+  /// Runs the program with options of scheduling, or without them if they do not fit.
+  Fault run_scheduled(const std::vector<std::string>& words, const std::vector<std::string>& scheduling,
+                      const RoundPlace& place, ProgramRun& run);
   Fault replay(const RoundPlace& place, Random& random);
 
   const Models* models_;

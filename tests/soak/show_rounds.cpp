@@ -131,8 +131,10 @@ void ShowRounds::measure(Growth& growth) const {
   const ProcessFigures figures = figures_of(getpid());
   const std::string name = draws ? "drawn show, " : "show, ";
   // Figures of a run keep each time of its first 10,000 frames; the software renderer keeps what it compiled.
-  growth.add(name + "bytes on the heap", heap, (draws ? 48 : 4) * mebibyte);
-  growth.add(name + "bytes resident", figures.resident, (draws ? 96 : 24) * mebibyte);
+  if (memory_tells) {
+    growth.add(name + "bytes on the heap", heap, (draws ? 48 : 4) * mebibyte);
+    growth.add(name + "bytes resident", figures.resident, (draws ? 96 : 24) * mebibyte);
+  }
   growth.add(name + "open files", static_cast<std::uint64_t>(figures.descriptors), 0);
   growth.add(name + "threads", static_cast<std::uint64_t>(figures.threads), 0);
   if (draws) growth.add(name + "objects of OpenGL", count_gl_objects(), 0);

@@ -3,9 +3,12 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <system_error>
 
 #include <unistd.h>
+
+#include "engine/anim/base/misuse.h"
 
 namespace throng::soak {
 namespace {
@@ -13,6 +16,18 @@ namespace {
 namespace fs = std::filesystem;
 
 bool tells = false;
+std::mutex misuse_mutex;
+std::string misuse;  // the first that the library told of
+
+void hear(const anim::Misuse& heard) {
+  const std::lock_guard lock(misuse_mutex);
+  if (misuse.empty()) misuse = std::string("a misuse in this process: ") + heard.call + ": " + heard.reason;
+}
+
+Fault misuse_heard() {
+  const std::lock_guard lock(misuse_mutex);
+  return misuse.empty() ? Fault{} : misuse;
+}
 
 template <typename Number>
 bool read(const std::string& text, Number& number) {
@@ -60,6 +75,7 @@ Soak::Soak(const SoakOptions& options) : options_(options), models_(find_models(
   if (mkdtemp(pattern.data()) == nullptr) std::abort();
   folder_ = pattern;
   set_environment(folder_);
+  anim::set_misuse_hook(hear);
 }
 
 Soak::~Soak() {
@@ -116,6 +132,7 @@ bool Soak::run() {
     std::printf("scripts/soak --seed %llu\n", static_cast<unsigned long long>(seed));
     std::fflush(stdout);
     fault = run_round(seed);
+    if (!fault) fault = misuse_heard();
     if (!fault) fault = growth_.grown();
   }
   if (windows_ && !fault) fault = windows_->close();

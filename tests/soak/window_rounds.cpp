@@ -194,7 +194,7 @@ Fault WindowRounds::rest() {
 void WindowRounds::measure(Growth& growth) const {
   const ProcessFigures figures = figures_of(window_->process());
   constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U;
-  growth.add("window, bytes resident", figures.resident, 96 * mebibyte);
+  if (memory_tells) growth.add("window, bytes resident", figures.resident, 96 * mebibyte);
   growth.add("window, open files", static_cast<std::uint64_t>(figures.descriptors), 0);
   growth.add("window, threads", static_cast<std::uint64_t>(figures.threads), 0);
 }

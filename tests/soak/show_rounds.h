@@ -19,6 +19,8 @@ class ShowRounds {
   /// `context` draws the show; ContextKind::none draws nothing.
   ShowRounds(const Models& models, app::ContextKind context) : models_(&models), context_(context) {}
 
+  /// Makes the show, if there is none yet. Shows of one process are made before any of them is measured.
+  Fault open();
   Fault run(const RoundPlace& place);
 
   /// Adds what this process takes now, while its shows rest.
@@ -26,7 +28,6 @@ class ShowRounds {
   std::string table() const;
 
  private:
-  Fault open();
   Fault play(const RoundPlace& place, Random& random);
   Fault replay(const RoundPlace& place, Random& random);
   Fault rest();

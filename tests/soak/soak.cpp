@@ -109,7 +109,9 @@ Fault Soak::run_round(const RoundPlace& place) {
     return fault;
   }
   ShowRounds& shows = kind < 6 ? shows_ : drawn_shows_;
-  Fault fault = shows.run(place);
+  Fault fault = options_.again ? Fault{} : shows_.open();
+  if (!fault && !options_.again) fault = drawn_shows_.open();
+  if (!fault) fault = shows.run(place);
   if (!fault) shows.measure(growth_);
   return fault;
 }

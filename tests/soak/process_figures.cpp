@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <system_error>
 
 #include <malloc.h>
+#include <unistd.h>
 
 namespace throng::soak {
 namespace {
@@ -19,6 +21,20 @@ int entries_of(const fs::path& folder) {
   return count;
 }
 
+double seconds_computed(const fs::path& folder) {
+  std::ifstream stat(folder / "stat");
+  std::string text;
+  std::getline(stat, text);
+  const std::size_t name_end = text.rfind(')');
+  if (name_end == std::string::npos) return 0;
+  std::istringstream rest(text.substr(name_end + 1));
+  std::string skipped;
+  for (int field = 0; field < 11; ++field) rest >> skipped;
+  double user = 0, system = 0;
+  rest >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
 }  // namespace
 
 ProcessFigures figures_of(pid_t process) {
@@ -30,6 +46,7 @@ ProcessFigures figures_of(pid_t process) {
     if (word == "Threads:") status >> figures.threads;
   }
   figures.descriptors = entries_of(folder / "fd");
+  figures.computed = seconds_computed(folder);
   return figures;
 }
 

@@ -11,6 +11,7 @@ struct ProcessFigures {
   std::uint64_t resident = 0;  ///< bytes in memory
   int descriptors = 0;         ///< open files, sockets and the like
   int threads = 0;
+  double computed = 0;  ///< seconds that its threads have run, which a busy machine does not stretch
 };
 
 /// Says whether memory tells of our own code: sanitizers keep what was freed.

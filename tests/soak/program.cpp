@@ -48,7 +48,7 @@ void watch(pid_t child, const ProgramTime& time, ProgramRun& run) {
   while (!has_ended(child, how, std::chrono::milliseconds(100))) {
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     run.figures.push_back(figures_of(child));
-    if (!interrupted && seconds > time.until_interrupt) {
+    if (!interrupted && run.figures.back().computed > time.until_interrupt) {
       interrupted = true;
       kill(child, SIGINT);
     }

@@ -16,10 +16,10 @@ struct ProgramRun {
   std::vector<ProcessFigures> figures;  ///< one each tenth of a second
 };
 
-/// How long a run may take, in seconds.
+/// How long a run may take.
 struct ProgramTime {
-  double until_interrupt = 0;  ///< then SIGINT asks it to end; 0: never
-  double until_killed = 300;   ///< then it hangs, on a machine that does much else
+  double until_interrupt = 0;  ///< seconds of computing; then SIGINT asks it to end; 0: never
+  double until_killed = 300;   ///< seconds; then it hangs, on a machine that does much else
 };
 
 /// Runs `throng` with these words, without a display, working in `folder`, and waits for its end.

@@ -178,21 +178,22 @@ Fault ProgramRounds::run_for_long(const RoundPlace& place, Random& random) {
                  any_of(random, Words{"plaza", "parade", "stadium", "grid", "film"})};
   if (!words[6].ends_with("none")) words.insert(words.end(), {"--draw", "all"});
   tell(as_command(words));
-  const ProgramRun run = run_program(words, place.folder, {.until_interrupt = 12});
+  constexpr double warm_up = 5, until_interrupt = 15;  // seconds of computing
+  const ProgramRun run = run_program(words, place.folder, {.until_interrupt = until_interrupt, .until_killed = 900});
   ++counts_["long runs"];
   const std::string asked = as_command(words) + "\n  ";
   if (run.hung || run.status != 130)
     return asked + "ends with " + std::to_string(run.status) + " after Ctrl+C: " + run.errors;
-  const std::size_t count = run.figures.size(), half = count * 5 / 8;
   // The software renderer keeps what it has compiled and scenes of its own, up to a limit that takes minutes to reach.
   const bool draws = is_given(words, "--draw");
   const std::uint64_t slack = std::uint64_t{draws ? 64U : 4U} << 20U;
   ProcessFigures before, after;
-  for (std::size_t i = count / 4; i + 3 < count; ++i) {  // the last ones are of a process that ends
-    ProcessFigures& largest = i < half ? before : after;
-    largest.resident = std::max(largest.resident, run.figures[i].resident);
-    largest.descriptors = std::max(largest.descriptors, run.figures[i].descriptors);
-    largest.threads = std::max(largest.threads, run.figures[i].threads);
+  for (const ProcessFigures& figures : run.figures) {
+    if (figures.computed < warm_up || figures.computed > until_interrupt) continue;
+    ProcessFigures& largest = figures.computed < (warm_up + until_interrupt) / 2 ? before : after;
+    largest.resident = std::max(largest.resident, figures.resident);
+    largest.descriptors = std::max(largest.descriptors, figures.descriptors);
+    largest.threads = std::max(largest.threads, figures.threads);
   }
   tell("  resident " + std::to_string(before.resident) + ", then " + std::to_string(after.resident) + " bytes");
   if (memory_tells && after.resident > before.resident + slack)

@@ -125,7 +125,7 @@ Fault ShowRounds::rest() {
   return {};
 }
 
-void ShowRounds::measure(Growth& growth) const {
+void ShowRounds::measure(Growth& growth, int files_of_others) const {
   const bool draws = context_ != app::ContextKind::none;
   const std::uint64_t heap = heap_in_use();
   const ProcessFigures figures = figures_of(getpid());
@@ -135,7 +135,7 @@ void ShowRounds::measure(Growth& growth) const {
     growth.add(name + "bytes on the heap", heap, (draws ? 48 : 4) * mebibyte);
     growth.add(name + "bytes resident", figures.resident, (draws ? 96 : 24) * mebibyte);
   }
-  growth.add(name + "open files", static_cast<std::uint64_t>(figures.descriptors), 0);
+  growth.add(name + "open files", static_cast<std::uint64_t>(figures.descriptors - files_of_others), 0);
   growth.add(name + "threads", static_cast<std::uint64_t>(figures.threads), 0);
   if (draws) growth.add(name + "objects of OpenGL", count_gl_objects(), 0);
 }

@@ -23,8 +23,8 @@ class ShowRounds {
   Fault open();
   Fault run(const RoundPlace& place);
 
-  /// Adds what this process takes now, while its shows rest.
-  void measure(Growth& growth) const;
+  /// Adds what this process takes now, while its shows rest, but for so many open files that others have.
+  void measure(Growth& growth, int files_of_others) const;
   std::string table() const;
 
  private:

@@ -22,6 +22,8 @@ class WindowRounds {
 
   Fault run(const RoundPlace& place);
   void measure(Growth& growth) const;
+  /// Returns how many files this process has open to read what display and program say.
+  int open_files() const { return window_ == nullptr ? 0 : 2; }
   /// Closes the window. A fault is that it does not end well.
   Fault close();
   std::string table() const;

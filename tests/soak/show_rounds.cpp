@@ -125,17 +125,18 @@ Fault ShowRounds::rest() {
   return {};
 }
 
-void ShowRounds::measure(Growth& growth, int files_of_others) const {
+void ShowRounds::measure(Growth& growth, const Others& others) const {
   const bool draws = context_ != app::ContextKind::none;
+  const bool renderer = draws || others.draw;
   const std::uint64_t heap = heap_in_use();
   const ProcessFigures figures = figures_of(getpid());
   const std::string name = draws ? "drawn show, " : "show, ";
   // Figures of a run keep each time of its first 10,000 frames; the software renderer keeps what it compiled.
   if (memory_tells) {
-    growth.add(name + "bytes on the heap", heap, (draws ? 48 : 4) * mebibyte);
-    growth.add(name + "bytes resident", figures.resident, (draws ? 96 : 24) * mebibyte);
+    growth.add(name + "bytes on the heap", heap, (renderer ? 24 : 4) * mebibyte);
+    growth.add(name + "bytes resident", figures.resident, (renderer ? 96 : 24) * mebibyte);
   }
-  growth.add(name + "open files", static_cast<std::uint64_t>(figures.descriptors - files_of_others), 0);
+  growth.add(name + "open files", static_cast<std::uint64_t>(figures.descriptors - others.open_files), 0);
   growth.add(name + "threads", static_cast<std::uint64_t>(figures.threads), 0);
   if (draws) growth.add(name + "objects of OpenGL", count_gl_objects(), 0);
 }

@@ -23,8 +23,13 @@ class ShowRounds {
   Fault open();
   Fault run(const RoundPlace& place);
 
-  /// Adds what this process takes now, while its shows rest, but for so many open files that others have.
-  void measure(Growth& growth, int files_of_others) const;
+  /// What else this process has.
+  struct Others {
+    int open_files = 0;
+    bool draw = false;  ///< the software renderer is there, which keeps what it compiled
+  };
+  /// Adds what this process takes now, while its shows rest.
+  void measure(Growth& growth, const Others& others) const;
   std::string table() const;
 
  private:

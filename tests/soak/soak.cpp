@@ -112,7 +112,7 @@ Fault Soak::run_round(const RoundPlace& place) {
   Fault fault = options_.again ? Fault{} : shows_.open();
   if (!fault && !options_.again) fault = drawn_shows_.open();
   if (!fault) fault = shows.run(place);
-  if (!fault) shows.measure(growth_, windows_ ? windows_->open_files() : 0);
+  if (!fault) shows.measure(growth_, {.open_files = windows_ ? windows_->open_files() : 0, .draw = !options_.again});
   return fault;
 }
 

@@ -88,7 +88,8 @@ render::PalettePageSource& Painter::palette_pages() {
 }
 
 void Painter::reset_palette_pages() {
-  if (renderer_ != nullptr) renderer_->reset_palette_pages();
+  if (renderer_ != nullptr) return renderer_->reset_palette_pages();
+  heap_pages_->drop_pages();
 }
 
 anim::Status Painter::load_meshes(Stage& stage) {

@@ -124,7 +124,7 @@ RecordedRequest Replay::with_own_scheduling(RecordedRequest request) const {
 }
 
 anim::Status Replay::compare(const RecordedFrame& frame, const Stage& stage) const {
-  const auto hashes = stage.system().figures().agent_hashes();
+  const auto hashes = stage.animated().agent_hashes();
   const auto recorded_hashes = reader_->agent_hashes();
   const std::uint64_t number = reader_->frames_read();
   if (hashes.size() != recorded_hashes.size()) {

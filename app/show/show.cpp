@@ -105,6 +105,7 @@ anim::Status Show::replace_characters(std::vector<CharacterSource> characters) {
   auto stage = Stage::create(std::move(characters), stage_->tuning(), painter_->palette_pages(), stage_->frame());
   if (!stage) return stage.error();
   if (const anim::Status loaded = painter_->load_meshes(**stage); !loaded) return loaded.error();
+  if (stage_->animated().event_sums()) (*stage)->animated().sum_up_events();
   painter_->reset_palette_pages();  // the new stage has asked for none yet
   stage_ = std::move(*stage);
   left_out_.clear();
@@ -171,8 +172,7 @@ void Show::update(anim::Ticks delta, const LodView* as_recorded) {
   stage_->pose(view.camera, view.width, view.height, step, completed);
   const double milliseconds = milliseconds_since(start);
   if (recorder_.is_recording()) {
-    const auto& figures = stage_->system().figures();
-    recorder_.add(RecordedFrame{step, view, figures.pose_hash()}, figures.agent_hashes());
+    recorder_.add(RecordedFrame{step, view, stage_->system().figures().pose_hash()}, stage_->animated().agent_hashes());
   }
   if (keeps_moments_ && !stage_->tuning().paused) rewind_.watch(*stage_);
   if (had_memory && stage_->shown().out_of_memory()) update_notice();

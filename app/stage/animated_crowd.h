@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -87,6 +89,12 @@ class AnimatedCrowd {
 
   /// Returns what a character stands, looks and falls with.
   const anim::CharacterRigs& rigs(std::size_t character) const { return *rigs_[character]; }
+
+  /// Returns the hash of each agent's pose, and of the film's camera; a crowd that was larger before has left none.
+  std::span<const std::uint64_t> agent_hashes() const {
+    const std::span<const std::uint64_t> all = system_->figures().agent_hashes();
+    return all.first(std::min<std::size_t>(all.size(), system_->agent_count()));
+  }
 
   anim::AnimationSystem& system() { return *system_; }
   const anim::AnimationSystem& system() const { return *system_; }

@@ -27,6 +27,8 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   [[nodiscard]] bool started() const { return process_ > 0; }
+  /// Returns its number in the system.
+  [[nodiscard]] pid_t process() const { return process_; }
 
   /// Returns its next whole line; nothing if it has ended or the deadline is past.
   std::optional<std::string> read_line(Deadline deadline);

@@ -43,8 +43,8 @@ static_assert(sizeof(Player) == entity_header_bytes);
 static_assert(offsetof(Player, position) == 96 && offsetof(Player, flags) == 112 && offsetof(Player, cursor) == 120);
 static_assert(offsetof(Player, bone_selection) == 124);
 
-/// Returns how far a player of this speed gets in a time: their product, or the end of FineTicks on its side, as after
-/// 55 hours at the clip's own speed.
+/// Returns how far a player of this speed gets in a time: their product, or the middle of FineTicks on its side, as
+/// after 27 hours at the clip's own speed, so that a position can be added.
 inline FineTicks distance(Ticks time, std::int32_t speed) {
   constexpr Ticks surely_fits{std::int64_t{1} << 31U};
   if (time < surely_fits && time > -surely_fits) [[likely]]

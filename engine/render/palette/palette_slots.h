@@ -28,6 +28,11 @@ class HeapPageSource final : public PalettePageSource {
  public:
   explicit HeapPageSource(std::size_t page_bytes) : page_bytes_(page_bytes) {}
   PalettePage add_page() override;
+  /// Frees every page. The PaletteSlots that had them gives out nothing more.
+  void drop_pages() { pages_.clear(); }
+  std::size_t page_count() const { return pages_.size(); }
+  /// Gives the memory of a page, to look into it.
+  const std::byte* memory(std::size_t page) const { return pages_[page][0].bytes; }
 
  private:
   struct alignas(palette_line_bytes) Line {

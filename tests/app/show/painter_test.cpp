@@ -1,6 +1,9 @@
 // The painter without a context; tests/gl has what it draws.
 #include "app/show/painter.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/app/recording/recorded_run.h"
@@ -24,6 +27,16 @@ TEST(PainterWithoutAContext, IsDoneWithEveryFrameThatTheStageHasPosed) {
   EXPECT_EQ(show->painter().completed_frame(show->stage()), show->stage().frame());
   EXPECT_EQ(show->stage().frame(), 3U);
   EXPECT_TRUE(show->painter().mesh_levels(0).empty());
+}
+
+TEST(PainterWithoutAContext, FreesThePagesOfCharactersThatWereReplaced) {
+  const auto show = test::show_of(test::demo("--agents 5"));
+  for (int times = 0; times < 3; ++times) {
+    ASSERT_TRUE(show->replace_models(std::vector<std::string>{THRONG_SOURCE_DIR "/tests/data/features/plain.glb"}));
+    show->animate(test::sixtieth);
+    const auto& pages = dynamic_cast<render::HeapPageSource&>(show->painter().palette_pages());
+    EXPECT_EQ(pages.page_count(), 1U) << times;
+  }
 }
 
 TEST(PaintedViews, LookForLevelOfDetailFromTheFrozenCamera) {

@@ -68,6 +68,14 @@ TEST_F(Replays, BeginWhereARecordingBeganInTheMiddleOfARun) {
   EXPECT_EQ(repeated(""), file_.string() + ": all 20 frames are equal, the last of 20 agents");
 }
 
+TEST_F(Replays, BeginWhereARecordingBeganWithFewerPeopleThanBefore) {
+  const auto show = show_of(demo("--agents 50"));
+  show->animate(sixtieth);
+  change(*show, [](Tuning& tuning) { tuning.agents = 20; });
+  record(*show, 20, act);
+  EXPECT_EQ(repeated(""), file_.string() + ": all 20 frames are equal, the last of 20 agents");
+}
+
 // Frames of another length, agents and orders of bones: nothing that level of detail has learnt of them stays.
 TEST_F(Replays, KnowNothingOfWhatWasBeforeTheRecordingBegan) {
   const auto show = show_of(demo("--agents 150"));
@@ -92,6 +100,20 @@ TEST_F(Replays, NameTheFirstFrameAndAgentThatDiffer) {
   put(test::with_true_checksum(other));
   EXPECT_THAT(repeated(""), HasSubstr("run.rec: frame 3: is the first that differs, in agent 2, mannequin (built in); "
                                       "in all, 1 of 4 agents"));
+}
+
+// A replay whose command line names other roles begins with characters made anew.
+TEST_F(Replays, SumUpTheEventsThatTheRecordedRunSummedUp) {
+  const auto recorded = show_of(demo("--agents 5 --events --clips run=none"));
+  record(*recorded, 60, [](Show&, int) {});
+  const auto replay = Replay::open(file_);
+  ASSERT_TRUE(replay);
+  const auto show = show_of((*replay)->options(demo("--events --replay " + file_.string())));
+  ASSERT_TRUE((*replay)->begin(*show));
+  while (*(*replay)->step(*show)) continue;
+  const auto& sums = show->stage().animated().event_sums();
+  ASSERT_TRUE(sums.has_value());
+  EXPECT_EQ(sums->place_hash(), recorded->stage().animated().event_sums()->place_hash());
 }
 
 TEST_F(Replays, RefuseAnotherCharacter) {

@@ -1,0 +1,214 @@
+#include "tests/soak/command_lines.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <sstream>
+
+#include "app/command_line/options.h"
+#include "app/command_line/options_commands.h"
+#include "app/settings/preset.h"
+
+namespace throng::soak {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What makes the value of an option.
+struct Maker {
+  const Models& models;
+  const fs::path& folder;
+  Random& random;
+};
+
+/// An option, how often it is given, and what makes its value. Empty values are those of flags.
+struct Option {
+  const char* name;
+  float chance;
+  std::function<std::string(const Maker&)> value;
+};
+
+std::string one_of(Random& random, const std::vector<std::string>& words) { return any_of(random, words); }
+
+auto word_of(std::vector<std::string> words) {
+  return [words = std::move(words)](const Maker& maker) { return one_of(maker.random, words); };
+}
+
+auto text(std::string text) {
+  return [text = std::move(text)](const Maker&) { return text; };
+}
+
+std::string any_settings(const Maker& maker) {
+  std::string all;
+  for (const app::TuningValue& value : app::tuning_values()) {
+    if (!value.option.empty() || !maker.random.chance(0.2F)) continue;
+    all += (all.empty() ? "" : ",") + std::string(value.key) + "=" + any_text_of(value, maker.random);
+  }
+  return all.empty() ? "paused=off" : all;
+}
+
+std::string any_preset(const Maker& maker) {
+  app::Preset preset;
+  change_some_values(preset.tuning, maker.random);
+  const fs::path file = maker.folder / "some.json";
+  static_cast<void>(app::write_preset(file, preset));
+  return file.string();
+}
+
+std::string any_camera(const Maker& maker) {
+  std::ostringstream text;
+  for (const double most : {60.0, 20.0, 60.0, 180.0}) {
+    text << std::lround(most * (2.0 * static_cast<double>(maker.random.unit()) - 1.0)) << ',';
+  }
+  text << -maker.random.below(40);
+  if (maker.random.chance(0.5F)) text << ',' << 10 + maker.random.below(90);
+  return text.str();
+}
+
+std::string any_cast(const Maker& maker) {
+  std::string cast;
+  for (std::uint32_t left = 1 + maker.random.below(4); left > 0; --left) {
+    cast += (cast.empty() ? "" : ",") + any_model(maker.models, maker.random);
+    if (maker.random.chance(0.6F)) cast += "*" + std::to_string(1 + maker.random.below(9));
+  }
+  return cast;
+}
+
+std::string any_size(const Maker& maker) {
+  return std::to_string(any_whole_number(maker.random, 1, 900)) + "x" +
+         std::to_string(any_whole_number(maker.random, 1, 700));
+}
+
+std::string any_seconds(const Maker& maker) { return app::shortest_text(any_number(maker.random, 1e-6, 2.0)); }
+std::string any_scale(const Maker& maker) { return app::shortest_text(any_number(maker.random, 1e-3, 100.0)); }
+
+std::string any_frames(const Maker& maker) { return std::to_string(any_whole_number(maker.random, 1, 150)); }
+
+/// Options of the demo beside those of the tuning. Those without a chance have rounds of their own.
+const std::vector<Option>& other_options() {
+  static const std::vector<Option> options = {
+      {"--scale", 0.05F, any_scale},
+      {"--up", 0.05F, word_of({"x", "y", "z", "-x", "-y", "-z"})},
+      {"--ground", 0.1F, word_of({"file", "feet"})},
+      {"--preset", 0.15F, any_preset},
+      {"--set", 0.3F, any_settings},
+      {"--cast", 0.2F, any_cast},
+      {"--clips", 0.1F, word_of({"walk=none", "stand=none", "run=none,jog=none", "sit=none,clap=none"})},
+      {"--clips-from", 0.1F, [](const Maker& maker) { return any_model(maker.models, maker.random); }},
+      {"--skin", 0.1F, word_of({"all", "1"})},
+      {"--strict", 0.05F, text("")},
+      {"--memory-limit", 0.05F, word_of({"64MB", "500MB", "2GB", "1MB"})},
+      {"--size", 0.8F, any_size},
+      {"--camera", 0.4F, any_camera},
+      {"--camera-path", 0.2F, word_of({"none", "orbit", "pan"})},
+      {"--msaa", 0.2F, word_of({"0", "4"})},
+      {"--shadows", 0.2F, word_of({"on", "off"})},
+      {"--ui", 0.2F, word_of({"", "=fixed"})},
+      {"--ui-tab", 0.2F, word_of({"crowd", "skipping", "bones", "scheduling", "agent", "presets"})},
+      {"--ui-scale", 0.1F, word_of({"0.5", "1", "1.5", "4"})},
+      {"--select", 0.2F, word_of({"0"})},
+      {"--hide-ui", 0.0F, text("")},
+      {"--headless", 1.0F, word_of({"", "=egl", "=osmesa", "=none", "=none", "=none"})},
+      {"--draw", 0.3F, word_of({"last", "all", "none"})},
+      {"--frames", 1.0F, any_frames},
+      {"--dt", 0.3F, any_seconds},
+      {"--replay", 0.0F, text("run.rec")},
+      {"--screenshot", 0.3F, text("picture.png")},
+      {"--stats", 1.0F, text("stats.json")},
+      {"--events", 0.5F, text("")},
+      {"--trace", 0.1F, text("trace.json")},
+      {"--ui-map", 0.2F, text("ui.json")},
+      {"--data", 0.05F, text(THRONG_SOURCE_DIR)},
+      {"--record", 1.0F, text("run.rec")},
+      {"--remove-parts", 0.1F, text("")},
+  };
+  return options;
+}
+
+void add(std::vector<std::string>& words, const std::string& name, const std::string& value) {
+  if (value.starts_with('=')) {
+    words.push_back(name + value);
+  } else {
+    words.push_back(name);
+    if (!value.empty()) words.push_back(value);
+  }
+}
+
+/// Words that may contradict each other.
+std::vector<std::string> any_words(const Maker& maker) {
+  std::vector<std::string> words;
+  if (maker.random.chance(0.5F)) {
+    for (std::uint32_t left = 1 + maker.random.below(3); left > 0; --left) {
+      words.push_back(any_model(maker.models, maker.random));
+    }
+  }
+  for (const app::TuningValue& value : app::tuning_values()) {
+    const float chance = value.key == "agents" ? 1.0F : 0.2F;
+    if (value.option.empty() || !maker.random.chance(chance)) continue;
+    std::string drawn = any_text_of(value, maker.random);
+    app::Tuning tuning;
+    if (value.read_option(tuning, drawn)) continue;  // 0, for which an option has no word
+    add(words, std::string(value.option_name()), drawn);
+  }
+  for (const Option& option : other_options()) {
+    if (maker.random.chance(option.chance)) add(words, option.name, option.value(maker));
+  }
+  return words;
+}
+
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending == ".glb" || ending == ".gltf") files.push_back(entry.path().string());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+Models find_models() {
+  const fs::path source = THRONG_SOURCE_DIR;
+  return {.built_in = (source / "assets/mannequin.glb").string(),
+          .features = files_in(source / "tests/data/features"),
+          .broken = files_in(source / "tests/data/malformed")};
+}
+
+const std::string& any_model(const Models& models, Random& random) {
+  if (random.chance(0.15F)) return models.built_in;
+  return any_of(random, random.chance(0.03F) ? models.broken : models.features);
+}
+
+std::vector<std::string> any_demo_line(const Models& models, const fs::path& folder, Random& random) {
+  while (true) {
+    std::vector<std::string> words = any_words({models, folder, random});
+    if (std::holds_alternative<app::DemoOptions>(app::parse_command_line(words))) return words;
+  }
+}
+
+std::vector<std::string> any_scheduling(Random& random) {
+  std::vector<std::string> words;
+  for (const char* const key : {"--pus", "--tile", "--schedule", "--double-buffer", "--grain"}) {
+    const app::TuningValue& value = app::tuning_value(key);
+    app::Tuning tuning;
+    const std::string drawn = any_text_of(value, random);
+    if (random.chance(0.6F) && !value.read_option(tuning, drawn)) add(words, key, drawn);
+  }
+  return words;
+}
+
+std::optional<std::string> option_left_out() {
+  std::istringstream table(app::demo_options_as_markdown());
+  for (std::string line; std::getline(table, line);) {
+    if (!line.starts_with("| `--")) continue;
+    const std::string name = line.substr(3, line.find_first_of(" [`", 3) - 3);
+    const bool drawn = std::ranges::any_of(other_options(), [&](const Option& each) { return each.name == name; });
+    const bool tuned =
+        std::ranges::any_of(app::tuning_values(), [&](const auto& value) { return value.option_name() == name; });
+    if (!drawn && !tuned) return name + " has no values in tests/soak/command_lines.cpp";
+  }
+  return {};
+}
+
+}  // namespace throng::soak

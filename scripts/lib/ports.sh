@@ -2,7 +2,7 @@
 # standard library, for another processor or system; and holds its poses to the pinned hashes.
 # shellcheck shell=bash
 
-# build_port NAME [OPTION OF CMAKE...]
+# build_port NAME [OPTION OF CMAKE...]: all of it, or what $port_target names.
 build_port() {
   local name=$1 folder=build/port-$1 log=build/configure-port-$1.log
   shift
@@ -11,7 +11,7 @@ build_port() {
   mkdir -p build
   cmake -S tests/ports -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$log" 2>&1 ||
     { cat "$log" >&2 && fail "configuring for $name failed"; }
-  ninja -C "$folder" || fail "building for $name failed"
+  ninja -C "$folder" ${port_target:+"$port_target"} || fail "building for $name failed"
 }
 
 # test_port NAME [OPTION OF CMAKE...]

@@ -3,6 +3,7 @@
 
 #include "app/command_line/command_files.h"
 #include "app/command_line/options.h"
+#include "app/command_line/simd_choice.h"
 #include "app/commands/bake/command.h"
 #include "app/commands/bench/command.h"
 #include "app/commands/inspect/command.h"
@@ -27,6 +28,7 @@ struct Run {
     const RunFiles files = files_of(options);
     if (const anim::Status checked = check(files); !checked) return end_with(exit_job_failed, checked.error().message);
     for (const std::string& line : tend_to_parts(files)) end_with(exit_done, line);
+    choose_kernels(options);
     return run(options);
   }
 

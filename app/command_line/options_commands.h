@@ -19,6 +19,9 @@ ParsedCommand parse_bench(const std::vector<std::string>& arguments);
 /// Adds the option that says how much memory reading a model may take.
 void declare_memory_limit(OptionReader& reader, import::ImportOptions& options);
 
+/// Adds the option that names the SIMD target which all runs on.
+void declare_simd(OptionReader& reader, const anim::Kernels*& kernels);
+
 /// Adds the options that say in what size and where the models of files stand.
 void declare_placement(OptionReader& reader, anim::PlacementChoice& placement);
 

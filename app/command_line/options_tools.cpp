@@ -59,6 +59,12 @@ void declare_memory_limit(OptionReader& reader, import::ImportOptions& options) 
                memory_size(options.memory_limit));
 }
 
+void declare_simd(OptionReader& reader, const anim::Kernels*& kernels) {
+  reader.value("--simd", "TARGET",
+               "Vector instructions: avx512, avx2, sse4, scalar, or as Highway names them (the best)",
+               simd_target(kernels));
+}
+
 void declare_placement(OptionReader& reader, anim::PlacementChoice& placement) {
   using anim::GroundRule;
   using anim::UpAxis;
@@ -87,6 +93,7 @@ ParsedCommand parse_pose(const std::vector<std::string>& arguments) {
   reader.value("--time", "T[,T...]", "Seconds", times_list(options.times))->required();
   Tuning tuning;
   reader.tuning_value(tuning_value("--stream"), tuning);
+  declare_simd(reader, options.kernels);
   reader.value("--json", "FILE|-", "Where to write", any_text(options.json))->required();
   reader.parts_remover(options.remove_parts);
   if (auto stop = reader.read(arguments)) return *stop;
@@ -114,6 +121,7 @@ ParsedCommand parse_lod(const std::vector<std::string>& arguments) {
   reader.model(options.model, "A glTF file (.glb or .gltf), or a pack; without it, the built-in character");
   reader.value("--pixels", "N", "Height on screen for errors in pixels, 1 to 10000 (200)",
                whole_number(options.pixels, 1, 10000));
+  declare_simd(reader, options.kernels);
   declare_memory_limit(reader, options.reading);
   reader.option_defaults()->group("Files");
   reader.value("--json", "FILE|-", "Write the figures as one JSON object", any_text(options.json));
@@ -178,6 +186,7 @@ void declare_scheduling(OptionReader& reader, BenchOptions& options) {
   for (const char* const shared : {"--local-store", "--tile", "--double-buffer", "--palette"}) {
     reader.tuning_value(app::tuning_value(shared), options.tuning);
   }
+  declare_simd(reader, options.kernels);
 }
 
 void declare_files(OptionReader& reader, BenchOptions& options) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <new>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -115,12 +118,19 @@ std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, 
   return notices;
 }
 
+using Context = std::unique_ptr<ImGuiContext, decltype(&ImGui::DestroyContext)>;
+
+// ImGui writes to what it asks for without a look, so memory that is not there has to be an exception.
+Context make_context() {
+  ImGui::SetAllocatorFunctions([](std::size_t size, void*) { return ::operator new(size); },
+                               [](void* block, void*) { ::operator delete(block); });
+  return {ImGui::CreateContext(), &ImGui::DestroyContext};
+}
+
 }  // namespace
 
 struct Overlay::State {
-  explicit State(ImGuiContext* made) : context(made) {}
-
-  ImGuiContext* context;
+  Context context = make_context();
   Theme theme;
   UiMap map;
   Widgets widgets{theme, map};
@@ -138,8 +148,8 @@ struct Overlay::State {
 };
 
 Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& standard, const Clipboard& clipboard)
-    : state_(std::make_unique<State>(ImGui::CreateContext())) {
-  ImGui::SetCurrentContext(state_->context);
+    : state_(std::make_unique<State>()) {
+  ImGui::SetCurrentContext(state_->context.get());
   state_->theme = apply_theme(fonts, scale);
   state_->standard = standard;
   state_->clipboard.clipboard = clipboard;
@@ -153,7 +163,7 @@ Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& 
   io.Fonts->Build();
 }
 
-Overlay::~Overlay() { ImGui::DestroyContext(state_->context); }
+Overlay::~Overlay() = default;
 
 void Overlay::begin_frame(int width, int height, double seconds, const InputFrame& input) {
   state_->input = input;

@@ -1,11 +1,16 @@
 #include "app/overlay/theme.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <system_error>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+#include <vector>
 
 #include "app/settings/agent_colors.h"
 #include "engine/anim/asset/skeleton.h"
+#include "engine/files/input_file.h"
 
 namespace throng::app {
 namespace {
@@ -15,11 +20,24 @@ constexpr float body_size = 15, small_size = 13, large_size = 22;
 /// Latin with its accents, Greek and Cyrillic: bones of real models are named in all of them.
 constexpr ImWchar letters[] = {0x20, 0x24F, 0x370, 0x4FF, 0x2013, 0x2026, 0};
 
-ImFont* load(const std::filesystem::path& file, float pixels) {
+/// Returns the bytes of a TrueType font, or none: ImGui ends a program that gives it what it cannot read.
+std::vector<std::byte> read_font(const std::filesystem::path& file) {
+  constexpr std::size_t most_bytes = 16U << 20U;
+  constexpr std::array truetype{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};
+  auto font = read_file(file, "a font", most_bytes);
+  if (!font || font->size() < truetype.size() || !std::equal(truetype.begin(), truetype.end(), font->begin())) {
+    return {};
+  }
+  return std::move(*font);
+}
+
+ImFont* add(const std::vector<std::byte>& font, float pixels) {
   ImFontConfig config;
   config.OversampleH = 3;
   config.OversampleV = 2;
-  return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, letters);
+  void* const copy = ImGui::MemAlloc(font.size());  // the atlas frees it
+  std::memcpy(copy, font.data(), font.size());
+  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(copy, static_cast<int>(font.size()), pixels, &config, letters);
 }
 
 ImFont* built_in(float scale) {
@@ -29,13 +47,12 @@ ImFont* built_in(float scale) {
 }
 
 void load_fonts(const std::filesystem::path& folder, Theme& theme) {
-  const std::filesystem::path regular = folder / "Roboto-Regular.ttf", strong = folder / "Roboto-Medium.ttf";
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(regular, ignored) && std::filesystem::is_regular_file(strong, ignored)) {
-    theme.regular = load(regular, theme.px(body_size));
-    theme.strong = load(strong, theme.px(body_size));
-    theme.small = load(regular, theme.px(small_size));
-    theme.large = load(strong, theme.px(large_size));
+  const auto regular = read_font(folder / "Roboto-Regular.ttf"), strong = read_font(folder / "Roboto-Medium.ttf");
+  if (!regular.empty() && !strong.empty()) {
+    theme.regular = add(regular, theme.px(body_size));
+    theme.strong = add(strong, theme.px(body_size));
+    theme.small = add(regular, theme.px(small_size));
+    theme.large = add(strong, theme.px(large_size));
     return;
   }
   theme.fonts_missing = true;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <system_error>
 
+#include "engine/anim/kernel/choose_kernels.h"
+
 namespace throng::app {
 namespace {
 
@@ -170,6 +172,15 @@ ValueReader camera(DemoOptions& options) {
              "fov 1 to 170";
     }
     options.camera = camera_from(*numbers);
+    return {};
+  };
+}
+
+ValueReader simd_target(const anim::Kernels*& target) {
+  return [&target](const std::string& text) -> Complaint {
+    const anim::Kernels* const kernels = anim::find_kernels(text);
+    if (kernels == nullptr) return "this processor and build have " + joined(anim::runnable_targets(), ", ", " and ");
+    target = kernels;
     return {};
   };
 }

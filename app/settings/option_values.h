@@ -61,6 +61,8 @@ ValueReader number_above_zero(float& target, std::string unit);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative
 ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to most_picture_pixels
 ValueReader camera(DemoOptions& options);             ///< a name, or x,y,z,yaw,pitch[,fov]
+/// Reads the name of a SIMD target that this build has and this machine runs.
+ValueReader simd_target(const anim::Kernels*& target);
 ValueReader any_text(std::string& target);
 ValueReader existing_folder(std::string& target);
 ValueReader file_name(std::string& target);                ///< anything but `-`, which elsewhere means standard output

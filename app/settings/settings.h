@@ -124,7 +124,8 @@ struct DemoOptions {
   anim::PlacementChoice placement;      ///< size and place of all of them; what it leaves open is guessed
   Tuning tuning;
   ContextKind context = ContextKind::window;
-  std::optional<DrawWhich> draw;  ///< unset: see drawn_frames; a window draws all
+  std::optional<DrawWhich> draw;           ///< unset: see drawn_frames; a window draws all
+  const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
   int frames = 60;
   bool frames_given = false;  ///< a window runs until closed unless given
   std::optional<double> dt;   ///< seconds; unset: 1/60 headless, the clock in a window

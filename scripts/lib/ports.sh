@@ -2,8 +2,8 @@
 # standard library, for another processor or system; and holds its poses to the pinned hashes.
 # shellcheck shell=bash
 
-# test_port NAME [OPTION OF CMAKE...]
-test_port() {
+# build_port NAME [OPTION OF CMAKE...]: all of it, or what $port_target names.
+build_port() {
   local name=$1 folder=build/port-$1 log=build/configure-port-$1.log
   shift
   if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache; fi
@@ -11,8 +11,13 @@ test_port() {
   mkdir -p build
   cmake -S tests/ports -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$log" 2>&1 ||
     { cat "$log" >&2 && fail "configuring for $name failed"; }
-  ninja -C "$folder" || fail "building for $name failed"
-  ctest --test-dir "$folder" --output-on-failure --no-tests=error || fail "the tests for $name failed"
+  ninja -C "$folder" ${port_target:+"$port_target"} || fail "building for $name failed"
+}
+
+# test_port NAME [OPTION OF CMAKE...]
+test_port() {
+  build_port "$@"
+  ctest --test-dir "build/port-$1" --output-on-failure --no-tests=error || fail "the tests for $1 failed"
 }
 
 # Leaves a port out, and says so, if one of its commands is missing: can_port NAME PACKAGES COMMAND...
@@ -53,6 +58,14 @@ plain_headers() {
   echo "$folder"
 }
 
+# arm64, wherever its compiler and an emulator are: on_arm64 test_port, or build_port.
+on_arm64() {
+  can_port arm64 "g++-aarch64-linux-gnu qemu-user" aarch64-linux-gnu-g++ qemu-aarch64 || return 0
+  local highway
+  highway=$(highway_source)
+  "$1" arm64 -DCMAKE_TOOLCHAIN_FILE="$PWD/scripts/lib/toolchains/aarch64-linux-gnu.cmake" -DPORT_HIGHWAY="$highway"
+}
+
 test_clang() { test_port clang -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++; }
 
 # On Windows the crowds of the tests do not give the pinned hashes yet: poses are held to each other alone.
@@ -64,10 +77,7 @@ test_all_ports() {
   if can_port libc++ "clang-16 libc++-16-dev libc++abi-16-dev" clang++-16 && [ -e /usr/lib/llvm-16/include/c++/v1 ]; then
     test_port libc++ -DCMAKE_C_COMPILER=clang-16 -DCMAKE_CXX_COMPILER=clang++-16 -DCMAKE_CXX_FLAGS=-stdlib=libc++
   fi
-  if can_port arm64 "g++-aarch64-linux-gnu qemu-user" aarch64-linux-gnu-g++ qemu-aarch64; then
-    highway=$(highway_source)
-    test_port arm64 -DCMAKE_TOOLCHAIN_FILE="$toolchains/aarch64-linux-gnu.cmake" -DPORT_HIGHWAY="$highway"
-  fi
+  on_arm64 test_port
   if can_port windows "g++-mingw-w64-x86-64-posix wine64" x86_64-w64-mingw32-g++-posix /usr/lib/wine/wine64; then
     highway=$(highway_source) headers=$(plain_headers)
     test_port windows -DCMAKE_TOOLCHAIN_FILE="$toolchains/x86_64-w64-mingw32.cmake" -DPORT_PINNED=OFF -DPORT_HIGHWAY="$highway" -DPORT_HEADERS="$headers"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/anim/kernel/choose_kernels.h"
+#include "engine/anim/kernel/kernels.h"
 #include "tests/golden/golden_picture.h"
 
 namespace throng::app::test::golden_test {
@@ -80,6 +82,16 @@ TEST_P(GoldenPicture, OverlayWithFixedFigures) {
   options.ui = true;
   options.ui_fixed = true;
   expect_golden_picture("overlay", options);
+}
+
+// Targets round poses differently; nobody sees it.
+TEST(GoldenPictureOnEveryTarget, Plaza) {
+  for (const anim::Kernels& kernels : anim::runnable_kernels()) {
+    SCOPED_TRACE(kernels.target);
+    anim::choose_kernels(kernels);
+    expect_golden_picture("plaza", golden_options(ContextKind::egl));
+  }
+  anim::choose_kernels(anim::runnable_kernels().front());
 }
 
 INSTANTIATE_TEST_SUITE_P(Headless, GoldenPicture, testing::Values(ContextKind::egl, ContextKind::osmesa),

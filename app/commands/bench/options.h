@@ -25,6 +25,7 @@ struct BenchOptions {
   std::vector<anim::Schedule> schedules{anim::Schedule::fused};
   std::vector<anim::StreamKind> streams{anim::StreamKind::sampled};
   Tuning tuning;  ///< its `system` has what all combinations share: local store, tile, double buffering, palettes
+  const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
   int frames = 60;
   Sweep sweep = Sweep::none;
   std::string machine;        ///< a file, or the name of a preset; empty: none

@@ -4,16 +4,21 @@
 
 #include "engine/anim/import/import.h"
 
+namespace throng::anim {
+struct Kernels;
+}  // namespace throng::anim
+
 namespace throng::app {
 
 /// The options of `throng lod`.
 struct LodOptions {
-  std::string model;          ///< empty: the built-in character
-  int pixels = 200;           ///< height on screen at which errors are said in pixels
-  std::string json, plot;     ///< empty: not asked for; json may be `-`, standard output
-  std::string export_file;    ///< for another engine
-  bool remove_parts = false;  ///< what killed runs left beside the files to write is removed
-  std::string data;           ///< folder of the built-in character
+  std::string model;                       ///< empty: the built-in character
+  const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
+  int pixels = 200;                        ///< height on screen at which errors are said in pixels
+  std::string json, plot;                  ///< empty: not asked for; json may be `-`, standard output
+  std::string export_file;                 ///< for another engine
+  bool remove_parts = false;               ///< what killed runs left beside the files to write is removed
+  std::string data;                        ///< folder of the built-in character
   import::ImportOptions reading{};
 };
 

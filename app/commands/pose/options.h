@@ -16,8 +16,9 @@ struct PoseOptions {
   std::string clip;           ///< a clip's name or index, or "none" for the pose at rest
   std::vector<double> times;  ///< seconds, at least one
   anim::StreamKind stream = anim::StreamKind::sampled;
-  std::string json;           ///< a file, or "-" for standard output
-  bool remove_parts = false;  ///< what killed runs left beside the files to write is removed
+  const anim::Kernels* kernels = nullptr;  ///< of one SIMD target; null: the best
+  std::string json;                        ///< a file, or "-" for standard output
+  bool remove_parts = false;               ///< what killed runs left beside the files to write is removed
 };
 
 }  // namespace throng::app

@@ -41,8 +41,6 @@ std::span<const Kernels> runnable_kernels() {
   return sets;
 }
 
-const Kernels& best_kernels() { return runnable_kernels().front(); }
-
 const Kernels& scalar_kernels() { return runnable_kernels().back(); }
 
 }  // namespace throng::anim

@@ -48,7 +48,7 @@ struct Kernels {
   void (*fence_stores)();  ///< makes all streamed stores visible to other threads
 };
 
-/// Returns the kernels of the best target of this machine.
+/// Returns the kernels of the best target of this machine, or those that choose_kernels() was given.
 const Kernels& best_kernels();
 /// Returns the kernels of all targets that this machine runs, the best first.
 std::span<const Kernels> runnable_kernels();

@@ -11,30 +11,13 @@
 
 #include "tests/anim/agent/every_kind.h"
 #include "tests/anim/agent/fading_crowd.h"
-#include "tests/anim/agent/held_crowd.h"
+#include "tests/anim/agent/hashed_crowds.h"
 
 namespace throng::anim::pose_hash_test {
 namespace {
 
 constexpr std::size_t kib = 1024;
 constexpr auto both_schedules = {Schedule::fused, Schedule::levels};
-
-/// A crowd that can be posed under any options, and what its hash must be.
-struct HashedCrowd {
-  std::string name;
-  std::uint64_t (*hash_of)(const SystemOptions& options);
-  std::vector<std::size_t> stores_kib;  ///< hold it under both schedules
-  std::uint64_t sampled, keyframe;      ///< pinned, see PoseHash.IsThePinnedOne
-};
-void PrintTo(const HashedCrowd& crowd, std::ostream* stream) { *stream << crowd.name; }
-
-std::uint64_t hash_of_fading(const SystemOptions& options) { return hash_of_fading_crowd(options); }
-
-std::uint64_t hash_of_every_kind(const SystemOptions& options) {
-  EveryKind crowd(options);
-  crowd.step(90);
-  return crowd->figures().pose_hash();
-}
 
 class PoseHash : public testing::TestWithParam<HashedCrowd> {
  protected:
@@ -104,13 +87,8 @@ TEST_P(PoseHash, IsThePinnedOne) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Crowds, PoseHash,
-    testing::Values(HashedCrowd{"Fading", hash_of_fading, {16, 32, 128, 512}, 0x40446bbedad3123dU, 0x66062d42dd96042U},
-                    HashedCrowd{
-                        "EveryKind", hash_of_every_kind, {40, 64, 200, 1024}, 0x469ab2e25a2c2532U, 0x5877442222cefd9fU},
-                    HashedCrowd{"Held", hash_of_held_crowd, {40, 64, 1024}, 0x25666c5be76ba0aU, 0xef173aefea7a445dU}),
-    [](const auto& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(Crowds, PoseHash, testing::ValuesIn(hashed_crowds().begin(), hashed_crowds().end()),
+                         [](const auto& tested) { return tested.param.name; });
 
 TEST(PoseHashOfCrowds, DependsOnTheCrowd) { EXPECT_NE(hash_of_fading_crowd({}, 2), hash_of_fading_crowd({}, 1)); }
 

@@ -163,6 +163,7 @@ TEST_F(Faults, AModelWhoseNameIsNoUtf8IsRecordedAndReplayed) {
 }
 
 TEST_F(Faults, MemoryThatIsNotThereIsRefusedBeforeItIsTaken) {
+  if (!addresses_have_limits) return;
   const ProgramRun units = run_program({"--headless=none", "--frames", "2", "--pus", "256", "--local-store", "65536"},
                                        {.address_space = std::uint64_t{4} << 30U});
   EXPECT_EQ(units.exit_status, 1);
@@ -175,6 +176,7 @@ TEST_F(Faults, MemoryThatIsNotThereIsRefusedBeforeItIsTaken) {
 }
 
 TEST_F(Faults, NoMemoryLeftIsOneLine) {
+  if (!addresses_have_limits) return;
   for (const std::uint64_t mebibytes : {60U, 80U, 100U, 150U, 200U, 300U}) {
     const ProgramRun small = run_program({"--headless=none", "--frames", "2", "--pus", "2", "--agents", "20000"},
                                          {.address_space = mebibytes << 20U});

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/anim/kernel/choose_kernels.h"
+
+namespace throng::app {
+
+/// Makes all that runs from now on use the SIMD target that the options of a command name. Commands that pose nothing
+/// have no such option.
+void choose_kernels(const auto& options) {
+  if constexpr (requires { options.kernels; }) {
+    if (options.kernels != nullptr) anim::choose_kernels(*options.kernels);
+  }
+}
+
+}  // namespace throng::app

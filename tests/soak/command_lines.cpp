@@ -8,6 +8,8 @@
 #include "app/command_line/options.h"
 #include "app/command_line/options_commands.h"
 #include "app/settings/preset.h"
+#include "engine/anim/kernel/choose_kernels.h"
+#include "engine/anim/kernel/kernels.h"
 
 namespace throng::soak {
 namespace {
@@ -84,6 +86,16 @@ std::string any_scale(const Maker& maker) { return app::shortest_text(any_number
 
 std::string any_frames(const Maker& maker) { return std::to_string(any_whole_number(maker.random, 1, 150)); }
 
+/// Gives a SIMD target that poses the same bits as the best one.
+std::string any_target(Random& random) {
+  const anim::Kernels& best = anim::best_kernels();
+  std::vector<std::string> names = anim::runnable_targets();
+  std::erase_if(names, [&](const std::string& name) {
+    return name != best.target && !(best.fused_multiply_add && anim::find_kernels(name)->fused_multiply_add);
+  });
+  return any_of(random, names);
+}
+
 /// Options of the demo beside those of the tuning. Those without a chance have rounds of their own.
 const std::vector<Option>& other_options() {
   static const std::vector<Option> options = {
@@ -98,6 +110,7 @@ const std::vector<Option>& other_options() {
       {"--skin", 0.1F, word_of({"all", "1"})},
       {"--strict", 0.05F, text("")},
       {"--memory-limit", 0.05F, word_of({"64MB", "500MB", "2GB", "1MB"})},
+      {"--simd", 0.2F, [](const Maker& maker) { return any_target(maker.random); }},
       {"--size", 0.8F, any_size},
       {"--camera", 0.4F, any_camera},
       {"--camera-path", 0.2F, word_of({"none", "orbit", "pan"})},
@@ -195,6 +208,7 @@ std::vector<std::string> any_scheduling(Random& random) {
     const std::string drawn = any_text_of(value, random);
     if (random.chance(0.6F) && !value.read_option(tuning, drawn)) add(words, key, drawn);
   }
+  if (random.chance(0.3F)) add(words, "--simd", any_target(random));
   return words;
 }
 

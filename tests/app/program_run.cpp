@@ -87,6 +87,8 @@ void send_once_ready(pid_t child, const ProgramTreatment& treatment) {
     for (const std::size_t core : treatment.cores) CPU_SET(core, &allowed);
     sched_setaffinity(0, sizeof(allowed), &allowed);
   }
+  // A shell lets what runs in the background ignore some, and the program keeps to that.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   if (treatment.seconds != 0) alarm(treatment.seconds);
   execve(arguments.front(), arguments.data(), environment.data());
   _exit(127);

@@ -26,6 +26,7 @@ std::string contents(const fs::path& file) {
 /// Becomes the program; the child shares nothing with a thread of ours. It ends with us.
 [[noreturn]] void become_program(char* const* arguments, const char* folder, int output, int errors) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGINT, SIG_DFL);  // a shell lets what runs in the background ignore it, and the program keeps to that
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
   if (chdir(folder) == 0) execv(THRONG_PROGRAM, arguments);

@@ -17,6 +17,11 @@ bool resting_on(const Area& place) {
          context.ActiveId == 0 && context.HoveredIdTimer > seconds_until_help;
 }
 
+/// ImGui ends a program that asks for a button without a size, as of a window in which there is just no room left.
+bool invisible_button(const char* name, ImVec2 size) {
+  return ImGui::InvisibleButton(name, {std::max(size.x, 1.0F), std::max(size.y, 1.0F)});
+}
+
 /// Writes a paragraph; none where the text is empty.
 void write_paragraph(ImFont* font, ImU32 ink, const std::string& text) {
   if (text.empty()) return;
@@ -74,7 +79,7 @@ void Widgets::record(const std::string& name, const Area& place) {
 
 bool Widgets::clickable(const std::string& name, const Area& place) {
   ImGui::SetCursorScreenPos(place.from);
-  const bool clicked = ImGui::InvisibleButton(name.c_str(), {place.width(), place.height()});
+  const bool clicked = invisible_button(name.c_str(), {place.width(), place.height()});
   record(name, place);
   return clicked;
 }
@@ -82,7 +87,7 @@ bool Widgets::clickable(const std::string& name, const Area& place) {
 Area Widgets::area(const char* name, float height) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, theme_.px(height));
-  ImGui::InvisibleButton(name, size);
+  invisible_button(name, size);
   const Area place{.from = from, .to = {from.x + size.x, from.y + size.y}, .hovered = ImGui::IsItemHovered()};
   record(name, place);
   return place;

@@ -32,8 +32,8 @@ std::uint64_t address_space_of_driver() {
 
 /// Returns whether so many threads run at once.
 bool run_at_once(int threads) {
-  std::vector<std::jthread> started;
   std::latch all_tried(1);
+  std::vector<std::jthread> started;  // after what they wait for: they are joined first
   bool could = true;
   try {
     while (static_cast<int>(started.size()) < threads) started.emplace_back([&] { all_tried.wait(); });

@@ -41,6 +41,11 @@ class Json {
 
   // The constructors are defined below Member, whose size they need.
   Json() = default;
+  Json(const Json& other);
+  Json(Json&& other) noexcept = default;
+  Json& operator=(const Json& other) = default;
+  Json& operator=(Json&& other) noexcept = default;
+  ~Json() = default;
   Json(std::nullptr_t);
   template <JsonNumber T>
   Json(T value);
@@ -118,6 +123,9 @@ struct Json::Member {
   bool operator==(const Member& other) const = default;
 };
 
+// libstdc++ 12 takes a variant of these types for one that always has a value: where memory runs out while it is
+// copied, it calls the destructor of nothing. An assignment copies before it changes anything.
+inline Json::Json(const Json& other) { value_ = other.value_; }
 inline Json::Json(std::nullptr_t) {}
 inline Json::Json(std::string text) : value_(std::move(text)) {}
 inline Json::Json(std::string_view text) : value_(std::string(text)) {}

@@ -37,20 +37,6 @@ TEST(Overlay, LeavesTheCrowdItsPlace) {
   }
 }
 
-TEST(Overlay, FitsIntoAWindowOfAnySize) {
-  OverlayDriver driver;
-  for (const std::string tab : tabs) {
-    driver.click("tab:" + tab);
-    for (int pixels = 1; pixels <= 700; ++pixels) {
-      driver.overlay.begin_frame(pixels, 80, 1.0 / 60, {});
-      driver.overlay.build(driver.report, driver.tuning);
-      driver.overlay.begin_frame(900, pixels, 1.0 / 60, {});
-      driver.overlay.build(driver.report, driver.tuning);
-    }
-    driver.frames(2);  // there is room for the next tab again
-  }
-}
-
 TEST(Overlay, LeavesEveryValueAloneThatNobodyTouches) {
   OverlayDriver driver;
   driver.tuning.seed = 4'000'000'000U;

@@ -211,6 +211,20 @@ TEST_F(PresetsTabTest, BIsALetterWhileTyping) {
   EXPECT_FALSE(driver.overlay.ui_map().shows_b);
 }
 
+TEST(Tabs, FitIntoAWindowOfAnySize) {
+  OverlayDriver driver;
+  for (const std::string tab : {"Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"}) {
+    driver.click("tab:" + tab);
+    for (int pixels = 1; pixels <= 700; ++pixels) {
+      driver.overlay.begin_frame(pixels, 80, 1.0 / 60, {});
+      driver.overlay.build(driver.report, driver.tuning);
+      driver.overlay.begin_frame(900, pixels, 1.0 / 60, {});
+      driver.overlay.build(driver.report, driver.tuning);
+    }
+    driver.frames(2);  // there is room for the next tab again
+  }
+}
+
 TEST(CrowdTabTime, RewindsOnlyWhereThereIsAnEarlierMoment) {
   OverlayDriver driver;
   EXPECT_FALSE(driver.click("Rewind").rewind);

@@ -41,11 +41,6 @@ class Json {
 
   // The constructors are defined below Member, whose size they need.
   Json() = default;
-  Json(const Json& other);
-  Json(Json&& other) noexcept = default;
-  Json& operator=(const Json& other) = default;
-  Json& operator=(Json&& other) noexcept = default;
-  ~Json() = default;
   Json(std::nullptr_t);
   template <JsonNumber T>
   Json(T value);
@@ -114,7 +109,20 @@ class Json {
   const Json* find(std::string_view key) const;
 
   // A whole number that is not negative is unsigned, so that equal numbers are equal values.
-  std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> value_;
+  using Variant = std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object>;
+
+  /// libstdc++ 12 takes a variant of these types for one that always has a value: where memory runs out while it is
+  /// copied, it calls the destructor of nothing. An assignment copies before it changes anything.
+  struct Value : Variant {
+    using Variant::Variant, Variant::operator=;
+    Value() = default;
+    Value(const Value& other) : Variant() { Variant::operator=(other); }
+    Value(Value&& other) noexcept = default;
+    Value& operator=(const Value& other) = default;
+    Value& operator=(Value&& other) noexcept = default;
+    ~Value() = default;
+  };
+  Value value_;
 };
 
 struct Json::Member {
@@ -123,9 +131,6 @@ struct Json::Member {
   bool operator==(const Member& other) const = default;
 };
 
-// libstdc++ 12 takes a variant of these types for one that always has a value: where memory runs out while it is
-// copied, it calls the destructor of nothing. An assignment copies before it changes anything.
-inline Json::Json(const Json& other) { value_ = other.value_; }
 inline Json::Json(std::nullptr_t) {}
 inline Json::Json(std::string text) : value_(std::move(text)) {}
 inline Json::Json(std::string_view text) : value_(std::string(text)) {}

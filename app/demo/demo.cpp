@@ -55,6 +55,7 @@ anim::Status write_screenshot(Show& show, const std::string& file) {
   return render::write_png(image, file);
 }
 
+/// Tells why something failed, if it did. Returns whether it did not.
 bool tell(const anim::Status& outcome) {
   if (!outcome) end_with(exit_job_failed, outcome.error().message);
   return static_cast<bool>(outcome);
@@ -76,7 +77,7 @@ bool write_results(Show& show, const DemoOptions& options) {
 
 // A full disk is said when it happens, not hours later.
 void tell_once(const anim::Status& outcome, bool& told) {
-  if (!outcome && !told) end_with(exit_job_failed, outcome.error().message);
+  if (!told) tell(outcome);
   told = !outcome;
 }
 

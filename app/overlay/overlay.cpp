@@ -107,7 +107,7 @@ std::vector<Notice> notices_of(const FrameReport& report, const Tuning& tuning, 
   };
   std::istringstream lines(report.notice);
   for (std::string line; std::getline(lines, line);) add_if(true, colour::changed, line.c_str());
-  add_if(theme.fonts_missing, colour::changed, "The overlay's fonts were not found in the data folder.");
+  add_if(theme.fonts_missing, colour::changed, "The overlay's fonts cannot be read in the data folder.");
   add_if(tuning.inspection.freeze_camera, colour::accent, "Level of detail goes on from where the camera was frozen.");
   add_if(tuning.inspection.split == Split::shown, colour::accent,
          "Left of the line the exact crowd, right of it as it is shown.");

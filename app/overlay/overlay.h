@@ -61,7 +61,7 @@ class Overlay {
   /// Shows one of "Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"; any other name is ignored.
   void show_tab(const std::string& name);
 
-  /// Returns whether the fonts were not found; then ImGui's own font is in use.
+  /// Returns whether the fonts cannot be read; then ImGui's own font is in use.
   bool fonts_missing() const;
 
  private:

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "app/files/exit_status.h"
 #include "app/recording/writer.h"
 
 namespace throng::app {
@@ -46,7 +47,7 @@ class Recorder {
       write();
       return true;
     } catch (const std::bad_alloc&) {
-      writer_->give_up("the machine has no memory left");
+      writer_->give_up(sentence_of_failure());
       return false;
     }
   }

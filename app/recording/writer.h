@@ -37,7 +37,9 @@ class RecordingWriter {
   void add(const RecordedFrame& frame, std::span<const std::uint64_t> agent_hashes);
 
   /// Writes nothing more, and lets finish() say why.
-  void give_up(const std::string& why) { state_ = anim::Error{file().string() + ": cannot be written: " + why}; }
+  void give_up(std::string_view why) {
+    state_ = anim::Error{file().string() + ": cannot be written: " + std::string(why)};
+  }
   /// Returns whether a part of the file could not be written; then nothing more is.
   bool fails() const { return !state_; }
   /// Gives the file, which is whole, its name. Errors: a part of it could not be written. The error says where the

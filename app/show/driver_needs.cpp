@@ -22,6 +22,7 @@ constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U;
 /// Mesa's llvmpipe touches this much before its first picture.
 constexpr std::uint64_t bytes_of_driver = 192 * mebibyte;
 
+/// llvmpipe starts no more threads than this to shade.
 constexpr int most_driver_threads = 16;
 
 /// Mesa's llvmpipe reserves this much: its libraries, and a stack and a heap for each thread.

@@ -17,10 +17,12 @@ void ThresholdsInView::pick_clip(const Stage& stage) {
   for (const anim::VisibleAgent& seen : stage.selection().visible) {
     ++agents_[crowd.characters()[seen.agent]][static_cast<std::size_t>(crowd.clips()[seen.agent]) + 1];
   }
-  // Other characters may have come, and nobody may be in view.
-  auto place = static_cast<std::size_t>(clip_) + 1;
+  const auto place = static_cast<std::size_t>(clip_) + 1;
   const bool is_known = character_ < agents_.size() && place < agents_[character_].size();
-  if (!is_known) character_ = 0, clip_ = no_clip, place = 0;
+  if (!is_known) {  // other characters have come, and nobody may be in view
+    character_ = 0;
+    clip_ = no_clip;
+  }
   double most = is_known ? clearly_more * agents_[character_][place] : 0;
   for (std::size_t character = 0; character < agents_.size(); ++character) {
     for (std::size_t clip = 0; clip < agents_[character].size(); ++clip) {

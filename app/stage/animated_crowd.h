@@ -90,7 +90,8 @@ class AnimatedCrowd {
   /// Returns what a character stands, looks and falls with.
   const anim::CharacterRigs& rigs(std::size_t character) const { return *rigs_[character]; }
 
-  /// Returns the hash of each agent's pose, and of the film's camera; a crowd that was larger before has left none.
+  /// Returns [agent] the hash of its last pose, also that of the film's camera. Hashes of agents that left are left
+  /// out; they stand behind, since those that are there have the first numbers.
   std::span<const std::uint64_t> agent_hashes() const {
     const std::span<const std::uint64_t> all = system_->figures().agent_hashes();
     return all.first(std::min<std::size_t>(all.size(), system_->agent_count()));

@@ -9,7 +9,7 @@ namespace throng {
 std::uint64_t free_memory();
 
 /// Returns the bytes of address space that this process may still reserve (ulimit -v), or all that there could be where
-/// there is no limit. Reserved memory that nobody touches counts here alone.
+/// there is no limit. Memory that is reserved and never touched takes of it too.
 std::uint64_t free_address_space();
 
 }  // namespace throng

@@ -6,8 +6,9 @@
 #include <string_view>
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,7 +21,7 @@ namespace {
 /// A file without a name that a child writes and we read back.
 class Capture {
  public:
-  Capture() : descriptor_(open(testing::TempDir().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600)) {}
+  Capture() : descriptor_(memfd_create("capture", MFD_CLOEXEC)) {}
   ~Capture() { close(descriptor_); }
   Capture(const Capture&) = delete;
   Capture& operator=(const Capture&) = delete;
@@ -58,23 +59,10 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-void send_once_ready(pid_t child, const ProgramTreatment& treatment) {
-  std::string file = treatment.once_written;
-  if (const std::size_t at = file.find("PID"); at != std::string::npos) file.replace(at, 3, std::to_string(child));
-  const auto has_ended = [&] {
-    siginfo_t ended{};
-    waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
-    return ended.si_pid == child;
-  };
-  std::error_code error;
-  const auto has_bytes = [&] { return std::filesystem::file_size(file, error) > 0 && !error; };
-  while (!file.empty() && !has_bytes() && !has_ended()) usleep(1000);
-  kill(child, treatment.signal);
-}
-
 /// Becomes the program. It runs in the child, which shares nothing with a thread of ours.
 [[noreturn]] void become_program(const std::vector<char*>& arguments, const std::vector<char*>& environment, int output,
                                  int errors, const ProgramTreatment& treatment) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
   if (treatment.address_space != 0) {
@@ -90,11 +78,30 @@ void send_once_ready(pid_t child, const ProgramTreatment& treatment) {
   // A shell lets what runs in the background ignore some, and the program keeps to that.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   if (treatment.seconds != 0) alarm(treatment.seconds);
-  execve(arguments.front(), arguments.data(), environment.data());
+  const bool is_there = treatment.folder.empty() || chdir(treatment.folder.c_str()) == 0;
+  if (is_there) execve(arguments.front(), arguments.data(), environment.data());
+  dprintf(STDERR_FILENO, "%s cannot be run\n", arguments.front());
   _exit(127);
 }
 
 }  // namespace
+
+bool has_ended(pid_t child) {
+  siginfo_t ended{};
+  waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+  return ended.si_pid == child;
+}
+
+std::function<void(pid_t)> send(int signal, const std::string& once_written) {
+  return [=](pid_t child) {
+    std::string file = once_written;
+    if (const std::size_t at = file.find("PID"); at != std::string::npos) file.replace(at, 3, std::to_string(child));
+    std::error_code error;
+    const auto has_bytes = [&] { return std::filesystem::file_size(file, error) > 0 && !error; };
+    while (!file.empty() && !has_bytes() && !has_ended(child)) usleep(1000);
+    kill(child, signal);
+  };
+}
 
 ProgramRun run_program(const std::vector<std::string>& arguments, const ProgramTreatment& treatment) {
   std::vector<std::string> words{treatment.program.empty() ? THRONG_PROGRAM : treatment.program};
@@ -112,9 +119,8 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const ProgramT
     become_program(pointers, environment, other >= 0 ? other : output.descriptor(), errors.descriptor(), treatment);
   }
   if (other >= 0) close(other);
-  if (treatment.signal != 0) send_once_ready(child, treatment);
+  if (treatment.meanwhile) treatment.meanwhile(child);
   const int exit_status = wait_for(child);
-  EXPECT_NE(exit_status, 127) << words.front() << " cannot be run";
   return {exit_status, output.text(), errors.text()};
 }
 

@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
+
+#include <sys/types.h>
 
 namespace throng::app {
 
@@ -14,26 +17,27 @@ struct ProgramRun {
   std::string errors;
 };
 
-/// Whether the program can live within a limit of its addresses: the sanitizers take terabytes of them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool addresses_have_limits = false;
-#else
-inline constexpr bool addresses_have_limits = true;
-#endif
-
 /// Says how the program is run, and what is done to it meanwhile.
 struct ProgramTreatment {
-  std::string output = {};              ///< a file in place of the one that ProgramRun::output is read from
-  int signal = 0;                       ///< 0: none
-  std::string once_written = {};        ///< the signal is sent when this file has bytes; PID: the program's number
-  std::uint64_t address_space = 0;      ///< bytes; 0: no limit, as where !addresses_have_limits
-  std::vector<std::size_t> cores = {};  ///< those that it may run on; empty: all
-  unsigned seconds = 0;                 ///< after these SIGALRM ends it; 0: no limit
-  std::string program = {};             ///< one in place of `throng`
+  std::string output = {};                    ///< a file in place of the one that ProgramRun::output is read from
+  std::function<void(pid_t)> meanwhile = {};  ///< is called with its number once it runs
+  std::uint64_t address_space = 0;            ///< bytes; 0: no limit, which the sanitizers need
+  std::vector<std::size_t> cores = {};        ///< those that it may run on; empty: all
+  unsigned seconds = 0;                       ///< after these SIGALRM ends it; 0: no limit
+  std::string program = {};                   ///< one in place of `throng`
+  std::string folder = {};                    ///< where it works; empty: where we do
   std::vector<std::string> environment = {};  ///< "NAME=VALUE", beside what this process has
 };
 
-/// Runs `throng` without a display, with `arguments`, and waits for its end. ctest limits the time.
+/// Returns whether a child has ended, which run_program() still waits for.
+bool has_ended(pid_t child);
+
+/// Returns what sends a signal to the program: at once, or when a file has bytes. PID in its name is the program's
+/// number.
+std::function<void(pid_t)> send(int signal, const std::string& once_written = {});
+
+/// Runs `throng` without a display, with `arguments`, and waits for its end. It ends with us; ctest limits the time. A
+/// program that cannot be run has the exit status 127.
 ProgramRun run_program(const std::vector<std::string>& arguments, const ProgramTreatment& treatment = {});
 
 }  // namespace throng::app

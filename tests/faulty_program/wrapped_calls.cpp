@@ -1,10 +1,9 @@
-// What the linker calls in place of the functions that CMakeLists.txt lists for --wrap: each fails as the system would.
+// The linker puts these in place of the functions that CMakeLists.txt lists for --wrap. Each fails as the system would.
 #include <cerrno>
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <new>
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -17,6 +16,17 @@
 
 using throng::test::Call;
 using throng::test::must_fail;
+
+namespace {
+
+/// Returns whether a call has to fail, and leaves the error where the system does.
+bool fails(Call kind, int error) {
+  const bool failed = must_fail(kind);
+  if (failed) errno = error;
+  return failed;
+}
+
+}  // namespace
 
 // NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): the linker makes these names
 extern "C" {
@@ -38,28 +48,18 @@ void* __real_mmap(void* address, std::size_t length, int protection, int flags, 
 int __real_pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*), void* argument);
 int __real_gladLoadGL(void (*(*load)(const char*))());
 
-void* __wrap_malloc(std::size_t size) {
-  if (!must_fail(Call::allocation)) return __real_malloc(size);
-  errno = ENOMEM;
-  return nullptr;
-}
+void* __wrap_malloc(std::size_t size) { return fails(Call::allocation, ENOMEM) ? nullptr : __real_malloc(size); }
 
 void* __wrap_calloc(std::size_t count, std::size_t size) {
-  if (!must_fail(Call::allocation)) return __real_calloc(count, size);
-  errno = ENOMEM;
-  return nullptr;
+  return fails(Call::allocation, ENOMEM) ? nullptr : __real_calloc(count, size);
 }
 
 void* __wrap_realloc(void* old, std::size_t size) {
-  if (!must_fail(Call::allocation)) return __real_realloc(old, size);
-  errno = ENOMEM;
-  return nullptr;
+  return fails(Call::allocation, ENOMEM) ? nullptr : __real_realloc(old, size);
 }
 
 void* __wrap_aligned_alloc(std::size_t alignment, std::size_t size) {
-  if (!must_fail(Call::allocation)) return __real_aligned_alloc(alignment, size);
-  errno = ENOMEM;
-  return nullptr;
+  return fails(Call::allocation, ENOMEM) ? nullptr : __real_aligned_alloc(alignment, size);
 }
 
 int __wrap_posix_memalign(void** result, std::size_t alignment, std::size_t size) {
@@ -71,9 +71,7 @@ int __wrap_open(const char* path, int flags, ...) {
   va_start(rest, flags);
   const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
   va_end(rest);
-  if (!must_fail(Call::open)) return __real_open(path, flags, mode);
-  errno = EMFILE;
-  return -1;
+  return fails(Call::open, EMFILE) ? -1 : __real_open(path, flags, mode);
 }
 
 int __wrap_openat(int folder, const char* path, int flags, ...) {
@@ -81,52 +79,31 @@ int __wrap_openat(int folder, const char* path, int flags, ...) {
   va_start(rest, flags);
   const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
   va_end(rest);
-  if (!must_fail(Call::open)) return __real_openat(folder, path, flags, mode);
-  errno = EMFILE;
-  return -1;
+  return fails(Call::open, EMFILE) ? -1 : __real_openat(folder, path, flags, mode);
 }
 
 FILE* __wrap_fopen(const char* path, const char* mode) {
-  if (!must_fail(Call::open)) return __real_fopen(path, mode);
-  errno = EMFILE;
-  return nullptr;
+  return fails(Call::open, EMFILE) ? nullptr : __real_fopen(path, mode);
 }
 
-DIR* __wrap_opendir(const char* path) {
-  if (!must_fail(Call::open)) return __real_opendir(path);
-  errno = EMFILE;
-  return nullptr;
-}
+DIR* __wrap_opendir(const char* path) { return fails(Call::open, EMFILE) ? nullptr : __real_opendir(path); }
 
 ssize_t __wrap_read(int descriptor, void* bytes, std::size_t count) {
-  if (!must_fail(Call::read)) return __real_read(descriptor, bytes, count);
-  errno = EIO;
-  return -1;
+  return fails(Call::read, EIO) ? -1 : __real_read(descriptor, bytes, count);
 }
 
 // Words about what failed must come through.
 ssize_t __wrap_write(int descriptor, const void* bytes, std::size_t count) {
-  if (descriptor == STDERR_FILENO || !must_fail(Call::write)) return __real_write(descriptor, bytes, count);
-  errno = ENOSPC;
-  return -1;
+  const bool failed = descriptor != STDERR_FILENO && fails(Call::write, ENOSPC);
+  return failed ? -1 : __real_write(descriptor, bytes, count);
 }
 
-int __wrap_fsync(int descriptor) {
-  if (!must_fail(Call::write)) return __real_fsync(descriptor);
-  errno = EIO;
-  return -1;
-}
+int __wrap_fsync(int descriptor) { return fails(Call::write, EIO) ? -1 : __real_fsync(descriptor); }
 
-int __wrap_rename(const char* from, const char* to) {
-  if (!must_fail(Call::rename)) return __real_rename(from, to);
-  errno = EIO;
-  return -1;
-}
+int __wrap_rename(const char* from, const char* to) { return fails(Call::rename, EIO) ? -1 : __real_rename(from, to); }
 
 void* __wrap_mmap(void* address, std::size_t length, int protection, int flags, int descriptor, off_t offset) {
-  if (!must_fail(Call::map)) return __real_mmap(address, length, protection, flags, descriptor, offset);
-  errno = ENOMEM;
-  return MAP_FAILED;
+  return fails(Call::map, ENOMEM) ? MAP_FAILED : __real_mmap(address, length, protection, flags, descriptor, offset);
 }
 
 int __wrap_pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*), void* argument) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/anim/asset/model.h"
+#include "tests/own_folder.h"
 
 namespace throng::import::testing {
 
@@ -35,20 +36,15 @@ anim::ImportedFile import_good(const std::filesystem::path& path);
 /// Returns a test's name for a file. It holds only letters and digits, because a test's name may not hold others.
 std::string as_test_name(const std::string& file);
 
-/// A folder of its own below the system's temporary one, removed at the end.
+/// A folder of its own, with files that the test makes.
 class TemporaryFolder {
  public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder();
-
   /// Writes a file there and returns its path.
   std::filesystem::path write(const std::string& name, const std::vector<char>& bytes) const;
   std::filesystem::path write(const std::string& name, const std::string& text) const;
 
  private:
-  std::filesystem::path path_;
+  test::OwnFolder folder_;
 };
 
 }  // namespace throng::import::testing

@@ -171,7 +171,7 @@ const Act& any_act(Random& random) {
 
 }  // namespace
 
-void act_at_random(Show& show, const Models& models, Random& random, std::map<std::string, int>& counts) {
+void act_at_random(Show& show, const Models& models, Random& random, Counts& counts) {
   const Act& act = any_act(random);
   const anim::Status done = act.run(show, models, random);
   tell(std::string(act.name) + (done ? "" : ": " + done.error().message));

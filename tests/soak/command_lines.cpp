@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What makes the value of an option.
+/// Gives what the value of an option is made of.
 struct Maker {
   const Models& models;
   const fs::path& folder;
@@ -30,10 +30,8 @@ struct Option {
   std::function<std::string(const Maker&)> value;
 };
 
-std::string one_of(Random& random, const std::vector<std::string>& words) { return any_of(random, words); }
-
 auto word_of(std::vector<std::string> words) {
-  return [words = std::move(words)](const Maker& maker) { return one_of(maker.random, words); };
+  return [words = std::move(words)](const Maker& maker) { return any_of(maker.random, words); };
 }
 
 auto text(std::string text) {

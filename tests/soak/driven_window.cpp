@@ -21,23 +21,15 @@ std::string pixels(double place) { return std::to_string(std::lround(place)); }
 }  // namespace
 
 DrivenWindow::DrivenWindow(const std::vector<std::string>& words, const std::filesystem::path& folder)
-    : folder_(folder) {
-  const std::vector<std::string> display = {"Xvfb", "-displayfd",  "1",         "-screen",
-                                            "0",    "1400x900x24", "-nolisten", "tcp"};
-  display_ = std::make_unique<ChildProcess>(display, std::vector<std::string>{});
-  display_name_ = ":" + display_->read_line(deadline()).value_or("");
+    : folder_(folder), display_(folder, deadline()) {
   std::vector<std::string> command = {THRONG_PROGRAM, "--ui-map", (folder_ / "ui.json").string()};
   command.insert(command.end(), words.begin(), words.end());
-  program_ = std::make_unique<ChildProcess>(command, environment(), folder_.string());
-}
-
-std::vector<std::string> DrivenWindow::environment() const {
-  return {"DISPLAY=" + display_name_, "WAYLAND_DISPLAY=", "LIBGL_ALWAYS_SOFTWARE=1",
-          "XDG_CONFIG_HOME=" + (folder_ / "config").string()};
+  program_ = std::make_unique<ChildProcess>(command, display_.environment(), folder_.string());
 }
 
 bool DrivenWindow::is_there() {
-  return program_->started() && wait_for([](const Json& map) { return !map["widgets"].empty(); }).has_value();
+  return display_.is_there() && program_->started() &&
+         wait_for([](const Json& map) { return !map["widgets"].empty(); }).has_value();
 }
 
 std::optional<int> DrivenWindow::end() {
@@ -65,12 +57,7 @@ std::optional<DrivenWindow::Json> DrivenWindow::next_map(int frames) {
   return wait_for([&](const Json& map) { return map["frame"] >= frame + frames; });
 }
 
-bool DrivenWindow::xdotool(const std::vector<std::string>& words) {
-  std::vector<std::string> command = {"xdotool"};
-  command.insert(command.end(), words.begin(), words.end());
-  ChildProcess tool(command, environment());
-  return tool.started() && tool.exit_status(deadline()) == 0;
-}
+bool DrivenWindow::xdotool(const std::vector<std::string>& words) { return display_.xdotool(words, deadline()); }
 
 bool DrivenWindow::drag(const Json& widget, double share) {
   const double x = widget["x"], y = widget["y"], width = widget["w"], height = widget["h"];
@@ -81,6 +68,6 @@ bool DrivenWindow::drag(const Json& widget, double share) {
   return xdotool({"mouseup", "1"}) && next_map().has_value();
 }
 
-bool DrivenWindow::drop(const std::string& file) { return app::drop_file(display_name_, file, deadline()); }
+bool DrivenWindow::drop(const std::string& file) { return app::drop_file(display_.name(), file, deadline()); }
 
 }  // namespace throng::soak

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/window/child_process.h"
+#include "tests/window/display.h"
 
 namespace throng::soak {
 
@@ -40,11 +41,9 @@ class DrivenWindow {
   bool drop(const std::string& file);
 
  private:
-  std::vector<std::string> environment() const;
-
   std::filesystem::path folder_;
-  std::unique_ptr<app::ChildProcess> display_, program_;
-  std::string display_name_;
+  app::Display display_;
+  std::unique_ptr<app::ChildProcess> program_;
 };
 
 }  // namespace throng::soak

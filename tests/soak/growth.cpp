@@ -16,7 +16,7 @@ Growth::Figure& Growth::figure(const std::string& name) {
 void Growth::add(const std::string& name, std::uint64_t value, std::uint64_t slack) {
   Figure& figure = this->figure(name);
   figure.slack = slack;
-  // What is met for the first time after the warm-up is its own warm-up.
+  // A figure that comes first after the warm-up begins with its first value.
   if (!warm_ || (figure.values == 0 && figure.warm_up == 0)) {
     figure.warm_up = std::max(figure.warm_up, value);
     return;

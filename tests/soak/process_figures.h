@@ -6,20 +6,13 @@
 
 namespace throng::soak {
 
-/// What the system has for a process.
+/// Counts what a process takes of the system.
 struct ProcessFigures {
   std::uint64_t resident = 0;  ///< bytes in memory
   int descriptors = 0;         ///< open files, sockets and the like
   int threads = 0;
   double computed = 0;  ///< seconds that its threads have run, which a busy machine does not stretch
 };
-
-/// Says whether memory tells of our own code: sanitizers keep what was freed.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool memory_tells = false;
-#else
-inline constexpr bool memory_tells = true;
-#endif
 
 /// Returns the figures of a process of ours; zeros once it has ended.
 ProcessFigures figures_of(pid_t process);

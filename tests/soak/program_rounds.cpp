@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/sanitized.h"
+
 namespace throng::soak {
 namespace {
 
@@ -29,7 +31,7 @@ bool is_one_line(const std::string& text) {
 }
 
 /// Returns whether somebody else than the program speaks, such as the library of a misuse, or a sanitizer.
-bool strange_line(const std::string& text) {
+bool has_strange_line(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("throng: ") || line.find("::") < line.find(' ', 8))
@@ -47,7 +49,7 @@ Fault difference(const Json& one, const Json& other, std::initializer_list<const
   return {};
 }
 
-/// No number is missing where it would be one that is none.
+/// Returns whether a number is missing: one that is none is written as null.
 bool has_null(const Json& json) {
   if (json.is_null() || json.is_discarded()) return true;
   return json.is_structured() && std::ranges::any_of(json, has_null);
@@ -69,7 +71,7 @@ Fault ProgramRounds::run(const Words& words, const RoundPlace& place, ProgramRun
   const std::string asked = as_command(words) + "\n  ";
   if (run.hung) return asked + "hangs";
   if (run.status >= 128) return asked + "ends with signal " + std::to_string(run.status - 128) + ": " + run.errors;
-  if (run.status == 0) return strange_line(run.errors) ? asked + "says " + run.errors : Fault{};
+  if (run.status == 0) return has_strange_line(run.errors) ? asked + "says " + run.errors : Fault{};
   if (!is_one_line(run.errors)) return asked + "ends with " + std::to_string(run.status) + " and says: " + run.errors;
   tell("  " + run.errors);
   if (must_work) return asked + "is refused: " + run.errors;
@@ -186,7 +188,7 @@ Fault ProgramRounds::run_for_long(const RoundPlace& place, Random& random) {
     return asked + "ends with " + std::to_string(run.status) + " after Ctrl+C: " + run.errors;
   // The software renderer keeps what it has compiled and scenes of its own, up to a limit that takes minutes to reach.
   const bool draws = is_given(words, "--draw");
-  const std::uint64_t slack = std::uint64_t{draws ? 64U : 4U} << 20U;
+  const std::uint64_t slack = (draws ? 64 : 4) * mebibyte;
   ProcessFigures before, after;
   for (const ProcessFigures& figures : run.figures) {
     if (figures.computed < warm_up || figures.computed > until_interrupt) continue;
@@ -196,17 +198,11 @@ Fault ProgramRounds::run_for_long(const RoundPlace& place, Random& random) {
     largest.threads = std::max(largest.threads, figures.threads);
   }
   tell("  resident " + std::to_string(before.resident) + ", then " + std::to_string(after.resident) + " bytes");
-  if (memory_tells && after.resident > before.resident + slack)
+  if (!test::sanitized && after.resident > before.resident + slack)
     return asked + "grows from " + std::to_string(before.resident) + " to " + std::to_string(after.resident) + " bytes";
   if (after.descriptors > before.descriptors) return asked + "opens more and more files";
   if (after.threads > before.threads) return asked + "makes more and more threads";
   return {};
-}
-
-std::string ProgramRounds::table() const {
-  std::string text;
-  for (const auto& [what, count] : counts_) text += what + ": " + std::to_string(count) + "\n";
-  return text;
 }
 
 }  // namespace throng::soak

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "tests/soak/command_lines.h"
@@ -18,7 +17,7 @@ class ProgramRounds {
   Fault run(const RoundPlace& place);
 
   /// Returns a line for each kind of round, and for each reason why the program refused a line.
-  std::string table() const;
+  std::string table() const { return table_of("program", counts_); }
 
  private:
   Fault record_and_replay(const RoundPlace& place, Random& random);
@@ -35,7 +34,7 @@ class ProgramRounds {
   Fault replay(const RoundPlace& place, Random& random);
 
   const Models* models_;
-  std::map<std::string, int> counts_;
+  Counts counts_;
 };
 
 }  // namespace throng::soak

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "app/show/replay.h"
+#include "tests/sanitized.h"
 #include "tests/soak/acts.h"
 #include "tests/soak/finite_poses.h"
 #include "tests/soak/gl_objects.h"
@@ -12,8 +13,6 @@ namespace throng::soak {
 namespace {
 
 constexpr int rest_width = 320, rest_height = 240, rest_agents = 60;
-constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U;
-
 app::Tuning rest_tuning() {
   app::Tuning tuning;
   tuning.agents = rest_agents;
@@ -130,24 +129,15 @@ void ShowRounds::measure(Growth& growth, const Others& others) const {
   const bool renderer = draws || others.draw;
   const std::uint64_t heap = heap_in_use();
   const ProcessFigures figures = figures_of(getpid());
-  const std::string name = draws ? "drawn show, " : "show, ";
+  const std::string name = std::string(this->name()) + ", ";
   // Figures of a run keep each time of its first 10,000 frames; the software renderer keeps what it compiled.
-  if (memory_tells) {
+  if (!test::sanitized) {
     growth.add(name + "bytes on the heap", heap, (renderer ? 24 : 4) * mebibyte);
     growth.add(name + "bytes resident", figures.resident, (renderer ? 96 : 24) * mebibyte);
   }
   growth.add(name + "open files", static_cast<std::uint64_t>(figures.descriptors - others.open_files), 0);
   growth.add(name + "threads", static_cast<std::uint64_t>(figures.threads), 0);
   if (draws) growth.add(name + "objects of OpenGL", count_gl_objects(), 0);
-}
-
-std::string ShowRounds::table() const {
-  std::string text;
-  for (const auto& [what, count] : counts_) {
-    text +=
-        (context_ == app::ContextKind::none ? "show, " : "drawn show, ") + what + ": " + std::to_string(count) + "\n";
-  }
-  return text;
 }
 
 }  // namespace throng::soak

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -23,16 +22,17 @@ class ShowRounds {
   Fault open();
   Fault run(const RoundPlace& place);
 
-  /// What else this process has.
+  /// Says what this process has beside the show.
   struct Others {
     int open_files = 0;
     bool draw = false;  ///< the software renderer is there, which keeps what it compiled
   };
   /// Adds what this process takes now, while its shows rest.
   void measure(Growth& growth, const Others& others) const;
-  std::string table() const;
+  std::string table() const { return table_of(name(), counts_); }
 
  private:
+  const char* name() const { return context_ == app::ContextKind::none ? "show" : "drawn show"; }
   Fault play(const RoundPlace& place, Random& random);
   Fault replay(const RoundPlace& place, Random& random);
   Fault rest();
@@ -40,7 +40,7 @@ class ShowRounds {
   const Models* models_;
   app::ContextKind context_;
   std::unique_ptr<app::Show> show_;
-  std::map<std::string, int> counts_;
+  Counts counts_;
 };
 
 }  // namespace throng::soak

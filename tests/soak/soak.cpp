@@ -4,9 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
-#include <system_error>
-
-#include <unistd.h>
 
 #include "engine/anim/base/misuse.h"
 
@@ -50,6 +47,12 @@ void tell(const std::string& line) {
   std::fflush(stdout);
 }
 
+std::string table_of(const std::string& who, const Counts& counts) {
+  std::string text;
+  for (const auto& [what, count] : counts) text += who + ", " + what + ": " + std::to_string(count) + "\n";
+  return text;
+}
+
 std::optional<SoakOptions> read_options(const std::vector<std::string>& words) {
   SoakOptions options;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -71,16 +74,8 @@ std::optional<SoakOptions> read_options(const std::vector<std::string>& words) {
 
 Soak::Soak(const SoakOptions& options) : options_(options), models_(find_models()) {
   tells = options.tell || options.again;
-  std::string pattern = (fs::temp_directory_path() / "throng_soak_XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) std::abort();
-  folder_ = pattern;
-  set_environment(folder_);
+  set_environment(folder_.path());
   anim::set_misuse_hook(hear);
-}
-
-Soak::~Soak() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
 }
 
 std::uint64_t Soak::seed_of(int round) const {
@@ -103,7 +98,7 @@ Fault Soak::run_round(const RoundPlace& place) {
   const std::uint64_t kind = place.seed % 8;
   if (kind < 3) return programs_.run(place);
   if (kind == 7 && !options_.headless) {
-    if (!windows_) windows_.emplace(models_, folder_ / "window");
+    if (!windows_) windows_.emplace(models_, folder_.path() / "window");
     Fault fault = windows_->run(place);
     if (!fault) windows_->measure(growth_);
     return fault;
@@ -117,7 +112,7 @@ Fault Soak::run_round(const RoundPlace& place) {
 }
 
 Fault Soak::run_round(std::uint64_t seed) {
-  const RoundPlace place{seed, folder_ / "round"};
+  const RoundPlace place{seed, folder_.path() / "round"};
   fs::create_directories(place.folder);
   Fault fault = run_round(place);
   if (!fault) fs::remove_all(place.folder);

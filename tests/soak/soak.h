@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/own_folder.h"
 #include "tests/soak/growth.h"
 #include "tests/soak/program_rounds.h"
 #include "tests/soak/round.h"
@@ -31,9 +32,6 @@ std::optional<SoakOptions> read_options(const std::vector<std::string>& words);
 class Soak {
  public:
   explicit Soak(const SoakOptions& options);
-  ~Soak();
-  Soak(const Soak&) = delete;
-  Soak& operator=(const Soak&) = delete;
 
   /// Returns whether no round had a fault.
   bool run();
@@ -49,7 +47,7 @@ class Soak {
   void print_table(int rounds) const;
 
   SoakOptions options_;
-  std::filesystem::path folder_;
+  test::OwnFolder folder_;
   Models models_;
   ProgramRounds programs_{models_};
   ShowRounds shows_{models_, app::ContextKind::none}, drawn_shows_{models_, app::ContextKind::egl};

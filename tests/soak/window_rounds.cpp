@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "app/settings/preset.h"
+#include "tests/sanitized.h"
 #include "tests/soak/process_figures.h"
 #include "tests/soak/program.h"
 
@@ -165,7 +166,7 @@ Fault WindowRounds::end_recording(const RoundPlace& place) {
 }
 
 Fault WindowRounds::rest() {
-  // What was kept beside models, and pictures, are of this round alone.
+  // The next round must not find the choices and pictures that this one kept.
   std::error_code ignored;
   for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
@@ -193,8 +194,7 @@ Fault WindowRounds::rest() {
 
 void WindowRounds::measure(Growth& growth) const {
   const ProcessFigures figures = figures_of(window_->process());
-  constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U;
-  if (memory_tells) growth.add("window, bytes resident", figures.resident, 96 * mebibyte);
+  if (!test::sanitized) growth.add("window, bytes resident", figures.resident, 96 * mebibyte);
   growth.add("window, open files", static_cast<std::uint64_t>(figures.descriptors), 0);
   growth.add("window, threads", static_cast<std::uint64_t>(figures.threads), 0);
 }
@@ -204,12 +204,6 @@ Fault WindowRounds::close() {
   const std::optional<int> status = window_->end();
   window_.reset();
   return status == 0 ? Fault{} : "the window did not end with status 0";
-}
-
-std::string WindowRounds::table() const {
-  std::string text;
-  for (const auto& [what, count] : counts_) text += "window, " + what + ": " + std::to_string(count) + "\n";
-  return text;
 }
 
 }  // namespace throng::soak

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -26,7 +25,7 @@ class WindowRounds {
   int open_files() const { return window_ == nullptr ? 0 : 2; }
   /// Closes the window. A fault is that it does not end well.
   Fault close();
-  std::string table() const;
+  std::string table() const { return table_of("window", counts_); }
 
  private:
   using Json = DrivenWindow::Json;
@@ -47,7 +46,7 @@ class WindowRounds {
   std::filesystem::path folder_;
   Models models_;  // the copies
   std::unique_ptr<DrivenWindow> window_;
-  std::map<std::string, int> counts_;
+  Counts counts_;
 };
 
 }  // namespace throng::soak

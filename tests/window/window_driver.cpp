@@ -29,42 +29,21 @@ std::string contents(const std::filesystem::path& file) {
 }  // namespace
 
 void WindowDriver::SetUp() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "throng_window_XXXXXX").string();
-  ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-  folder_ = pattern;
   ASSERT_NO_FATAL_FAILURE(start_display());
   ASSERT_NO_FATAL_FAILURE(start_program());
   ASSERT_NO_FATAL_FAILURE(wait_for("a first ui map", [](const Json& map) { return !map["widgets"].empty(); }));
 }
 
-void WindowDriver::TearDown() {
-  program_.reset();
-  display_.reset();
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-}
-
 void WindowDriver::start_display() {
-  // Xvfb looks for a free number by itself and writes it where -displayfd says: to its standard output.
-  display_ = std::make_unique<ChildProcess>(
-      std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1400x800x24", "-nolisten", "tcp"},
-      std::vector<std::string>{});
-  ASSERT_TRUE(display_->started()) << "Xvfb is missing: install xvfb";
-  const auto number = display_->read_line(soon());
-  ASSERT_TRUE(number.has_value()) << "Xvfb did not start";
-  display_name_ = ":" + *number;
-}
-
-std::vector<std::string> WindowDriver::environment() const {
-  return {"DISPLAY=" + display_name_, "WAYLAND_DISPLAY=", "LIBGL_ALWAYS_SOFTWARE=1",
-          "XDG_CONFIG_HOME=" + (folder_ / "config").string()};
+  display_ = std::make_unique<Display>(folder_.path(), soon());
+  ASSERT_TRUE(display_->is_there()) << "Xvfb does not start: install xvfb";
 }
 
 void WindowDriver::start_program() {
   program_ =
       std::make_unique<ChildProcess>(std::vector<std::string>{THRONG_PROGRAM, "--agents", "50", "--size", "1280x720",
-                                                              "--ui-map", (folder_ / "ui.json").string()},
-                                     environment(), folder_.string());
+                                                              "--ui-map", (folder_.path() / "ui.json").string()},
+                                     display_->environment(), folder_.path());
   ASSERT_TRUE(program_->started());
   while (const auto line = program_->read_line(soon())) {
     if (*line == "READY") return;
@@ -75,7 +54,7 @@ void WindowDriver::start_program() {
 WindowDriver::Json WindowDriver::wait_for(const std::string& what, const std::function<bool(const Json&)>& holds) {
   Json map;
   for (const Deadline deadline = soon(); steady_clock::now() < deadline;) {
-    map = Json::parse(contents(folder_ / "ui.json"), nullptr, false);
+    map = Json::parse(contents(folder_.path() / "ui.json"), nullptr, false);
     if (map.is_object() && holds(map)) return map;
     std::this_thread::sleep_for(milliseconds(5));
   }
@@ -89,11 +68,7 @@ WindowDriver::Json WindowDriver::next_map(int frames) {
 }
 
 void WindowDriver::xdotool(const std::vector<std::string>& words) {
-  std::vector<std::string> command = {"xdotool"};
-  command.insert(command.end(), words.begin(), words.end());
-  ChildProcess tool(command, environment());
-  ASSERT_TRUE(tool.started()) << "xdotool is missing: install xdotool";
-  EXPECT_EQ(tool.exit_status(soon()), 0);
+  EXPECT_TRUE(display_->xdotool(words, soon())) << words.front() << ": is xdotool installed?";
 }
 
 void WindowDriver::point_at(double x, double y) { xdotool({"mousemove", whole_pixels(x), whole_pixels(y)}); }
@@ -174,7 +149,7 @@ void WindowDriver::press(const std::string& name) {
 void WindowDriver::type(const std::string& text) { xdotool({"type", text}); }
 
 void WindowDriver::drop(const std::string& file) {
-  ASSERT_TRUE(drop_file(display_name_, file, soon())) << "the window took no file";
+  ASSERT_TRUE(drop_file(display_->name(), file, soon())) << "the window took no file";
 }
 
 void WindowDriver::type_into(const std::string& widget, const std::string& text) {

@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/own_folder.h"
 #include "tests/window/child_process.h"
+#include "tests/window/display.h"
 
 namespace throng::app {
 
@@ -21,7 +23,6 @@ class WindowDriver : public testing::Test {
   using Json = nlohmann::json;
 
   void SetUp() override;
-  void TearDown() override;
 
   /// Waits for a ui map for which `holds` is true, and returns it. Fails the test, naming `what`, if that never
   /// happens.
@@ -52,16 +53,15 @@ class WindowDriver : public testing::Test {
 
   ChildProcess& program() { return *program_; }
   /// Returns the folder in which the program works. At first it has only what the driver keeps there.
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
   void start_display();
   void start_program();
-  std::vector<std::string> environment() const;
 
-  std::filesystem::path folder_;
-  std::unique_ptr<ChildProcess> display_, program_;
-  std::string display_name_;
+  throng::test::OwnFolder folder_;
+  std::unique_ptr<Display> display_;
+  std::unique_ptr<ChildProcess> program_;
 };
 
 }  // namespace throng::app

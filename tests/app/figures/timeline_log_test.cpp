@@ -12,20 +12,19 @@
 
 #include "engine/anim/asset/synthetic_model.h"
 #include "tests/app/program_run.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/own_folder.h"
 
 namespace throng::app::timeline_log_test {
 namespace {
 
 nlohmann::json trace_of_a_run(const std::string& schedule) {
-  const std::filesystem::path file = test::path_of_this_test().concat(".json");
+  const throng::test::OwnFolder folder;
+  const std::filesystem::path file = folder.path() / "trace.json";
   const ProgramRun run = run_program({"--headless=none", "--agents", "40", "--frames", "3", "--lod", "off", "--pus",
                                       "2", "--schedule", schedule, "--trace", file.string()});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   std::ifstream stream(file);
-  nlohmann::json trace = nlohmann::json::parse(stream, nullptr, false);
-  std::filesystem::remove(file);
-  return trace;
+  return nlohmann::json::parse(stream, nullptr, false);
 }
 
 TEST(TraceFile, HasALaneForTheFrameAndOneAPu) {

@@ -6,20 +6,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/app/temporary_folder.h"
+#include "tests/own_folder.h"
 
 namespace throng::app::json_file_test {
 namespace {
 
 TEST(JsonFile, BeginsComplaintsWithItsNameAndEndsThemWithARemedy) {
-  const std::string path = test::path_of_this_test().concat(".json");
+  const throng::test::OwnFolder folder;
+  const std::string path = folder.path() / "file.json";
   const JsonFile file(path, {.unread = "; look", .malformed = "; mend", .wrong = "; change"});
   EXPECT_EQ(file.read().error().message, path + ": there is no such file; check the path; look");
   std::ofstream(path) << "[";
   EXPECT_EQ(file.read().error().message, path + ": is not JSON at line 1, column 2; mend");
   std::ofstream(path) << "[7]";
   EXPECT_EQ(*file.read(), Json::array({7}));
-  std::filesystem::remove(path);
   EXPECT_EQ(file.wrong("has a hole").message, path + ": has a hole; change");
 }
 

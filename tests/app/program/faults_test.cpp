@@ -13,6 +13,7 @@
 
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"
+#include "tests/sanitized.h"
 
 namespace throng::app::program_faults_test {
 namespace {
@@ -118,7 +119,7 @@ TEST_F(Faults, ASignalEndsARunWithAllThatItHas) {
     const ProgramRun run =
         run_program({"--headless=none", "--agents", "10", "--pus", "1", "--frames", "1000000000", "--stats",
                      at("stats.json"), "--record", at("run.rec"), "--trace", at("trace.json")},
-                    {.signal = signal, .once_written = at("run.rec") + ".PID.part"});
+                    {.meanwhile = send(signal, at("run.rec") + ".PID.part")});
     EXPECT_EQ(run.exit_status, 128 + signal) << run.errors;
     for (const char* const file : {"stats.json", "run.rec", "trace.json"}) EXPECT_TRUE(fs::exists(at(file))) << file;
     EXPECT_EQ(run_program({"--replay", at("run.rec"), "--headless=none"}).exit_status, 0) << "it is whole";
@@ -130,7 +131,7 @@ TEST_F(Faults, AKilledRunLeavesOldFilesAndAPartThatTheNextRunNames) {
   std::ofstream(at("run.rec")) << "old";
   const ProgramRun killed = run_program(
       {"--headless=none", "--agents", "10", "--pus", "1", "--frames", "1000000000", "--record", at("run.rec")},
-      {.signal = SIGKILL, .once_written = at("run.rec") + ".PID.part"});
+      {.meanwhile = send(SIGKILL, at("run.rec") + ".PID.part")});
   EXPECT_EQ(killed.exit_status, 128 + SIGKILL);
   EXPECT_EQ(read(at("run.rec")), "old");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
@@ -163,7 +164,7 @@ TEST_F(Faults, AModelWhoseNameIsNoUtf8IsRecordedAndReplayed) {
 }
 
 TEST_F(Faults, MemoryThatIsNotThereIsRefusedBeforeItIsTaken) {
-  if (!addresses_have_limits) return;
+  if (throng::test::sanitized) return;
   const ProgramRun units = run_program({"--headless=none", "--frames", "2", "--pus", "256", "--local-store", "65536"},
                                        {.address_space = std::uint64_t{4} << 30U});
   EXPECT_EQ(units.exit_status, 1);
@@ -176,7 +177,7 @@ TEST_F(Faults, MemoryThatIsNotThereIsRefusedBeforeItIsTaken) {
 }
 
 TEST_F(Faults, NoMemoryLeftIsOneLine) {
-  if (!addresses_have_limits) return;
+  if (throng::test::sanitized) return;
   for (const std::uint64_t mebibytes : {60U, 80U, 100U, 150U, 200U, 300U}) {
     const ProgramRun small = run_program({"--headless=none", "--frames", "2", "--pus", "2", "--agents", "20000"},
                                          {.address_space = mebibytes << 20U});
@@ -186,6 +187,7 @@ TEST_F(Faults, NoMemoryLeftIsOneLine) {
 }
 
 TEST_F(Faults, DriversGetTheMemoryThatTheyNeedOrAreNotOpened) {
+  if (throng::test::sanitized) return;
   for (const std::uint64_t mebibytes : {150U, 300U, 375U, 550U, 900U}) {
     const ProgramRun picture =
         run_program({"--headless", "--agents", "2", "--frames", "1", "--screenshot", at("picture.png")},

@@ -10,6 +10,7 @@
 
 #include "tests/import/memory/import_apart.h"
 #include "tests/import/memory/packed_zeros.h"
+#include "tests/sanitized.h"
 
 // Small files that ask for much memory are refused before they get it, or are read in little.
 
@@ -34,11 +35,7 @@ std::uint64_t memory_for(const std::filesystem::path& model) {
   return 64'000'000 + 4 * size_beside(model) + std::min<std::uint64_t>(32 * json, 256'000'000) + slack;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t times = 6;  // a sanitizer keeps what was freed
-#else
-constexpr std::uint64_t times = 1;
-#endif
+constexpr std::uint64_t times = throng::test::sanitized ? 6 : 1;  // a sanitizer keeps what was freed
 
 class Hostile : public ::testing::TestWithParam<HostileFile> {
  protected:

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/app/temporary_folder.h"
+#include "tests/own_folder.h"
 
 namespace throng::app::machine_model_test {
 namespace {
@@ -19,10 +19,10 @@ Machine simple_machine() {
 }
 
 std::string refusal_of(const std::string& json) {
-  const std::filesystem::path file = test::path_of_this_test().concat(".json");
+  const throng::test::OwnFolder folder;
+  const std::filesystem::path file = folder.path() / "machine.json";
   std::ofstream(file) << json;
   const auto machine = read_machine(file);
-  std::filesystem::remove(file);
   return machine ? "" : machine.error().message;
 }
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/window/child_process.h"
+
+namespace throng::app {
+
+/// A display of its own that nobody sees (Xvfb), and what a person does at it (xdotool). It ends with its owner.
+class Display {
+ public:
+  /// Starts Xvfb with a free number. Programs at it keep in `folder` what a person keeps.
+  Display(const std::filesystem::path& folder, Deadline deadline);
+
+  bool is_there() const { return !name_.empty(); }
+  /// Returns what DISPLAY says, such as ":1".
+  const std::string& name() const { return name_; }
+  /// Returns the environment of a program at it, which draws in software.
+  std::vector<std::string> environment() const;
+  /// Gives words to xdotool; several commands may follow each other. Returns whether it did as it was told.
+  bool xdotool(const std::vector<std::string>& words, Deadline deadline) const;
+
+ private:
+  std::filesystem::path folder_;
+  ChildProcess server_;
+  std::string name_;
+};
+
+}  // namespace throng::app

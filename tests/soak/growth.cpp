@@ -1,9 +1,19 @@
 #include "tests/soak/growth.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <span>
 
 namespace throng::soak {
+
+std::uint64_t Growth::Figure::least_of_last(std::size_t count) const {
+  const auto last = std::span(values).last(std::min(count, values.size()));
+  return last.empty() ? 0 : *std::ranges::min_element(last);
+}
+
+bool Growth::Figure::has_grown() const {
+  const std::size_t count = slack > 0 ? patience : 1;
+  return values.size() >= count && least_of_last(count) > warm_up + slack;
+}
 
 Growth::Figure& Growth::figure(const std::string& name) {
   const auto found = std::ranges::find(figures_, name, &Figure::name);
@@ -17,20 +27,19 @@ void Growth::add(const std::string& name, std::uint64_t value, std::uint64_t sla
   Figure& figure = this->figure(name);
   figure.slack = slack;
   // A figure that comes first after the warm-up begins with its first value.
-  if (!warm_ || (figure.values == 0 && figure.warm_up == 0)) {
+  if (!warm_ || (figure.values.empty() && figure.warm_up == 0)) {
     figure.warm_up = std::max(figure.warm_up, value);
     return;
   }
   figure.largest = std::max(figure.largest, value);
-  figure.last = value;
-  ++figure.values;
+  figure.values.push_back(value);
 }
 
 std::optional<std::string> Growth::grown() const {
   for (const Figure& figure : figures_) {
-    if (figure.largest <= figure.warm_up + figure.slack) continue;
-    return figure.name + " grew from " + std::to_string(figure.warm_up) + " to " + std::to_string(figure.largest) +
-           ", by more than " + std::to_string(figure.slack);
+    if (!figure.has_grown()) continue;
+    return figure.name + " grew from " + std::to_string(figure.warm_up) + " to " +
+           std::to_string(figure.values.back()) + ", by more than " + std::to_string(figure.slack);
   }
   return {};
 }
@@ -38,11 +47,13 @@ std::optional<std::string> Growth::grown() const {
 std::string Growth::table() const {
   std::string text;
   for (const Figure& figure : figures_) {
-    char line[200];
-    std::snprintf(line, sizeof(line), "%-44s %12llu %12llu %12llu %7zu\n", figure.name.c_str(),
-                  static_cast<unsigned long long>(figure.warm_up), static_cast<unsigned long long>(figure.largest),
-                  static_cast<unsigned long long>(figure.last), figure.values);
-    text += line;
+    text += figure.name + std::string(figure.name.size() < 44 ? 44 - figure.name.size() : 0, ' ');
+    for (const std::uint64_t value :
+         {figure.warm_up, figure.largest, figure.least_of_last(patience), figure.least_of_last(1)}) {
+      const std::string digits = std::to_string(value);
+      text += std::string(digits.size() < 13 ? 13 - digits.size() : 1, ' ') + digits;
+    }
+    text += "  in " + std::to_string(figure.values.size()) + " rounds\n";
   }
   return text;
 }

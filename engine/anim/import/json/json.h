@@ -115,12 +115,13 @@ class Json {
   /// copied, it calls the destructor of nothing. An assignment copies before it changes anything.
   struct Value : Variant {
     using Variant::Variant, Variant::operator=;
-    Value() = default;
-    Value(const Value& other) : Variant() { Variant::operator=(other); }
-    Value(Value&& other) noexcept = default;
-    Value& operator=(const Value& other) = default;
-    Value& operator=(Value&& other) noexcept = default;
-    ~Value() = default;
+    // These are defined below Member, too.
+    Value() noexcept;
+    Value(const Value& other);
+    Value(Value&& other) noexcept;
+    Value& operator=(const Value& other);
+    Value& operator=(Value&& other) noexcept;
+    ~Value();
   };
   Value value_;
 };
@@ -130,6 +131,13 @@ struct Json::Member {
   Json value;
   bool operator==(const Member& other) const = default;
 };
+
+inline Json::Value::Value() noexcept = default;
+inline Json::Value::Value(const Value& other) : Variant() { Variant::operator=(other); }
+inline Json::Value::Value(Value&& other) noexcept = default;
+inline Json::Value& Json::Value::operator=(const Value& other) = default;
+inline Json::Value& Json::Value::operator=(Value&& other) noexcept = default;
+inline Json::Value::~Value() = default;
 
 inline Json::Json(std::nullptr_t) {}
 inline Json::Json(std::string text) : value_(std::move(text)) {}

@@ -5,25 +5,10 @@
 #include <utility>
 
 #include "engine/anim/base/room.h"
+#include "engine/anim/entity/reorder_lanes.h"
 
 namespace throng::anim {
 namespace {
-
-/// A pose, [packet][components][16], whose bones move to other places.
-void reorder_lanes(std::span<const int> places, int components, float* pose) {
-  const auto lane = [&](int bone, int component) {
-    const int packet = bone / packet_bones;
-    const int index = (packet * components + component) * packet_bones + bone % packet_bones;
-    return static_cast<std::size_t>(index);
-  };
-  const std::size_t floats = pose_bytes(static_cast<int>(places.size()), components) / sizeof(float);
-  const std::vector<float> before(pose, pose + floats);
-  for (int bone = 0; bone < static_cast<int>(places.size()); ++bone) {
-    for (int component = 0; component < components; ++component) {
-      pose[lane(places[static_cast<std::size_t>(bone)], component)] = before[lane(bone, component)];
-    }
-  }
-}
 
 template <typename Part>
 OwnedPart<Part> copy_of(const OwnedPart<Part>& own) {
@@ -250,12 +235,15 @@ void AgentGraphs::restart_keyframes() {
   }
 }
 
-void AgentGraphs::reorder_kept_transforms(std::span<const int> places) {
+void AgentGraphs::reorder_bones(std::span<const int> places) {
   for (Agent& agent : agents_) {
     visit_handles(agent, [&](Handle& handle) {
-      if (!pools_->layout(handle).kind->keeps_transforms) return;
+      const EntityLayout& layout = pools_->layout(handle);
       auto& state = pools_->as<AnimationStateHeader>(handle);
-      reorder_lanes(places, state.components, transforms_of(state));
+      if (layout.kind->keeps_transforms) reorder_lanes(places, state.components, transforms_of(state));
+      if (layout.kind->reorder_bones != nullptr) {
+        layout.kind->reorder_bones(reinterpret_cast<std::byte*>(&state), layout, places);
+      }
     });
   }
 }

@@ -100,8 +100,8 @@ class AgentGraphs {
 
   /// Makes keyframe players find their keys anew at the next update, because their streams have changed.
   void restart_keyframes();
-  /// Moves transforms that entities keep to the new index of their bone; `places` has it for each bone.
-  void reorder_kept_transforms(std::span<const int> places);
+  /// Moves what entities keep of each bone from update to update to its new index; `places` has it for each bone.
+  void reorder_bones(std::span<const int> places);
 
   /// Returns the most that any program asks of the local store.
   StoreNeeds largest_needs() const;

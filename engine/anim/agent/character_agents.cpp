@@ -162,7 +162,6 @@ std::string CharacterAgents::bound_to_bone_order() const {
   if (!masks.empty()) return "masks of bones";
   if (!selections.empty()) return "selections of bones";
   if (!joint_programs.empty()) return "a list of joints";
-  if (pools.pool(EntityPools::inertialisers).memory().blocks_alive > 0) return "inertialisers";
   return {};
 }
 

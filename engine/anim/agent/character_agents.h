@@ -54,10 +54,10 @@ struct CharacterAgents {
   std::string bound_to_clips(const Character& other);
   /// Takes the same character with its bones in another order, and returns the one before.
   std::shared_ptr<const Character> replace_character(std::shared_ptr<const Character> reordered);
-  /// Does what AgentGraphs::reorder_kept_transforms does, for all graphs.
-  void reorder_kept_transforms(std::span<const int> places) {
-    agents.reorder_kept_transforms(places);
-    shared.reorder_kept_transforms(places);
+  /// Does what AgentGraphs::reorder_bones does, for all graphs.
+  void reorder_bones(std::span<const int> places) {
+    agents.reorder_bones(places);
+    shared.reorder_bones(places);
   }
   /// Returns the name of something that depends on the order of the bones, in words; empty if nothing does.
   std::string bound_to_bone_order() const;

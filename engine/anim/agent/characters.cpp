@@ -95,13 +95,14 @@ Status Characters::replace(CharacterId character, std::shared_ptr<const Characte
       places.size() != static_cast<std::size_t>(agents.skeleton().bone_count())) {
     return refuse({call, "it is not the same character with its bones in another order"});
   }
-  if (const std::string bound = agents.bound_to_bone_order(); !bound.empty()) {
+  const bool moves = !std::ranges::is_sorted(places);
+  if (const std::string bound = agents.bound_to_bone_order(); moves && !bound.empty()) {
     return Error{"the bones of \"" + agents.skeleton().name + "\" keep their order: its agents have " + bound};
   }
   const std::shared_ptr<const Character> before = agents.replace_character(std::move(reordered));
   Status configured = configure_again();
   if (configured) {
-    agents.reorder_kept_transforms(places);
+    agents.reorder_bones(places);
     return configured;
   }
   agents.replace_character(before);

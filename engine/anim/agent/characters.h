@@ -39,7 +39,8 @@ class Characters {
   /// Takes the same character with its bones in another order (asset/skeleton_order.h) and other levels, at a frame
   /// boundary; agents go on where they are. `places` has the new index of each bone. If kinds of entities point at
   /// rigs, the host reorders those at once (CharacterRigs::reorder_bones). Older snapshots cannot be restored. Errors:
-  /// masks, selections or inertialisers depend on the order, or the local store is too small; then nothing has changed.
+  /// bones move while masks, selections or lists of joints depend on them, or the local store is too small; then
+  /// nothing has changed.
   Status replace(CharacterId character, std::shared_ptr<const Character> reordered, std::span<const int> places);
 
   /// Takes the same character with other clips (bake/clip_set.h), at a frame boundary, and lets go of the one before.

@@ -130,6 +130,9 @@ struct EntityKind {
   std::size_t (*private_bytes_for)(int bone_count, int components) = nullptr;
   /// Its transforms are its own state from update to update, so its blocks are resident under every schedule.
   bool keeps_transforms = false;
+  /// Moves what the private part keeps of each bone to its new index (reorder_lanes.h), between updates. Null: it keeps
+  /// nothing by bone.
+  void (*reorder_bones)(std::byte* block, const EntityLayout& layout, std::span<const int> places) = nullptr;
   std::size_t prepared_bytes = 0;  ///< a multiple of 64, at most most_prepared_bytes
   /// A function below reads the first line of a transient block (type, size, owner, absolute root). False: that line is
   /// not fetched.

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "engine/anim/entity/entity_run.h"
+#include "engine/anim/entity/reorder_lanes.h"
 
 namespace throng::anim {
 namespace {
@@ -139,6 +140,20 @@ void inertialise_packet(const EntityInStore& entity, const PacketJob& job) {
   std::memcpy(job.out, shown, packet_bytes(entity.assets->components));
 }
 
+// Bones move among all packets, so those without an offset get one that is zero. Of these no velocity is half measured,
+// so the measurement begins again.
+void reorder_offsets(std::byte* block, const EntityLayout& layout, std::span<const int> places) {
+  auto& inertialiser = *reinterpret_cast<Inertialiser*>(block);
+  auto* const offsets = reinterpret_cast<Offsets*>(block + layout.private_offset);
+  const int packets = packets_for(static_cast<int>(places.size()));
+  if (inertialiser.captured < packets) {
+    std::fill(offsets + inertialiser.captured, offsets + packets, Offsets{});
+    inertialiser.captured = static_cast<std::uint16_t>(packets);
+    if (inertialiser.capture == Capture::second) inertialiser.capture = Capture::first;
+  }
+  reorder_lanes(places, 2 * offset_components, offsets->offsets[0]);
+}
+
 }  // namespace
 
 void retarget(Inertialiser& inertialiser, Handle target, Handle leaving, float half_life) {
@@ -158,6 +173,7 @@ const EntityKind inertialiser_kind = {.name = "inertialiser",
                                       .type = EntityType::inertialiser,
                                       .sources = source_of_inertialiser,
                                       .private_bytes_for = offset_bytes,
+                                      .reorder_bones = reorder_offsets,
                                       .prepared_bytes = 64,
                                       .reads_identity = false,
                                       .advance = advance_each<advance_inertialiser>,

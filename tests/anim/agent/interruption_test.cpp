@@ -1,12 +1,15 @@
 // However often a fade is interrupted nothing snaps, measured where it would be seen: at joints in model space.
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 #include <map>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "engine/anim/asset/skeleton_order.h"
+#include "engine/anim/asset/synthetic_model.h"
 #include "tests/anim/agent/crowd_rig.h"
 
 namespace throng::anim::interruption_test {
@@ -135,6 +138,54 @@ TEST(Interruption, IsOverByTheClockWhetherTheAgentIsPosedMeanwhileOrNot) {
         shares_after_three(frames, [](CrowdRig& crowd, int wait) { crowd->advance(wait * frame_ticks); });
     EXPECT_EQ(posed, unseen) << frames << " frames";
     EXPECT_EQ(posed.size(), frames < frames_of_a_fade ? 1U : 2U) << "one that is left has no share";
+  }
+}
+
+/// The character of the crowds with its bones in another order, and what that order is.
+struct OtherOrder {
+  BoneOrder order;
+  std::shared_ptr<const Character> character;
+};
+
+OtherOrder other_order() {
+  Model model = synthetic_model(40, 5);
+  std::vector<double> importance(40);
+  for (std::size_t bone = 0; bone < importance.size(); ++bone) importance[bone] = static_cast<double>(bone * 7 % 40);
+  std::vector<int> parents;
+  for (const Bone& bone : model.skeleton.bones) parents.push_back(bone.parent);
+  const BoneOrder order = order_bones(parents, importance);
+  reorder_bones(model, order);
+  return {order, std::make_shared<const Character>(reorder_character(*test_character(), model, order))};
+}
+
+/// Interrupts two fades, and gives the bones another order some frames after that if there is one.
+CrowdRig interrupted_twice(int frames_before, const OtherOrder* other) {
+  constexpr Ticks fade = frames_of_a_fade * frame_ticks;
+  CrowdRig crowd;
+  for (const int clip : {0, 1, 2}) {
+    crowd->agent(0).play({.clip = clip, .fade = fade});
+    crowd.step(4);
+  }
+  crowd->agent(0).play({.clip = 3, .fade = fade});
+  crowd.step(frames_before);
+  if (other != nullptr) {
+    const Status taken = crowd->characters().replace(0, other->character, bone_places(other->order));
+    EXPECT_TRUE(taken.has_value()) << taken.error().message;
+  }
+  crowd.step(3);
+  return crowd;
+}
+
+TEST(Interruption, GoesOnWhenTheBonesGetAnotherOrder) {
+  const OtherOrder other = other_order();
+  ASSERT_FALSE(std::ranges::is_sorted(other.order.bones)) << "else nothing moves";
+  const std::vector<int> before = palette_order(test_character()->skeleton, other.order);
+  for (int frames = 0; frames < 6; ++frames) {
+    const CrowdRig moved = interrupted_twice(frames, &other), stayed = interrupted_twice(frames, nullptr);
+    for (std::size_t entry = 0; entry < before.size(); ++entry) {
+      EXPECT_EQ(std::memcmp(moved.palette() + entry, stayed.palette() + before[entry], sizeof(PaletteMatrix)), 0)
+          << "entry " << entry << ", " << frames << " frames after the interruption";
+    }
   }
 }
 

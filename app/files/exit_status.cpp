@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "engine/anim/base/plain_text.h"
@@ -25,6 +26,11 @@ namespace {
   _exit(exit_job_failed);
 }
 
+bool memory_has_a_limit() {
+  rlimit limit{};
+  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
 }  // namespace
 
 int end_with(ExitStatus status, std::string_view sentence) {
@@ -37,7 +43,8 @@ std::string_view sentence_of_failure() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return "the machine has no memory left; ask for fewer agents or smaller models";
+    return memory_has_a_limit() ? "no memory is left of what this process may take; raise the limit (ulimit -v)"
+                                : "the machine has no memory left; ask for fewer agents or smaller models";
   } catch (const std::length_error&) {
     return "the machine has not as much memory as this takes; ask for fewer agents or smaller models";
   } catch (const std::system_error& error) {

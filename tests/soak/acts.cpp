@@ -174,7 +174,7 @@ const Act& any_act(Random& random) {
 void act_at_random(Show& show, const Models& models, Random& random, Counts& counts) {
   const Act& act = any_act(random);
   const anim::Status done = act.run(show, models, random);
-  tell(std::string(act.name) + (done ? "" : ": " + done.error().message));
+  tell("frame " + std::to_string(show.stage().frame()) + ": " + act.name + (done ? "" : ": " + done.error().message));
   ++counts[act.name];
 }
 

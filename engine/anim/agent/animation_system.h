@@ -91,9 +91,9 @@ class AnimationSystem {
 
   /// Copies the blocks of everything that changes. The memory of the snapshot is used again.
   void snapshot(SystemSnapshot& into) const;
-  /// Puts a snapshot back; the crowd goes on to the same poses, bit for bit. Errors: the snapshot is of other
-  /// characters, kinds of entities or bone orders, or of a schedule whose blocks have other sizes; then nothing has
-  /// changed.
+  /// Puts a snapshot back; the crowd goes on to the same poses, bit for bit, unless it reads another stream now.
+  /// Errors: the snapshot is of other characters, kinds of entities or bone orders, or of a schedule whose blocks have
+  /// other sizes; then nothing has changed.
   Status restore(const SystemSnapshot& from);
   /// Moves living blocks together, in the order in which the scheduler reads them, and gives memory back.
   Compaction compact();

@@ -169,6 +169,7 @@ void Population::snapshot(PopulationSnapshot& into) const {
   into.posed_at = posed_at_;
   into.clock = clock_;
   into.shared_posed_at = shared_posed_at_;
+  into.stream = stream_;
 }
 
 Status Population::can_restore(const PopulationSnapshot& from) const {
@@ -196,6 +197,7 @@ Status Population::restore(const PopulationSnapshot& from) {
   posed_at_ = from.posed_at;
   clock_ = from.clock;
   shared_posed_at_ = from.shared_posed_at;
+  if (from.stream != stream_) convert(residency_, stream_);
   return Done{};
 }
 

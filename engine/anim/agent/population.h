@@ -74,6 +74,7 @@ struct PopulationSnapshot {
   std::vector<Ticks> posed_at;
   Ticks clock{};
   Ticks shared_posed_at{};
+  StreamKind stream = StreamKind::sampled;  // which the players read
 
   std::size_t bytes() const;
   /// Widens the demand to what these graphs ask of the local stores.
@@ -98,6 +99,7 @@ class Population {
   }
   /// Converts the blocks of all agents to the residency of a schedule, and their players to a stream.
   void convert(Residency residency, StreamKind stream);
+  StreamKind stream() const { return stream_; }
 
   const AgentNumbers& numbers() const { return numbers_; }
   AgentNumbers& numbers() { return numbers_; }
@@ -132,6 +134,7 @@ class Population {
   /// Checks that the snapshot is of this population. Errors: it is empty, or characters, their clips, their kinds of
   /// entities or the order of their bones differ.
   Status can_restore(const PopulationSnapshot& from) const;
+  /// Puts it back. Players read the stream that they read now, whichever it was then.
   Status restore(const PopulationSnapshot& from);
   Compaction compact();
   /// Returns the bytes of all blocks that live, and of what is kept for each agent.

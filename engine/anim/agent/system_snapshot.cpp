@@ -1,5 +1,7 @@
 #include "engine/anim/agent/system_snapshot.h"
 
+#include <cassert>
+
 namespace throng::anim {
 
 void AnimationSystem::snapshot(SystemSnapshot& into) const {
@@ -9,14 +11,38 @@ void AnimationSystem::snapshot(SystemSnapshot& into) const {
   into.hashes_ = parts_.frame.hashes();
 }
 
+namespace {
+
+// Checks that the stores hold the graphs of a snapshot before anything changes.
+Status restore_same_stream(SystemParts& parts, const PopulationSnapshot& from) {
+  LocalStoreDemand needs = parts.pus.demand(parts.population);
+  from.widen(needs);
+  if (Status fits = parts.pus.fit(parts.population, needs); !fits) return fits;
+  return parts.population.restore(from);
+}
+
+// What its graphs ask of the stores with another stream is only known once they have it.
+Status restore_other_stream(SystemParts& parts, const PopulationSnapshot& from) {
+  PopulationSnapshot now;
+  parts.population.snapshot(now);
+  if (Status restored = parts.population.restore(from); !restored) return restored;
+  Status fits = parts.pus.fit(parts.population, parts.pus.demand(parts.population));
+  if (fits) return fits;
+  const Status as_before = parts.population.restore(now);
+  assert(as_before && "it was taken under the same schedule");
+  return fits;
+}
+
+}  // namespace
+
 Status AnimationSystem::restore(const SystemSnapshot& from) {
   const Turn turn(parts_.turn, "AnimationSystem::restore");
   if (!turn) return Turn::refusal();
   if (Status same = parts_.population.can_restore(from.population_); !same) return same;
-  LocalStoreDemand needs = parts_.pus.demand(parts_.population);
-  from.population_.widen(needs);
-  if (Status fits = parts_.pus.fit(parts_.population, needs); !fits) return fits;
-  if (Status restored = parts_.population.restore(from.population_); !restored) return restored;
+  const bool same_stream = from.population_.stream == parts_.population.stream();
+  Status restored =
+      same_stream ? restore_same_stream(parts_, from.population_) : restore_other_stream(parts_, from.population_);
+  if (!restored) return restored;
   parts_.frame.restore(from.hashes_);
   make_room();
   return Done{};

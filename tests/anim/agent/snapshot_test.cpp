@@ -114,6 +114,58 @@ TEST(Snapshot, IsRefusedUnderAScheduleOfOtherBlocksAndNothingChanges) {
   crowd.step(20);
 }
 
+std::size_t players(const EveryKind& crowd, EntityPools::Kind stream) {
+  return crowd->characters().pools(0).pool(stream).alive_count();
+}
+
+TEST(Snapshot, OfAnotherStreamPlaysTheStreamOfNow) {
+  EveryKind crowd;
+  crowd.step(20);
+  SystemSnapshot snapshot;
+  crowd->snapshot(snapshot);
+  const std::size_t sampled = players(crowd, EntityPools::sampled_players);
+  ASSERT_TRUE(crowd->configure({.stream = StreamKind::keyframe}));
+  const std::size_t kept = players(crowd, EntityPools::sampled_players);
+  crowd.step(20);
+  ASSERT_TRUE(crowd->restore(snapshot));
+  EXPECT_EQ(players(crowd, EntityPools::sampled_players), kept) << "of clips without keyframes, or shared";
+  EXPECT_EQ(players(crowd, EntityPools::keyframe_players), sampled - kept);
+}
+
+// A refusal goes back to the stream of before, which must be the one that everybody plays.
+TEST(Snapshot, OfAnotherStreamIsPosedAsIfNothingHadBeenRefused) {
+  const auto hash_after = [](bool refused) {
+    EveryKind crowd;
+    crowd.step(20);
+    SystemSnapshot snapshot;
+    crowd->snapshot(snapshot);
+    EXPECT_TRUE(crowd->configure({.stream = StreamKind::keyframe}));
+    EXPECT_TRUE(crowd->restore(snapshot));
+    if (refused) {
+      EXPECT_FALSE(crowd->configure({.local_store_bytes = 2048}));
+    }
+    crowd.step(20);
+    return crowd->figures().pose_hash();
+  };
+  EXPECT_EQ(hash_after(true), hash_after(false));
+}
+
+TEST(Snapshot, OfAnotherStreamIsRefusedWhereThatStreamHasNoRoomAndNothingChanges) {
+  CrowdRig crowd;
+  crowd->agent(0).play({.clip = 0});
+  for (int layer = 0; layer < 30; ++layer) {
+    ASSERT_TRUE(crowd->agent(0).add_channel(std::make_unique<SimpleChannel>(PlayerStart{.clip = 1})));
+  }
+  SystemSnapshot snapshot;
+  crowd->snapshot(snapshot);
+  while (crowd->agent(0).channel_count() > 1) crowd->agent(0).remove_channel(crowd->agent(0).channel_id(1));
+  ASSERT_TRUE(crowd->configure({.local_store_bytes = 64 * 1024, .stream = StreamKind::keyframe}));
+  crowd.step();
+  EXPECT_FALSE(crowd->restore(snapshot));
+  EXPECT_EQ(crowd->agent(0).channel_count(), 1U);
+  crowd.step();
+}
+
 TEST(Snapshot, IsRefusedWhereItsGraphsHaveNoRoom) {
   CrowdRig crowd({.local_store_bytes = 256 * 1024});
   crowd->agent(0).play({.clip = 0});

@@ -16,6 +16,7 @@ namespace throng::app::replay_test {
 namespace {
 
 namespace fs = std::filesystem;
+using anim::StreamKind;
 using test::change;
 using test::demo;
 using test::show_of;
@@ -52,6 +53,30 @@ void act(Show& show, int frame) {
 }
 
 using Replays = test::RecordedRun;
+
+StreamKind other(StreamKind stream) {
+  return stream == StreamKind::sampled ? StreamKind::keyframe : StreamKind::sampled;
+}
+
+/// Goes back to before another stream was chosen, then asks for values that are refused.
+void ask_for_what_is_refused(Show& show, int frame) {
+  if (frame == 32) change(show, [](Tuning& tuning) { tuning.system.stream = other(tuning.system.stream); });
+  if (frame == 34) {
+    EXPECT_TRUE(show.rewind());
+  }
+  if (frame != 40) return;
+  Tuning tuning = show.stage().tuning();
+  tuning.system.stream = other(tuning.system.stream);
+  tuning.system.local_store_bytes = 2048;
+  EXPECT_FALSE(show.apply(tuning));
+}
+
+TEST_F(Replays, OfARunInWhichSomethingWasRefusedAreEqual) {
+  for (const std::string stream : {"sampled", "keyframe"}) {
+    record(*show_of(demo("--agents 60 --pus 1 --stream " + stream)), 60, ask_for_what_is_refused);
+    EXPECT_THAT(repeated(""), HasSubstr("all 60 frames are equal")) << stream;
+  }
+}
 
 TEST_F(Replays, OfARunWithChangesAreEqual) {
   record(*show_of(demo("--agents 30 --seed 5 --pus 1")), 120, act);
